@@ -1,0 +1,69 @@
+# Tumble: one command for each purpose. It installs what is missing (Debian and its relatives), runs
+# CMake and adds nothing else: see CMakePresets.json for the same without make.
+#
+#   SETUP=no    only say which packages are missing, and stop if there are any
+#   SETUP=skip  look for no packages: this machine has all that is needed, from wherever
+
+BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libgsl-dev
+TEST_PACKAGES    := $(BUILD_PACKAGES) catch2
+FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
+SITE_PACKAGES    := doxygen graphviz doxygen-awesome-css libjs-mathjax
+BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev pkgconf libode-dev libbullet-dev
+CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) clang libclang-rt-dev clang-format
+
+SETUP ?= yes
+JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
+export SETUP JOBS
+
+# Only what is set is handed on; CMake remembers the rest.
+OPTIONS := $(if $(WERROR),-DTUMBLE_WERROR=$(WERROR)) \
+           $(if $(TUMBLE_SHARED_DATA),-DTUMBLE_SHARED_DATA="$(abspath $(TUMBLE_SHARED_DATA))")
+CONFIGURE := cmake --preset release $(OPTIONS)
+MAKE_IT   := cmake --build --preset release -j $(JOBS)
+RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
+
+.PHONY: help test test-long figures figure check bench site clean
+
+help:  ## this list
+	@echo "usage: make TARGET"
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' Makefile | \
+	  while read -r name what; do printf '  %-10s %s\n' "$$name" "$$what"; done
+	@echo "variables: SETUP=no (only name missing packages), SETUP=skip (do not look), JOBS=N"
+
+test:  ## build and run the tests; ONLY=tag runs those with a tag, such as ONLY=separation
+	@cmake/setup $(TEST_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_TESTS=ON
+	$(MAKE_IT) --target tests
+	$(RUN_TESTS) --preset release $(if $(ONLY),-L '^$(ONLY)$$')
+
+test-long:  ## the tests that take minutes: millions of cases, long runs
+	@cmake/setup $(TEST_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_TESTS=ON
+	$(MAKE_IT) --target tests
+	$(RUN_TESTS) --preset long $(if $(ONLY),-L '^$(ONLY)$$')
+
+figures:  ## compute and draw every figure into build/figures; open index.html there
+	@cmake/setup $(FIGURE_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_FIGURES=ON
+	$(MAKE_IT) --target figures
+
+figure:  ## one figure with other parameters: NAME=zeno SET='restitution=0.9'
+	@cmake/setup $(FIGURE_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_FIGURES=ON
+	NAME='$(NAME)' SET='$(SET)' $(MAKE_IT) --target figure
+
+check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site
+	@cmake/setup $(CHECK_PACKAGES)
+	cmake/check
+
+bench:  ## measure against the engines that are installed
+	@cmake/setup $(BENCH_PACKAGES)
+	cmake --preset bench $(OPTIONS)
+	cmake --build --preset bench -j $(JOBS)
+
+site:  ## the reference as a web site: build/site/index.html
+	@cmake/setup $(SITE_PACKAGES)
+	cmake/site
+
+clean:  ## remove build/
+	rm -rf build

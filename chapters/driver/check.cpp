@@ -1,0 +1,149 @@
+/// \file
+/// \brief Whether the numbers of the figures are still those that were written down.
+#include "driver/check.hpp"
+
+#include "driver/csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+const std::string kNumbers = "_numbers.csv";
+
+DrawnFigure& figure_named(std::vector<DrawnFigure>& figures, const std::string& name) {
+  for (DrawnFigure& figure : figures) {
+    if (figure.name == name) return figure;
+  }
+  figures.emplace_back().name = name;
+  return figures.back();
+}
+
+CheckedNumber& number_named(DrawnFigure& figure, const std::string& quantity) {
+  for (CheckedNumber& number : figure.numbers) {
+    if (number.quantity == quantity) return number;
+  }
+  CheckedNumber& number = figure.numbers.emplace_back();
+  number.quantity = quantity;
+  number.value = number.expected = number.tolerance = kMissing;
+  return number;
+}
+
+// What should come out: one line for each number.
+void read_expected(const std::filesystem::path& path, std::vector<DrawnFigure>& figures) {
+  const auto lines = split_csv(read_file(path));
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string>& cells = lines[i];
+    const bool complete = cells.size() == 6 && !std::isnan(read_number(cells[3])) &&
+                          read_number(cells[4]) >= 0.0 && !cells[5].empty();
+    if (!complete) {
+      throw std::invalid_argument(path.string() + ", line '" + cells[0] +
+                                  (cells.size() > 1 ? "," + cells[1] : "") +
+                                  "...': give figure,quantity,unit,value,tolerance,reason");
+    }
+    CheckedNumber& number = number_named(figure_named(figures, cells[0]), cells[1]);
+    number.unit = cells[2];
+    number.expected = read_number(cells[3]);
+    number.tolerance = read_number(cells[4]);
+    number.reason = cells[5];
+  }
+}
+
+// What came out: comment lines `# key: value`, then the numbers.
+void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
+  const std::string text = read_file(path);
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line) && line.rfind("# ", 0) == 0;) {
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string::npos) continue;
+    const std::string key = line.substr(2, colon - 2);
+    const std::string value = line.substr(colon + 2);
+    if (key == "parameter") {
+      figure.parameters.push_back(value);
+    } else {
+      figure.head[key] = value;
+    }
+  }
+  const auto lines = split_csv(text);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].size() != 3) throw FileError("not a file of numbers: " + path.string());
+    CheckedNumber& number = number_named(figure, lines[i][0]);
+    number.unit = lines[i][1];
+    number.value = read_number(lines[i][2]);
+  }
+  for (CheckedNumber& number : figure.numbers) {
+    number.compared = figure.head["settings"] == "default";
+  }
+}
+
+bool begins_with(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+  return std::to_string(count) + ' ' + (count == 1 ? singular : plural);
+}
+
+}  // namespace
+
+bool CheckedNumber::agrees() const {
+  return !compared || std::abs(value - expected) <= tolerance;  // false for NaN
+}
+
+std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& expected) {
+  std::vector<DrawnFigure> figures;
+  for (const std::filesystem::path& path : expected) read_expected(path, figures);
+
+  // The order of a directory is up to the file system: sort.
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    files.push_back(entry.path());
+  }
+  if (error) throw FileError("cannot read " + folder.string());
+  std::sort(files.begin(), files.end());
+  for (const std::filesystem::path& path : files) {
+    const std::string name = path.filename().string();
+    const bool ours = name.size() > kNumbers.size() &&
+                      name.compare(name.size() - kNumbers.size(), kNumbers.size(), kNumbers) == 0;
+    if (!ours) continue;
+    const std::string figure = name.substr(0, name.size() - kNumbers.size());
+    read_numbers(path, figure_named(figures, figure));
+  }
+  return figures;
+}
+
+std::string difference_text(const std::string& figure, const CheckedNumber& number) {
+  const std::string what = figure + ", " + number.quantity + ": ";
+  if (std::isnan(number.value)) return what + "expected, but not computed";
+  const std::string value = full_text(number.value) + ' ' + number.unit;
+  if (std::isnan(number.expected)) return what + value + ", but no expected.csv knows it";
+  return what + value + ", expected " + full_text(number.expected) + " to within " +
+         short_text(number.tolerance);
+}
+
+std::string summary_text(const std::vector<DrawnFigure>& figures) {
+  std::size_t thesis = 0;
+  std::size_t claims = 0;
+  std::size_t differ = 0;
+  std::size_t set_aside = 0;
+  for (const DrawnFigure& figure : figures) {
+    thesis += begins_with(figure.name, "fig") ? 1 : 0;
+    claims += begins_with(figure.name, "claim") ? 1 : 0;
+    for (const CheckedNumber& number : figure.numbers) {
+      differ += number.agrees() ? 0 : 1;
+      set_aside += number.compared ? 0 : 1;
+    }
+  }
+  const std::size_t shared = figures.size() - thesis - claims;
+  std::string text = counted(thesis, "thesis figure", "thesis figures");
+  if (shared > 0) text += ", " + counted(shared, "figure", "figures") + " of the shared layers";
+  text += ", " + counted(claims, "claim measured", "claims measured");
+  if (set_aside > 0) text += ", " + std::to_string(set_aside) + " not compared";
+  return text + ", " + counted(differ, "differs from expected", "differ from expected");
+}
+
+}  // namespace tumble::chapters

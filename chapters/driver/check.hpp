@@ -1,0 +1,58 @@
+/// \file
+/// \brief Whether the numbers of the figures are still those that were written down.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A number beside the one that was expected.
+struct CheckedNumber {
+  std::string quantity;    ///< in words
+  std::string unit;        ///< "-" for a ratio or a count
+  double value = 0.0;      ///< as computed; NaN if it is missing
+  double expected = 0.0;   ///< from `expected.csv`; NaN if it is not there
+  double tolerance = 0.0;  ///< [unit] absolute
+  std::string reason;      ///< where the expected value and the tolerance come from
+  bool compared = true;    ///< false if the figure was drawn with other settings
+  /// Whether it is within its tolerance.
+  /// \return false also if one of the two is missing
+  [[nodiscard]] bool agrees() const;
+};
+
+/// A figure as its files tell it.
+struct DrawnFigure {
+  std::string name;                         ///< of its files
+  std::map<std::string, std::string> head;  ///< comment lines `# key: value` by key
+  std::vector<std::string> parameters;      ///< the lines of key "parameter", in order
+  std::vector<CheckedNumber> numbers;       ///< in the order of `expected.csv`
+};
+
+/// Reads the numbers of all figures and puts the expected ones beside them.
+///
+/// The order of the figures is that of the expected files. A figure that was not computed has
+/// missing values; one that no expected file knows comes last, without expected values: both
+/// differ, so that neither can be forgotten.
+/// \param folder    where `NAME_numbers.csv` are
+/// \param expected  the `expected.csv` of each chapter, in order
+/// \return every figure
+/// \throws FileError for a file that cannot be read, std::invalid_argument for a line of an
+///         expected file that is not figure, quantity, unit, value, tolerance, reason
+std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& expected);
+
+/// A difference in words.
+/// \param figure  the figure's name
+/// \param number  a number that does not agree
+/// \return figure, number, value, expected value and tolerance
+std::string difference_text(const std::string& figure, const CheckedNumber& number);
+
+/// How many figures and claims there are and how many numbers differ, in words.
+/// \param figures from check_figures()
+/// \return for example "1 thesis figure, 2 claims measured, 0 differ from expected"
+std::string summary_text(const std::vector<DrawnFigure>& figures);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,205 @@
+/// \file
+/// \brief The command line of a chapter's program.
+#include "driver/driver.hpp"
+
+#include "driver/csv.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kBadInput = 2;
+constexpr int kNoResult = 3;
+constexpr int kCannotWrite = 4;
+
+// What the command line asks for.
+struct Request {
+  bool list = false;
+  bool help = false;
+  bool quick = false;
+  std::string figure;  // empty: all
+  std::string out = "build/figures";
+  std::vector<std::pair<std::string, std::string>> set;  // key, value
+};
+
+std::pair<std::string, std::string> key_and_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw std::invalid_argument("'" + text + "': give key=value");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Request parse(int argc, const char* const* argv) {
+  Request request;
+  for (int i = 1; i < argc; ++i) {
+    const std::string option = argv[i];
+    const auto next = [&]() -> std::string {
+      if (i + 1 == argc) throw std::invalid_argument(option + " needs a value after it");
+      return argv[++i];
+    };
+    if (option == "--list") {
+      request.list = true;
+    } else if (option == "--help") {
+      request.help = true;
+    } else if (option == "--quick") {
+      request.quick = true;
+    } else if (option == "--figure") {
+      request.figure = next();
+    } else if (option == "--out") {
+      request.out = next();
+    } else if (option == "--set") {
+      request.set.push_back(key_and_value(next()));
+    } else {
+      throw std::invalid_argument("'" + option +
+                                  "': there are --list, --figure NAME, --set KEY=VALUE, --quick, "
+                                  "--out DIR, --help");
+    }
+  }
+  return request;
+}
+
+void print_help(std::string_view program) {
+  std::printf(
+      "usage: %s [--list] [--figure NAME] [--set KEY=VALUE]... [--quick] [--out DIR]\n"
+      "Computes the numbers behind the figures of a chapter and writes them as CSV.\n"
+      "  --list           every figure with its parameters, defaults and units\n"
+      "  --figure NAME    only this one\n"
+      "  --set KEY=VALUE  change a parameter (of the figure given)\n"
+      "  --quick          small sizes, for a look or a test\n"
+      "  --out DIR        where the files go (build/figures)\n"
+      "exit codes: 0 done, 2 bad input, 3 no such result exists, 4 cannot write\n",
+      std::string(program).c_str());
+}
+
+void print_list(std::span<const Figure> figures) {
+  for (const Figure& figure : figures) {
+    std::printf("%s (thesis %s): %s\n", figure.name.c_str(), figure.section.c_str(),
+                figure.title.c_str());
+    for (const Parameter& parameter : figure.parameters.all()) {
+      std::printf("    %s = %s [%s] %s\n", parameter.key.c_str(), parameter.value.c_str(),
+                  parameter.unit.c_str(), parameter.meaning.c_str());
+    }
+  }
+}
+
+// The figures asked for; a name that does not exist is told with all that do.
+std::vector<const Figure*> chosen(const Request& request, std::span<const Figure> figures) {
+  std::vector<const Figure*> result;
+  std::string names;
+  for (const Figure& figure : figures) {
+    if (request.figure.empty() || request.figure == figure.name) result.push_back(&figure);
+    if (!names.empty()) names += ", ";
+    names += figure.name;
+  }
+  if (result.empty()) {
+    throw std::invalid_argument("no figure '" + request.figure + "'; there are: " + names);
+  }
+  if (request.figure.empty() && !request.set.empty()) {
+    throw std::invalid_argument("--set belongs to one figure: give --figure NAME too");
+  }
+  return result;
+}
+
+// The figure's parameters: default, then --quick, then as typed.
+Parameters settings_of(const Figure& figure, const Request& request) {
+  Parameters settings = figure.parameters;
+  if (request.quick) {
+    for (const std::string& text : figure.quick) {
+      const auto change = key_and_value(text);
+      settings.set(change.first, change.second);
+    }
+  }
+  for (const auto& change : request.set) settings.set(change.first, change.second);
+  return settings;
+}
+
+void compute(std::string_view program, const Figure& figure, const Request& request) {
+  const Parameters settings = settings_of(figure, request);
+  const Result result = figure.experiment(settings);
+  const std::string head = head_of(program, figure, settings, request.quick);
+  const std::filesystem::path folder = request.out;
+  for (const Table& table : result.tables) {
+    const std::string name = figure.name + (table.suffix.empty() ? "" : "_") + table.suffix;
+    write_file(folder / (name + ".csv"), csv_of(head, table));
+  }
+  write_file(folder / (figure.name + "_numbers.csv"), numbers_file(head, figure, result));
+}
+
+void run(int argc, const char* const* argv, std::string_view program,
+         std::span<const Figure> figures) {
+  const Request request = parse(argc, argv);
+  if (request.help) return print_help(program);
+  if (request.list) return print_list(figures);
+
+  const std::vector<const Figure*> todo = chosen(request, figures);
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  for (std::size_t i = 0; i < todo.size(); ++i) {
+    if (terminal) {
+      std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", i + 1, todo.size(), todo[i]->name.c_str());
+    }
+    compute(program, *todo[i], request);
+  }
+  if (terminal) std::fprintf(stderr, "\r\033[K");
+}
+
+}  // namespace
+
+std::string head_of(std::string_view program, const Figure& figure, const Parameters& settings,
+                    bool quick) {
+  std::string command = std::string(program) + " --figure " + figure.name;
+  std::string lines;
+  bool changed = false;
+  for (std::size_t i = 0; i < settings.all().size(); ++i) {
+    const Parameter& parameter = settings.all()[i];
+    if (parameter.value != figure.parameters.all()[i].value) {
+      changed = true;
+      command += " --set " + parameter.key + "=" + parameter.value;
+    }
+    lines += "# parameter: " + parameter.key + " = " + parameter.value + " [" + parameter.unit +
+             "] " + parameter.meaning + '\n';
+  }
+  if (quick) command += " --quick";
+  return "# figure: " + figure.name + "\n# thesis: " + figure.section +
+         "\n# title: " + figure.title + "\n# command: " + command +
+         "\n# settings: " + (changed ? "changed" : "default") + '\n' + lines;
+}
+
+std::string numbers_file(const std::string& head, const Figure& figure, const Result& result) {
+  std::string text = head + "# caption: " + figure.caption + "\nquantity,unit,value\n";
+  for (const Quantity& quantity : result.quantities) {
+    text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + '\n';
+  }
+  return text;
+}
+
+int run_driver(int argc, const char* const* argv, std::string_view program,
+               std::span<const Figure> figures) {
+  int code = kDone;
+  std::string message;
+  try {
+    run(argc, argv, program, figures);
+  } catch (const std::invalid_argument& error) {
+    code = kBadInput;
+    message = error.what();
+  } catch (const FileError& error) {
+    code = kCannotWrite;
+    message = error.what();
+  } catch (const std::runtime_error& error) {
+    code = kNoResult;
+    message = error.what();
+  }
+  if (code != kDone) {
+    std::fprintf(stderr, "%s: %s\n", std::string(program).c_str(), message.c_str());
+  }
+  return code;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,42 @@
+/// \file
+/// \brief The command line of a chapter's program.
+#pragma once
+
+#include "driver/figure.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace tumble::chapters {
+
+/// Computes figures as the command line asks: the whole `main` of a chapter's program.
+///
+/// `[--list] [--figure NAME] [--set KEY=VALUE]... [--quick] [--out DIR]`. Each figure leaves its
+/// tables, `NAME.csv` and perhaps `NAME_<table>.csv`, and `NAME_numbers.csv` with the numbers that
+/// it is about. Every file begins with the command, the parameters and the units.
+///
+/// \param argc     as main got it
+/// \param argv     as main got it
+/// \param program  the program's name
+/// \param figures  the figures of the chapter
+/// \return the exit code: 0 done, 2 bad input, 3 no such result exists, 4 cannot write
+int run_driver(int argc, const char* const* argv, std::string_view program,
+               std::span<const Figure> figures);
+
+/// The comment lines that every file of a figure begins with.
+/// \param program   the program's name
+/// \param figure    the figure
+/// \param settings  its parameters in this run
+/// \param quick     whether --quick was given
+/// \return lines that begin with "# "; the settings are told as "default" if nothing was changed
+std::string head_of(std::string_view program, const Figure& figure, const Parameters& settings,
+                    bool quick);
+
+/// The numbers of a figure as a file, with everything that the index page tells about it.
+/// \param head    from head_of()
+/// \param figure  the figure
+/// \param result  what was computed
+/// \return the bytes of `NAME_numbers.csv`
+std::string numbers_file(const std::string& head, const Figure& figure, const Result& result);
+
+}  // namespace tumble::chapters

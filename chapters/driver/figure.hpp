@@ -1,0 +1,57 @@
+/// \file
+/// \brief What a figure is before it is drawn: parameters in, tables and numbers out.
+#pragma once
+
+#include "tumble/base/parameters.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The programs that compute the figures, and the page that shows them.
+///
+/// A chapter hands over a list of figures; the driver gives them a command line, writes their
+/// numbers into files and gnuplot draws from those. Nothing that a reader sees on a picture was
+/// typed by hand.
+namespace tumble::chapters {
+
+/// One column of a table.
+struct Column {
+  std::string name;     ///< with its unit as suffix, for example "time_s"
+  std::string unit;     ///< "s"; "-" for a ratio or a count
+  std::string meaning;  ///< one line
+};
+
+/// Rows of numbers: one CSV file. NaN is an empty cell.
+struct Table {
+  std::string suffix;                          ///< file is `figure.csv`, or `figure_suffix.csv`
+  std::vector<Column> columns;                 ///< what the rows hold
+  std::vector<std::vector<double>> rows = {};  ///< each as long as `columns`
+};
+
+/// A number that the figure is about, compared with `expected.csv` after drawing.
+struct Quantity {
+  std::string name;    ///< in words, unique within the figure
+  std::string unit;    ///< "-" for a ratio or a count
+  double value = 0.0;  ///< as computed in this run
+};
+
+/// All that one run of a figure computed.
+struct Result {
+  std::vector<Table> tables;         ///< what gnuplot draws from
+  std::vector<Quantity> quantities;  ///< what is checked
+};
+
+/// A figure that a chapter can compute.
+struct Figure {
+  std::string name;       ///< of its files; a thesis figure begins with "fig", a claim with "claim"
+  std::string section;    ///< of the thesis
+  std::string title;      ///< one line
+  std::string caption;    ///< what to look at, what agrees and what does not
+  Parameters parameters;  ///< what a reader can change with --set key=value
+  std::vector<std::string> quick;  ///< what --quick sets first, each as key=value
+  /// Computes everything; throws std::runtime_error if no such result exists.
+  std::function<Result(const Parameters&)> experiment;
+};
+
+}  // namespace tumble::chapters

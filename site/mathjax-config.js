@@ -1,0 +1,3 @@
+MathJax.Hub.Config({
+  messageStyle: "none", showMathMenu: false, SVG: { linebreaks: { automatic: true } }
+});

@@ -1,0 +1,131 @@
+/// \file
+/// \brief Declaring, changing and reading settings.
+#include "tumble/base/parameters.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace tumble {
+namespace {
+
+// The whole text as a number; NaN if it is anything else.
+double parsed(std::string_view text) {
+  const std::string copy(text);
+  char* end = nullptr;
+  const double value = std::strtod(copy.c_str(), &end);
+  const bool all_read = !copy.empty() && end == copy.c_str() + copy.size();
+  return all_read ? value : std::nan("");
+}
+
+std::string list_of(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+// What is wrong with a value, empty if nothing is.
+std::string complaint(const Parameter& p, std::string_view value) {
+  if (p.kind == ParameterKind::flag) {
+    return value == "on" || value == "off" ? "" : "expected on or off";
+  }
+  if (p.kind == ParameterKind::word) {
+    const bool known = std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end();
+    return known ? "" : "expected one of: " + list_of(p.choices);
+  }
+  const double number = parsed(value);
+  const bool whole = p.kind == ParameterKind::number || number == std::floor(number);
+  if (std::isfinite(number) && whole && number >= p.low && number <= p.high) return "";
+  return std::string("expected a ") + (p.kind == ParameterKind::whole ? "whole " : "") +
+         "number from " + require::text(p.low) + " to " + require::text(p.high) +
+         (p.unit == "-" ? "" : " " + p.unit);
+}
+
+}  // namespace
+
+Parameters& Parameters::add_number(std::string key, double initial, double low, double high,
+                                   std::string unit, std::string meaning) {
+  items_.push_back({std::move(key),
+                    ParameterKind::number,
+                    require::text(initial),
+                    std::move(unit),
+                    std::move(meaning),
+                    low,
+                    high,
+                    {}});
+  return *this;
+}
+
+Parameters& Parameters::add_whole(std::string key, std::int64_t initial, std::int64_t low,
+                                  std::int64_t high, std::string meaning) {
+  items_.push_back({std::move(key),
+                    ParameterKind::whole,
+                    std::to_string(initial),
+                    "-",
+                    std::move(meaning),
+                    static_cast<double>(low),
+                    static_cast<double>(high),
+                    {}});
+  return *this;
+}
+
+Parameters& Parameters::add_flag(std::string key, bool initial, std::string meaning) {
+  items_.push_back({std::move(key),
+                    ParameterKind::flag,
+                    initial ? "on" : "off",
+                    "-",
+                    std::move(meaning),
+                    0.0,
+                    0.0,
+                    {"on", "off"}});
+  return *this;
+}
+
+Parameters& Parameters::add_word(std::string key, std::vector<std::string> choices,
+                                 std::string meaning) {
+  std::string initial = choices.front();
+  items_.push_back({std::move(key), ParameterKind::word, std::move(initial), "-",
+                    std::move(meaning), 0.0, 0.0, std::move(choices)});
+  return *this;
+}
+
+void Parameters::set(std::string_view key, std::string_view value) {
+  for (Parameter& p : items_) {
+    if (p.key != key) continue;
+    const std::string wrong = complaint(p, value);
+    require::that(wrong.empty(), p.key + " = " + std::string(value) + ": " + wrong);
+    p.value = value;
+    return;
+  }
+  std::vector<std::string> keys;
+  for (const Parameter& p : items_) keys.push_back(p.key);
+  require::that(false, "unknown setting " + std::string(key) + ": " +
+                           (keys.empty() ? "there are none" : "expected one of: " + list_of(keys)));
+}
+
+bool Parameters::has(std::string_view key) const {
+  return std::any_of(items_.begin(), items_.end(),
+                     [&](const Parameter& p) { return p.key == key; });
+}
+
+const Parameter& Parameters::get(std::string_view key) const {
+  for (const Parameter& p : items_) {
+    if (p.key == key) return p;
+  }
+  require::that(false, "no setting was declared as " + std::string(key));
+  return items_.front();  // not reached
+}
+
+double Parameters::number(std::string_view key) const { return parsed(get(key).value); }
+
+std::int64_t Parameters::whole(std::string_view key) const {
+  return static_cast<std::int64_t>(parsed(get(key).value));
+}
+
+bool Parameters::flag(std::string_view key) const { return get(key).value == "on"; }
+
+const std::string& Parameters::word(std::string_view key) const { return get(key).value; }
+
+}  // namespace tumble

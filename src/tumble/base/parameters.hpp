@@ -1,0 +1,122 @@
+/// \file
+/// \brief Settings that a user can name: `key=value`, with default, unit, range and meaning.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// What values a setting takes.
+enum class ParameterKind : std::uint8_t {
+  number,  ///< a finite number
+  whole,   ///< a whole number
+  flag,    ///< `on` or `off`
+  word     ///< one of a list of words
+};
+
+/// One setting: its name, what it may be, and what it is now.
+struct Parameter {
+  std::string key;                             ///< what a user writes before the =
+  ParameterKind kind = ParameterKind::number;  ///< what values it takes
+  std::string value;                           ///< what it is now, as text
+  std::string unit;                            ///< "m", "s", ...; "-" without one
+  std::string meaning;                         ///< one line
+  double low = 0.0;                            ///< smallest value of a number
+  double high = 0.0;                           ///< largest value of a number
+  std::vector<std::string> choices;            ///< the words that a word may be
+};
+
+/// The settings of one scene, technique or figure, in the order in which they were declared.
+///
+/// Whoever has settings declares them once, with default, unit and meaning; the command line, the
+/// lists of `tumble scenes NAME` and `tumble techniques NAME`, the chapter drivers and the
+/// recorded files all read the same declaration.
+class Parameters {
+ public:
+  /// Declares a number.
+  /// \param key      its name
+  /// \param initial  the default
+  /// \param low      smallest value accepted
+  /// \param high     largest value accepted
+  /// \param unit     its unit; "-" without one
+  /// \param meaning  one line
+  /// \return this, for the next declaration
+  Parameters& add_number(std::string key, double initial, double low, double high, std::string unit,
+                         std::string meaning);
+
+  /// Declares a whole number.
+  /// \param key      its name
+  /// \param initial  the default
+  /// \param low      smallest value accepted
+  /// \param high     largest value accepted
+  /// \param meaning  one line
+  /// \return this, for the next declaration
+  Parameters& add_whole(std::string key, std::int64_t initial, std::int64_t low, std::int64_t high,
+                        std::string meaning);
+
+  /// Declares a switch.
+  /// \param key      its name
+  /// \param initial  the default
+  /// \param meaning  one line
+  /// \return this, for the next declaration
+  Parameters& add_flag(std::string key, bool initial, std::string meaning);
+
+  /// Declares a choice of words.
+  /// \param key      its name
+  /// \param choices  the words accepted; the first is the default
+  /// \param meaning  one line
+  /// \return this, for the next declaration
+  Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
+
+  /// Changes a setting.
+  /// \param key    its name
+  /// \param value  as a user writes it
+  /// \throws std::invalid_argument if there is no such key or the value is not accepted; the
+  ///         message lists what is
+  void set(std::string_view key, std::string_view value);
+
+  /// Whether there is a setting of this name.
+  /// \param key its name
+  /// \return true if declared
+  [[nodiscard]] bool has(std::string_view key) const;
+
+  /// The value of a number.
+  /// \param key its name, declared as a number
+  /// \return its value
+  [[nodiscard]] double number(std::string_view key) const;
+
+  /// The value of a whole number.
+  /// \param key its name, declared as whole
+  /// \return its value
+  [[nodiscard]] std::int64_t whole(std::string_view key) const;
+
+  /// The value of a whole number, as most code wants it.
+  /// \param key its name, declared as whole within the range of int
+  /// \return its value
+  [[nodiscard]] int count(std::string_view key) const { return static_cast<int>(whole(key)); }
+
+  /// The value of a switch.
+  /// \param key its name, declared as a flag
+  /// \return true for `on`
+  [[nodiscard]] bool flag(std::string_view key) const;
+
+  /// The value of a choice.
+  /// \param key its name, declared as a word
+  /// \return one of its words
+  [[nodiscard]] const std::string& word(std::string_view key) const;
+
+  /// All settings.
+  /// \return in the order of declaration
+  [[nodiscard]] std::span<const Parameter> all() const { return items_; }
+
+ private:
+  [[nodiscard]] const Parameter& get(std::string_view key) const;
+
+  std::vector<Parameter> items_;
+};
+
+}  // namespace tumble

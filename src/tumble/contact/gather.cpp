@@ -1,0 +1,150 @@
+/// \file
+/// \brief From pairs of bodies that are near each other to the contacts of a step (thesis 3.2).
+#include "tumble/contact/gather.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/contact/effective_mass.hpp"
+#include "tumble/geometry/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+bool before(const Contact& a, const Contact& b) {
+  return a.first_id != b.first_id ? a.first_id < b.first_id : a.second_id < b.second_id;
+}
+
+// Walks through contacts that are sorted by id, alongside others that are sorted too.
+class Earlier {
+ public:
+  explicit Earlier(std::span<const Contact> contacts) : contacts_(contacts) {}
+
+  // The contact of the same pair, or nullptr. Pairs have to be asked for in ascending order.
+  const Contact* find(const Contact& contact) {
+    while (next_ < contacts_.size() && before(contacts_[next_], contact)) ++next_;
+    const bool found = next_ < contacts_.size() && !before(contact, contacts_[next_]);
+    return found ? &contacts_[next_] : nullptr;
+  }
+
+ private:
+  std::span<const Contact> contacts_;
+  std::size_t next_ = 0;
+};
+
+// The geometry of a pair, the normal from the first to the second, whichever is the ground.
+bool touch(const World& world, std::size_t first, std::size_t second, double margin,
+           AxisIndex remembered, Manifold& out) {
+  const BodyProperties& a = world.bodies()[first];
+  const BodyProperties& b = world.bodies()[second];
+  if (a.shape == Shape::ground) {
+    return collide_with_ground(box_of(b, world.states()[second]), margin, out);
+  }
+  const Box box = box_of(a, world.states()[first]);
+  if (b.shape == Shape::ground) {
+    const bool found = collide_with_ground(box, margin, out);
+    flip(out);
+    return found;
+  }
+  return collide(box, box_of(b, world.states()[second]), margin, remembered, out);
+}
+
+void stamp(std::span<const MovingBody> bodies, Contact& contact) {
+  const MovingBody& first = bodies[static_cast<std::size_t>(contact.first)];
+  const MovingBody& second = bodies[static_cast<std::size_t>(contact.second)];
+  for (int i = 0; i < contact.count; ++i) {
+    ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+    point.approach_speed = contact.normal_w.dot(relative_velocity(first, second, point.position_w));
+  }
+}
+
+// Refuses candidates that a BroadPhase would not give.
+void check_pairs(std::span<const IndexPair> pairs, int count) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const IndexPair& pair = pairs[i];
+    require::that(pair.first >= 0 && pair.first < pair.second && pair.second < count,
+                  "candidates: indices of two bodies are needed, the smaller one first");
+    require::that(i == 0 || pairs[i - 1] < pair,
+                  "candidates: every pair once and in ascending order is needed");
+  }
+}
+
+}  // namespace
+
+GatherReport gather_contacts(const World& world, std::span<const MovingBody> bodies,
+                             std::span<const IndexPair> candidates, double margin,
+                             std::span<const Contact> previous, ContactList& out) {
+  require::that(bodies.size() == world.bodies().size(),
+                "bodies: one entry for each body of the world is needed");
+  require::not_negative(margin, "margin");
+  check_pairs(candidates, world.count());
+
+  out.clear();
+  GatherReport report;
+  Earlier earlier(previous);
+  Manifold manifold;
+  for (const IndexPair& pair : candidates) {
+    const std::size_t first = static_cast<std::size_t>(pair.first);
+    const std::size_t second = static_cast<std::size_t>(pair.second);
+    const BodyProperties& a = world.bodies()[first];
+    const BodyProperties& b = world.bodies()[second];
+    if (!a.movable() && !b.movable()) continue;
+
+    // Indices and ids are in the same order, so the smaller index has the smaller id, and the list
+    // becomes sorted by id.
+    Contact contact;
+    contact.first = pair.first;
+    contact.second = pair.second;
+    contact.first_id = world.ids()[first];
+    contact.second_id = world.ids()[second];
+    const Contact* then = earlier.find(contact);
+    const AxisIndex remembered = then != nullptr ? then->axis : kNoAxis;
+    ++report.pair_tests;
+    if (!touch(world, first, second, margin, remembered, manifold)) continue;
+
+    contact.normal_w = manifold.normal_w;
+    contact.axis = manifold.axis;
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = std::max(a.restitution, b.restitution);
+    contact.count = manifold.count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+      contact.points[i].position_w = manifold.points[i].position_w;
+      contact.points[i].distance = manifold.points[i].distance;
+      contact.points[i].feature = manifold.points[i].feature;
+      report.deepest_overlap = std::max(report.deepest_overlap, -manifold.points[i].distance);
+    }
+    stamp(bodies, contact);
+    report.points += contact.count;
+    out.push_back(contact);
+  }
+  return report;
+}
+
+int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> contacts) {
+  int found = 0;
+  Earlier earlier(previous);
+  for (Contact& contact : contacts) {
+    const Contact* then = earlier.find(contact);
+    if (then == nullptr) continue;
+    const auto end = then->points.begin() + then->count;
+    for (int i = 0; i < contact.count; ++i) {
+      ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+      const auto same = std::find_if(then->points.begin(), end, [&](const ContactPoint& p) {
+        return p.feature == point.feature;
+      });
+      if (same == end) continue;
+      const Vec3& n = contact.normal_w;
+      point.normal_impulse = same->normal_impulse;
+      point.friction_impulse_w = same->friction_impulse_w - n.dot(same->friction_impulse_w) * n;
+      ++found;
+    }
+  }
+  return found;
+}
+
+void stamp_approach_speeds(std::span<const MovingBody> bodies, std::span<Contact> contacts) {
+  for (Contact& contact : contacts) stamp(bodies, contact);
+}
+
+}  // namespace tumble

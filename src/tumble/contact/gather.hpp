@@ -1,0 +1,56 @@
+/// \file
+/// \brief From pairs of bodies that are near each other to the contacts of a step (thesis 3.2).
+#pragma once
+
+#include "tumble/contact/contact.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include <cstdint>
+
+namespace tumble {
+
+/// What gather_contacts() did.
+struct GatherReport {
+  std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at
+  std::int64_t points = 0;       ///< contact points found
+  double deepest_overlap = 0.0;  ///< [m] 0 or above
+};
+
+/// Finds the contacts among pairs of bodies.
+///
+/// Pairs of two immovable bodies are skipped. Friction is the geometric mean of the two bodies'
+/// coefficients, restitution the larger. Each point gets its present approach speed, which Newton's
+/// restitution uses for the whole event; impulses are 0 (see carry_over_impulses()).
+/// \param world       where the bodies are
+/// \param bodies      how they move: one for each body index
+/// \param candidates  pairs by index, first < second, each once, sorted, as a BroadPhase gives them
+/// \param margin      [m] surfaces up to this far apart count as touching, at least 0
+/// \param previous    contacts of an earlier step, sorted by id; may be empty. A pair that touched
+///                    then is looked at along the axis that it had. Must not be `out`: keep two
+///                    lists and swap them
+/// \param out         is overwritten; sorted by id
+/// \return counts
+/// \throws std::invalid_argument if there is not one entry of `bodies` for each body, for a pair
+///         out of range or out of order, or a margin that is negative or not finite
+/// \par Cost and determinism
+/// One test of two boxes for each candidate; no allocation once `out` is warm. The result depends
+/// on the remembered axes only within `tolerance::face_preference`.
+GatherReport gather_contacts(const World& world, std::span<const MovingBody> bodies,
+                             std::span<const IndexPair> candidates, double margin,
+                             std::span<const Contact> previous, ContactList& out);
+
+/// Gives points that touched before the impulses that they had, as a start for iterative solvers.
+///
+/// A point is the same if its pair and its feature are. What is left of the friction impulse
+/// across the new normal is kept.
+/// \param previous  contacts of an earlier step, sorted by id
+/// \param contacts  contacts of this step, sorted by id; impulses in and out
+/// \return how many points were found again
+int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> contacts);
+
+/// Stamps every point with the speed at which the bodies approach there now.
+/// \param bodies    how the bodies move, one for each body index
+/// \param contacts  approach speeds are overwritten
+void stamp_approach_speeds(std::span<const MovingBody> bodies, std::span<Contact> contacts);
+
+}  // namespace tumble

@@ -1,0 +1,85 @@
+/// \file
+/// \brief Groups of bodies that touch: disjoint sets, then two counting sorts.
+#include "tumble/contact/islands.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <string>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Refuses a contact of a body that there is not.
+void check(const Contact& contact, int count) {
+  const auto in_range = [&](int body) { return body >= 0 && body < count; };
+  if (in_range(contact.first) && in_range(contact.second)) return;
+  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
+                           std::to_string(contact.second) + ": give indices below " +
+                           std::to_string(count));
+}
+
+// Sorts the numbers 0, 1, ... by the island of each into one list with a start for each island.
+// Equal ones keep their order. Numbers of no island are left out.
+void sort_by_island(std::span<const int> island, int islands, std::vector<int>& sorted,
+                    std::vector<int>& start) {
+  start.assign(at(islands) + 1, 0);
+  for (const int k : island)
+    if (k != Islands::kNone) ++start[at(k) + 1];
+  for (std::size_t k = 0; k < at(islands); ++k) start[k + 1] += start[k];
+
+  sorted.resize(at(start.back()));
+  for (std::size_t i = 0; i < island.size(); ++i)
+    if (island[i] != Islands::kNone) sorted[at(start[at(island[i])]++)] = static_cast<int>(i);
+  // Each start has moved on to that of the next island.
+  for (std::size_t k = at(islands); k > 0; --k) start[k] = start[k - 1];
+  start[0] = 0;
+}
+
+}  // namespace
+
+void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts) {
+  // Join the two sets of every contact under the smaller root: the root of an island is then its
+  // smallest index, whatever the order of the contacts.
+  parent_.resize(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) parent_[b] = static_cast<int>(b);
+  for (const Contact& contact : contacts) {
+    check(contact, static_cast<int>(bodies.size()));
+    if (!bodies[at(contact.first)].movable() || !bodies[at(contact.second)].movable()) continue;
+    int lower = root_of(contact.first);
+    int upper = root_of(contact.second);
+    if (lower > upper) std::swap(lower, upper);
+    parent_[at(upper)] = lower;
+  }
+
+  // Number the islands by their roots. A root has the smallest index of its island, so that it
+  // gets its number before the others ask for it.
+  int islands = 0;
+  island_.assign(bodies.size(), kNone);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!bodies[b].movable()) continue;
+    const int root = root_of(static_cast<int>(b));
+    island_[b] = root == static_cast<int>(b) ? islands++ : island_[at(root)];
+  }
+  contact_island_.clear();
+  for (const Contact& contact : contacts) {
+    const int first = island_[at(contact.first)];
+    contact_island_.push_back(first != kNone ? first : island_[at(contact.second)]);
+  }
+  sort_by_island(island_, islands, bodies_, body_start_);
+  sort_by_island(contact_island_, islands, contacts_, contact_start_);
+}
+
+// The smallest index known to be in the body's set. On the way every second body is moved up by
+// one generation, which keeps later searches short.
+int Islands::root_of(int body) {
+  while (parent_[at(body)] != body) {
+    parent_[at(body)] = parent_[at(parent_[at(body)])];
+    body = parent_[at(body)];
+  }
+  return body;
+}
+
+}  // namespace tumble

@@ -1,0 +1,199 @@
+/// \file
+/// \brief Overlaps ended by moving bodies, level by level.
+#include "tumble/contact/repair.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <tuple>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// The pair with the smaller index first, so that its order cannot change a bit of the result.
+IndexPair sorted(const IndexPair& pair, int count) {
+  const IndexPair result{std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
+  if (!(result.first >= 0 && result.first < result.second && result.second < count))
+    require::that(false, "pair " + std::to_string(pair.first) + ", " + std::to_string(pair.second) +
+                             ": give two different indices below " + std::to_string(count));
+  return result;
+}
+
+// [m] the ground has no edges
+double shortest_edge(const BodyProperties& body) {
+  return body.shape == Shape::ground ? std::numeric_limits<double>::infinity()
+                                     : body.size.minCoeff();
+}
+
+// From the ground to a box: the height of its lowest point, along the ground's normal.
+Separation separation_from_ground(const Box& box) {
+  const Vec3 up_w = Vec3::UnitY();
+  return Separation{box.center_w.y() - reach(box, up_w), up_w, kNoAxis};
+}
+
+}  // namespace
+
+OverlapRepair::OverlapRepair(const RepairOptions& options) : options_(options) {
+  require::positive(options.slop, "slop");
+  require::that(options.most_sweeps >= 1,
+                "most_sweeps = " + std::to_string(options.most_sweeps) + ": give at least 1");
+}
+
+RepairReport OverlapRepair::run(World& world, std::span<const IndexPair> pairs) {
+  RepairReport report;
+  prepare(world, pairs);
+  report.deepest_before = measure_all(world, report);
+  const auto any_too_deep = [&] {
+    return std::any_of(candidates_.begin(), candidates_.end(),
+                       [](const Candidate& c) { return c.too_deep(); });
+  };
+  bool overlapping = any_too_deep();
+  while (overlapping && report.sweeps < options_.most_sweeps) {
+    // From the ground up, each pair as it is by now: pairs below it may have moved its bodies.
+    ++report.sweeps;
+    sort_from_the_ground_up(world);
+    for (Candidate& candidate : candidates_) {
+      measure(candidate, world, report);
+      if (!candidate.too_deep()) continue;
+      move_apart(candidate);
+      ++report.moves;
+    }
+    // Whom did these moves push into whom?
+    report.deepest_after = measure_all(world, report);
+    overlapping = any_too_deep();
+  }
+  if (report.sweeps == 0) report.deepest_after = report.deepest_before;
+  if (overlapping) report.status = RepairStatus::unsolved;
+  store(world, report);
+  return report;
+}
+
+bool OverlapRepair::Candidate::too_deep() const {
+  return -distance > slop * (1.0 + tolerance::repair_closeness);
+}
+
+void OverlapRepair::prepare(const World& world, std::span<const IndexPair> pairs) {
+  const std::size_t count = world.bodies().size();
+  boxes_.resize(count);
+  ease_.resize(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    if (world.bodies()[b].shape == Shape::box)
+      boxes_[b] = box_of(world.bodies()[b], world.states()[b]);
+    ease_[b] = world.rests()[b].asleep ? 0.0 : world.bodies()[b].inverse_mass;
+  }
+  moves_.assign(count, 0);
+  stride_.assign(count, 1.0);
+  push_w_.assign(count, Vec3::Zero());
+
+  candidates_.clear();
+  for (const IndexPair& given : pairs) {
+    const IndexPair pair = sorted(given, world.count());
+    if (ease_[at(pair.first)] == 0.0 && ease_[at(pair.second)] == 0.0) continue;
+    Candidate candidate;
+    candidate.pair = pair;
+    candidate.slop = options_.slop * std::min(shortest_edge(world.bodies()[at(pair.first)]),
+                                              shortest_edge(world.bodies()[at(pair.second)]));
+    candidates_.push_back(candidate);
+  }
+}
+
+// Finds distance and normal, unless nothing has moved since they were found last.
+void OverlapRepair::measure(Candidate& candidate, const World& world, RepairReport& report) {
+  const int first = candidate.pair.first;
+  const int second = candidate.pair.second;
+  if (candidate.first_moves == moves_[at(first)] && candidate.second_moves == moves_[at(second)])
+    return;
+  candidate.first_moves = moves_[at(first)];
+  candidate.second_moves = moves_[at(second)];
+  ++report.pair_tests;
+
+  Separation found;
+  if (world.bodies()[at(first)].shape == Shape::ground) {
+    found = separation_from_ground(boxes_[at(second)]);
+  } else if (world.bodies()[at(second)].shape == Shape::ground) {
+    found = separation_from_ground(boxes_[at(first)]);
+    found.normal_w = -found.normal_w;
+  } else {
+    // Pairs with a gap of up to the slop count as touching for the order of support.
+    found = separation(boxes_[at(first)], boxes_[at(second)], {.enough = candidate.slop});
+  }
+  candidate.distance = found.distance;
+  candidate.normal_w = found.normal_w;
+}
+
+// [m] the deepest overlap, 0 if there is none
+double OverlapRepair::measure_all(const World& world, RepairReport& report) {
+  double deepest = 0.0;
+  for (Candidate& candidate : candidates_) {
+    measure(candidate, world, report);
+    deepest = std::max(deepest, -candidate.distance);
+  }
+  return deepest;
+}
+
+// Pairs in order of the upper body's level: all that a body rests on comes before what rests on it.
+void OverlapRepair::sort_from_the_ground_up(const World& world) {
+  const Vec3 up_w = -world.gravity_w.stableNormalized();  // 0 without gravity: all of one level
+  edges_.clear();
+  for (const Candidate& c : candidates_) {
+    if (c.distance > c.slop) continue;
+    const int direction = support_direction(c.normal_w, up_w);
+    if (direction > 0) edges_.push_back({c.pair.first, c.pair.second});
+    if (direction < 0) edges_.push_back({c.pair.second, c.pair.first});
+  }
+  graph_.build(world.bodies(), edges_);
+  for (Candidate& c : candidates_)
+    std::tie(c.lower_level, c.upper_level) =
+        std::minmax({graph_.level(c.pair.first), graph_.level(c.pair.second)});
+  const auto key = [](const Candidate& c) {
+    return std::tuple(c.upper_level, c.lower_level, c.pair.first, c.pair.second);
+  };
+  std::sort(candidates_.begin(), candidates_.end(),
+            [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
+}
+
+// Moves the upper body along the normal until only the slop is left; both, if they are of one
+// level, by shares in the ratio of their inverse masses: then their common centre stays.
+void OverlapRepair::move_apart(const Candidate& candidate) {
+  const int first = candidate.pair.first;
+  const int second = candidate.pair.second;
+  double first_ease = ease_[at(first)];
+  double second_ease = ease_[at(second)];
+  if (first_ease > 0.0 && second_ease > 0.0) {
+    if (graph_.level(first) < graph_.level(second)) first_ease = 0.0;
+    if (graph_.level(first) > graph_.level(second)) second_ease = 0.0;
+  }
+  const Vec3 parting_w = (-candidate.distance - candidate.slop) * candidate.normal_w;
+  const double whole = first_ease + second_ease;
+  if (first_ease > 0.0) move(first, -first_ease / whole * parting_w, second_ease == 0.0);
+  if (second_ease > 0.0) move(second, second_ease / whole * parting_w, first_ease == 0.0);
+}
+
+// Moves a body; `alone`: the other one stays. Two such pushes in opposite directions mean that there
+// may be no room. Half the step from then on ends in the middle instead of swinging for ever. Pushes
+// that are shared do not count: in a row of boxes they come from both sides and still lead outwards.
+void OverlapRepair::move(int body, const Vec3& push_w, bool alone) {
+  if (alone) {
+    Vec3& before_w = push_w_[at(body)];
+    const double limit = tolerance::repair_to_and_fro * push_w.norm() * before_w.norm();
+    if (push_w.dot(before_w) < limit) stride_[at(body)] *= 0.5;
+    before_w = push_w;
+  }
+  boxes_[at(body)].center_w += (alone ? stride_[at(body)] : 1.0) * push_w;
+  ++moves_[at(body)];
+}
+
+void OverlapRepair::store(World& world, RepairReport& report) const {
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    if (moves_[b] == 0) continue;
+    Vec3& position_w = world.states()[b].position_w;
+    report.energy -= world.bodies()[b].mass * world.gravity_w.dot(boxes_[b].center_w - position_w);
+    position_w = boxes_[b].center_w;
+  }
+}
+
+}  // namespace tumble

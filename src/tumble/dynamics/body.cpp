@@ -1,0 +1,121 @@
+/// \file
+/// \brief A rigid body: making one, and the velocities behind its momenta (thesis 3.1).
+#include "tumble/dynamics/body.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <limits>
+
+namespace tumble {
+namespace {
+
+// What makes any shape immovable: infinite mass, and inverses that are exactly zero.
+BodyProperties immovable(Shape shape, const Vec3& size, double friction, double restitution) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  require::not_negative(friction, "friction");
+  require::within(restitution, 0.0, 1.0, "restitution");
+  BodyProperties body;
+  body.shape = shape;
+  body.size = size;
+  body.mass = infinity;
+  body.inverse_mass = 0.0;
+  body.inertia_b = Vec3::Constant(infinity);
+  body.inverse_inertia_b = Vec3::Zero();
+  body.friction = friction;
+  body.restitution = restitution;
+  return body;
+}
+
+void require_size(const Vec3& size) {
+  require::positive(size.x(), "size.x");
+  require::positive(size.y(), "size.y");
+  require::positive(size.z(), "size.z");
+}
+
+}  // namespace
+
+BodyProperties box_properties(const Vec3& size, double mass, double friction, double restitution) {
+  require_size(size);
+  require::positive(mass, "mass");
+  require::not_negative(friction, "friction");
+  require::within(restitution, 0.0, 1.0, "restitution");
+  BodyProperties body;
+  body.size = size;
+  body.mass = mass;
+  body.inverse_mass = 1.0 / mass;
+  const Vec3 square = size.cwiseProduct(size);
+  body.inertia_b =
+      mass / 12.0 * Vec3(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
+  body.inverse_inertia_b = body.inertia_b.cwiseInverse();
+  body.friction = friction;
+  body.restitution = restitution;
+  // Sizes and masses near the ends of what a double holds have no finite inverse.
+  require::positive(body.inverse_mass, "1 / mass");
+  require::positive(body.inertia_b.minCoeff(), "smallest moment of inertia");
+  require::positive(body.inverse_inertia_b.minCoeff(), "1 / largest moment of inertia");
+  require::positive(body.inverse_inertia_b.maxCoeff(), "1 / smallest moment of inertia");
+  return body;
+}
+
+BodyProperties fixed_box_properties(const Vec3& size, double friction, double restitution) {
+  require_size(size);
+  return immovable(Shape::box, size, friction, restitution);
+}
+
+BodyProperties ground_properties(double friction, double restitution) {
+  return immovable(Shape::ground, Vec3::Zero(), friction, restitution);
+}
+
+BodyState make_state(const BodyProperties& body, const Vec3& position_w, const Quat& orientation_wb,
+                     const Vec3& velocity_w, const Vec3& angular_velocity_w) {
+  require::finite(position_w, "position_w");
+  require::unit(orientation_wb, "orientation_wb");
+  require::finite(velocity_w, "velocity_w");
+  require::finite(angular_velocity_w, "angular_velocity_w");
+  BodyState state;
+  state.position_w = position_w;
+  state.orientation_wb = orientation_wb;
+  if (!body.movable()) {
+    require::that(velocity_w.isZero(0.0) && angular_velocity_w.isZero(0.0),
+                  "an immovable body was given a velocity: expected none");
+    return state;
+  }
+  state.linear_momentum_w = body.mass * velocity_w;
+  // L = R I R' ω, through the body frame, where the inertia is diagonal.
+  const Mat3 rotation_wb = orientation_wb.toRotationMatrix();
+  const Vec3 angular_velocity_b = rotation_wb.transpose() * angular_velocity_w;
+  state.angular_momentum_w = rotation_wb * body.inertia_b.cwiseProduct(angular_velocity_b);
+  return state;
+}
+
+Vec3 velocity(const BodyProperties& body, const BodyState& state) {
+  return body.inverse_mass * state.linear_momentum_w;
+}
+
+Vec3 angular_velocity(const BodyProperties& body, const BodyState& state) {
+  const Mat3 rotation_wb = state.orientation_wb.toRotationMatrix();
+  const Vec3 angular_momentum_b = rotation_wb.transpose() * state.angular_momentum_w;
+  return rotation_wb * body.inverse_inertia_b.cwiseProduct(angular_momentum_b);
+}
+
+Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb) {
+  // Summed axis by axis, Σ_k r_k r_k' / I_k, each term symmetric to the last bit: so is the sum.
+  const Mat3 rotation_wb = orientation_wb.toRotationMatrix();
+  Mat3 sum = Mat3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Mat3 outer = rotation_wb.col(k) * rotation_wb.col(k).transpose();
+    sum += body.inverse_inertia_b[k] * outer;
+  }
+  return sum;
+}
+
+double kinetic_energy(const BodyProperties& body, const BodyState& state) {
+  // L·ω in the body frame is a sum of squares: it cannot round to below 0.
+  const Vec3 angular_momentum_b =
+      state.orientation_wb.toRotationMatrix().transpose() * state.angular_momentum_w;
+  const double spin =
+      body.inverse_inertia_b.dot(angular_momentum_b.cwiseProduct(angular_momentum_b));
+  return 0.5 * (body.inverse_mass * state.linear_momentum_w.squaredNorm() + spin);
+}
+
+}  // namespace tumble

@@ -1,0 +1,119 @@
+/// \file
+/// \brief A rigid body: what never changes about it, and its state (thesis 3.1).
+#pragma once
+
+#include "tumble/base/types.hpp"
+#include "tumble/geometry/box.hpp"
+
+namespace tumble {
+
+/// What a body is.
+enum class Shape : std::uint8_t {
+  box,    ///< an oriented box
+  ground  ///< the fixed half-space y <= 0
+};
+
+/// The constant part of a body.
+///
+/// An immovable body has zero inverse mass and zero inverse inertia; its mass is infinite. Every
+/// formula uses the inverses, so that immovable bodies need no special case.
+struct BodyProperties {
+  Shape shape = Shape::box;                      ///< box or ground
+  Vec3 size = Vec3::Ones();                      ///< [m] full edge lengths; not used by the ground
+  double mass = 1.0;                             ///< [kg] infinite for an immovable body
+  double inverse_mass = 1.0;                     ///< [1/kg] 0 for an immovable body
+  Vec3 inertia_b = Vec3::Constant(1.0 / 6.0);    ///< [kg m²] principal moments, body frame
+  Vec3 inverse_inertia_b = Vec3::Constant(6.0);  ///< [1/(kg m²)] 0 for an immovable body
+  double friction = 0.5;                         ///< [-] Coulomb's coefficient, at least 0
+  double restitution = 0.0;                      ///< [-] 0 (sticks) to 1 (bounces back)
+
+  /// Whether forces move it.
+  /// \return false for an immovable body
+  [[nodiscard]] bool movable() const { return inverse_mass > 0.0; }
+};
+
+/// The state of a body: all that changes. The thesis integrates momenta, and so do we.
+struct BodyState {
+  Vec3 position_w = Vec3::Zero();          ///< [m] centre of mass, world frame
+  Quat orientation_wb = Quat::Identity();  ///< [-] body to world, length 1
+  Vec3 linear_momentum_w = Vec3::Zero();   ///< [kg m/s] world frame
+  Vec3 angular_momentum_w = Vec3::Zero();  ///< [kg m²/s] about the centre of mass, world frame
+};
+
+/// A box of uniform density.
+///
+/// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).
+/// \param size         [m] full edge lengths, each above 0
+/// \param mass         [kg] above 0
+/// \param friction     [-] at least 0
+/// \param restitution  [-] 0 to 1
+/// \return its properties
+/// \throws std::invalid_argument naming the value that is out of range
+BodyProperties box_properties(const Vec3& size, double mass, double friction = 0.5,
+                              double restitution = 0.0);
+
+/// An immovable box.
+/// \param size         [m] full edge lengths, each above 0
+/// \param friction     [-] at least 0
+/// \param restitution  [-] 0 to 1
+/// \return its properties
+/// \throws std::invalid_argument naming the value that is out of range
+BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
+                                    double restitution = 0.0);
+
+/// The immovable half-space y <= 0.
+/// \param friction     [-] at least 0
+/// \param restitution  [-] 0 to 1
+/// \return its properties
+/// \throws std::invalid_argument naming the value that is out of range
+BodyProperties ground_properties(double friction = 0.5, double restitution = 0.0);
+
+/// A state from the velocities that people think in.
+/// \param body                the body's constant part
+/// \param position_w          [m] world frame
+/// \param orientation_wb      [-] body to world, length 1
+/// \param velocity_w          [m/s] of the centre of mass, world frame
+/// \param angular_velocity_w  [rad/s] world frame
+/// \return the state: P = m v, L = R I R' ω; momenta of an immovable body are 0
+/// \throws std::invalid_argument for a value that is not finite, a quaternion that is not of
+///         length 1, or an immovable body with a velocity
+BodyState make_state(const BodyProperties& body, const Vec3& position_w,
+                     const Quat& orientation_wb = Quat::Identity(),
+                     const Vec3& velocity_w = Vec3::Zero(),
+                     const Vec3& angular_velocity_w = Vec3::Zero());
+
+/// Velocity of the centre of mass, \f$v = P/m\f$.
+/// \param body   the body's constant part
+/// \param state  its state
+/// \return [m/s] world frame; 0 for an immovable body
+Vec3 velocity(const BodyProperties& body, const BodyState& state);
+
+/// Angular velocity, \f$\omega = R\,I_b^{-1} R^{\mathsf T} L\f$.
+///
+/// It changes while a body tumbles freely although L does not: never store it over a step.
+/// \param body   the body's constant part
+/// \param state  its state
+/// \return [rad/s] world frame; 0 for an immovable body
+Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
+
+/// Inverse inertia in the world frame, \f$R\,I_b^{-1} R^{\mathsf T}\f$.
+/// \param body            the body's constant part
+/// \param orientation_wb  [-] body to world, length 1
+/// \return [1/(kg m²)] symmetric; 0 for an immovable body
+Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
+
+/// The body as geometry sees it.
+/// \param body   the body's constant part, a box
+/// \param state  its state
+/// \return the box
+inline Box box_of(const BodyProperties& body, const BodyState& state) {
+  return Box{state.position_w, state.orientation_wb.toRotationMatrix(), 0.5 * body.size};
+}
+
+/// Kinetic energy, \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$.
+/// \param body   the body's constant part
+/// \param state  its state
+/// \return [J] 0 for an immovable body
+double kinetic_energy(const BodyProperties& body, const BodyState& state);
+
+}  // namespace tumble

@@ -1,0 +1,108 @@
+/// \file
+/// \brief Bodies in flight: where they are at any time of a step, and how far apart (thesis 3.2).
+#include "tumble/dynamics/flight.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+std::size_t place(int body) { return static_cast<std::size_t>(body); }
+
+double valid_time(const Flight& flight, int body) {
+  return flight.valid_times.empty() ? 0.0 : flight.valid_times[place(body)];
+}
+
+Vec3 acceleration_w(const Flight& flight, int body) {
+  if (!flight.bodies[place(body)].movable()) return Vec3::Zero();
+  return flight.accelerations_w.empty() ? flight.gravity_w : flight.accelerations_w[place(body)];
+}
+
+// The height of the lowest corner: the ground is the first body, so the normal is +y.
+Separation gap_above_ground(const BodyProperties& body, const BodyState& state) {
+  Separation out;
+  out.distance = state.position_w.y() - reach(box_of(body, state), Vec3::UnitY());
+  out.normal_w = Vec3::UnitY();
+  return out;
+}
+
+// How fast any point of the body can move against its centre until the end.
+double corner_speed(const Flight& flight, int body, double end) {
+  const BodyProperties& properties = flight.bodies[place(body)];
+  if (!properties.movable()) return 0.0;
+  const double duration = std::min(end - valid_time(flight, body), flight.micro_step);
+  const double turning =
+      angular_speed_bound(properties, flight.states[place(body)], duration, flight.rule);
+  return turning * 0.5 * properties.size.norm();
+}
+
+}  // namespace
+
+void require_valid(const Flight& flight, double start) {
+  const std::size_t count = flight.bodies.size();
+  require::finite(start, "start");
+  require::finite(flight.gravity_w, "flight.gravity_w");
+  require::that(flight.states.size() == count, "flight.states: expected one for each body");
+  require::that(flight.valid_times.empty() || flight.valid_times.size() == count,
+                "flight.valid_times: expected one for each body, or none");
+  require::that(flight.accelerations_w.empty() || flight.accelerations_w.size() == count,
+                "flight.accelerations_w: expected one for each body, or none");
+  for (const BodyState& state : flight.states) {
+    require::finite(state.position_w, "flight.states.position_w");
+    require::unit(state.orientation_wb, "flight.states.orientation_wb");
+    require::finite(state.linear_momentum_w, "flight.states.linear_momentum_w");
+    require::finite(state.angular_momentum_w, "flight.states.angular_momentum_w");
+  }
+  for (const double time : flight.valid_times) {
+    if (time <= start) continue;
+    require::that(false, "flight.valid_times has " + require::text(time) +
+                             ": expected at most start = " + require::text(start));
+  }
+  for (const Vec3& acceleration : flight.accelerations_w)
+    require::finite(acceleration, "flight.accelerations_w");
+}
+
+BodyState state_at(const Flight& flight, int body, double time) {
+  BodyState state = flight.states[place(body)];
+  fly_in_micro_steps(flight.bodies[place(body)], state, acceleration_w(flight, body),
+                     time - valid_time(flight, body), flight.rule, flight.micro_step);
+  return state;
+}
+
+Separation gap_between(const BodyProperties& first, const BodyState& first_state,
+                       const BodyProperties& second, const BodyState& second_state) {
+  if (first.shape == Shape::ground) return gap_above_ground(second, second_state);
+  if (second.shape == Shape::ground) {
+    Separation out = gap_above_ground(first, first_state);
+    out.normal_w = -out.normal_w;
+    return out;
+  }
+  SeparationOptions all_axes;
+  all_axes.prefer_faces = false;
+  all_axes.enough = std::numeric_limits<double>::infinity();
+  return separation(box_of(first, first_state), box_of(second, second_state), all_axes);
+}
+
+Separation gap_at(const Flight& flight, const IndexPair& pair, double time) {
+  return gap_between(flight.bodies[place(pair.first)], state_at(flight, pair.first, time),
+                     flight.bodies[place(pair.second)], state_at(flight, pair.second, time));
+}
+
+ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Vec3& normal_w,
+                           double time, double end) {
+  // Velocities at the time, without turning the bodies there: v + a (t - t_valid).
+  const auto velocity_at = [&](int body) -> Vec3 {
+    return velocity(flight.bodies[place(body)], flight.states[place(body)]) +
+           (time - valid_time(flight, body)) * acceleration_w(flight, body);
+  };
+  ClosingBound bound;
+  bound.speed = normal_w.dot(velocity_at(pair.first) - velocity_at(pair.second)) +
+                corner_speed(flight, pair.first, end) + corner_speed(flight, pair.second, end);
+  bound.acceleration =
+      normal_w.dot(acceleration_w(flight, pair.first) - acceleration_w(flight, pair.second));
+  return bound;
+}
+
+}  // namespace tumble

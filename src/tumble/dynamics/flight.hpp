@@ -1,0 +1,87 @@
+/// \file
+/// \brief Bodies in flight: where they are at any time of a step, and how far apart (thesis 3.2).
+#pragma once
+
+#include "tumble/dynamics/integrate.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/swept.hpp"
+
+#include <limits>
+#include <span>
+
+namespace tumble {
+
+/// How bodies move until the next event: each on its own arc from its last valid state.
+///
+/// All times of a search are counted from one origin; the start of the step is the best one, since
+/// times far from 0 have fewer digits left. The arrays are the caller's and have to outlive the
+/// flight.
+struct Flight {
+  std::span<const BodyProperties> bodies;  ///< by index
+  std::span<const BodyState> states;       ///< by index, each at its valid time
+  /// [s] by index: the valid times, when bodies have different ones as in the timewarp (thesis
+  /// 5.1). Empty: all are 0.
+  std::span<const double> valid_times = {};
+  /// [m/s²] by index, world frame: what each body's centre is accelerated by, for a caller that
+  /// knows of contact forces. Empty: gravity_w for every movable body.
+  std::span<const Vec3> accelerations_w = {};
+  Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);       ///< [m/s²] world frame
+  RotationRule rule = RotationRule::splitting;  ///< how bodies turn
+  /// [s] Bodies turn in steps of this length and a last one for the rest. Infinity: in one step.
+  double micro_step = std::numeric_limits<double>::infinity();
+};
+
+/// Checks a flight before it is searched.
+/// \param flight  how bodies move
+/// \param start   [s] from which on
+/// \throws std::invalid_argument if an array has another length than `bodies`, a number is not
+///         finite, or a body is valid only after the start
+void require_valid(const Flight& flight, double start);
+
+/// Where a body is at a time, flown there in one go from its valid state.
+///
+/// Always from the valid state: a body flown to a time found by a search has the very bits that
+/// the search saw.
+/// \param flight  how bodies move
+/// \param body    its index
+/// \param time    [s] may be before its valid time
+/// \return its state
+/// \throws std::invalid_argument if the angular momentum is not finite
+BodyState state_at(const Flight& flight, int body, double time);
+
+/// How far two bodies are apart, or how deep they overlap.
+///
+/// For two boxes the largest separation over all 15 axes: above 0 a lower bound of the distance,
+/// below 0 the exact depth. For a box and the ground the height of the lowest corner. Touching is
+/// 0 and does not count as overlap here. Two grounds do not exist.
+/// \param first         constant part of the body with the smaller index
+/// \param first_state   its state
+/// \param second        constant part of the other one
+/// \param second_state  its state
+/// \return signed distance [m] and the direction from the first to the second body
+Separation gap_between(const BodyProperties& first, const BodyState& first_state,
+                       const BodyProperties& second, const BodyState& second_state);
+
+/// How far two bodies in flight are apart at a time.
+/// \param flight  how bodies move
+/// \param pair    the two
+/// \param time    [s]
+/// \return as gap_between() tells it
+/// \throws std::invalid_argument if an angular momentum is not finite
+Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
+
+/// How fast the gap of two bodies along a fixed direction can close from a time to an end.
+///
+/// Centres close along n by \f$n\cdot(v_1-v_2)\,\tau + \tfrac12 n\cdot(a_1-a_2)\,\tau^2\f$ exactly.
+/// Turning adds at most \f$W_i \rho_i\f$ per body, with angular_speed_bound() of one (micro) step for
+/// W and half the diagonal for ρ.
+/// \param flight    how bodies move
+/// \param pair      the two
+/// \param normal_w  [-] world frame, length 1, from the first to the second
+/// \param time      [s] from which on, not before the valid times
+/// \param end       [s] until when
+/// \return the bound
+ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Vec3& normal_w,
+                           double time, double end);
+
+}  // namespace tumble

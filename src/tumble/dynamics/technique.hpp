@@ -1,0 +1,119 @@
+/// \file
+/// \brief What every technique looks like from outside.
+#pragma once
+
+#include "tumble/dynamics/event_log.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace tumble {
+
+/// How a step ended.
+enum class StepStatus : std::uint8_t {
+  done,       ///< the whole step was simulated
+  event_cap,  ///< more events than the cap allows: the rest of the step ignored them
+  unsolved,   ///< a solver found no solution; the report names it
+  not_finite  ///< a state became infinite or NaN
+};
+
+/// Energy that a step added (above 0) or removed (below 0), by cause.
+///
+/// What is not booked here is the technique's energy error.
+struct BookedEnergy {
+  double restitution = 0.0;  ///< [J] normal impulses of collisions and contacts
+  double friction = 0.0;     ///< [J] tangential impulses
+  double damping = 0.0;      ///< [J] scaled or zeroed momenta, sleeping
+  double repair = 0.0;       ///< [J] bodies moved to end their overlap
+
+  /// All of it.
+  /// \return [J]
+  [[nodiscard]] double total() const { return restitution + friction + damping + repair; }
+};
+
+/// What one step did, in counts: verdicts are made of these, never of wall time.
+struct StepReport {
+  StepStatus status = StepStatus::done;  ///< how it ended
+  std::int64_t events = 0;               ///< collisions resolved
+  std::int64_t contacts = 0;             ///< contact points at the end
+  std::int64_t iterations = 0;           ///< sweeps of iterative solvers
+  std::int64_t pivots = 0;               ///< pivots of direct solvers
+  std::int64_t impulses = 0;             ///< impulses applied
+  std::int64_t pair_tests = 0;           ///< separation tests of two bodies
+  std::int64_t integrations = 0;         ///< bodies advanced, each advance counted
+  std::int64_t searches = 0;             ///< evaluations of event searches
+  std::int64_t rewinds = 0;              ///< bodies put back in time
+  std::int64_t restarts = 0;             ///< event searches begun again for a missed third body
+  double deepest_overlap = 0.0;          ///< [m] largest penetration found, 0 or above
+  BookedEnergy energy;                   ///< energy added and removed, by cause
+};
+
+class Observer;
+
+/// A way to advance a world by one time step.
+///
+/// A technique may keep memory between steps (warm starts, remembered axes); copying it with
+/// clone() copies the memory, so a snapshot is a copy of the world and a clone of the technique.
+class Technique {
+ public:
+  virtual ~Technique() = default;
+
+  /// The name that a user calls it by.
+  /// \return for example "basic"
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Advances the world.
+  /// \param world  all bodies; in and out
+  /// \param dt     [s] above 0; may differ from step to step
+  /// \return what was done
+  /// \throws std::invalid_argument for a dt that is not finite and above 0, or a world that the
+  ///         technique cannot simulate, with the reason
+  virtual StepReport step(World& world, double dt) = 0;
+
+  /// A copy with all memory.
+  /// \return steps exactly like this one from here on
+  [[nodiscard]] virtual std::unique_ptr<Technique> clone() const = 0;
+
+  /// Whom to tell about events during a step.
+  /// \param observer  told during every step until changed; nullptr: nobody. Not owned
+  void observe(Observer* observer) { observer_ = observer; }
+
+ protected:
+  Technique() = default;
+  /// For clone().
+  /// \param other the original
+  Technique(const Technique& other) = default;
+  /// For clone().
+  /// \param other the original
+  /// \return this
+  Technique& operator=(const Technique& other) = default;
+
+  /// Who watches.
+  /// \return nullptr: nobody
+  [[nodiscard]] Observer* observer() const { return observer_; }
+
+ private:
+  Observer* observer_ = nullptr;
+};
+
+/// Somebody who watches a run.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  /// A collision has been resolved.
+  /// \param event what happened
+  virtual void on_event(const Event& event) { (void)event; }
+
+  /// A step is complete.
+  /// \param world   the bodies after it
+  /// \param report  what was done
+  virtual void on_step(const World& world, const StepReport& report) {
+    (void)world;
+    (void)report;
+  }
+};
+
+}  // namespace tumble

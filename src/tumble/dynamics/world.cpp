@@ -1,0 +1,168 @@
+/// \file
+/// \brief All bodies of a simulation, as a value.
+#include "tumble/dynamics/world.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+// Properties are an aggregate that anybody can fill in: what the rest of the library relies on.
+void require_valid(const BodyProperties& body) {
+  require::that(body.shape == Shape::box, "body.shape is ground: expected add_ground()");
+  for (int k = 0; k < 3; ++k) require::positive(body.size[k], "body.size");
+  require::not_negative(body.friction, "body.friction");
+  require::within(body.restitution, 0.0, 1.0, "body.restitution");
+  require::not_negative(body.inverse_mass, "body.inverse_mass");
+  if (!body.movable()) {
+    require::that(body.inverse_inertia_b.isZero(0.0),
+                  "an immovable body has an inverse inertia: expected 0");
+    return;
+  }
+  const auto reciprocal = [](double value, double inverse) {
+    return std::abs(value * inverse - 1.0) <= tolerance::reciprocal;
+  };
+  require::positive(body.mass, "body.mass");
+  require::that(reciprocal(body.mass, body.inverse_mass),
+                "body.inverse_mass = " + require::text(body.inverse_mass) +
+                    ": expected 1 / mass = " + require::text(1.0 / body.mass));
+  for (int k = 0; k < 3; ++k) {
+    require::positive(body.inertia_b[k], "body.inertia_b");
+    require::that(reciprocal(body.inertia_b[k], body.inverse_inertia_b[k]),
+                  "body.inverse_inertia_b has " + require::text(body.inverse_inertia_b[k]) +
+                      ": expected 1 / inertia_b = " + require::text(1.0 / body.inertia_b[k]));
+  }
+}
+
+void require_valid(const BodyProperties& body, const BodyState& state) {
+  require::finite(state.position_w, "state.position_w");
+  require::unit(state.orientation_wb, "state.orientation_wb");
+  require::finite(state.linear_momentum_w, "state.linear_momentum_w");
+  require::finite(state.angular_momentum_w, "state.angular_momentum_w");
+  require::that(body.movable() ||
+                    (state.linear_momentum_w.isZero(0.0) && state.angular_momentum_w.isZero(0.0)),
+                "an immovable body was given momentum: expected none");
+}
+
+}  // namespace
+
+BodyId World::append(const BodyProperties& body, const BodyState& state, std::string name) {
+  require::that(!find(std::string_view(name)), "the name \"" + name + "\" is taken");
+  const BodyId id{next_id_};
+  ids_.push_back(id);
+  bodies_.push_back(body);
+  states_.push_back(state);
+  rests_.emplace_back();
+  names_.push_back(std::move(name));
+  ++next_id_;
+  return id;
+}
+
+BodyId World::add_ground(double friction, double restitution) {
+  const BodyProperties ground = ground_properties(friction, restitution);
+  for (const BodyProperties& body : bodies_)
+    require::that(body.shape != Shape::ground, "there is a ground already: expected one at most");
+  return append(ground, BodyState{}, "ground");
+}
+
+BodyId World::add(const BodyProperties& body, const BodyState& state, std::string name) {
+  require_valid(body);
+  require_valid(body, state);
+  std::uint32_t number = boxes_added_ + 1;
+  if (name.empty()) {
+    // The number of this box, counted from 1, unless somebody has called another body so.
+    while (find(std::string_view("box" + std::to_string(number)))) ++number;
+    name = "box" + std::to_string(number);
+  }
+  const BodyId id = append(body, state, std::move(name));
+  ++boxes_added_;
+  return id;
+}
+
+void World::remove(BodyId id) {
+  const std::ptrdiff_t i = index_of(id);
+  ids_.erase(ids_.begin() + i);
+  bodies_.erase(bodies_.begin() + i);
+  states_.erase(states_.begin() + i);
+  rests_.erase(rests_.begin() + i);
+  names_.erase(names_.begin() + i);
+}
+
+int World::index_of_movable(BodyId id) const {
+  const int i = index_of(id);
+  if (!bodies()[static_cast<std::size_t>(i)].movable())
+    require::that(false, "body \"" + name(i) + "\" is immovable: expected a movable one");
+  return i;
+}
+
+void World::push(BodyId id, const Vec3& impulse_w, const Vec3& point_w) {
+  require::finite(impulse_w, "impulse_w");
+  require::finite(point_w, "point_w");
+  const auto i = static_cast<std::size_t>(index_of_movable(id));
+  // ΔP = j and ΔL = r × j, with the arm r from the centre of mass.
+  BodyState state = states_[i];
+  state.linear_momentum_w += impulse_w;
+  state.angular_momentum_w += (point_w - state.position_w).cross(impulse_w);
+  set_state(id, state);
+}
+
+void World::set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w) {
+  const auto i = static_cast<std::size_t>(index_of_movable(id));
+  const BodyState& old = states_[i];
+  set_state(id, make_state(bodies_[i], old.position_w, old.orientation_wb, velocity_w,
+                           angular_velocity_w));
+}
+
+void World::set_state(BodyId id, const BodyState& state) {
+  const auto i = static_cast<std::size_t>(index_of(id));
+  require_valid(bodies_[i], state);
+  require::that(bodies_[i].shape != Shape::ground, "the ground cannot be moved: it is y <= 0");
+  states_[i] = state;
+  rests_[i] = Rest{};
+}
+
+std::optional<int> World::find(BodyId id) const {
+  const auto place = std::lower_bound(ids_.begin(), ids_.end(), id);
+  if (place == ids_.end() || *place != id) return std::nullopt;
+  return static_cast<int>(place - ids_.begin());
+}
+
+int World::index_of(BodyId id) const {
+  const std::optional<int> index = find(id);
+  if (!index)  // the message is made only when it is needed: this is called often
+    require::that(false,
+                  "there is no body with id " + std::to_string(number_of(id)) + " in this world");
+  return *index;
+}
+
+std::optional<BodyId> World::find(std::string_view name) const {
+  const auto place = std::find(names_.begin(), names_.end(), name);
+  if (place == names_.end()) return std::nullopt;
+  return ids_[static_cast<std::size_t>(place - names_.begin())];
+}
+
+StateHash World::hash() const {
+  StateHash hash;
+  hash.add(gravity_w);
+  hash.add(time_);
+  hash.add(static_cast<std::uint64_t>(steps_));
+  hash.add(std::uint64_t{next_id_});
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    hash.add(std::uint64_t{number_of(ids_[i])});
+    hash.add(states_[i].position_w);
+    hash.add(states_[i].orientation_wb);
+    hash.add(states_[i].linear_momentum_w);
+    hash.add(states_[i].angular_momentum_w);
+    hash.add(rests_[i].quiet_time);
+    hash.add(std::uint64_t{rests_[i].asleep ? 1U : 0U});
+  }
+  return hash;
+}
+
+}  // namespace tumble

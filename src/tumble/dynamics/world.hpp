@@ -1,0 +1,155 @@
+/// \file
+/// \brief All bodies of a simulation, as a value.
+#pragma once
+
+#include "tumble/base/state_hash.hpp"
+#include "tumble/dynamics/body.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// Whether a body rests, as the sleeping rule (thesis 4.5) keeps book of it.
+struct Rest {
+  double quiet_time = 0.0;  ///< [s] how long it has been slower than the sleeping speed
+  bool asleep = false;      ///< not simulated until something wakes it
+};
+
+/// All bodies of a simulation, the ground and gravity. A value: a copy is a snapshot.
+///
+/// Bodies have stable ids. They also have an index, their place in the arrays of this step; ids
+/// and indices are in the same order, and adding keeps indices, while removing a body moves the
+/// later ones down by one. Techniques work on indices within a step and keep ids between steps.
+class World {
+ public:
+  /// [m/s²] the only external force of the thesis (3.1).
+  Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);
+
+  /// Adds the ground, the immovable half-space y <= 0.
+  /// \param friction     [-] at least 0
+  /// \param restitution  [-] 0 to 1
+  /// \return its id
+  /// \throws std::invalid_argument naming a value out of range, or if there is a ground already
+  BodyId add_ground(double friction = 0.5, double restitution = 0.0);
+
+  /// Adds a body.
+  /// \param body   what never changes about it
+  /// \param state  where it is and how it moves
+  /// \param name   its name in files; empty: "box" and its number, counted from 1 as boxes were
+  ///               added (the next free one if a name is taken). Names are unique
+  /// \return its id, larger than every id given before
+  /// \throws std::invalid_argument for properties that contradict one another, a ground (see
+  ///         add_ground()), a state that is not finite, momentum of an immovable body, or a name
+  ///         that is taken; the world is then as before
+  BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
+
+  /// Removes a body. Its id is never given again. Whatever slept on it is the technique's to wake.
+  /// \param id the body
+  /// \throws std::invalid_argument if there is no such body
+  void remove(BodyId id);
+
+  /// Changes a body's momenta by an impulse at a point and wakes it.
+  /// \param id         the body
+  /// \param impulse_w  [N s] world frame
+  /// \param point_w    [m] where it acts, world frame
+  /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
+  ///         finite
+  void push(BodyId id, const Vec3& impulse_w, const Vec3& point_w);
+
+  /// Gives a body new velocities and wakes it.
+  /// \param id                  the body
+  /// \param velocity_w          [m/s] world frame
+  /// \param angular_velocity_w  [rad/s] world frame
+  /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
+  ///         finite
+  void set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w);
+
+  /// Puts a body somewhere else and wakes it.
+  /// \param id     the body
+  /// \param state  its new state
+  /// \throws std::invalid_argument if there is no such body, a value is not finite, an immovable
+  ///         body is given momentum, or the body is the ground
+  void set_state(BodyId id, const BodyState& state);
+
+  /// How many bodies there are, the ground included.
+  /// \return the length of every array below
+  [[nodiscard]] int count() const { return static_cast<int>(states_.size()); }
+
+  /// The place of a body in the arrays.
+  /// \param id the body
+  /// \return its index, or nothing if there is no such body. O(log n)
+  [[nodiscard]] std::optional<int> find(BodyId id) const;
+
+  /// The place of a body in the arrays.
+  /// \param id the body
+  /// \return its index. O(log n)
+  /// \throws std::invalid_argument if there is no such body
+  [[nodiscard]] int index_of(BodyId id) const;
+
+  /// The id of the body called like this.
+  /// \param name its name
+  /// \return its id, or nothing
+  [[nodiscard]] std::optional<BodyId> find(std::string_view name) const;
+
+  /// The constant parts, by index.
+  /// \return one for each body
+  [[nodiscard]] std::span<const BodyProperties> bodies() const { return bodies_; }
+  /// The ids, by index, ascending.
+  /// \return one for each body
+  [[nodiscard]] std::span<const BodyId> ids() const { return ids_; }
+  /// The states, by index.
+  /// \return one for each body
+  [[nodiscard]] std::span<const BodyState> states() const { return states_; }
+  /// The states, by index, for techniques.
+  /// \return one for each body
+  [[nodiscard]] std::span<BodyState> states() { return states_; }
+  /// Who sleeps, by index.
+  /// \return one for each body
+  [[nodiscard]] std::span<const Rest> rests() const { return rests_; }
+  /// Who sleeps, by index, for techniques.
+  /// \return one for each body
+  [[nodiscard]] std::span<Rest> rests() { return rests_; }
+  /// The name of a body.
+  /// \param index its place in the arrays
+  /// \return its name
+  [[nodiscard]] const std::string& name(int index) const {
+    return names_[static_cast<std::size_t>(index)];
+  }
+
+  /// The time that has been simulated.
+  /// \return [s]
+  [[nodiscard]] double time() const { return time_; }
+  /// How many steps have been done.
+  /// \return from 0
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  /// Counts a finished step; for techniques.
+  /// \param dt [s] its length
+  void finish_step(double dt) {
+    time_ += dt;
+    ++steps_;
+  }
+
+  /// A hash over all that changes: gravity, time, steps, ids, states and rests.
+  /// \return equal for equal bits
+  [[nodiscard]] StateHash hash() const;
+
+ private:
+  BodyId append(const BodyProperties& body, const BodyState& state, std::string name);
+  [[nodiscard]] int index_of_movable(BodyId id) const;
+
+  std::vector<BodyId> ids_;
+  std::vector<BodyProperties> bodies_;
+  std::vector<BodyState> states_;
+  std::vector<Rest> rests_;
+  std::vector<std::string> names_;
+  double time_ = 0.0;
+  std::int64_t steps_ = 0;
+  std::uint32_t next_id_ = 0;
+  std::uint32_t boxes_added_ = 0;  // for the default names
+};
+
+}  // namespace tumble

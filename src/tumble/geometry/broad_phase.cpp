@@ -1,0 +1,62 @@
+/// \file
+/// \brief What all broad phases share: the check of their input and the order of their output.
+#include "tumble/geometry/broad_phase.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/geometry/all_pairs.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
+#include "tumble/geometry/hashed_grid.hpp"
+#include "tumble/geometry/sweep_and_prune.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+namespace tumble {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames = {"all_pairs", "sweep_and_prune", "hashed_grid",
+                                                    "bounding_tree"};
+
+// Comparisons with NaN are false, so this refuses NaN as well.
+bool sound(const Bounds& b) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return (b.low.array() <= b.high.array()).all() && (b.low.array() < kInfinity).all() &&
+         (b.high.array() > -kInfinity).all();
+}
+
+std::string text(const Vec3& v) {
+  std::string out = require::text(v.x());
+  return out.append(", ").append(require::text(v.y())).append(", ").append(require::text(v.z()));
+}
+
+}  // namespace
+
+void BroadPhase::find_pairs(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (sound(bounds[i])) continue;
+    require::that(false, "bounds[" + std::to_string(i) + "] from (" + text(bounds[i].low) +
+                             ") to (" + text(bounds[i].high) +
+                             "): give low <= high in every coordinate, and no NaN");
+  }
+  pair_tests_ = 0;
+  out.clear();
+  search(bounds, out);
+  std::sort(out.begin(), out.end());
+}
+
+std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name) {
+  if (name == kNames[0]) return std::make_unique<AllPairs>();
+  if (name == kNames[1]) return std::make_unique<SweepAndPrune>();
+  if (name == kNames[2]) return std::make_unique<HashedGrid>();
+  if (name == kNames[3]) return std::make_unique<BoundingTree>();
+  std::string known;
+  for (const std::string_view one : kNames) known.append(known.empty() ? "" : ", ").append(one);
+  require::that(false, "broad phase '" + std::string(name) + "': give one of " + known);
+  return nullptr;
+}
+
+std::span<const std::string_view> broad_phase_names() { return kNames; }
+
+}  // namespace tumble

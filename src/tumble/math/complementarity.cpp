@@ -1,0 +1,280 @@
+/// \file
+/// \brief Contact forces that push but never pull: the linear complementarity problem.
+#include "tumble/math/complementarity.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+double largest(const VecRef& b) {
+  double size = 0.0;
+  for (int i = 0; i < b.size(); ++i) size = std::max(size, std::abs(b[i]));
+  return size;
+}
+
+void check_sizes(const MatRef& A, const VecRef& b) {
+  require::that(A.rows() == A.cols(), "A: expected as many rows as columns");
+  require::that(b.size() == A.rows(), "b: expected as many entries as A has rows");
+}
+
+// Refuses mistakes, and returns whether A can be positive semidefinite as far as its 1×1 and 2×2
+// principal minors tell: A_ii >= 0 and A_ij² <= A_ii A_jj.
+bool check_values(const MatRef& A, const VecRef& b) {
+  bool plausible = true;
+  for (int j = 0; j < A.cols(); ++j) {
+    require::finite(b[j], "b");
+    for (int i = 0; i <= j; ++i) {
+      require::finite(A(i, j), "A");
+      require::finite(A(j, i), "A");
+      const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
+      require::that(std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale,
+                    "A: expected a symmetric matrix");
+      if (std::abs(A(i, j)) > (1.0 + tolerance::symmetry) * scale) plausible = false;
+    }
+    if (A(j, j) < 0.0) plausible = false;
+  }
+  return plausible;
+}
+
+}  // namespace
+
+// How far the driven force may grow, and which contact then changes places; -1: none ever does.
+struct ComplementaritySolver::Step {
+  double length = infinity;
+  int contact = -1;
+};
+
+// How contacts in C answer a unit force at another one; their forces are in subset_.
+struct ComplementaritySolver::Answer {
+  double schur;  // what that force changes at its own contact
+  double size;   // Σ |force_i| √A_ii, the unit force included
+
+  [[nodiscard]] double least_schur() const { return tolerance::dependent * size * size; }
+  [[nodiscard]] bool independent() const { return schur > least_schur(); }
+};
+
+double complementarity_residual(const MatRef& A, const VecRef& b, const VecRef& f) {
+  check_sizes(A, b);
+  require::that(f.size() == b.size(), "f: expected as many entries as b has");
+  double worst = 0.0;
+  for (int i = 0; i < b.size(); ++i) {
+    double a = b[i];
+    for (int j = 0; j < b.size(); ++j) a += A(i, j) * f[j];
+    worst = std::max(worst, std::abs(std::min(A(i, i) * f[i], a)));
+  }
+  const double scale = largest(b);
+  return scale > 0.0 ? worst / scale : worst;
+}
+
+void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, ComplementarityResult& result,
+                                  std::span<const int> start) {
+  check_sizes(A, b);
+  const bool plausible = check_values(A, b);
+  const int n = static_cast<int>(b.size());
+  begin(A, b, start);
+  result.status = ComplementarityStatus::solved;
+  result.pivots = 0;
+  result.ray.clear();
+  result.ray.reserve(at(n));
+  result.pushing.reserve(at(n));
+  settle(A, b, result);
+  if (!plausible) result.status = ComplementarityStatus::not_positive_semidefinite;
+
+  // While some contact sinks, drive it. Forces and accelerations are computed afresh from the
+  // set of pushing contacts after each drive, so that rounding errors do not pile up and nothing has
+  // to be clamped at the end, as the thesis does (3.3.1).
+  while (result.status == ComplementarityStatus::solved) {
+    int d = 0;
+    while (d < n && (result.a[at(d)] >= -slack_ || place_[at(d)] == Place::left_out)) ++d;
+    if (d == n) break;
+    if (drive_to_zero(A, b, d, result)) settle(A, b, result);
+  }
+
+  result.pushing.assign(factor_.indices().begin(), factor_.indices().end());
+  std::sort(result.pushing.begin(), result.pushing.end());
+  result.residual = complementarity_residual(A, b, view(result.f));
+}
+
+// Makes room, and puts the contacts of the warm start among the pushing ones.
+void ComplementaritySolver::begin(const MatRef& A, const VecRef& b, std::span<const int> start) {
+  const int n = static_cast<int>(b.size());
+  factor_.clear(n);
+  place_.assign(at(n), Place::parted);
+  df_.resize(at(n));
+  da_.resize(at(n));
+  subset_.reserve(at(n));
+  root_.resize(at(n));
+  for (int i = 0; i < n; ++i) root_[at(i)] = std::sqrt(std::abs(A(i, i)));
+
+  start_.reserve(at(n));
+  start_.assign(start.begin(), start.end());
+  for (auto j = start_.begin(); j != start_.end(); ++j) {
+    require::that(*j >= 0 && *j < n, "start: expected indices from 0 to n - 1");
+    require::that(std::find(start_.begin(), j, *j) == j, "start: expected each index once");
+    change_place(A, *j);
+  }
+}
+
+// Forces and accelerations that belong to the set of pushing contacts: A_CC f_C = -b_C. A contact
+// that would have to pull leaves the set, the worst first: after a drive such a pull is rounding.
+void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
+                                   ComplementarityResult& result) {
+  const std::vector<int>& pushing = factor_.indices();
+  while (true) {
+    subset_.clear();
+    for (const int c : pushing) subset_.push_back(-b[c]);
+    factor_.solve(subset_);
+    const auto worst = std::min_element(subset_.begin(), subset_.end());
+    if (worst == subset_.end() || *worst >= 0.0) break;
+    change_place(A, pushing[at(static_cast<int>(worst - subset_.begin()))]);
+    ++result.pivots;
+  }
+
+  result.f.assign(place_.size(), 0.0);
+  result.a.assign(b.data(), b.data() + b.size());
+  std::fill(da_.begin(), da_.end(), 0.0);  // here: how large the terms of each a are
+  for (std::size_t k = 0; k < subset_.size(); ++k) {
+    const int c = pushing[k];
+    result.f[at(c)] = subset_[k];
+    add_column(subset_[k], A, c, result.a);
+    for (int i = 0; i < b.size(); ++i) da_[at(i)] += std::abs(A(i, c)) * subset_[k];
+  }
+
+  // Heavy bodies on light ones have terms far larger than b; a is no better than their rounding.
+  const double terms = da_.empty() ? 0.0 : *std::max_element(da_.begin(), da_.end());
+  slack_ = tolerance::complementarity * largest(b) + tolerance::rounding * terms;
+}
+
+// Lets the force at a sinking contact d grow until d stops sinking. Returns false, with the status
+// set, if that does not happen.
+bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int d,
+                                          ComplementarityResult& result) {
+  const int n = static_cast<int>(place_.size());
+  const int cap = 50 * n + 50;
+  const std::vector<int>& pushing = factor_.indices();
+  while (true) {
+    if (result.pivots >= cap) {
+      result.status = ComplementarityStatus::cap_reached;
+      return false;
+    }
+
+    // A unit force at d, and the forces of C that keep C neither sinking nor parting:
+    // df_d = 1, df_C = -A_CC^{-1} A_Cd, da = A df. At d itself da_d is the Schur complement.
+    const Answer answer = answer_to(A, d);
+    std::fill(df_.begin(), df_.end(), 0.0);
+    std::fill(da_.begin(), da_.end(), 0.0);
+    df_[at(d)] = 1.0;
+    add_column(1.0, A, d, da_);
+    for (std::size_t k = 0; k < subset_.size(); ++k) {
+      df_[at(pushing[k])] = subset_[k];
+      add_column(subset_[k], A, pushing[k], da_);
+    }
+    if (answer.schur < -answer.least_schur()) {
+      result.status = ComplementarityStatus::not_positive_semidefinite;
+      return false;
+    }
+
+    // Nothing ends the step if A df = 0, that is, if d depends on C. Then d sinks with
+    // a_d = b·df whatever the forces, and there is no solution; unless that is 0 but for rounding,
+    // because d stopped together with one that entered C: then the forces of C will do.
+    const Step step = longest_step(d, answer, result);
+    if (step.contact < 0) {
+      double sinking = 0.0;
+      double rounding = 0.0;
+      for (int i = 0; i < n; ++i) {
+        sinking += b[i] * df_[at(i)];
+        rounding += slack_ * std::abs(df_[at(i)]);
+      }
+      if (sinking >= -rounding) {
+        place_[at(d)] = Place::left_out;
+        return true;
+      }
+      result.status = ComplementarityStatus::infeasible;
+      result.ray.assign(df_.begin(), df_.end());
+      return false;
+    }
+
+    for (int i = 0; i < n; ++i) {
+      result.f[at(i)] += step.length * df_[at(i)];
+      result.a[at(i)] += step.length * da_[at(i)];
+    }
+    // Whoever ended the step stands at f = 0 = a exactly, or at a = 0 if it is d.
+    const int j = step.contact;
+    result.a[at(j)] = 0.0;
+    if (place_[at(j)] == Place::pushing) result.f[at(j)] = 0.0;
+    change_place(A, j);
+    ++result.pivots;
+    if (j == d) return true;
+  }
+}
+
+// The first of these to happen: d stops sinking, a pushing contact has no force left, a parted
+// one would start to sink. Contacts that sank already when the drive began are not looked at, and
+// d comes before those that would end the step when it has all but stopped.
+ComplementaritySolver::Step ComplementaritySolver::longest_step(
+    int d, const Answer& answer, const ComplementarityResult& result) const {
+  Step step;
+  double limit = infinity;
+  if (answer.independent()) {
+    step = {-result.a[at(d)] / answer.schur, d};
+    limit = (-result.a[at(d)] - slack_) / answer.schur;
+  }
+
+  const double least = tolerance::dependent * answer.size;
+  for (int i = 0; i < static_cast<int>(place_.size()); ++i) {
+    double length = infinity;
+    if (place_[at(i)] == Place::pushing) {
+      if (df_[at(i)] * root_[at(i)] < -least) length = result.f[at(i)] / -df_[at(i)];
+    } else if (place_[at(i)] == Place::parted && i != d && result.a[at(i)] >= -slack_) {
+      if (da_[at(i)] < -least * root_[at(i)]) length = std::max(0.0, result.a[at(i)]) / -da_[at(i)];
+    }
+    if (length < limit) {  // strictly: the lowest index of equal ones
+      step = {length, i};
+      limit = length;
+    }
+  }
+  return step;
+}
+
+// A pushing contact parts. A parted one pushes, unless its row depends on the rows of C: then they
+// carry it along, its acceleration is 0 with theirs, and it is left out until C changes.
+void ComplementaritySolver::change_place(const MatRef& A, int j) {
+  const std::vector<int>& pushing = factor_.indices();
+  const bool leaves = place_[at(j)] == Place::pushing;
+  if (!leaves && !answer_to(A, j).independent()) {
+    place_[at(j)] = Place::left_out;
+    return;
+  }
+  if (leaves) {
+    const auto where = std::find(pushing.begin(), pushing.end(), j);
+    factor_.remove(A, static_cast<int>(where - pushing.begin()));
+  } else {
+    factor_.append_considered();
+  }
+  std::replace(place_.begin(), place_.end(), Place::left_out, Place::parted);
+  place_[at(j)] = leaves ? Place::parted : Place::pushing;
+}
+
+// How C answers a force 1 at j. In v = (1 at j, df_C) the Schur complement is v·A v, of which
+// rounding is a part of at most (Σ |v_i| √A_ii)².
+ComplementaritySolver::Answer ComplementaritySolver::answer_to(const MatRef& A, int j) {
+  const std::vector<int>& pushing = factor_.indices();
+  Answer answer{factor_.consider(A, j), root_[at(j)]};
+  subset_.resize(pushing.size());
+  factor_.answer_to_considered(subset_);
+  for (std::size_t k = 0; k < subset_.size(); ++k)
+    answer.size += std::abs(subset_[k]) * root_[at(pushing[k])];
+  return answer;
+}
+
+}  // namespace tumble

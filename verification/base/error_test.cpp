@@ -1,0 +1,96 @@
+/// \file
+/// \brief Refusals name what was given and what would be right.
+#include "tumble/base/error.hpp"
+
+#include "support/catch.hpp"
+
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+using namespace tumble;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+template <typename Check>
+std::string refusal(Check check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("A refused number is told with its name, its value and what is right", "[unit][error]") {
+  CHECK(refusal([] { require::finite(not_a_number, "mass"); }) ==
+        "tumble: mass = nan: expected a finite number");
+  CHECK(refusal([] { require::positive(-0.5, "mass"); }) ==
+        "tumble: mass = -0.5: expected a finite number above 0");
+  CHECK(refusal([] { require::positive(0.0, "mass"); }) ==
+        "tumble: mass = 0: expected a finite number above 0");
+  CHECK(refusal([] { require::positive(inf, "mass"); }) ==
+        "tumble: mass = inf: expected a finite number above 0");
+  CHECK(refusal([] { require::not_negative(-1e-300, "friction"); }) ==
+        "tumble: friction = -1e-300: expected a finite number, 0 or above");
+  CHECK(refusal([] { require::not_negative(inf, "friction"); }) ==
+        "tumble: friction = inf: expected a finite number, 0 or above");
+  CHECK(refusal([] { require::within(1.5, 0.0, 1.0, "restitution"); }) ==
+        "tumble: restitution = 1.5: expected a number from 0 to 1");
+  CHECK(refusal([] { require::within(not_a_number, 0.0, 1.0, "restitution"); }) ==
+        "tumble: restitution = nan: expected a number from 0 to 1");
+  CHECK(refusal([] { require::that(false, "rows = -1: give at least 1"); }) ==
+        "tumble: rows = -1: give at least 1");
+}
+
+TEST_CASE("A refused vector, matrix or quaternion is told with all components", "[unit][error]") {
+  CHECK(refusal([] { require::finite(Vec3(1.0, not_a_number, -2.5), "position"); }) ==
+        "tumble: position = (1, nan, -2.5): expected three finite numbers");
+  CHECK(refusal([] {
+          Mat3 m = Mat3::Identity();
+          m(0, 2) = inf;
+          require::finite(m, "inertia");
+        }) == "tumble: inertia = (1, 0, inf)(0, 1, 0)(0, 0, 1): expected nine finite numbers");
+  CHECK(refusal([] { require::unit(Vec3(0.0, 2.0, 0.0), "axis"); }) ==
+        "tumble: axis = (0, 2, 0): expected a vector of length 1: normalise it first");
+  CHECK(refusal([] { require::unit(Vec3(not_a_number, 0.0, 0.0), "axis"); }) ==
+        "tumble: axis = (nan, 0, 0): expected three finite numbers");
+  CHECK(refusal([] { require::unit(Quat(2.0, 0.0, 0.0, 0.0), "q"); }) ==
+        "tumble: q = (w 2, x y z (0, 0, 0)): expected a quaternion of length 1: normalise it "
+        "first");
+  CHECK(refusal([] { require::unit(Quat(not_a_number, 0.0, 0.0, 0.0), "q"); }) ==
+        "tumble: q = (w nan, x y z (0, 0, 0)): expected a quaternion of length 1: "
+        "normalise it "
+        "first");
+}
+
+TEST_CASE("What is right is accepted", "[unit][error]") {
+  CHECK_NOTHROW(require::finite(1e308, "x"));
+  CHECK_NOTHROW(require::finite(Vec3(1.0, 2.0, 3.0), "x"));
+  CHECK_NOTHROW(require::finite(Mat3(Mat3::Identity()), "x"));
+  CHECK_NOTHROW(require::positive(5e-324, "x"));
+  CHECK_NOTHROW(require::not_negative(0.0, "x"));
+  CHECK_NOTHROW(require::not_negative(-0.0, "x"));
+  CHECK_NOTHROW(require::within(0.0, 0.0, 1.0, "x"));
+  CHECK_NOTHROW(require::within(1.0, 0.0, 1.0, "x"));
+  CHECK_NOTHROW(require::unit(Vec3(0.6, 0.8, 0.0), "x"));
+  CHECK_NOTHROW(require::unit(Vec3(1.0 + 0.5e-9, 0.0, 0.0), "x"));
+  CHECK_NOTHROW(require::unit(Quat(0.5, -0.5, 0.5, -0.5), "x"));
+  CHECK_NOTHROW(require::that(true, "never said"));
+}
+
+TEST_CASE("A printed number is the shortest that reads back to the same bits", "[unit][error]") {
+  CHECK(require::text(0.1) == "0.1");
+  CHECK(require::text(-0.0) == "-0");
+  CHECK(require::text(1.0 / 3.0) == "0.3333333333333333");
+  CHECK(require::text(0.1 + 0.2) == "0.30000000000000004");
+  CHECK(require::text(inf) == "inf");
+  CHECK(require::text(-inf) == "-inf");
+  for (const double x : {5e-324, 1.7976931348623157e308, 2.2250738585072014e-308, 1e23})
+    CHECK(std::strtod(require::text(x).c_str(), nullptr) == x);
+}

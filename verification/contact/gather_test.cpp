@@ -1,0 +1,225 @@
+/// \file
+/// \brief Tests of how contacts are gathered, and of loading and storing velocities.
+#include "tumble/contact/gather.hpp"
+
+#include "tumble/base/random.hpp"
+
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+
+#include <limits>
+#include <utility>
+
+using namespace tumble;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// The ground, a box on it that sinks in by 1 cm, a box on that one, and a fixed box beside.
+World small_world() {
+  World world;
+  world.add_ground(0.9, 0.1);
+  const BodyProperties lower = box_properties(Vec3::Ones(), 2.0, 0.4, 0.3);
+  const BodyProperties upper = box_properties(Vec3(0.5, 0.5, 0.5), 1.0, 0.1, 0.2);
+  world.add(lower, make_state(lower, Vec3(0, 0.49, 0), Quat::Identity(), Vec3(0, -2, 0)));
+  world.add(upper, make_state(upper, Vec3(0, 1.24, 0), Quat::Identity(), Vec3(1, -3, 0)));
+  const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+  world.add(wall, make_state(wall, Vec3(3, 0.4, 0)));
+  return world;
+}
+
+std::vector<IndexPair> all_pairs(const World& world) {
+  std::vector<IndexPair> pairs;
+  for (int i = 0; i < world.count(); ++i) {
+    for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Contacts carry combined coefficients, approach speeds and the normal from the older body",
+    "[unit][gather]") {
+  const World world = small_world();
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  ContactList contacts;
+  const GatherReport report = gather_contacts(world, bodies, all_pairs(world), 0.001, {}, contacts);
+
+  // Ground and wall are both immovable: their pair is not even tested.
+  REQUIRE(contacts.size() == 2);
+  CHECK(report.pair_tests == 5);
+  CHECK(report.points == 8);
+  CHECK(report.deepest_overlap == Approx(0.01).epsilon(1e-12));
+
+  const Contact& low = contacts[0];
+  CHECK(low.first == 0);
+  CHECK(low.second == 1);
+  CHECK(low.first_id < low.second_id);
+  CHECK((low.normal_w - Vec3::UnitY()).norm() < 1e-15);
+  CHECK(low.friction == Approx(0.6));  // √(0.9 · 0.4)
+  CHECK(low.restitution == 0.3);
+  CHECK(low.count == 4);
+  const Contact& high = contacts[1];
+  CHECK(high.friction == Approx(0.2));  // √(0.4 · 0.1)
+  CHECK(high.restitution == 0.3);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(low.points[i].approach_speed == Approx(-2.0));
+    CHECK(high.points[i].approach_speed == Approx(-1.0));
+    CHECK(low.points[i].distance == Approx(-0.01));
+    CHECK(low.points[i].normal_impulse == 0.0);
+  }
+}
+
+TEST_CASE("A ground that is younger than a box is the second body", "[unit][gather]") {
+  World world;
+  const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
+  world.add(body, make_state(body, Vec3(0, 0.5, 0), Quat::Identity(), Vec3(0, -1, 0)));
+  world.add_ground();
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  ContactList contacts;
+  gather_contacts(world, bodies, all_pairs(world), 0.001, {}, contacts);
+  REQUIRE(contacts.size() == 1);
+  CHECK((contacts[0].normal_w + Vec3::UnitY()).norm() < 1e-15);
+  CHECK(contacts[0].points[0].approach_speed == Approx(-1.0));
+}
+
+TEST_CASE("Points that touched before get their impulses back, by feature", "[unit][gather]") {
+  World world = small_world();
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  ContactList before;
+  ContactList after;
+  gather_contacts(world, bodies, all_pairs(world), 0.001, {}, before);
+  double impulse = 1.0;
+  for (Contact& c : before) {
+    for (int i = 0; i < c.count; ++i) {
+      ContactPoint& p = c.points[static_cast<std::size_t>(i)];
+      p.normal_impulse = impulse++;
+      p.friction_impulse_w = Vec3(0.1, 7.0, 0.2);  // what lies along the normal is not friction
+    }
+  }
+
+  // The upper box turns by a degree about y: all corners are still there.
+  const BodyProperties& upper = world.bodies()[2];
+  const Quat turned(Eigen::AngleAxisd(0.0175, Vec3::UnitY()));
+  world.set_state(world.ids()[2], make_state(upper, Vec3(0, 1.24, 0), turned));
+  gather_contacts(world, bodies, all_pairs(world), 0.001, before, after);
+  CHECK(carry_over_impulses(before, after) == 8);
+  REQUIRE(after.size() == 2);
+  for (std::size_t c = 0; c < 2; ++c) {
+    CHECK(after[c].axis == before[c].axis);
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const ContactPoint& now = after[c].points[i];
+        const ContactPoint& then = before[c].points[k];
+        if (now.feature != then.feature) continue;
+        CHECK(now.normal_impulse == then.normal_impulse);
+        CHECK((now.friction_impulse_w - Vec3(0.1, 0.0, 0.2)).norm() < 1e-14);
+      }
+    }
+  }
+
+  // A pair that is new, or a list that has nothing of it, gets nothing.
+  ContactList other(before.begin() + 1, before.end());
+  gather_contacts(world, bodies, all_pairs(world), 0.001, other, after);
+  CHECK(carry_over_impulses(other, after) == 4);
+  CHECK(after[0].points[0].normal_impulse == 0.0);
+}
+
+TEST_CASE("The remembered axis keeps a contact on its face", "[unit][gather]") {
+  // A cube that sinks into another one along two faces by nearly the same depth: either face could
+  // be taken, and the one of the step before is.
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  world.add(cube, make_state(cube, Vec3::Zero()));
+  const BodyId second = world.add(cube, make_state(cube, Vec3(0.9, 0.8, 0)));
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  ContactList before;
+  ContactList after;
+  gather_contacts(world, bodies, all_pairs(world), 0.001, {}, before);
+  REQUIRE(before.size() == 1);
+  CHECK(before[0].normal_w.x() == Approx(1.0));
+  world.set_state(second, make_state(cube, Vec3(0.9, 0.902, 0)));
+  gather_contacts(world, bodies, all_pairs(world), 0.001, before, after);
+  CHECK(after[0].axis == before[0].axis);
+  CHECK(after[0].normal_w.x() == Approx(1.0));
+  gather_contacts(world, bodies, all_pairs(world), 0.001, {}, after);
+  CHECK(after[0].normal_w.y() == Approx(1.0));
+}
+
+TEST_CASE("Gathering again allocates nothing", "[unit][gather]") {
+  const World world = small_world();
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  const std::vector<IndexPair> pairs = all_pairs(world);
+  ContactList before;
+  ContactList after;
+  gather_contacts(world, bodies, pairs, 0.001, {}, before);
+  gather_contacts(world, bodies, pairs, 0.001, before, after);
+  const AllocationCount count;
+  load_moving_bodies(world, bodies);
+  std::swap(before, after);
+  gather_contacts(world, bodies, pairs, 0.001, before, after);
+  carry_over_impulses(before, after);
+  CHECK(count.value() == 0);
+}
+
+TEST_CASE("Bad candidates, bodies and margins are refused", "[unit][gather]") {
+  const World world = small_world();
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  ContactList out;
+  const auto gather = [&](std::vector<IndexPair> pairs, double margin) {
+    gather_contacts(world, bodies, pairs, margin, {}, out);
+  };
+  CHECK_THROWS_WITH(gather({{1, 0}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{1, 1}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{1, 4}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{-1, 2}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{1, 2}, {0, 1}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{0, 1}, {0, 1}}, 0.0), Contains("candidates"));
+  CHECK_THROWS_WITH(gather({{0, 1}}, -1.0), Contains("margin"));
+  CHECK_THROWS_WITH(gather({{0, 1}}, std::numeric_limits<double>::infinity()), Contains("margin"));
+  bodies.pop_back();
+  CHECK_THROWS_WITH(gather({{0, 1}}, 0.0), Contains("bodies"));
+}
+
+TEST_CASE("Velocities that are loaded and stored come back, and untouched bodies keep their bits",
+          "[unit][moving_body]") {
+  Random random(41);
+  World world;
+  world.add_ground();
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 size = Vec3::Constant(1.5) + random.in_cube(1.0);
+    const BodyProperties body = box_properties(size, random.uniform(0.1, 10.0));
+    const Vec3 x = random.in_cube(10.0);
+    const Quat q = random.orientation();
+    const Vec3 v = random.in_cube(3.0);
+    world.add(body, make_state(body, x, q, v, random.in_cube(3.0)));
+  }
+  const World before = world;
+  std::vector<MovingBody> bodies;
+  load_moving_bodies(world, bodies);
+  store_moving_bodies(bodies, world);
+  CHECK(world.hash().value() == before.hash().value());
+
+  for (MovingBody& body : bodies) body.changed = true;
+  bodies[3].inverse_mass.setZero();  // made heavy for a while: what is stored is not
+  store_moving_bodies(bodies, world);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyState& now = world.states()[i];
+    const BodyState& then = before.states()[i];
+    worst = std::max(worst, (now.linear_momentum_w - then.linear_momentum_w).norm());
+    worst = std::max(worst, (now.angular_momentum_w - then.angular_momentum_w).norm());
+  }
+  CHECK(worst < 1e-13);  // [kg m/s, kg m²/s] of up to 50; measured 9.7e-15
+  CHECK(world.states()[0].linear_momentum_w == Vec3::Zero());
+
+  bodies.pop_back();
+  CHECK_THROWS_WITH(store_moving_bodies(bodies, world), Contains("bodies"));
+}

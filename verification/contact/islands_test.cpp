@@ -1,0 +1,157 @@
+/// \file
+/// \brief Tests of groups of touching bodies.
+#include "tumble/contact/islands.hpp"
+
+#include "tumble/base/random.hpp"
+
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+using Catch::Matchers::Contains;
+
+// One body for each letter: m movable, f fixed.
+std::vector<BodyProperties> bodies_from(const char* letters) {
+  std::vector<BodyProperties> bodies;
+  for (; *letters != '\0'; ++letters)
+    bodies.push_back(*letters == 'm' ? box_properties(Vec3::Ones(), 1.0)
+                                     : fixed_box_properties(Vec3::Ones()));
+  return bodies;
+}
+
+Contact touching(int first, int second) {
+  Contact contact;
+  contact.first = first;
+  contact.second = second;
+  return contact;
+}
+
+std::vector<int> list(std::span<const int> numbers) {
+  return std::vector<int>(numbers.begin(), numbers.end());
+}
+
+}  // namespace
+
+TEST_CASE("Two heaps on one ground are two islands", "[unit][islands]") {
+  Islands islands;
+  islands.build(bodies_from("fmmmm"),
+                std::vector<Contact>{touching(0, 1), touching(2, 4), touching(0, 2), touching(1, 3),
+                                     touching(0, 4)});
+  REQUIRE(islands.count() == 2);
+  CHECK(list(islands.bodies(0)) == std::vector<int>{1, 3});
+  CHECK(list(islands.bodies(1)) == std::vector<int>{2, 4});
+  CHECK(list(islands.contacts(0)) == std::vector<int>{0, 3});
+  CHECK(list(islands.contacts(1)) == std::vector<int>{1, 2, 4});
+  CHECK(islands.island_of(0) == Islands::kNone);
+  CHECK(islands.island_of(4) == 1);
+}
+
+TEST_CASE("A body that touches nothing is an island by itself", "[unit][islands]") {
+  Islands islands;
+  CHECK(islands.count() == 0);
+  islands.build(bodies_from("mfm"), {});
+  REQUIRE(islands.count() == 2);
+  CHECK(list(islands.bodies(1)) == std::vector<int>{2});
+  CHECK(islands.contacts(0).empty());
+  islands.build({}, {});
+  CHECK(islands.count() == 0);
+}
+
+TEST_CASE("A contact of two immovable bodies belongs to no island", "[unit][islands]") {
+  Islands islands;
+  islands.build(bodies_from("ffm"), std::vector<Contact>{touching(0, 1), touching(1, 2)});
+  REQUIRE(islands.count() == 1);
+  CHECK(list(islands.contacts(0)) == std::vector<int>{1});
+}
+
+TEST_CASE("Islands agree with brute force on random contacts, in any order",
+          "[exact][determinism][islands]") {
+  int wrong = 0;
+  Islands islands;
+  Islands again;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    const std::uint32_t count = 2 + random.below(25);
+    std::vector<BodyProperties> bodies;
+    for (std::uint32_t b = 0; b < count; ++b)
+      bodies.push_back(random.below(4) == 0 ? fixed_box_properties(Vec3::Ones())
+                                            : box_properties(Vec3::Ones(), 1.0));
+    std::vector<Contact> contacts;
+    const std::uint32_t contact_count = random.below(2 * count);
+    for (std::uint32_t c = 0; c < contact_count; ++c) {
+      const auto first = static_cast<int>(random.below(count));
+      const auto second = static_cast<int>(random.below(count));
+      if (first != second) contacts.push_back(touching(first, second));
+    }
+    islands.build(bodies, contacts);
+
+    // Brute force: spread the smallest index along contacts until nothing changes.
+    std::vector<int> smallest(count);
+    for (std::size_t b = 0; b < count; ++b) smallest[b] = static_cast<int>(b);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Contact& contact : contacts) {
+        const auto a = static_cast<std::size_t>(contact.first);
+        const auto b = static_cast<std::size_t>(contact.second);
+        if (!bodies[a].movable() || !bodies[b].movable() || smallest[a] == smallest[b]) continue;
+        smallest[a] = smallest[b] = std::min(smallest[a], smallest[b]);
+        changed = true;
+      }
+    }
+    int last = -1;
+    std::size_t bodies_seen = 0;
+    for (int k = 0; k < islands.count(); ++k) {
+      const std::vector<int> members = list(islands.bodies(k));
+      if (members.front() <= last) ++wrong;  // islands ascend by their smallest body
+      last = members.front();
+      if (!std::is_sorted(members.begin(), members.end())) ++wrong;
+      for (const int body : members)
+        if (smallest[static_cast<std::size_t>(body)] != members.front() ||
+            islands.island_of(body) != k || !bodies[static_cast<std::size_t>(body)].movable())
+          ++wrong;
+      bodies_seen += members.size();
+      const std::vector<int> touched = list(islands.contacts(k));
+      if (!std::is_sorted(touched.begin(), touched.end())) ++wrong;
+      for (const int c : touched) {
+        const Contact& contact = contacts[static_cast<std::size_t>(c)];
+        if (islands.island_of(contact.first) != k && islands.island_of(contact.second) != k)
+          ++wrong;
+      }
+    }
+    for (const BodyProperties& body : bodies) bodies_seen += body.movable() ? 0U : 1U;
+    if (bodies_seen != count) ++wrong;
+
+    for (std::size_t i = contacts.size(); i > 1; --i)
+      std::swap(contacts[i - 1], contacts[random.below(static_cast<std::uint32_t>(i))]);
+    again.build(bodies, contacts);
+    for (int b = 0; b < static_cast<int>(count); ++b)
+      if (again.island_of(b) != islands.island_of(b)) ++wrong;
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("Warm islands ask for no memory", "[unit][islands]") {
+  const auto bodies = bodies_from("fmmmmmmmmm");
+  std::vector<Contact> contacts;
+  for (int b = 0; b + 1 < 10; ++b) contacts.push_back(touching(b, b + 1));
+  Islands islands;
+  islands.build(bodies, contacts);
+  const AllocationCount requests;
+  islands.build(bodies, contacts);
+  CHECK(requests.value() == 0);
+}
+
+TEST_CASE("A contact of a body that there is not is refused", "[unit][islands]") {
+  Islands islands;
+  const auto bodies = bodies_from("mm");
+  CHECK_THROWS_WITH(islands.build(bodies, std::vector<Contact>{touching(0, 2)}),
+                    Contains("0 and 2") && Contains("below 2"));
+  CHECK_THROWS_AS(islands.build(bodies, std::vector<Contact>{touching(-1, 1)}),
+                  std::invalid_argument);
+}

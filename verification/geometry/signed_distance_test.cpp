@@ -1,0 +1,202 @@
+/// \file
+/// \brief The distance function of a box against closed forms and against other ways to get it.
+#include "tumble/geometry/signed_distance.hpp"
+
+#include "tumble/base/random.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace tumble;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// [m] Some ten rounding errors of coordinates of order 1.
+constexpr double kRounding = 1e-14;
+
+Box random_box(Random& random) {
+  const Vec3 center = random.in_cube(1.0);
+  const Quat orientation = random.orientation();
+  const Vec3 size = random.in_cube(1.0).cwiseAbs() + Vec3::Constant(0.2);
+  return make_box(center, orientation, size);
+}
+
+Box cube_of_size(const Vec3& size) { return make_box(Vec3::Zero(), Quat::Identity(), size); }
+
+// The distance by another road: clamp to the box if outside, else the nearest of the six planes.
+double distance_by_faces(const Box& box, const Vec3& point_w) {
+  double nearest_plane = kInfinity;
+  Vec3 clamped = box.center_w;
+  bool inside = true;
+  for (int face = 0; face < 6; ++face) {
+    const Vec3 n = (face % 2 == 0 ? -1.0 : 1.0) * box.axes_w.col(face / 2);
+    const double beyond = n.dot(point_w - box.center_w) - box.half[face / 2];
+    inside = inside && beyond <= 0.0;
+    nearest_plane = std::min(nearest_plane, std::abs(beyond));
+  }
+  if (inside) return -nearest_plane;
+  for (int k = 0; k < 3; ++k) {
+    const double along = box.axes_w.col(k).dot(point_w - box.center_w);
+    clamped += std::clamp(along, -box.half[k], box.half[k]) * box.axes_w.col(k);
+  }
+  return (point_w - clamped).norm();
+}
+
+// How near the point is to a place where the gradient jumps (inside) or bends sharply (the surface).
+bool is_near_a_kink(const Box& box, const Vec3& point_w, double margin) {
+  const Vec3 p = (box.axes_w.transpose() * (point_w - box.center_w)).cwiseAbs();
+  Vec3 q = p - box.half;
+  if (q.maxCoeff() > 0.0) return q.cwiseAbs().minCoeff() < margin;
+  std::sort(q.data(), q.data() + 3);
+  return q[2] - q[1] < margin || -q[2] < margin || p.minCoeff() < margin;
+}
+
+}  // namespace
+
+TEST_CASE("The signed distance of a unit cube has its closed-form values",
+          "[exact][signed_distance]") {
+  const Box cube = cube_of_size(Vec3::Ones());
+  const SignedDistance centre = signed_distance(cube, Vec3::Zero());
+  CHECK(centre.distance == -0.5);
+  CHECK(centre.gradient_w == Vec3::UnitX());
+
+  const SignedDistance inside = signed_distance(cube, Vec3(0.4, 0.3, 0.45));
+  CHECK(std::abs(inside.distance + 0.05) < kRounding);
+  CHECK(inside.gradient_w == Vec3::UnitZ());
+
+  const SignedDistance corner = signed_distance(cube, Vec3::Ones());
+  CHECK(std::abs(corner.distance - std::sqrt(0.75)) < kRounding);
+  CHECK((corner.gradient_w - Vec3::Constant(1.0 / std::sqrt(3.0))).norm() < kRounding);
+
+  const SignedDistance edge = signed_distance(cube, Vec3(0.6, -0.7, 0.2));
+  CHECK(std::abs(edge.distance - std::sqrt(0.05)) < kRounding);
+  CHECK((edge.gradient_w - Vec3(1.0, -2.0, 0.0) / std::sqrt(5.0)).norm() < kRounding);
+}
+
+TEST_CASE("The signed distance of a 2 by 2 by 4 box has its closed-form values",
+          "[exact][signed_distance]") {
+  const Box box = cube_of_size(Vec3(2.0, 2.0, 4.0));
+  CHECK(std::abs(signed_distance(box, Vec3(1.2, 0.9, 1.8)).distance - 0.2) < kRounding);
+  CHECK(std::abs(signed_distance(box, Vec3(2.0, 2.0, 4.0)).distance - std::sqrt(6.0)) < kRounding);
+}
+
+TEST_CASE("On a surface the signed distance is 0 and its gradient a face normal",
+          "[exact][signed_distance]") {
+  const Box box = cube_of_size(Vec3(2.0, 4.0, 8.0));
+  const SignedDistance face = signed_distance(box, Vec3(0.3, -2.0, 1.0));
+  CHECK(face.distance == 0.0);
+  CHECK(face.gradient_w == Vec3(0.0, -1.0, 0.0));
+  // Where faces meet, the axis of lowest number decides.
+  CHECK(signed_distance(box, Vec3(1.0, -2.0, 1.0)).gradient_w == Vec3::UnitX());
+  CHECK(signed_distance(box, Vec3(0.0, -2.0, -4.0)).gradient_w == Vec3(0.0, -1.0, 0.0));
+}
+
+TEST_CASE("On medial planes the lowest axis and the positive side are taken",
+          "[unit][signed_distance]") {
+  const Box cube = cube_of_size(Vec3::Ones());
+  CHECK(signed_distance(cube, Vec3(0.0, -0.3, 0.3)).gradient_w == Vec3(0.0, -1.0, 0.0));
+  CHECK(signed_distance(cube, Vec3(-0.3, 0.3, 0.3)).gradient_w == Vec3(-1.0, 0.0, 0.0));
+  CHECK(signed_distance(cube, Vec3(-0.0, -0.0, -0.0)).gradient_w == Vec3::UnitX());
+  // In a flat box the centre is nearest to the flat faces, whichever number these have.
+  const Box plate = cube_of_size(Vec3(4.0, 4.0, 1.0));
+  CHECK(signed_distance(plate, Vec3(0.0, 0.0, -0.0)).gradient_w == Vec3::UnitZ());
+}
+
+TEST_CASE("The signed distance agrees with clamping and with the six planes",
+          "[unit][signed_distance]") {
+  Random random(11);
+  double worst = 0.0, worst_length = 0.0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Box box = random_box(random);
+    const Vec3 point = box.center_w + random.in_cube(1.2);
+    const SignedDistance got = signed_distance(box, point);
+    worst = std::max(worst, std::abs(got.distance - distance_by_faces(box, point)));
+    worst_length = std::max(worst_length, std::abs(got.gradient_w.norm() - 1.0));
+  }
+  CHECK(worst < kRounding);         // measured 2.0e-15 m
+  CHECK(worst_length < kRounding);  // measured 1.1e-15
+}
+
+TEST_CASE("No point of a dense sampling of the surface is nearer than the signed distance",
+          "[unit][signed_distance]") {
+  Random random(12);
+  constexpr int kCells = 40;  // per edge
+  double worst_nearer = 0.0, worst_farther = 0.0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const Box box = random_box(random);
+    const Vec3 point = box.center_w + random.in_cube(1.0);
+    double nearest = kInfinity;
+    for (int face = 0; face < 6; ++face) {
+      const int k = face / 2, l = (k + 1) % 3, m = (k + 2) % 3;
+      for (int a = 0; a <= kCells; ++a) {
+        for (int b = 0; b <= kCells; ++b) {
+          Vec3 q;
+          q[k] = face % 2 == 0 ? -box.half[k] : box.half[k];
+          q[l] = box.half[l] * (2.0 * a / kCells - 1.0);
+          q[m] = box.half[m] * (2.0 * b / kCells - 1.0);
+          nearest = std::min(nearest, (box.center_w + box.axes_w * q - point).norm());
+        }
+      }
+    }
+    const double distance = std::abs(signed_distance(box, point).distance);
+    worst_nearer = std::max(worst_nearer, distance - nearest);
+    worst_farther = std::max(worst_farther, nearest - distance);
+  }
+  CHECK(worst_nearer < kRounding);  // measured 1.1e-15 m
+  // Half the diagonal of a sampling cell of the largest face: 1.2 / 40 / sqrt(2) = 0.021 m.
+  CHECK(worst_farther < 0.0213);  // measured 6.6e-4 m
+}
+
+TEST_CASE("The gradient of the signed distance is that of finite differences",
+          "[unit][signed_distance]") {
+  Random random(13);
+  constexpr double kStep = 1e-5;  // [m] error of central differences: step² / distance²
+  double worst = 0.0;
+  int compared = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Box box = random_box(random);
+    const Vec3 point = box.center_w + random.in_cube(1.0);
+    if (is_near_a_kink(box, point, 0.01)) continue;
+    ++compared;
+    Vec3 difference;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 h = kStep * Vec3::Unit(k);
+      difference[k] =
+          (signed_distance(box, point + h).distance - signed_distance(box, point - h).distance) /
+          (2.0 * kStep);
+    }
+    worst = std::max(worst, (difference - signed_distance(box, point).gradient_w).norm());
+  }
+  CHECK(compared > 15000);
+  // step² / distance² / 2 = 5e-7 at the distance of 0.01 m that is allowed; measured 2.8e-8.
+  CHECK(worst < 1e-6);
+}
+
+TEST_CASE("Going back along the gradient by the signed distance ends on the surface",
+          "[unit][signed_distance]") {
+  Random random(14);
+  double worst = 0.0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Box box = random_box(random);
+    const Vec3 point = box.center_w + random.in_cube(2.0);
+    const SignedDistance there = signed_distance(box, point);
+    const Vec3 foot = point - there.distance * there.gradient_w;
+    worst = std::max(worst, std::abs(signed_distance(box, foot).distance));
+  }
+  CHECK(worst < kRounding);  // measured 4.6e-15 m
+}
+
+TEST_CASE("The signed distance refuses a point that is not finite", "[unit][signed_distance]") {
+  const Box cube = cube_of_size(Vec3::Ones());
+  CHECK_THROWS_AS(signed_distance(cube, Vec3(kNan, 0.0, 0.0)), std::invalid_argument);
+  CHECK_THROWS_AS(signed_distance(cube, Vec3(0.0, 0.0, kInfinity)), std::invalid_argument);
+  CHECK_THROWS_WITH(signed_distance(cube, Vec3(0.0, kNan, 0.0)),
+                    Catch::Matchers::Contains("point_w"));
+}

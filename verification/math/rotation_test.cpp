@@ -1,0 +1,169 @@
+/// \file
+/// \brief Rotation vectors, turning and angles between orientations.
+#include "tumble/math/rotation.hpp"
+
+#include "tumble/base/random.hpp"
+
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace tumble;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double pi = 3.14159265358979324;
+
+bool same(const Quat& p, const Quat& q) { return (p.coeffs().array() == q.coeffs().array()).all(); }
+
+}  // namespace
+
+TEST_CASE("The skew matrix of a vector multiplies like its cross product", "[unit][rotation]") {
+  const Vec3 a(1.0, -2.0, 3.0);
+  const Vec3 b(-4.0, 5.0, 6.0);
+  CHECK(skew(a) * b == a.cross(b));
+  CHECK(skew(a).transpose() == -skew(a));
+}
+
+TEST_CASE("A rotation vector turns about its axis by its length", "[exact][rotation]") {
+  // 1e-15: a few roundings of numbers up to 1 (measured 2e-16).
+  const Vec3 z = rotation_from_vector(Vec3(0.0, 0.0, pi / 2.0)) * Vec3(1.0, 0.0, 0.0);
+  CHECK((z - Vec3(0.0, 1.0, 0.0)).norm() <= 1e-15);
+  const Quat whole = rotation_from_vector(Vec3(2.0 * pi, 0.0, 0.0));
+  CHECK(angle_between(whole, Quat::Identity()) <= 1e-15);
+  CHECK(same(rotation_from_vector(Vec3::Zero()), Quat::Identity()));
+  // No digit is lost where the square of the length is 0.
+  CHECK(rotation_from_vector(Vec3(1e-200, 0.0, 0.0)).x() == 0.5e-200);
+}
+
+TEST_CASE("The logarithm takes back the exponential for angles up to half a turn",
+          "[exact][rotation]") {
+  Random random(1);
+  double worst = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    const double size = i % 2 == 0 ? random.uniform(0.0, 3.14) : std::exp2(-400.0 * random.unit());
+    const Vec3 r = size * random.direction();
+    worst = std::max(worst, (rotation_vector(rotation_from_vector(r)) - r).norm() / r.norm());
+  }
+  // Relative: the quaternion's own rounding, a few 1e-16, over sin and atan2 (measured 4e-16).
+  CHECK(worst <= 3e-15);
+}
+
+TEST_CASE("The logarithm goes the shortest way and takes q and -q for one orientation",
+          "[unit][rotation]") {
+  Random random(2);
+  int different = 0;
+  int long_way = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Quat q = random.orientation();
+    const Quat minus(-q.w(), -q.x(), -q.y(), -q.z());
+    if (rotation_vector(q) != rotation_vector(minus)) ++different;
+    if (rotation_vector(q).norm() > pi + 1e-15) ++long_way;
+  }
+  CHECK(different == 0);
+  CHECK(long_way == 0);
+  // Half a turn, where both ways are equally short.
+  for (const double w : {0.0, -0.0})
+    for (const double sign : {1.0, -1.0}) {
+      CHECK(rotation_vector(Quat(w, sign, 0.0, 0.0)) == Vec3(pi, 0.0, 0.0));
+      CHECK(rotation_vector(Quat(w, 0.0, 0.0, sign)) == Vec3(0.0, 0.0, pi));
+    }
+  CHECK(rotation_vector(Quat::Identity()) == Vec3::Zero());
+  // The length of q does not matter.
+  const Vec3 r(0.1, 0.2, -0.3);
+  const Quat q = rotation_from_vector(r);
+  CHECK((rotation_vector(Quat(7.0 * q.coeffs())) - r).norm() <= 1e-15);
+}
+
+TEST_CASE("Turning at a constant rate is the same in one step or in a thousand",
+          "[exact][rotation]") {
+  const Vec3 omega(1.0, -2.0, 0.5);
+  const Quat start = Random(3).orientation();
+  Quat q = start;
+  for (int i = 0; i < 1000; ++i) q = turned(q, omega, 1e-3);
+  // 1000 roundings of 1e-16 that do not help each other (measured 5e-15).
+  CHECK(angle_between(q, turned(start, omega, 1.0)) <= 1e-12);
+  CHECK(std::abs(q.norm() - 1.0) <= 1e-15);
+  CHECK(angle_between(turned(turned(start, omega, 2.0), omega, -2.0), start) <= 1e-14);
+  // World frame: omega along y turns the world's x axis towards -z, whatever q is.
+  const Quat turn = turned(start, Vec3(0.0, pi / 2.0, 0.0), 1.0) * start.conjugate();
+  CHECK((turn * Vec3(1.0, 0.0, 0.0) - Vec3(0.0, 0.0, -1.0)).norm() <= 1e-15);
+}
+
+TEST_CASE("The angle between orientations keeps its digits when it is small", "[exact][rotation]") {
+  Random random(4);
+  for (const double angle : {1e-12, 1e-6, 0.1, 1.0, 3.0, pi}) {
+    const Vec3 axis = random.direction();
+    const Quat q = rotation_from_vector(angle * axis);
+    // 1e-15 relative from the identity, where components are exact to their last digit.
+    CHECK(std::abs(angle_between(Quat::Identity(), q) / angle - 1.0) <= 1e-15);
+    const Quat p = random.orientation();
+    const Quat pq = q * p;
+    // Elsewhere 1e-15 rad: rounding of components near 1 (measured 4e-16).
+    CHECK(std::abs(angle_between(p, pq) - angle) <= 1e-15);
+    CHECK(angle_between(p, pq) == angle_between(pq, p));
+    const Quat minus(-pq.w(), -pq.x(), -pq.y(), -pq.z());
+    CHECK(angle_between(p, pq) == angle_between(p, minus));
+  }
+  const Quat p = random.orientation();
+  CHECK(angle_between(p, p) == 0.0);
+}
+
+TEST_CASE("Degrees turn about the world's x, then y, then z", "[exact][rotation]") {
+  const Vec3 deg(30.0, -50.0, 110.0);
+  const Quat x(Eigen::AngleAxisd(deg.x() * pi / 180.0, Vec3::UnitX()));
+  const Quat y(Eigen::AngleAxisd(deg.y() * pi / 180.0, Vec3::UnitY()));
+  const Quat z(Eigen::AngleAxisd(deg.z() * pi / 180.0, Vec3::UnitZ()));
+  CHECK(angle_between(rotation_from_degrees(deg), z * (y * x)) <= 1e-15);
+  CHECK(angle_between(rotation_from_degrees(deg + Vec3(360.0, -720.0, 36000.0)), z * (y * x)) <=
+        1e-15);
+}
+
+TEST_CASE("Right angles in degrees give the exact quaternion", "[exact][rotation]") {
+  const double s = std::sqrt(0.5);
+  CHECK(same(rotation_from_degrees(Vec3::Zero()), Quat::Identity()));
+  CHECK(same(rotation_from_degrees(Vec3(90.0, 0.0, 0.0)), Quat(s, s, 0.0, 0.0)));
+  CHECK(same(rotation_from_degrees(Vec3(0.0, -90.0, 0.0)), Quat(s, 0.0, -s, 0.0)));
+  CHECK(same(rotation_from_degrees(Vec3(0.0, 0.0, 180.0)), Quat(0.0, 0.0, 0.0, 1.0)));
+  CHECK(same(rotation_from_degrees(Vec3(90.0, 90.0, 0.0)), Quat(0.5, 0.5, 0.5, -0.5)));
+  int wrong = 0;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y)
+      for (int z = -4; z <= 4; ++z) {
+        const Quat q = rotation_from_degrees(90.0 * Vec3(x, y, z));
+        for (int k = 0; k < 4; ++k) {
+          const double c = std::abs(q.coeffs()[k]);
+          if (c != 0.0 && c != 0.5 && c != s && c != 1.0) ++wrong;
+        }
+        if (!(std::abs(q.norm() - 1.0) <= 3e-16)) ++wrong;
+        const Quat close(Eigen::AngleAxisd(z * pi / 2.0, Vec3::UnitZ()) *
+                         Eigen::AngleAxisd(y * pi / 2.0, Vec3::UnitY()) *
+                         Eigen::AngleAxisd(x * pi / 2.0, Vec3::UnitX()));
+        if (!(angle_between(q, close) <= 4e-15)) ++wrong;
+      }
+  CHECK(wrong == 0);
+  // A right angle beside an ordinary one is exact in its own part: no turn about y or z here.
+  const Quat q = rotation_from_degrees(Vec3(30.0, 0.0, 180.0));
+  CHECK(q.w() == 0.0);
+  CHECK(q.x() == 0.0);
+}
+
+TEST_CASE("Quaternions are brought to length 1, and refused without a direction",
+          "[unit][rotation]") {
+  CHECK(same(normalised(Quat(0.0, 3.0, 0.0, 4.0)), Quat(0.0, 0.6, 0.0, 0.8)));
+  CHECK(std::abs(normalised(Quat(1e-149, 1e-149, 0.0, 0.0)).norm() - 1.0) <= 3e-16);
+  using Wrong = std::invalid_argument;
+  CHECK_THROWS_WITH(normalised(Quat(0.0, 0.0, 0.0, 0.0)), Catch::Contains("length"));
+  CHECK_THROWS_AS(normalised(Quat(1e200, 0.0, 0.0, 0.0)), Wrong);
+  CHECK_THROWS_AS(normalised(Quat(not_a_number, 0.0, 0.0, 1.0)), Wrong);
+  CHECK_THROWS_AS(rotation_vector(Quat(not_a_number, 0.0, 0.0, 1.0)), Wrong);
+  CHECK_THROWS_WITH(rotation_from_vector(Vec3(0.0, not_a_number, 0.0)), Catch::Contains("finite"));
+  CHECK_THROWS_WITH(rotation_from_vector(Vec3(0.0, 1e151, 0.0)), Catch::Contains("1e150"));
+  CHECK_THROWS_AS(turned(Quat::Identity(), Vec3(not_a_number, 0.0, 0.0), 0.1), Wrong);
+  CHECK_THROWS_AS(turned(Quat::Identity(), Vec3(1.0, 0.0, 0.0), not_a_number), Wrong);
+  CHECK_THROWS_WITH(rotation_from_degrees(Vec3(0.0, not_a_number, 0.0)),
+                    Catch::Contains("xyz_deg"));
+}

@@ -1,0 +1,140 @@
+/// \file
+/// \brief What docstrings, tests and README promise, compared with what there is.
+#include "structure/promises.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+
+namespace tumble::structure {
+namespace {
+
+// The literals that follow one another from a place on, joined as the compiler joins them.
+std::string joined_literals(const std::string& text, std::size_t& at) {
+  std::string joined;
+  while (true) {
+    at = text.find_first_not_of(" \n", at);
+    if (at == std::string::npos || text[at] != '"') return joined;
+    for (++at; at < text.size() && text[at] != '"'; ++at) {
+      if (text[at] == '\\') ++at;
+      joined += text[at];
+    }
+    ++at;
+  }
+}
+
+std::string with_single_blanks(const std::string& text) {
+  static const std::regex blanks("\\s+");
+  static const std::regex ends("^ | $");
+  return std::regex_replace(std::regex_replace(text, blanks, " "), ends, "");
+}
+
+}  // namespace
+
+std::vector<TestCase> test_cases(const std::vector<SourceFile>& files) {
+  static const std::regex begin("\\b(?:TEMPLATE_)?TEST_CASE\\s*\\(");
+  static const std::regex tag("\\[([^\\]]+)\\]");
+  std::vector<TestCase> found;
+  const std::sregex_iterator end;
+  for (const SourceFile& file : files) {
+    const std::string code = code_of(file.text);
+    for (std::sregex_iterator m(code.begin(), code.end(), begin); m != end; ++m) {
+      TestCase test{file.path, line_at(code, static_cast<std::size_t>(m->position())), "", {}};
+      auto at = static_cast<std::size_t>(m->position() + m->length());
+      test.name = with_single_blanks(joined_literals(file.text, at));
+      if (at < file.text.size() && file.text[at] == ',') {
+        ++at;
+        const std::string tags = joined_literals(file.text, at);
+        for (std::sregex_iterator t(tags.begin(), tags.end(), tag); t != end; ++t)
+          test.tags.push_back((*t)[1]);
+      }
+      found.push_back(test);
+    }
+  }
+  return found;
+}
+
+Complaints unkept_promises(const std::vector<SourceFile>& files,
+                           const std::vector<TestCase>& tests) {
+  std::set<std::string> names;
+  for (const TestCase& test : tests) names.insert(test.name);
+
+  static const std::regex form("\\\\verified\\{([^}]*)\\}");
+  Complaints complaints;
+  const std::sregex_iterator end;
+  for (const SourceFile& file : files) {
+    // Only what comments say, so that a sentence may go on in the next line.
+    std::string said;
+    for (const std::string& comment : comments_of(file.text))
+      said += (comment.rfind('/', 0) == 0 ? comment.substr(1) : comment) + '\n';
+    for (std::sregex_iterator m(said.begin(), said.end(), form); m != end; ++m) {
+      std::string sentence = with_single_blanks((*m)[1]);
+      static const std::regex escaped_comma("\\\\,");
+      sentence = std::regex_replace(sentence, escaped_comma, ",");
+      if (names.count(sentence) > 0) continue;
+      const std::size_t line = line_at(said, static_cast<std::size_t>(m->position()));
+      complaints.push_back(place(file, line) + "no test is called \"" + sentence + '"');
+    }
+  }
+  return complaints;
+}
+
+Complaints tests_without_rung(const std::vector<TestCase>& tests) {
+  static const std::set<std::string> rungs{"unit",   "exact",       "reference",
+                                           "claims", "determinism", "structure"};
+  Complaints complaints;
+  for (const TestCase& test : tests) {
+    const bool placed = std::any_of(test.tags.begin(), test.tags.end(),
+                                    [](const std::string& tag) { return rungs.count(tag) > 0; });
+    if (!placed)
+      complaints.push_back(test.path + ':' + std::to_string(test.line) + ": no rung: \"" +
+                           test.name + '"');
+  }
+  return complaints;
+}
+
+Complaints unused_tolerances(const SourceFile& tolerances, const std::vector<SourceFile>& others) {
+  static const std::regex definition("\\binline\\s+constexpr\\s+\\w+\\s+(\\w+)\\s*=");
+  const std::string code = code_of(tolerances.text);
+  std::set<std::string> used;
+  for (const SourceFile& file : others) {
+    if (file.path == tolerances.path) continue;
+    const std::string text = code_of(file.text);
+    const auto in_name = [&](std::size_t i) {
+      return std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_';
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const std::size_t from = i;
+      while (i < text.size() && in_name(i)) ++i;
+      if (i > from) used.insert(text.substr(from, i - from));
+    }
+  }
+  Complaints complaints;
+  const std::sregex_iterator end;
+  for (std::sregex_iterator m(code.begin(), code.end(), definition); m != end; ++m) {
+    const std::string name = (*m)[1];
+    if (used.count(name) > 0) continue;
+    const std::size_t line = line_at(code, static_cast<std::size_t>(m->position()));
+    complaints.push_back(place(tolerances, line) + "nothing uses " + name);
+  }
+  return complaints;
+}
+
+Complaints unknown_commands(const SourceFile& text, const SourceFile& makefile) {
+  static const std::regex target("(?:^|\\n)([a-z-]+):");
+  static const std::regex command("(?:`|\\n)make(?: +[A-Z]+=\\S+)* +([a-z][a-z-]*)");
+  std::set<std::string> targets;
+  const std::sregex_iterator end;
+  for (std::sregex_iterator m(makefile.text.begin(), makefile.text.end(), target); m != end; ++m)
+    targets.insert((*m)[1]);
+  Complaints complaints;
+  for (std::sregex_iterator m(text.text.begin(), text.text.end(), command); m != end; ++m) {
+    if (targets.count((*m)[1]) > 0) continue;
+    const std::size_t line = line_at(text.text, static_cast<std::size_t>(m->position(1)));
+    complaints.push_back(place(text, line) + "make " + (*m)[1].str() + " does not exist");
+  }
+  return complaints;
+}
+
+}  // namespace tumble::structure

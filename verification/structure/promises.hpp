@@ -1,0 +1,47 @@
+/// \file
+/// \brief What docstrings, tests and README promise, compared with what there is.
+#pragma once
+
+#include "structure/source_tree.hpp"
+
+namespace tumble::structure {
+
+/// A test case as its source writes it.
+struct TestCase {
+  std::string path;               ///< the file
+  std::size_t line{};             ///< where it begins
+  std::string name;               ///< the sentence
+  std::vector<std::string> tags;  ///< without brackets
+};
+
+/// Reads the test cases out of their sources.
+/// \param files C++ files
+/// \return every TEST_CASE and TEMPLATE_TEST_CASE
+std::vector<TestCase> test_cases(const std::vector<SourceFile>& files);
+
+/// Sentences in \\verified{...} that are no test's name.
+/// \param files  C++ files with docstrings
+/// \param tests  all tests
+/// \return a complaint for each
+Complaints unkept_promises(const std::vector<SourceFile>& files,
+                           const std::vector<TestCase>& tests);
+
+/// Tests that do not say which rung of the ladder they are on: unit, exact, reference, claims,
+/// determinism, structure. Sanitizers and equal-bits builds choose by these.
+/// \param tests all tests
+/// \return a complaint for each
+Complaints tests_without_rung(const std::vector<TestCase>& tests);
+
+/// Constants of a file of tolerances that no other file uses.
+/// \param tolerances  the file that defines them: `inline constexpr double name = ...`
+/// \param others      C++ files of the library
+/// \return a complaint for each
+Complaints unused_tolerances(const SourceFile& tolerances, const std::vector<SourceFile>& others);
+
+/// Commands `make x` in a text that the Makefile does not have.
+/// \param text      README.md, for example
+/// \param makefile  the Makefile
+/// \return a complaint for each
+Complaints unknown_commands(const SourceFile& text, const SourceFile& makefile);
+
+}  // namespace tumble::structure

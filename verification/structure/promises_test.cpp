@@ -1,0 +1,97 @@
+/// \file
+/// \brief Docstrings, tests and README promise what there is.
+#include "structure/promises.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+
+namespace tumble::structure {
+namespace {
+
+const SourceFile& file_called(const std::vector<SourceFile>& files, const std::string& path) {
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&](const SourceFile& file) { return file.path == path; });
+  if (found == files.end()) throw std::runtime_error("there is no " + path);
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("Test cases are read with names in pieces and all tags", "[structure]") {
+  const auto tests = test_cases(
+      {{"a_test.cpp",
+        "// TEST_CASE(\"no\")\nTEST_CASE(\"A box \"\n          \"falls\", \"[unit][box]\") {}\n"
+        "TEMPLATE_TEST_CASE(\"It is \\\"so\\\"\", \"[exact]\", int) {}\n"}});
+  REQUIRE(tests.size() == 2);
+  CHECK(tests[0].name == "A box falls");
+  CHECK(tests[0].line == 2);
+  CHECK(tests[0].tags == std::vector<std::string>{"unit", "box"});
+  CHECK(tests[1].name == "It is \"so\"");
+}
+
+TEST_CASE("A promise of a test that does not exist is found", "[structure]") {
+  const std::vector<TestCase> tests{{"a_test.cpp", 1, "A box falls, and how", {}}};
+  CHECK(
+      unkept_promises({{"a.hpp", "/// \\verified{A box falls\\, and\n/// how}\n"}}, tests).empty());
+  CHECK(unkept_promises({{"a.hpp", "\n/// \\verified{A box rises}\n"}}, tests) ==
+        Complaints{"a.hpp:2: no test is called \"A box rises\""});
+}
+
+TEST_CASE("A test on no rung is found", "[structure]") {
+  CHECK(tests_without_rung({{"a", 1, "x", {"unit", "box"}}}).empty());
+  CHECK(tests_without_rung({{"a", 1, "x", {"box"}}}).size() == 1);
+}
+
+TEST_CASE("A tolerance that nothing uses is found", "[structure]") {
+  const SourceFile tolerances{"t.hpp",
+                              "inline constexpr double a = 1;\ninline constexpr int b = 2;\n"};
+  CHECK(unused_tolerances(tolerances, {{"a.cpp", "x < tolerance::a; tolerance::b"}}).empty());
+  CHECK(unused_tolerances(tolerances, {tolerances, {"a.cpp", "x < tolerance::a; // b\n"}}) ==
+        Complaints{"t.hpp:2: nothing uses b"});
+}
+
+TEST_CASE("A command that the Makefile does not have is found", "[structure]") {
+  const SourceFile makefile{"Makefile", "test:\n\tx\ntest-long:\n"};
+  CHECK(unknown_commands({"a.md", "`make test`, `make SETUP=no test-long`, they make sense\n"},
+                         makefile)
+            .empty());
+  CHECK(unknown_commands({"a.md", "\nmake fly\n"}, makefile) ==
+        Complaints{"a.md:2: make fly does not exist"});
+}
+
+TEST_CASE("Every verified sentence is the name of a test", "[structure]") {
+  const auto files = project_files();
+  const Complaints complaints =
+      unkept_promises(code_in(files, "src/"), test_cases(code_in(files, "verification/")));
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("Every test stands on a rung of the ladder", "[structure]") {
+  const auto tests = test_cases(code_in(project_files(), "verification/"));
+  const Complaints complaints = tests_without_rung(tests);
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+  CHECK(tests.size() > 30);
+}
+
+TEST_CASE("Every tolerance is used", "[structure]") {
+  const auto files = project_files();
+  const Complaints complaints = unused_tolerances(
+      file_called(files, "src/tumble/base/tolerance.hpp"), code_in(files, "src/"));
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("Every command that README and CONTRIBUTING name exists", "[structure]") {
+  const auto files = project_files();
+  for (const char* path : {"README.md", "CONTRIBUTING.md"}) {
+    const Complaints complaints =
+        unknown_commands(file_called(files, path), file_called(files, "Makefile"));
+    INFO(joined(complaints));
+    CHECK(complaints.empty());
+  }
+}
+
+}  // namespace tumble::structure

@@ -1,0 +1,66 @@
+/// \file
+/// \brief The project's own text files, as the structure tests read them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::structure {
+
+/// A text file of the project.
+struct SourceFile {
+  std::string path;  ///< from the root of the project, with slashes
+  std::string text;  ///< all of it
+};
+
+/// What a check has to say: one sentence for each fault, "path:line: what is wrong". A rule holds
+/// if there are none.
+using Complaints = std::vector<std::string>;
+
+/// Every text file that belongs to the project, in the order of their paths. Folders that are made
+/// by building or running (build, runs) and hidden ones other than .ci are left out.
+/// \return paths and texts
+/// \throws std::runtime_error if the source folder has gone or a file cannot be read
+std::vector<SourceFile> project_files();
+
+/// The files of one folder.
+/// \param files   to choose from
+/// \param folder  the beginning of their paths, for example "src/"
+/// \return those that are C++: .hpp and .cpp
+std::vector<SourceFile> code_in(const std::vector<SourceFile>& files, std::string_view folder);
+
+/// Splits a text.
+/// \param text any text
+/// \return its lines without their ends
+std::vector<std::string> lines_of(const std::string& text);
+
+/// C++ without its comments and without the insides of its string and character literals, which
+/// become blanks: lines and columns stay where they were.
+/// \param text C++ source; raw strings are understood
+/// \return a text of the same length
+std::string code_of(const std::string& text);
+
+/// The comments of a C++ text, line by line: what follows `//`.
+/// \param text C++ source
+/// \return one string for each line, empty where there is no such comment
+std::vector<std::string> comments_of(const std::string& text);
+
+/// Which line a place in a text is on.
+/// \param text    any text
+/// \param offset  a place in it
+/// \return from 1
+std::size_t line_at(const std::string& text, std::size_t offset);
+
+/// How a complaint begins.
+/// \param file  the file
+/// \param line  the line, from 1
+/// \return "path:line: "
+std::string place(const SourceFile& file, std::size_t line);
+
+/// Joins complaints for a test's message.
+/// \param complaints what was found
+/// \return a line for each
+std::string joined(const Complaints& complaints);
+
+}  // namespace tumble::structure

@@ -1,0 +1,177 @@
+/// \file
+/// \brief What may not stand in the sources.
+#include "structure/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace tumble::structure {
+namespace {
+
+// A name in code, with what decides whether it is a call of something forbidden.
+struct Name {
+  std::size_t offset = 0;
+  std::string text;       // sin
+  std::string qualifier;  // std in std::sin; "::" alone gives "::"
+  bool member = false;    // after a point or an arrow
+  char next = ' ';        // the first character after it that is no blank
+};
+
+bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::vector<Name> names_in(const std::string& code) {
+  std::vector<Name> names;
+  for (std::size_t i = 0; i < code.size();) {
+    if (!in_name(code[i])) {
+      ++i;
+      continue;
+    }
+    Name name;
+    name.offset = i;
+    while (i < code.size() && in_name(code[i])) name.text += code[i++];
+    const std::size_t after = code.find_first_not_of(" \n", i);
+    if (after != std::string::npos) name.next = code[after];
+
+    // What stands before it: a point, an arrow, or :: and the name before that.
+    const std::size_t last =
+        name.offset == 0 ? std::string::npos : code.find_last_not_of(" \n", name.offset - 1);
+    const char before = last == std::string::npos ? ' ' : code[last];
+    const char second = last == std::string::npos || last == 0 ? ' ' : code[last - 1];
+    name.member = before == '.' || (before == '>' && second == '-');
+    if (before == ':' && second == ':') {
+      name.qualifier = "::";
+      if (!names.empty() &&
+          code.find_first_not_of(" \n", names.back().offset + names.back().text.size()) == last - 1)
+        name.qualifier = names.back().text;
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// Why a name is forbidden; empty if it is not.
+std::string fault_of(const Name& name, bool defines_elementary) {
+  static const std::set<std::string> transcendental{
+      "sin",   "cos",   "tan",   "asin", "acos", "atan",  "atan2", "sinh",   "cosh",   "tanh",
+      "asinh", "acosh", "atanh", "exp",  "exp2", "exp10", "expm1", "log",    "log2",   "log10",
+      "log1p", "pow",   "hypot", "cbrt", "fma",  "erf",   "erfc",  "tgamma", "lgamma", "sincos"};
+  static const std::set<std::string> hidden_sines{"AngleAxis",       "AngleAxisd", "Rotation2D",
+                                                  "Rotation2Dd",     "slerp",      "eulerAngles",
+                                                  "angularDistance", "hypotNorm"};
+  static const std::set<std::string> chance{"rand", "srand", "rand_r", "drand48"};
+  static const std::set<std::string> clocks{"clock_gettime", "gettimeofday", "chrono"};
+  static const std::set<std::string> too_new{"ranges",   "views",     "format",
+                                             "bit_cast", "execution", "jthread"};
+
+  const bool of_std = name.qualifier == "std";
+  if (transcendental.count(name.text) > 0) {
+    if (of_std) return "C libraries differ in its last bit; call elementary::";
+    if (name.next != '(' || name.qualifier == "elementary") return "";
+    if (name.member) return "Eigen asks the C library, and libraries differ in its last bit";
+    return defines_elementary ? "" : "C libraries differ in its last bit; call elementary::";
+  }
+  if (hidden_sines.count(name.text) > 0)
+    return "Eigen asks the C library for its sines; see math/rotation.hpp";
+  if ((of_std && name.text == "hash") || name.text.rfind("unordered_", 0) == 0)
+    return "no order by address or hash";
+  if ((chance.count(name.text) > 0 && name.next == '(') || name.text == "random_device")
+    return "take Random";
+  if (ends_with(name.text, "_distribution") || name.text.rfind("mt19937", 0) == 0)
+    return "standard libraries differ; take Random";
+  if (clocks.count(name.text) > 0) return "results must not depend on the time of day";
+  if (of_std && too_new.count(name.text) > 0) return "em++ 3.1.6 or clang++ 14 cannot compile it";
+  return "";
+}
+
+}  // namespace
+
+Complaints forbidden_calls(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::string code = code_of(file.text);
+    const bool defines_elementary = file.path.find("math/elementary") != std::string::npos;
+    std::string before;
+    for (const Name& name : names_in(code)) {
+      std::string fault = fault_of(name, defines_elementary);
+      if (before == "long" && name.text == "double") fault = "long double differs between machines";
+      before = name.text;
+      if (fault.empty()) continue;
+      complaints.push_back(place(file, line_at(code, name.offset)) + name.text + ": " + fault);
+    }
+  }
+  return complaints;
+}
+
+Complaints long_files(const std::vector<SourceFile>& files, std::size_t limit) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const auto lines =
+        static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n'));
+    if (lines > limit)
+      complaints.push_back(place(file, lines) + "more than " + std::to_string(limit) + " lines");
+  }
+  return complaints;
+}
+
+Complaints untidy_text(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::vector<std::string> lines = lines_of(file.text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string& line = lines[i];
+      const char* fault = nullptr;
+      if (line.find('\t') != std::string::npos && file.path != "Makefile") fault = "a tab";
+      if (!line.empty() && line.back() == '\r') fault = "a carriage return";
+      if (!line.empty() && line.back() == ' ') fault = "a blank at the end";
+      if (fault == nullptr) continue;
+      complaints.push_back(place(file, i + 1) + fault);
+      break;
+    }
+    if (!file.text.empty() && file.text.back() != '\n')
+      complaints.push_back(place(file, lines.size()) + "the last line does not end");
+  }
+  return complaints;
+}
+
+Complaints private_words(const std::vector<SourceFile>& files) {
+  // Written in pieces, so that this file does not find itself.
+  const std::string beside = std::string("../sha") + "red";
+  const std::string notes = std::string("doss") + "ier";
+  const std::set<std::string> roots{"home", "root", "work", "tmp", "Users"};
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::vector<std::string> lines = lines_of(file.text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      std::string line = lines[i];
+      std::transform(line.begin(), line.end(), line.begin(),
+                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      if (line.find(notes) != std::string::npos)
+        complaints.push_back(place(file, i + 1) + notes + ": readers do not have it");
+      // The one place that looks beside the project, where there may be test problems of others.
+      if (file.path != ".ci/run" && line.find(beside) != std::string::npos)
+        complaints.push_back(place(file, i + 1) + beside + ": a path of one machine");
+
+      // An absolute path: a slash that follows no path, one of the roots, a slash.
+      line = lines[i];
+      for (std::size_t at = line.find('/'); at != std::string::npos; at = line.find('/', at + 1)) {
+        const bool absolute =
+            at == 0 || (!in_name(line[at - 1]) &&
+                        std::string("./-)}*").find(line[at - 1]) == std::string::npos);
+        const std::size_t end = line.find('/', at + 1);
+        if (!absolute || end == std::string::npos) continue;
+        if (roots.count(line.substr(at + 1, end - at - 1)) > 0)
+          complaints.push_back(place(file, i + 1) + line.substr(at, end - at + 1) +
+                               ": a path of one machine");
+      }
+    }
+  }
+  return complaints;
+}
+
+}  // namespace tumble::structure
