@@ -191,8 +191,13 @@ Separation separation(const BoxPair& pair, const SeparationOptions& options) {
   const Lanes& b = pair.b;
   const double shortest =
       std::min(std::min(a[0], std::min(a[1], a[2])), std::min(b[0], std::min(b[1], b[2])));
-  Candidate best = best_face(pair, options.prefer_faces ? tolerance::face_tie * shortest : 0.0);
+  const double tie = options.prefer_faces ? tolerance::face_tie * shortest : 0.0;
+  Candidate best = best_face(pair, tie);
   if (best.distance > options.enough) return result(pair, best);
+  if (best.distance + 2.0 * tie > options.enough) {  // one that ties with it may be beyond
+    const Candidate sharp = best_face(pair, 0.0);
+    if (sharp.distance > options.enough) return result(pair, sharp);
+  }
 
   // A preferred axis is left only for one that is clearly better.
   const auto clearly_above = [shortest](double s) {
