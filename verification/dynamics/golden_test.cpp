@@ -11,7 +11,7 @@
 using namespace tumble;
 
 TEST_CASE("Twenty tumbling boxes and their first collisions have the hashes of every other machine",
-          "[determinism][integrate]") {
+          "[determinism][golden][integrate]") {
   Random random(71);
   World world;
   world.add_ground();

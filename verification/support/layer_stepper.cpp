@@ -100,7 +100,7 @@ void LayerStepper::collide(World& world, double dt, StepReport& report) {
     contact.restitution = sticky_restitution(contact.restitution, fastest, scale, StickyOptions{});
   }
   ImpactOptions options;
-  options.most_passes = 30;
+  options.most_passes = 6;
   const ImpactResult result = impacts_.resolve(contacts_, moving_, options);
   store_moving_bodies(moving_, world);
   report.energy.restitution += result.restitution_energy;
