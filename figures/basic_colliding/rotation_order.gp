@@ -19,7 +19,7 @@ set yrange [1e-16:10]; set ytics 1e-16,1e4
 set xlabel 'step [s]'
 side = 'angle error [rad]'; @SIDE
 set key at screen 0.56,0.985 center top vertical maxcols 1
-plot stem.'.csv' using 'step_s':'frozen_rad' with linespoints lt 2 title name('held', 1), \
+plot stem.'.csv' using 'step_s':'frozen_rad' with linespoints lt 2 title name('frozen', 1), \
   '' using 'step_s':'midpoint_rad' with linespoints lt 3 title name('midpoint', 2), \
   '' using 'step_s':'splitting_rad' with linespoints lt 4 title name('splitting', 4), \
   '' using 'step_s':'rk4_rad' with linespoints lt 1 title name('Runge–Kutta', 3)

@@ -11,7 +11,7 @@ set format x ''
 set yrange [-6.5:6.5]; set ytics 5
 side = 'ω_2 [rad/s]'; @SIDE
 plot stem.'.csv' using 'time_s':'exact_rad_s' with lines lc rgb '#c8c8c8' lw 7 dt 1 title 'exact', \
-  '' using 'time_s':'frozen_rad_s' with lines lt 2 title 'held', \
+  '' using 'time_s':'frozen_rad_s' with lines lt 2 title 'frozen', \
   '' using 'time_s':'midpoint_rad_s' with lines lt 3 title 'midpoint', \
   '' using 'time_s':'splitting_rad_s' with lines lt 4 title 'splitting', \
   '' using 'time_s':'rk4_rad_s' with lines lt 1 title 'Runge–Kutta'
