@@ -204,7 +204,8 @@ TEST_CASE("Special values of the elementary functions are those of C", "[unit][e
   CHECK(elementary::acos(1.0) == 0.0);
 }
 
-TEST_CASE("The elementary functions return the committed bits", "[determinism][golden][elementary]") {
+TEST_CASE("The elementary functions return the committed bits",
+          "[determinism][golden][elementary]") {
   StateHash hash;
   Random random(11);
   for (int i = 0; i < 2000; ++i) {
