@@ -11,7 +11,7 @@
 ///
 /// Accuracy: results are within 1 unit in the last place of the correctly rounded value.
 /// Cost: sine, cosine and exponential take about 1 to 3 times as long as those of glibc, the others up to
-/// 8 times (100 ns for a power): accuracy there is bought with pairs of doubles, not with tables.
+/// 9 times (100 ns for a power): accuracy there is bought with pairs of doubles, not with tables.
 /// Special values follow C (ISO C, annex F) without its flags and errno: NaN in, NaN out; outside
 /// the domain NaN; a zero result keeps its sign.
 namespace tumble::elementary {
