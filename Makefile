@@ -4,12 +4,13 @@
 #   SETUP=no    only say which packages are missing, and stop if there are any
 #   SETUP=skip  look for no packages: this machine has all that is needed, from wherever
 
-BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libgsl-dev
-TEST_PACKAGES    := $(BUILD_PACKAGES) catch2
+BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libgsl-dev
+COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev
+TEST_PACKAGES    := $(COMMAND_PACKAGES) catch2
 FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
-SITE_PACKAGES    := doxygen graphviz doxygen-awesome-css libjs-mathjax
-BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev pkgconf libode-dev libbullet-dev
-CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) clang libclang-rt-dev clang-format
+SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
+BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev pkgconf libode-dev libbullet-dev
+CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) chromium clang libclang-rt-dev clang-format
 
 SETUP ?= yes
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
@@ -22,7 +23,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help test test-long figures figure check bench site clean
+.PHONY: help command test test-long figures figure check bench site clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -41,6 +42,11 @@ test-long:  ## the tests that take minutes: millions of cases, long runs
 	$(CONFIGURE) -DTUMBLE_TESTS=ON
 	$(MAKE_IT) --target tests
 	$(RUN_TESTS) --preset long $(if $(ONLY),-L '^$(ONLY)$$')
+
+command:  ## build the command that runs scenes: build/release/bin/tumble
+	@cmake/setup $(COMMAND_PACKAGES)
+	$(CONFIGURE)
+	$(MAKE_IT) --target tumble_command
 
 figures:  ## compute and draw every figure into build/figures; open index.html there
 	@cmake/setup $(FIGURE_PACKAGES)
@@ -61,8 +67,11 @@ bench:  ## measure against the engines that are installed
 	cmake --preset bench $(OPTIONS)
 	cmake --build --preset bench -j $(JOBS)
 
-site:  ## the reference as a web site: build/site/index.html
+site:  ## chapters, figures, ledger and reference as a web site: build/site/index.html
 	@cmake/setup $(SITE_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_FIGURES=ON
+	$(MAKE_IT) --target figures
+	$(MAKE_IT) --target pages
 	cmake/site
 
 clean:  ## remove build/

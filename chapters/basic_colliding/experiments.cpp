@@ -19,7 +19,8 @@ Figure rotation_rules_figure() {
       "with the motion. Below, the energy error, although nothing acts on the box: under "
       "splitting it comes back to nearly zero after every turn; midpoint and Runge and Kutta "
       "keep a part of it; the simple rule ends with almost twice the energy. The line is what "
-      "is accepted of Runge and Kutta's rule.";
+      "is accepted of Runge and Kutta's rule. The table has the errors of the moment at which the "
+      "box first turns over: halving the step divides them by about 2, 4, 4 and 16.";
   figure.parameters.add_number("step", 0.02, 1e-4, 0.2, "s", "time step of the curves")
       .add_number("duration", 12.0, 1.0, 60.0, "s", "length of the run");
   figure.quick = {"duration=4"};
@@ -94,8 +95,8 @@ Figure cradle_figure() {
       "contact after the other, the speed passes through the row and only the last box "
       "leaves, as in the toy. Resolved all at once, with Newton's law at every contact, the "
       "whole row leaves at 2/5 of the speed and the first box is thrown back. Both readings "
-      "keep momentum and energy: they do not agree, and the law of restitution does not say "
-      "which one is right.";
+      "keep momentum and energy, as the sums show: they do not agree, and the law of restitution "
+      "does not say which one is right.";
   figure.parameters.add_whole("boxes", 5, 2, 12, "how many boxes in the row")
       .add_whole("moving", 1, 1, 11, "how many of them move at first")
       .add_number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed");
@@ -147,8 +148,13 @@ Figure box_overlap_figure() {
 }  // namespace
 
 std::vector<Figure> basic_colliding_figures() {
-  return {rotation_rules_figure(), rotation_order_figure(),    free_fall_figure(),  zeno_figure(),
-          cradle_figure(),         stack_convergence_figure(), box_overlap_figure()};
+  std::vector<Figure> list = {
+      rotation_rules_figure(), rotation_order_figure(),    free_fall_figure(),  zeno_figure(),
+      cradle_figure(),         stack_convergence_figure(), box_overlap_figure()};
+  add_response_figures(list);
+  add_detection_figures(list);
+  add_picture_figures(list);
+  return list;
 }
 
 }  // namespace tumble::chapters

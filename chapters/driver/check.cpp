@@ -8,12 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 const std::string kNumbers = "_numbers.csv";
+const std::string kProgram = "reproduce_";
 
 DrawnFigure& figure_named(std::vector<DrawnFigure>& figures, const std::string& name) {
   for (DrawnFigure& figure : figures) {
@@ -29,7 +31,8 @@ CheckedNumber& number_named(DrawnFigure& figure, const std::string& quantity) {
   }
   CheckedNumber& number = figure.numbers.emplace_back();
   number.quantity = quantity;
-  number.value = number.expected = number.tolerance = kMissing;
+  number.value = number.low = number.high = kMissing;
+  number.expected = number.tolerance = kMissing;
   return number;
 }
 
@@ -45,7 +48,9 @@ void read_expected(const std::filesystem::path& path, std::vector<DrawnFigure>& 
                                   (cells.size() > 1 ? "," + cells[1] : "") +
                                   "...': give figure,quantity,unit,value,tolerance,reason");
     }
-    CheckedNumber& number = number_named(figure_named(figures, cells[0]), cells[1]);
+    DrawnFigure& figure = figure_named(figures, cells[0]);
+    figure.chapter = path.parent_path().filename().string();
+    CheckedNumber& number = number_named(figure, cells[1]);
     number.unit = cells[2];
     number.expected = read_number(cells[3]);
     number.tolerance = read_number(cells[4]);
@@ -68,22 +73,24 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
       figure.head[key] = value;
     }
   }
+  // A figure that no expected file knows tells its chapter by its command.
+  const std::string command = figure.head["command"];
+  if (figure.chapter.empty() && command.rfind(kProgram, 0) == 0) {
+    figure.chapter = command.substr(kProgram.size(), command.find(' ') - kProgram.size());
+  }
   const auto lines = split_csv(text);
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i].size() != 3) throw FileError("not a file of numbers: " + path.string());
+    if (lines[i].size() != 6) throw FileError("not a file of numbers: " + path.string());
     CheckedNumber& number = number_named(figure, lines[i][0]);
     number.unit = lines[i][1];
     number.value = read_number(lines[i][2]);
+    number.low = read_number(lines[i][3]);
+    number.high = read_number(lines[i][4]);
+    number.seeds = static_cast<int>(read_number(lines[i][5]));
   }
   for (CheckedNumber& number : figure.numbers) {
     number.compared = figure.head["settings"] == "default";
   }
-}
-
-bool begins_with(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
-
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-  return std::to_string(count) + ' ' + (count == 1 ? singular : plural);
 }
 
 }  // namespace
@@ -92,10 +99,15 @@ bool CheckedNumber::agrees() const {
   return !compared || std::abs(value - expected) <= tolerance;  // false for NaN
 }
 
-std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
-                                       const std::vector<std::filesystem::path>& expected) {
+std::vector<DrawnFigure> expected_figures(const std::vector<std::filesystem::path>& expected) {
   std::vector<DrawnFigure> figures;
   for (const std::filesystem::path& path : expected) read_expected(path, figures);
+  return figures;
+}
+
+std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& expected) {
+  std::vector<DrawnFigure> figures = expected_figures(expected);
 
   // The order of a directory is up to the file system: sort.
   std::vector<std::filesystem::path> files;
@@ -125,25 +137,17 @@ std::string difference_text(const std::string& figure, const CheckedNumber& numb
          short_text(number.tolerance);
 }
 
-std::string summary_text(const std::vector<DrawnFigure>& figures) {
-  std::size_t thesis = 0;
-  std::size_t claims = 0;
-  std::size_t differ = 0;
-  std::size_t set_aside = 0;
-  for (const DrawnFigure& figure : figures) {
-    thesis += begins_with(figure.name, "fig") ? 1 : 0;
-    claims += begins_with(figure.name, "claim") ? 1 : 0;
-    for (const CheckedNumber& number : figure.numbers) {
-      differ += number.agrees() ? 0 : 1;
-      set_aside += number.compared ? 0 : 1;
+const CheckedNumber& find_number(const std::vector<DrawnFigure>& figures, const std::string& figure,
+                                 const std::string& quantity, const std::string& place) {
+  for (const DrawnFigure& candidate : figures) {
+    if (candidate.name != figure) continue;
+    for (const CheckedNumber& number : candidate.numbers) {
+      if (number.quantity == quantity) return number;
     }
+    throw std::invalid_argument(place + "figure " + figure + " has no quantity '" + quantity +
+                                '\'');
   }
-  const std::size_t shared = figures.size() - thesis - claims;
-  std::string text = counted(thesis, "thesis figure", "thesis figures");
-  if (shared > 0) text += ", " + counted(shared, "figure", "figures") + " of the shared layers";
-  text += ", " + counted(claims, "claim measured", "claims measured");
-  if (set_aside > 0) text += ", " + std::to_string(set_aside) + " not compared";
-  return text + ", " + counted(differ, "differs from expected", "differ from expected");
+  throw std::invalid_argument(place + "there is no figure " + figure);
 }
 
 }  // namespace tumble::chapters

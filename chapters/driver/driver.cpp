@@ -130,6 +130,9 @@ void compute(std::string_view program, const Figure& figure, const Request& requ
     const std::string name = figure.name + (table.suffix.empty() ? "" : "_") + table.suffix;
     write_file(folder / (name + ".csv"), csv_of(head, table));
   }
+  for (const Drawing& drawing : result.drawings) {
+    write_file(folder / (figure.name + "_" + drawing.suffix + ".gp"), head + drawing.commands);
+  }
   write_file(folder / (figure.name + "_numbers.csv"), numbers_file(head, figure, result));
 }
 
@@ -173,9 +176,12 @@ std::string head_of(std::string_view program, const Figure& figure, const Parame
 }
 
 std::string numbers_file(const std::string& head, const Figure& figure, const Result& result) {
-  std::string text = head + "# caption: " + figure.caption + "\nquantity,unit,value\n";
+  std::string text =
+      head + "# caption: " + figure.caption + "\nquantity,unit,value,low,high,seeds\n";
   for (const Quantity& quantity : result.quantities) {
-    text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + '\n';
+    text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
+            full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +
+            std::to_string(quantity.seeds) + '\n';
   }
   return text;
 }

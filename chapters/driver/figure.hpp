@@ -5,6 +5,7 @@
 #include "tumble/base/parameters.hpp"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,15 +32,25 @@ struct Table {
 
 /// A number that the figure is about, compared with `expected.csv` after drawing.
 struct Quantity {
-  std::string name;    ///< in words, unique within the figure
-  std::string unit;    ///< "-" for a ratio or a count
-  double value = 0.0;  ///< as computed in this run
+  std::string name;                                        ///< in words, unique within the figure
+  std::string unit;                                        ///< "-" for a ratio or a count
+  double value = 0.0;                                      ///< as computed in this run
+  double low = std::numeric_limits<double>::quiet_NaN();   ///< lower end of the interval over seeds
+  double high = std::numeric_limits<double>::quiet_NaN();  ///< upper end of the interval over seeds
+  int seeds = 0;  ///< random scenes that it was measured over; 0: nothing is random
+};
+
+/// Commands of gnuplot that were computed, such as boxes in three dimensions: a script loads them.
+struct Drawing {
+  std::string suffix;    ///< file is `figure_suffix.gp`
+  std::string commands;  ///< its bytes
 };
 
 /// All that one run of a figure computed.
 struct Result {
-  std::vector<Table> tables;         ///< what gnuplot draws from
-  std::vector<Quantity> quantities;  ///< what is checked
+  std::vector<Table> tables;           ///< what gnuplot draws from
+  std::vector<Quantity> quantities;    ///< what is checked
+  std::vector<Drawing> drawings = {};  ///< what gnuplot is to draw as it is
 };
 
 /// A figure that a chapter can compute.

@@ -1,38 +1,39 @@
 /// \file
 /// \brief The program that checks the numbers of all figures and writes the page that shows them.
-#include "driver/check.hpp"
 #include "driver/csv.hpp"
+#include "driver/findings.hpp"
 #include "driver/index_page.hpp"
 
 #include <cstdio>
 #include <exception>
 
-/// Checks `DIR/*_numbers.csv` against the expected values and writes `DIR/index.html`.
+/// Checks `DIR/*_numbers.csv` against the expected values, judges the claims and writes
+/// `DIR/index.html` and `DIR/claims.csv`.
 /// \param argc  at least 3
-/// \param argv  the program, DIR, and the `expected.csv` of each chapter
+/// \param argv  the program, DIR, and the `expected.csv`, `claims.toml`, `errata.toml`, `page.md` of
+///              each chapter, and `open_claims.toml`
 /// \return exit code: 0 all agree, 2 bad input, 3 a number differs, 4 cannot read or write
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 3) {
-    std::fprintf(stderr, "usage: figures_index DIR EXPECTED.csv...\n");
+    std::fprintf(stderr,
+                 "usage: figures_index DIR FILE...\n"
+                 "FILE: expected.csv, claims.toml, errata.toml, page.md, open_claims.toml\n");
     return 2;
   }
   try {
     const std::filesystem::path folder = argv[1];
-    const auto figures = check_figures(folder, {argv + 2, argv + argc});
-    write_file(folder / "index.html", index_page(figures));
+    const Findings findings = read_findings(folder, {argv + 2, argv + argc});
+    write_file(folder / "claims.csv", ledger_csv(findings.ledger));
+    write_file(folder / "index.html", index_page(findings));
 
     // Every difference is named before the last line sums up.
-    int code = 0;
-    for (const DrawnFigure& figure : figures) {
-      for (const CheckedNumber& number : figure.numbers) {
-        if (number.agrees()) continue;
-        std::fprintf(stderr, "%s\n", difference_text(figure.name, number).c_str());
-        code = 3;
-      }
-    }
-    std::printf("%s\n", summary_text(figures).c_str());
-    return code;
+    const std::vector<std::string> wrong = differences(findings);
+    for (const std::string& line : wrong) std::fprintf(stderr, "%s\n", line.c_str());
+    const std::string others = others_text(findings);
+    if (!others.empty()) std::printf("%s\n", others.c_str());
+    std::printf("%s\n", summary_text(findings).c_str());
+    return wrong.empty() ? 0 : 3;
   } catch (const FileError& error) {
     std::fprintf(stderr, "figures_index: %s\n", error.what());
     return 4;

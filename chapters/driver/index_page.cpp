@@ -2,9 +2,7 @@
 /// \brief The page that shows all figures.
 #include "driver/index_page.hpp"
 
-#include "driver/csv.hpp"
-
-#include <cmath>
+#include "driver/markup.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -19,10 +17,10 @@ constexpr const char* kTop = R"(<!DOCTYPE html>
 <link rel="icon" href="data:,">
 <style>
 :root { color-scheme: light dark; --text: #1d1d1f; --page: #fbfbfa; --soft: #5c5c62;
-        --line: #dcdcd8; --link: #00558a; --bad: #b3261e; }
+        --line: #dcdcd8; --link: #00558a; --bad: #b3261e; --partly: #7a5200; }
 @media (prefers-color-scheme: dark) {
   :root { --text: #e8e6e3; --page: #16181b; --soft: #a3a3a8; --line: #34373c;
-          --link: #7fc4f2; --bad: #ff8a80; }
+          --link: #7fc4f2; --bad: #ff8a80; --partly: #f0b95a; }
 }
 body { margin: 0 auto; max-width: 46rem; padding: 1rem; font: 1rem/1.55 system-ui, sans-serif;
        color: var(--text); background: var(--page); overflow-wrap: break-word; }
@@ -42,95 +40,52 @@ th, td { text-align: left; vertical-align: top; padding: 0.3rem 0.5rem 0.3rem 0;
 td:first-child { overflow-wrap: break-word; width: 55%; }
 td.number { font-variant-numeric: tabular-nums; } .whole { white-space: nowrap; }
 summary { cursor: pointer; } nav li { margin: 0.2rem 0; }
+.entry { margin: 0.8rem 0; padding: 0.1rem 0.9rem; border: 1px solid var(--line);
+         border-radius: 8px; }
+.entry p { margin: 0.6rem 0; } dl { margin: 0 0 0.6rem; font-size: 0.9rem; }
+dt { color: var(--soft); } dd { margin: 0 0 0.4rem; }
+@media (min-width: 34rem) {
+  dl { display: grid; grid-template-columns: 6rem minmax(0, 1fr); } dd { margin-bottom: 0.2rem; }
+}
+.verdict { padding: 0 0.5rem; border: 1px solid; border-radius: 1rem; font-weight: 600;
+           font-size: 0.9rem; white-space: nowrap; color: var(--soft); }
+.verdict.confirmed { color: var(--link); } .verdict.qualified { color: var(--partly); }
+.verdict.refuted { color: var(--bad); }
+.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr));
+           gap: 1rem; }
+.gallery figure { margin: 0; } figcaption { font-size: 0.9rem; margin-top: 0.3rem; }
 </style>
 </head>
 <body>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-std::string head(const DrawnFigure& figure, const std::string& key) {
-  const auto found = figure.head.find(key);
-  return found == figure.head.end() ? std::string() : escaped(found->second);
-}
-
-// Text that stays on one line: "1e-10 s" would be broken after its hyphen.
-std::string whole(const std::string& text) {
-  return "<span class=\"whole\">" + escaped(text) + "</span>";
-}
-
-std::string number_row(const CheckedNumber& number) {
-  const std::string unit = number.unit == "-" ? "" : ' ' + number.unit;
-  const std::string value =
-      std::isnan(number.value) ? "missing" : whole(short_text(number.value) + unit);
-  std::string expected = "no expected value";
-  if (!number.compared) {
-    expected = "not compared: other settings";
-  } else if (!std::isnan(number.expected)) {
-    expected = whole(short_text(number.expected)) + ' ' +
-               whole("± " + short_text(number.tolerance) + unit);
-  }
-  return "<tr><td>" + escaped(number.quantity) + "<br><span class=\"soft\">" +
-         escaped(number.reason) + "</span></td><td class=\"number\">" +
-         (number.agrees() ? value : "<span class=\"bad\">" + value + "</span>") +
-         "<br><span class=\"soft\">" + expected + "</span></td></tr>\n";
-}
-
-// One figure. The settings are those of the last drawing; `make figure` draws others elsewhere.
-std::string article(const DrawnFigure& figure) {
-  const std::string& name = figure.name;
-  std::string text = "<article id=\"" + name + "\">\n<h2>" + head(figure, "title") + "</h2>\n" +
-                     "<p class=\"soft\">" + name + " · thesis " + head(figure, "thesis") +
-                     "</p>\n<a href=\"" + name + ".png\"><img src=\"" + name + ".svg\" alt=\"" +
-                     head(figure, "title") + "\"></a>\n<p>" + head(figure, "caption") + "</p>\n";
-  text +=
-      "<table>\n<tr><th>number</th><th>here<br><span class=\"soft\">expected</span></th></tr>\n";
-  for (const CheckedNumber& number : figure.numbers) text += number_row(number);
-  text += "</table>\n<details>\n<summary>Draw it again, with other parameters</summary>\n";
-  text +=
-      "<pre>make figure NAME=" + name + "\nmake figure NAME=" + name + " SET='key=value'</pre>\n";
-  text += "<ul>\n";
-  for (const std::string& parameter : figure.parameters) {
-    text += "<li><code>" + escaped(parameter) + "</code></li>\n";
-  }
-  text += "</ul>\n<p class=\"soft\">The numbers were computed by <code>" + head(figure, "command") +
-          "</code>.</p>\n</details>\n<p class=\"soft\"><a href=\"" + name + ".csv\">" + name +
-          ".csv</a> · <a href=\"" + name + ".svg\">svg</a> · <a href=\"" + name +
-          ".png\">png</a></p>\n</article>\n";
-  return text;
+std::string link_to(const std::string& place, const std::string& words) {
+  return "<li><a href=\"#" + place + "\">" + words + "</a></li>\n";
 }
 
 }  // namespace
 
-std::string index_page(const std::vector<DrawnFigure>& figures) {
+std::string index_page(const Findings& findings) {
+  const std::string gallery = gallery_html(findings.figures, "");
+  std::string contents;
+  std::string articles;
+  for (const DrawnFigure& figure : findings.figures) {
+    if (is_of_kind(figure, "gallery_")) continue;
+    contents += link_to(figure.name, head_html(figure, "title"));
+    articles += figure_html(figure, findings.ledger, {"", "h2", false});
+  }
+  if (!gallery.empty()) contents += link_to("gallery", "Gallery");
+
   std::string text = kTop;
   text +=
       "<h1>Figures of Tumble</h1>\n<p>Every picture is drawn by gnuplot from numbers that the "
       "library has just computed; every number in a table is compared with the value that "
-      "was written down for it beforehand.</p>\n<p>" +
-      escaped(summary_text(figures)) + ".</p>\n";
-  text += "<nav><ul>\n";
-  for (const DrawnFigure& figure : figures) {
-    text += "<li><a href=\"#" + figure.name + "\">" + head(figure, "title") + "</a></li>\n";
-  }
-  text += "</ul></nav>\n";
-  for (const DrawnFigure& figure : figures) text += article(figure);
+      "was written down for it beforehand. The verdict on a claim of the thesis follows from its "
+      "number by a rule that was fixed before the first run.</p>\n<p>" +
+      html_text(summary_text(findings)) +
+      ". <a href=\"claims.csv\">claims.csv</a> has every claim.</p>\n";
+  text += "<nav><ul>\n" + contents + "</ul></nav>\n" + articles;
+  if (!gallery.empty()) text += "<h2 id=\"gallery\">Gallery</h2>\n" + gallery;
   return text + "</body>\n</html>\n";
 }
 

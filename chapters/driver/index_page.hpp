@@ -2,19 +2,19 @@
 /// \brief The page that shows all figures.
 #pragma once
 
-#include "driver/check.hpp"
+#include "driver/findings.hpp"
 
 #include <string>
-#include <vector>
 
 namespace tumble::chapters {
 
-/// All figures on one page: picture, caption, how to draw it again, parameters, numbers.
+/// All figures on one page: picture, caption, claim with its rule and verdict, numbers, how to draw
+/// it again with which parameters. The pictures of the gallery come last, as thumbnails.
 ///
 /// One file without scripts and without anything from elsewhere; it reads on a phone and in the
 /// dark. Equal figures give equal bytes.
-/// \param figures from check_figures()
+/// \param findings from read_findings()
 /// \return the bytes of `index.html`, which lies beside the pictures
-std::string index_page(const std::vector<DrawnFigure>& figures);
+std::string index_page(const Findings& findings);
 
 }  // namespace tumble::chapters

@@ -127,7 +127,7 @@ Complaints misplaced_dependencies(const std::vector<SourceFile>& files) {
   static const std::vector<Rule> rules{
       {std::regex("^gsl/"), std::regex("^(chapters/|verification/.*gsl)")},
       {std::regex("^catch2/"), std::regex("^verification/support/")},
-      {std::regex("^toml(\\+\\+|plusplus)"), std::regex("^src/tumble/scenes/.*\\.cpp$")},
+      {std::regex("^toml(\\+\\+|plusplus)"), std::regex("^(src/tumble/scenes|chapters)/.*\\.cpp$")},
       {std::regex("^CLI"), std::regex("^apps/")},
       {std::regex("gltf"), std::regex("^src/tumble/record/.*\\.cpp$")},
       {std::regex("^(ode/|bullet|BulletC|btBullet|LinearMath|mujoco|dart/|siconos)"),

@@ -55,13 +55,16 @@ TEST_CASE("A dependency on the wrong side of the licence line is found", "[struc
   CHECK(misplaced_dependencies({{"src/tumble/math/a.cpp", "#include <gsl/gsl_math.h>\n"},
                                 {"apps/b.cpp", "#include <catch2/catch.hpp>\n"},
                                 {"src/tumble/scenes/c.hpp", "#include <toml++/toml.h>\n"},
+                                {"chapters/x/c.hpp", "#include <toml++/toml.h>\n"},
+                                {"verification/x/c_test.cpp", "#include <toml++/toml.h>\n"},
                                 {"src/tumble/record/d.cpp", "#include <CLI/CLI.hpp>\n"},
                                 {"apps/e.cpp", "#include <tiny_gltf.h>\n"},
                                 {"verification/math/f_test.cpp", "#include <gsl/gsl_fft.h>\n"},
                                 {"verification/math/g_test.cpp", "#include <ode/ode.h>\n"}})
-            .size() == 7);
+            .size() == 9);
   CHECK(misplaced_dependencies({{"chapters/x/a.cpp", "#include <gsl/gsl_math.h>\n"},
                                 {"src/tumble/scenes/c.cpp", "#include <toml++/toml.h>\n"},
+                                {"chapters/x/c.cpp", "#include <toml++/toml.h>\n"},
                                 {"verification/math/f_gsl_test.cpp", "#include <gsl/gsl_fft.h>\n"}})
             .empty());
 }

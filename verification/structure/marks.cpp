@@ -9,7 +9,8 @@ namespace tumble::structure {
 
 std::vector<MarkedRegion> marked_regions(const std::vector<SourceFile>& files,
                                          Complaints& complaints) {
-  static const std::regex form(R"(^\s*// \[(?:(S\d[\d.]*)|([A-Z]{3,}):(\d+)(?:-(\d+))?)\]\s*$)");
+  static const std::regex form(
+      R"(^\s*// \[(?:(S\d[\d.]*(?::[a-z_]+)?)|([A-Z]{3,}):(\d+)(?:-(\d+))?)\]\s*$)");
   std::vector<MarkedRegion> regions;
   for (const SourceFile& file : files) {
     MarkedRegion open;  // from == 0: none

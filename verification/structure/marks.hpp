@@ -14,12 +14,13 @@ struct MarkedRegion {
   std::string path;    ///< the file
   std::size_t from{};  ///< line of the first mark
   std::size_t to{};    ///< line of the second
-  std::string name;    ///< a listing's name, or a section such as "S4.3"
+  std::string name;    ///< a listing's name, or a section such as "S4.3" or "S4.3:what"
   int first_line = 0;  ///< of the listing; 0 for a section
   int last_line = 0;   ///< of the listing; 0 for a section
 };
 
-/// Finds the marks, lines with nothing but `// [NAME:from-to]`, `// [NAME:line]` or `// [S4.3]`.
+/// Finds the marks, lines with nothing but `// [NAME:from-to]`, `// [NAME:line]`, `// [S4.3]` or
+/// `// [S4.3:what]`.
 /// \param files       C++ files
 /// \param complaints  gets one for a mark without twin, within another one, or ending before its
 ///                    beginning

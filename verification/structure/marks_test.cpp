@@ -33,7 +33,8 @@ Complaints complaints_of(const std::string& text) {
 TEST_CASE("Marks are found with their lines", "[structure]") {
   Complaints complaints;
   const auto regions = marked_regions(
-      {{"a.cpp", "  // [COLLIDE:1-4]\nx();\n  // [COLLIDE:1-4]\n// [S4.3]\ny();\n// [S4.3]\n"},
+      {{"a.cpp",
+        "  // [COLLIDE:1-4]\nx();\n  // [COLLIDE:1-4]\n// [S4.3:tail]\ny();\n// [S4.3:tail]\n"},
        {"b.cpp", "// [COLLIDE:7]\nz();\n// [COLLIDE:7]\n// see [COLLIDE:8]\n"}},
       complaints);
   CHECK(complaints.empty());
@@ -42,7 +43,7 @@ TEST_CASE("Marks are found with their lines", "[structure]") {
   CHECK(regions[0].first_line == 1);
   CHECK(regions[0].last_line == 4);
   CHECK(regions[0].to == 3);
-  CHECK(regions[1].name == "S4.3");
+  CHECK(regions[1].name == "S4.3:tail");
   CHECK(regions[1].first_line == 0);
   CHECK(regions[2].first_line == 7);
   CHECK(regions[2].last_line == 7);

@@ -24,6 +24,12 @@ std::string joined_literals(const std::string& text, std::size_t& at) {
   }
 }
 
+std::set<std::string> names_of(const std::vector<TestCase>& tests) {
+  std::set<std::string> names;
+  for (const TestCase& test : tests) names.insert(test.name);
+  return names;
+}
+
 std::string with_single_blanks(const std::string& text) {
   static const std::regex blanks("\\s+");
   static const std::regex ends("^ | $");
@@ -57,9 +63,7 @@ std::vector<TestCase> test_cases(const std::vector<SourceFile>& files) {
 
 Complaints unkept_promises(const std::vector<SourceFile>& files,
                            const std::vector<TestCase>& tests) {
-  std::set<std::string> names;
-  for (const TestCase& test : tests) names.insert(test.name);
-
+  const std::set<std::string> names = names_of(tests);
   static const std::regex form("\\\\verified\\{([^}]*)\\}");
   Complaints complaints;
   const std::sregex_iterator end;
@@ -75,6 +79,25 @@ Complaints unkept_promises(const std::vector<SourceFile>& files,
       if (names.count(sentence) > 0) continue;
       const std::size_t line = line_at(said, static_cast<std::size_t>(m->position()));
       complaints.push_back(place(file, line) + "no test is called \"" + sentence + '"');
+    }
+  }
+  return complaints;
+}
+
+Complaints unkept_records(const std::vector<SourceFile>& files,
+                          const std::vector<TestCase>& tests) {
+  const std::set<std::string> names = names_of(tests);
+  static const std::regex form(R"x(^\s*test\s*=\s*"((?:[^"\\]|\\.)*)")x");
+  static const std::regex escape(R"(\\(.))");
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::vector<std::string> lines = lines_of(file.text);
+    std::smatch match;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (!std::regex_search(lines[i], match, form)) continue;
+      const std::string sentence = std::regex_replace(match[1].str(), escape, "$1");
+      if (names.count(sentence) == 0)
+        complaints.push_back(place(file, i + 1) + "no test is called \"" + sentence + '"');
     }
   }
   return complaints;

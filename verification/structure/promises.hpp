@@ -26,6 +26,12 @@ std::vector<TestCase> test_cases(const std::vector<SourceFile>& files);
 Complaints unkept_promises(const std::vector<SourceFile>& files,
                            const std::vector<TestCase>& tests);
 
+/// Tests that claims and errata name, lines `test = "sentence"`, and that do not exist.
+/// \param files  claims.toml and errata.toml of the chapters
+/// \param tests  all tests
+/// \return a complaint for each
+Complaints unkept_records(const std::vector<SourceFile>& files, const std::vector<TestCase>& tests);
+
 /// Tests that do not say which rung of the ladder they are on: unit, exact, reference, claims,
 /// determinism, structure. Sanitizers and equal-bits builds choose by these.
 /// \param tests all tests

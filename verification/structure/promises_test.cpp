@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tumble::structure {
 namespace {
@@ -38,6 +39,14 @@ TEST_CASE("A promise of a test that does not exist is found", "[structure]") {
         Complaints{"a.hpp:2: no test is called \"A box rises\""});
 }
 
+TEST_CASE("A claim with a test that does not exist is found", "[structure]") {
+  const std::vector<TestCase> tests{{"a_test.cpp", 1, "A \"box\" falls, and how", {}}};
+  const std::string kept = "[[claim]]\ntest = \"A \\\"box\\\" falls, and how\"\n";
+  CHECK(unkept_records({{"claims.toml", kept}}, tests).empty());
+  CHECK(unkept_records({{"claims.toml", kept + "[[claim]]\n  test=\"A box rises\" # so\n"}},
+                       tests) == Complaints{"claims.toml:4: no test is called \"A box rises\""});
+}
+
 TEST_CASE("A test on no rung is found", "[structure]") {
   CHECK(tests_without_rung({{"a", 1, "x", {"unit", "box"}}}).empty());
   CHECK(tests_without_rung({{"a", 1, "x", {"box"}}}).size() == 1);
@@ -64,6 +73,22 @@ TEST_CASE("Every verified sentence is the name of a test", "[structure]") {
   const auto files = project_files();
   const Complaints complaints =
       unkept_promises(code_in(files, "src/"), test_cases(code_in(files, "verification/")));
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("Every claim and every erratum names a test that exists", "[structure]") {
+  const auto files = project_files();
+  const auto is_record = [](const SourceFile& file) {
+    return file.path.rfind("chapters/", 0) == 0 &&
+           (file.path.find("/claims.toml") != std::string::npos ||
+            file.path.find("/errata.toml") != std::string::npos);
+  };
+  std::vector<SourceFile> records;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(records), is_record);
+  CHECK_FALSE(records.empty());
+  const Complaints complaints =
+      unkept_records(records, test_cases(code_in(files, "verification/")));
   INFO(joined(complaints));
   CHECK(complaints.empty());
 }

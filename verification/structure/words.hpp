@@ -10,8 +10,8 @@ namespace tumble::structure {
 /// Calls that make bits depend on compiler, C library or chance, in code of the library.
 ///
 /// The C library's transcendental functions (elementary:: has ours), Eigen's functions that call
-/// them, the standard's distributions, hashes and unordered containers, clocks, and what em++
-/// 3.1.6 cannot compile. Comments and texts are not looked at.
+/// them, the standard's distributions, hashes and unordered containers, clocks (programs in apps/ may
+/// ask them: they write timing.csv), and what em++ 3.1.6 cannot compile. Comments and texts are not looked at.
 /// \param files C++ files
 /// \return a complaint for each
 Complaints forbidden_calls(const std::vector<SourceFile>& files);

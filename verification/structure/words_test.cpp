@@ -57,6 +57,8 @@ TEST_CASE("Calls with the same bits everywhere are allowed", "[structure]") {
   CHECK(calls_in("struct Brand { int rand_count; };") == 0);
   CHECK(forbidden_calls({{"src/tumble/math/elementary.hpp", "double sin(double x);"}}).empty());
   CHECK(forbidden_calls({{"src/tumble/math/elementary.cpp", "return std::sin(x);"}}).size() == 1);
+  CHECK(forbidden_calls({{"src/tumble/a.cpp", "using std::chrono::steady_clock;"}}).size() == 1);
+  CHECK(forbidden_calls({{"apps/a.cpp", "using std::chrono::steady_clock;"}}).empty());
 }
 
 TEST_CASE("A file over the limit is found", "[structure]") {

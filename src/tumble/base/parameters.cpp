@@ -3,6 +3,7 @@
 #include "tumble/base/parameters.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,10 +100,10 @@ void Parameters::set(std::string_view key, std::string_view value) {
     p.value = value;
     return;
   }
-  std::vector<std::string> keys;
+  std::vector<std::string_view> keys;
   for (const Parameter& p : items_) keys.push_back(p.key);
   require::that(false, "unknown setting " + std::string(key) + ": " +
-                           (keys.empty() ? "there are none" : "expected one of: " + list_of(keys)));
+                           (keys.empty() ? "there are none" : expected_names(key, keys)));
 }
 
 bool Parameters::has(std::string_view key) const {

@@ -188,4 +188,36 @@ inline constexpr double friction_settled = 1e-9;
 /// less than 2e-8 m in 1/60 s. (5.2)
 inline constexpr double impact_settled = 1e-6;
 
+/// [-] How close to Coulomb's limit a friction impulse has to be to be called slipping. Reason: it
+/// decides what is reported, never what is computed, so it only has to be above rounding. (3.3.2)
+inline constexpr double friction_limit = 1e-9;
+
+/// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
+/// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
+/// what is seen begins a thousand million times above. (2.1)
+inline constexpr double rounding_overlap = 1e-12;
+
+// --- scenes, record -----------------------------------------------------------------------
+
+/// [-] Overlap at the start of a run up to which a scene is accepted, as a share of the shortest
+/// edge of the two bodies. Reason: positions are typed with six digits. (4.4)
+inline constexpr double start_overlap = 1e-3;
+
+/// [-] Up to this gap two bodies count as touching in measurements of chatter, as a share of the
+/// shortest edge of the two. Reason: well below what is seen, well above what techniques leave
+/// open. (3.3.2)
+inline constexpr double touching = 5e-3;
+
+/// [-] How far the corners of a body may have got in half a second for it to rest, as a share of its
+/// shortest edge. Reason: what slides or tips gets further, and that is not chatter. (3.3.2)
+inline constexpr double resting_movement = 0.01;
+
+/// [-] By how much of a display frame a step may end before the frame and still show it. Reason: times
+/// are sums of steps and carry rounding; a millionth of a frame is 17 ns. (3.3.2)
+inline constexpr double frame_slack = 1e-6;
+
+/// [-] A duration that is this part of a step longer than a whole number of steps is one of whole
+/// steps. Reason: rounding of 10 s / (1/60 s), well below any remainder somebody asked for. (2.1)
+inline constexpr double step_remainder = 1e-9;
+
 }  // namespace tumble::tolerance

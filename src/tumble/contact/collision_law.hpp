@@ -89,6 +89,8 @@ void check(const PointImpact& impact);
 /// \return the impulse and its account
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 7.
 /// \see Kane, Levinson, "Dynamics: theory and applications", 1985, on energy and Newton's law.
+/// \algorithm{Newton's model of a collision: section 3.3.2}
+/// \verified{Impacts at random points of random pairs keep every promise}
 [[nodiscard]] PointImpulse solve_impact(const PointImpact& impact, RestitutionLaw law);
 
 /// Lets two bodies collide at a point: solve_impact() and apply_impulse() in one.

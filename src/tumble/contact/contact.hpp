@@ -2,8 +2,10 @@
 /// \brief Two bodies that touch, as the solvers see them.
 #pragma once
 
+#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/body.hpp"
+#include "tumble/dynamics/event_log.hpp"
 #include "tumble/geometry/manifold.hpp"
 
 #include <array>
@@ -42,5 +44,18 @@ struct Contact {
 /// The contacts of a step, sorted by the ids of their bodies. Callers keep it: its capacity is
 /// used again.
 using ContactList = std::vector<Contact>;
+
+/// What a contact point does, told from its impulses.
+/// \param contact  the contact
+/// \param point    which of its points
+/// \return open without a normal impulse; slip if friction has reached its limit; else stick
+inline ContactState state_of(const Contact& contact, int point) {
+  const ContactPoint& p = contact.points[static_cast<std::size_t>(point)];
+  if (!(p.normal_impulse > 0.0)) return ContactState::open;
+  const double limit = contact.friction * p.normal_impulse;
+  return p.friction_impulse_w.norm() < (1.0 - tolerance::friction_limit) * limit
+             ? ContactState::stick
+             : ContactState::slip;
+}
 
 }  // namespace tumble

@@ -61,6 +61,9 @@ struct RepairReport {
 /// A test for each pair if nothing overlaps; in a sweep, one for each pair whose bodies have moved.
 /// No allocation once the storage is warm. The result does not depend on the order of the pairs.
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, for the levels.
+/// \algorithm{FIXCONTACTCONSTRAINTS: section 4.4 and appendix A.2}
+/// \deviation{Bodies are moved by their measured overlap in place of small pushes; a small overlap is left in place of a gap.}
+/// \verified{A stack of five pressed into itself is put right in one sweep}
 class OverlapRepair {
  public:
   /// Makes the storage.

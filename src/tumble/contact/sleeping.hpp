@@ -58,6 +58,8 @@ struct SleepReport {
 /// \par Cost and determinism
 /// O(bodies + contacts) with a small factor for a sleeper: a comparison of its pose. No allocation
 /// once the storage is warm. Results do not depend on the order of the contacts.
+/// \algorithm{Bodies at rest are left alone: section 4.5}
+/// \verified{An island sleeps as a whole or not at all}
 class SleepingRule {
  public:
   /// Starts with an empty memory.

@@ -49,6 +49,8 @@ struct StickyScale {
 /// \param options         when it sticks
 /// \return [-] 0 if the collision sticks, else the restitution as given
 /// \throws std::invalid_argument naming the value that is not finite or out of range
+/// \algorithm{Sticky collisions: section 4.3}
+/// \verified{A ball sticks at its 5th or 32nd collision when rebounds below g dt stick}
 [[nodiscard]] double sticky_restitution(double restitution, double approach_speed,
                                         const StickyScale& scale, const StickyOptions& options);
 

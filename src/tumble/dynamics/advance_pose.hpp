@@ -72,6 +72,7 @@ RotationRule rotation_rule_from(std::string_view name);
 ///      71, 1993; Touma, Wisdom, "Lie-Poisson integrators for rigid body dynamics in the solar
 ///      system", Astron. J. 107, 1994; Fassò, "Comparison of splitting algorithms for the rigid
 ///      body", J. Comput. Phys. 189, 2003.
+/// \verified{An asymmetric top follows its elliptic functions}
 void advance_pose(const BodyProperties& body, BodyState& state, double dt, RotationRule rule);
 
 /// A bound of the angular speed along the arc \f$t \mapsto\f$ advance_pose(t), for 0 <= t <= dt.

@@ -109,6 +109,12 @@ Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb) {
   return sum;
 }
 
+Bounds bounds_of(const BodyProperties& body, const BodyState& state, double margin) {
+  if (body.shape == Shape::box) return bounds_of(box_of(body, state), margin);
+  constexpr double far = std::numeric_limits<double>::infinity();
+  return Bounds{Vec3(-far, -far, -far), Vec3(far, margin, far)};
+}
+
 double kinetic_energy(const BodyProperties& body, const BodyState& state) {
   // L·ω in the body frame is a sum of squares: it cannot round to below 0.
   const Vec3 angular_momentum_b =

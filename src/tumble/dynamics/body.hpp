@@ -110,6 +110,13 @@ inline Box box_of(const BodyProperties& body, const BodyState& state) {
   return Box{state.position_w, state.orientation_wb.toRotationMatrix(), 0.5 * body.size};
 }
 
+/// Axis-aligned bounds of a body, for broad phases.
+/// \param body    the body's constant part
+/// \param state   its state
+/// \param margin  [m] how far to widen, at least 0
+/// \return of the ground: all of the half-space, reaching to infinity
+Bounds bounds_of(const BodyProperties& body, const BodyState& state, double margin = 0.0);
+
 /// Kinetic energy, \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$.
 /// \param body   the body's constant part
 /// \param state  its state

@@ -5,6 +5,7 @@
 #include "tumble/base/types.hpp"
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -19,6 +20,33 @@ struct Event {
   Vec3 impulse_w = Vec3::Zero();  ///< [N s] on the second body, world frame; the first got minus it
   int rewinds = 0;                ///< bodies put back in time to get here
   int restarts = 0;               ///< searches begun again for a third body
+};
+
+/// What a contact point does.
+enum class ContactState : std::uint8_t {
+  stick,  ///< pushed; friction holds
+  slip,   ///< pushed; friction is at its limit
+  open    ///< not pushed
+};
+
+/// The name of a contact's state in files.
+/// \param state the state
+/// \return for example "stick"
+constexpr std::string_view name_of(ContactState state) {
+  if (state == ContactState::open) return "open";
+  return state == ContactState::slip ? "slip" : "stick";
+}
+
+/// One contact point of a step, as users read it and files keep it.
+struct ContactRecord {
+  double time = 0.0;                        ///< [s] of the pose that it belongs to
+  BodyId first{};                           ///< the body with the smaller id
+  BodyId second{};                          ///< the other one
+  Vec3 point_w = Vec3::Zero();              ///< [m] world frame
+  Vec3 normal_w = Vec3::UnitY();            ///< [-] from the first body to the second, world frame
+  Vec3 push_w = Vec3::Zero();               ///< on the second body, world frame; see is_impulse
+  bool is_impulse = true;                   ///< push_w is an impulse [N s]; else a force [N]
+  ContactState state = ContactState::open;  ///< whether it sticks
 };
 
 /// All collisions of a run, in the order in which they were resolved.

@@ -77,9 +77,11 @@ const IndexPair* EventSearch::first_overlap(const Flight& flight, double time,
 
 void EventSearch::search_discretely(const Flight& flight, double start, double end,
                                     const SearchOptions& options) {
+  // [S3.2]
   // Only the end of the interval is tested.
   const IndexPair* current = first_overlap(flight, end, nullptr);
   if (current == nullptr) return;
+  // [S3.2]
   double overlap_time = end;
   while (true) {
     // When did this pair go from separation to overlap?
@@ -90,6 +92,7 @@ void EventSearch::search_discretely(const Flight& flight, double start, double e
     event_.time = collision.time;
     if (collision.status != CollisionStatus::found) break;
 
+    // [S3.3.1:restart]
     // Did another pair collide earlier? Then this collision is dropped for that one. The interval
     // shrinks with every restart.
     const IndexPair* earlier = first_overlap(flight, event_.time, current);
@@ -101,6 +104,7 @@ void EventSearch::search_discretely(const Flight& flight, double start, double e
     ++event_.restarts;
     current = earlier;
     overlap_time = event_.time;
+    // [S3.3.1:restart]
   }
   if (event_.status != CollisionStatus::found) {
     event_.status = CollisionStatus::cap_reached;

@@ -53,6 +53,8 @@ struct FirstEvent {
 ///
 /// Holds buffers only; results do not depend on earlier searches. Does not allocate when there are
 /// not more pairs than before.
+/// \algorithm{The search for a collision that starts again for a missed third body: section 3.3.1}
+/// \verified{A third body that collided earlier restarts the discrete search}
 class EventSearch {
  public:
   /// Searches.

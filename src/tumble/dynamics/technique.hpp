@@ -7,7 +7,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tumble {
 
@@ -75,6 +77,18 @@ class Technique {
   /// A copy with all memory.
   /// \return steps exactly like this one from here on
   [[nodiscard]] virtual std::unique_ptr<Technique> clone() const = 0;
+
+  /// The contact points of the last step.
+  /// \return valid until the next step; each at the pose that it belongs to
+  [[nodiscard]] virtual std::span<const ContactRecord> contacts() const { return {}; }
+
+  /// What this technique leaves out of a world's physics.
+  /// \param world the bodies
+  /// \return for example "friction"; nothing if it simulates everything
+  [[nodiscard]] virtual std::vector<std::string> ignores(const World& world) const {
+    (void)world;
+    return {};
+  }
 
   /// Whom to tell about events during a step.
   /// \param observer  told during every step until changed; nullptr: nobody. Not owned

@@ -57,6 +57,8 @@ struct Manifold {
 /// \throws std::invalid_argument if the margin is negative or not finite, or `found` has no axis
 /// \par Cost
 /// About 100 ns for two faces (2026, one core of a server); without allocation.
+/// \algorithm{The contact area of two boxes: section 3.2}
+/// \verified{The contact of two stacked cubes has the area in which their faces overlap}
 void find_manifold(const Box& first, const Box& second, const Separation& found, double margin,
                    Manifold& out);
 

@@ -86,7 +86,8 @@ bool views_overlap(const Box& first, const Box& second, const ViewPoint& view) {
   return !is_parted_by_edge_of(first, second, view) && !is_parted_by_edge_of(second, first, view);
 }
 
-PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view) {
+PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
+                             const std::function<bool(int, int)>& meet) {
   // For every box: by which boxes it may be covered, how many unpainted ones it may cover itself,
   // and how far away it is.
   const int n = static_cast<int>(boxes.size());
@@ -97,6 +98,7 @@ PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view) 
     depth[at(a)] = view.depth(boxes[at(a)].center_w);
     for (int b = a + 1; b < n; ++b) {
       if (!views_overlap(boxes[at(a)], boxes[at(b)], view)) continue;
+      if (meet && !meet(a, b)) continue;
       const Cover cover = which_covers(boxes[at(a)], boxes[at(b)], view);
       if (cover == Cover::none) continue;
       const int front = cover == Cover::first ? a : b;

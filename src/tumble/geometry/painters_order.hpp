@@ -4,6 +4,7 @@
 
 #include "tumble/geometry/box.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -78,11 +79,16 @@ struct PaintersOrder {
 /// Boxes that overlap slightly are ordered by the axis of least overlap.
 /// \param boxes  all boxes of the picture
 /// \param view   from where it is seen
+/// \param meet   asked about two indices whose views overlap, the smaller one first: false if where
+///               they do is of no interest, for example outside the part that is painted. Empty:
+///               all is
 /// \return the order; boxes at equal depth in the order of their indices
 /// \par Cost
 /// n²/2 pairs, about 1 µs each: for pictures, not for simulations.
 /// \see Newell, Newell, Sancha, "A solution to the hidden surface problem", ACM 1972.
-[[nodiscard]] PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view);
+/// \verified{Every ray from the eye meets a box that was painted later before one painted earlier}
+[[nodiscard]] PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
+                                           const std::function<bool(int, int)>& meet = {});
 
 /// Sorts disjoint boxes for a perspective view.
 /// \param boxes  all boxes of the picture

@@ -11,6 +11,7 @@ namespace tumble {
 SignedDistance signed_distance(const Box& box, const Vec3& point_w) {
   require::finite(point_w, "point_w");
 
+  // [S3.3.2]
   // By symmetry it is enough to look at the octant of positive coordinates; the signs come back
   // at the end. A coordinate of 0 counts as positive, whichever zero it is.
   const Vec3 p = box.axes_w.transpose() * (point_w - box.center_w);
@@ -28,6 +29,7 @@ SignedDistance signed_distance(const Box& box, const Vec3& point_w) {
   int nearest = 0;
   q.maxCoeff(&nearest);
   return {q[nearest], side[nearest] * box.axes_w.col(nearest)};
+  // [S3.3.2]
 }
 
 }  // namespace tumble

@@ -32,6 +32,8 @@ struct SignedDistance {
 /// About 15 operations and two changes of frame: the thesis had no reason to avoid it.
 /// \note It judges points. Two boxes can overlap edge to edge with no corner of either inside the
 ///       other, so the separating axis test remains the judge of pairs.
+/// \algorithm{The signed distance of a box: footnote in section 3.3.2}
+/// \verified{No point of a dense sampling of the surface is nearer than the signed distance}
 [[nodiscard]] SignedDistance signed_distance(const Box& box, const Vec3& point_w);
 
 }  // namespace tumble

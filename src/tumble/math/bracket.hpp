@@ -41,6 +41,8 @@ struct BisectionResult {
 /// \param cap         most evaluations allowed, at least 0; any two doubles need fewer than 2200
 /// \return status, bracket, evaluations
 /// \throws std::invalid_argument for a resolution that is negative or not finite, or a cap below 0
+/// \algorithm{Bisection in time: section 3.3.1}
+/// \verified{Bisecting a frame to a microsecond takes 15 evaluations}
 template <typename Gap>
 BisectionResult bisect(Gap&& gap, const Bracket& bracket, double resolution, int cap) {
   require::not_negative(resolution, "resolution");
@@ -50,6 +52,7 @@ BisectionResult bisect(Gap&& gap, const Bracket& bracket, double resolution, int
   double& high = result.bracket.high;
   if (!(std::isfinite(low) && std::isfinite(high) && low <= high)) return result;
 
+  // [S3.3.1:bisection]
   result.status = SearchStatus::found;
   while (high - low > resolution) {
     const double middle = 0.5 * low + 0.5 * high;  // halves first: their sum cannot overflow
@@ -66,6 +69,7 @@ BisectionResult bisect(Gap&& gap, const Bracket& bracket, double resolution, int
     }
     (value >= 0.0 ? low : high) = middle;
   }
+  // [S3.3.1:bisection]
   return result;
 }
 

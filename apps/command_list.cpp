@@ -1,0 +1,83 @@
+/// \file
+/// \brief `tumble scenes` and `tumble techniques`.
+#include "tumble/base/error.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/scenes/scene_file.hpp"
+#include "tumble/techniques.hpp"
+
+#include "request.hpp"
+
+#include <cstdio>
+
+namespace tumble::app {
+namespace {
+
+int width(std::string_view text) { return static_cast<int>(text.size()); }
+
+void print_line(std::string_view name, std::string_view section, std::string_view summary) {
+  std::printf("%-16.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
+              width(summary), summary.data());
+}
+
+std::string range_of(const Parameter& p) {
+  if (p.kind == ParameterKind::number || p.kind == ParameterKind::whole)
+    return require::text(p.low) + " to " + require::text(p.high);
+  std::string words;
+  for (const std::string& word : p.choices) words += (words.empty() ? "" : "|") + word;
+  return words;
+}
+
+void print_settings(const Parameters& settings) {
+  if (settings.all().empty()) std::printf("  (no settings)\n");
+  std::size_t key = 3;
+  std::size_t value = 7;
+  std::size_t range = 5;
+  for (const Parameter& p : settings.all()) {
+    key = std::max(key, p.key.size());
+    value = std::max(value, p.value.size());
+    range = std::max(range, range_of(p).size());
+  }
+  const auto row = [&](const std::string& k, const std::string& v, const std::string& u,
+                       const std::string& r, const std::string& m) {
+    std::printf("  %-*s  %-*s  %-6s  %-*s  %s\n", static_cast<int>(key), k.c_str(),
+                static_cast<int>(value), v.c_str(), u.c_str(), static_cast<int>(range), r.c_str(),
+                m.c_str());
+  };
+  row("key", "default", "unit", "range", "meaning");
+  for (const Parameter& p : settings.all()) row(p.key, p.value, p.unit, range_of(p), p.meaning);
+}
+
+}  // namespace
+
+int list_scenes(const std::string& name, bool as_toml, const std::vector<std::string>& settings,
+                std::uint64_t seed) {
+  if (name.empty()) {
+    require::that(!as_toml && settings.empty(), "--toml and --set need the name of a scene");
+    for (const SceneRecipe& s : scene_library()) print_line(s.name, s.section, s.summary);
+    return kDone;
+  }
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters parameters = recipe.parameters();
+  Parameters no_technique;
+  apply(settings, parameters, no_technique);
+  if (as_toml) {
+    std::printf("%s", to_toml(checked(recipe.build(parameters, Random(seed)))).c_str());
+    return kDone;
+  }
+  print_line(recipe.name, recipe.section, recipe.summary);
+  print_settings(parameters);
+  return kDone;
+}
+
+int list_techniques(const std::string& name) {
+  if (name.empty()) {
+    for (const TechniqueRecipe& t : technique_library()) print_line(t.name, t.section, t.summary);
+    return kDone;
+  }
+  const TechniqueRecipe& recipe = technique_recipe(name);
+  print_line(recipe.name, recipe.section, recipe.summary);
+  print_settings(recipe.options());
+  return kDone;
+}
+
+}  // namespace tumble::app

@@ -1,0 +1,82 @@
+/// \file
+/// \brief `tumble run`: one scene, one technique, a folder of files.
+#include "progress.hpp"
+#include "request.hpp"
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+
+namespace tumble::app {
+namespace {
+
+// A signal handler may touch nothing but such variables; the run asks for them before every step.
+volatile std::sig_atomic_t g_signal = 0;
+volatile std::sig_atomic_t g_asked = 0;  // how often
+
+// Who asks a third time does not want to wait for the step to end. The second time may be the first
+// one again: timeout(1) signals its child, and then the group that the child is in.
+extern "C" void remember_signal(int number) {
+  g_signal = number;
+  g_asked = g_asked + 1;
+  if (g_asked >= 2) std::signal(number, SIG_DFL);
+}
+
+void print_summary(const ResolvedRequest& r, const RunResult& result) {
+  const Metrics& worst = result.worst_metrics;
+  std::printf("%s, %s: %.6g s in %lld steps, %lld collisions\n", r.description.scene.c_str(),
+              r.description.technique.c_str(), result.time, static_cast<long long>(result.steps),
+              static_cast<long long>(result.totals.events));
+  std::printf("  deepest overlap %.3g m, worst energy error %.3g J, chatter %.3g m at the end\n",
+              worst.deepest_overlap, worst.energy_error, result.last.chatter.amplitude);
+  std::printf("  state hash %s, files in %s\n", result.state_hash.c_str(), r.folder.c_str());
+}
+
+}  // namespace
+
+int stop_signal() { return g_signal; }
+
+void catch_stop_signals() {
+  std::signal(SIGINT, remember_signal);
+  std::signal(SIGTERM, remember_signal);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int run(const Request& request) {
+  ResolvedRequest r = resolve(request);
+  RunFiles files(r.folder, r.description, r.scene);
+  RunResult result;
+  try {
+    TimingFile timing(r.folder);
+    for (const std::string& what : r.description.ignored)
+      std::fprintf(stderr, "note: %s ignores %s\n", r.description.technique.c_str(), what.c_str());
+    ProgressLine progress(r.description.scene + ", " + r.description.technique,
+                          request.run.duration, request.quiet);
+    const std::array<RunObserver*, 3> observers = {&timing, &files, &progress};
+    result =
+        run_scene(r.scene, *r.technique, request.run, observers, [] { return stop_signal() != 0; });
+    timing.finish();
+    files.finish(result);
+  } catch (const std::invalid_argument&) {
+    files.discard();  // a scene that the technique refuses: the user's mistake leaves nothing
+    throw;
+  } catch (const CannotWrite& error) {
+    throw CannotWrite(std::string(error.what()) + "; the tables in " + r.folder.string() +
+                      " hold whole lines up to there, and there is no summary.json");
+  }
+  if (!request.quiet) print_summary(r, result);
+  if (result.end == RunEnd::interrupted) {
+    std::fprintf(stderr, "interrupted at %.6g s: the files in %s are whole up to there\n",
+                 result.time, r.folder.c_str());
+    return 128 + stop_signal();  // as a shell reports a process ended by a signal
+  }
+  if (result.worst != StepStatus::done) {
+    std::fprintf(stderr, "%s: worst status %s, %lld steps at the event cap\n",
+                 r.description.technique.c_str(), std::string(name_of(result.worst)).c_str(),
+                 static_cast<long long>(result.capped_steps));
+    return kMathematical;
+  }
+  return kDone;
+}
+
+}  // namespace tumble::app

@@ -1,0 +1,175 @@
+/// \file
+/// \brief The command `tumble`.
+#include "tumble/base/suggestion.hpp"
+#include "tumble/base/version.hpp"
+
+#include "request.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+
+namespace {
+
+using tumble::app::Request;
+
+// The name of a sub-command is the first word; what is said about it tells which are known.
+constexpr std::array<std::string_view, 5> kCommands = {"run", "compare", "render", "scenes",
+                                                       "techniques"};
+
+// What a user has typed that is no number is told with what would be one.
+CLI::Validator number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        char* end = nullptr;
+        std::strtod(text.c_str(), &end);
+        const bool good = !text.empty() && end == text.c_str() + text.size();
+        return good ? std::string() : text + ": expected a number";
+      },
+      "");
+}
+
+CLI::Validator whole(std::uint64_t most) {
+  return CLI::Validator(
+      [most](std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = error == std::errc() && end == text.data() + text.size() && value <= most;
+        return good ? std::string()
+                    : text + ": expected a whole number from 0 to " + std::to_string(most);
+      },
+      "");
+}
+
+// The options that `run` and `compare` share.
+void add_run_options(CLI::App& command, Request& request) {
+  command.add_option("scene", request.scene, "a built-in scene (tumble scenes) or a .toml file")
+      ->required();
+  command.add_option("--dt", request.run.dt, "time step [s]")
+      ->check(number())
+      ->capture_default_str();
+  command.add_option("--duration", request.run.duration, "simulated time [s]")
+      ->check(number())
+      ->capture_default_str();
+  command.add_option("--seed", request.run.seed, "of everything random")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command
+      .add_option("--set", request.settings,
+                  "key=value, scene.key=value or technique.key=value; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--out", request.out, "folder for the files");
+  command.add_flag("--quiet", request.quiet, "no progress line, no summary");
+}
+
+void add_render_options(CLI::App& command, tumble::app::RenderRequest& request) {
+  command.add_option("folder", request.folder, "of a run")->required();
+  command.add_option("--as", request.form, "svg or png")->required();
+  command.add_option("--at", request.at, "time of the frame [s]; the last one if not given")
+      ->expected(1)
+      ->check(number());
+  command.add_option("--strip", request.strip, "times of several frames, with commas [s]")
+      ->delimiter(',')
+      ->check(number());
+  command.add_option("--view", request.view, "direction from the boxes to the eye, X,Y,Z")
+      ->delimiter(',')
+      ->check(number());
+}
+
+// One line about a command line that cannot be read.
+void print_mistake(const CLI::ParseError& error, int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  const bool known = std::find(kCommands.begin(), kCommands.end(), first) != kCommands.end();
+  std::string message(error.what());
+  if (argc < 2) message = "no command: " + tumble::expected_names("", kCommands);
+  if (argc > 1 && !known && first[0] != '-')
+    message =
+        "unknown command " + std::string(first) + ": " + tumble::expected_names(first, kCommands);
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  const std::string help = known ? "tumble " + std::string(first) + " --help" : "tumble --help";
+  std::fprintf(stderr, "tumble: %s (%s tells more)\n", message.c_str(), help.c_str());
+}
+
+// What was printed may not have arrived: the disk behind > can be full.
+int printed(int code) {
+  const bool good = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (good || code != tumble::app::kDone) return code;
+  std::fprintf(stderr, "tumble: cannot write to the standard output\n");
+  return tumble::app::kCannotWrite;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Tumble: techniques for real-time rigid body simulation (Egan 2003)", "tumble");
+  app.set_version_flag("--version", tumble::build_info().text());
+  app.require_subcommand(1);
+
+  Request request;
+  CLI::App* run = app.add_subcommand("run", "simulate a scene and write what happened");
+  add_run_options(*run, request);
+  run->add_option("--technique", request.technique, "how to simulate (tumble techniques)");
+  run->add_option("--every", request.run.every, "record the trajectory every N steps")
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  run->add_flag("--contacts", request.contacts, "write contacts.csv too");
+
+  CLI::App* compare = app.add_subcommand("compare", "simulate a scene with several techniques");
+  std::vector<std::string> techniques;
+  double limit = 60.0;
+  add_run_options(*compare, request);
+  compare->add_option("--techniques", techniques, "names, separated by commas; none: all")
+      ->delimiter(',');
+  compare->add_option("--limit", limit, "wall-clock limit of each technique [s]")
+      ->check(number())
+      ->capture_default_str();
+
+  tumble::app::RenderRequest picture;
+  CLI::App* render = app.add_subcommand("render", "draw frames of a run that was recorded");
+  add_render_options(*render, picture);
+
+  std::string name;
+  bool as_toml = false;
+  CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or describe one");
+  scenes->add_option("name", name, "a scene");
+  scenes->add_flag("--toml", as_toml, "print it as a scene file");
+  scenes->add_option("--set", request.settings, "key=value")->allow_extra_args(false);
+  scenes->add_option("--seed", request.run.seed, "of everything random")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()));
+  CLI::App* list = app.add_subcommand("techniques", "list the techniques, or describe one");
+  list->add_option("name", name, "a technique");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);  // prints what was asked for
+    return printed(tumble::app::kDone);
+  } catch (const CLI::ParseError& error) {
+    print_mistake(error, argc, argv);
+    return tumble::app::kBadInput;
+  }
+  try {
+    tumble::app::catch_stop_signals();
+    if (run->parsed()) return printed(tumble::app::run(request));
+    if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
+    if (render->parsed()) return printed(tumble::app::render(picture));
+    if (scenes->parsed())
+      return printed(tumble::app::list_scenes(name, as_toml, request.settings, request.run.seed));
+    return printed(tumble::app::list_techniques(name));
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return tumble::app::kBadInput;
+  } catch (const tumble::CannotWrite& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return tumble::app::kCannotWrite;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tumble: a mistake in the program, please report it: %s\n", error.what());
+    return tumble::app::kOurMistake;
+  }
+}

@@ -1,0 +1,52 @@
+/// \file
+/// \brief The progress line of a run, and the times of its steps.
+#pragma once
+
+#include "tumble/record/run.hpp"
+#include "tumble/record/table_file.hpp"
+
+#include <chrono>
+
+namespace tumble::app {
+
+/// One line on a terminal that tells how far a run is; nothing where there is no terminal.
+class ProgressLine : public RunObserver {
+ public:
+  /// Prepares the line.
+  /// \param label     what runs
+  /// \param duration  [s] simulated time of the whole run
+  /// \param quiet     never show it
+  ProgressLine(std::string label, double duration, bool quiet);
+  ~ProgressLine() override;
+
+  void on_step(const World& world, const Technique& technique, const StepReport& report,
+               const Metrics& metrics) override;
+
+ private:
+  std::string label_;
+  double duration_;
+  bool shown_;
+  std::chrono::steady_clock::time_point begin_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// timing.csv: the clock's time of every step. The only file of a run that differs between runs.
+class TimingFile : public RunObserver {
+ public:
+  /// Opens the file.
+  /// \param folder the run's folder
+  explicit TimingFile(const std::filesystem::path& folder);
+
+  void on_begin(const World& world) override;
+  void on_step(const World& world, const Technique& technique, const StepReport& report,
+               const Metrics& metrics) override;
+  /// Writes what is left.
+  void finish() { table_.flush(); }
+
+ private:
+  TableFile table_;
+  std::int64_t step_ = 0;
+  std::chrono::steady_clock::time_point last_;
+};
+
+}  // namespace tumble::app

@@ -1,0 +1,79 @@
+/// \file
+/// \brief Looking up scenes, techniques and settings.
+#include "request.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/suggestion.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/scenes/scene_file.hpp"
+#include "tumble/techniques.hpp"
+
+namespace tumble::app {
+namespace {
+
+// A built-in name is one wherever it is typed, even beside a file that is called so.
+bool is_file_name(const std::string& scene) {
+  const std::filesystem::path path(scene);
+  if (path.extension() == ".toml" || path.has_parent_path()) return true;
+  for (const SceneRecipe& recipe : scene_library())
+    if (recipe.name == scene) return false;
+  std::error_code failed;
+  return std::filesystem::exists(path, failed);
+}
+
+void apply_one(const std::string& setting, Parameters& scene, Parameters& technique) {
+  const std::size_t equals = setting.find('=');
+  require::that(equals != std::string::npos && equals > 0,
+                "--set " + setting + ": expected key=value");
+  const std::string key = setting.substr(0, equals);
+  const std::string value = setting.substr(equals + 1);
+  const auto after = [&](const std::string& prefix) {
+    return key.compare(0, prefix.size(), prefix) == 0 ? key.substr(prefix.size()) : std::string();
+  };
+  if (const std::string name = after("scene."); !name.empty()) return scene.set(name, value);
+  if (const std::string name = after("technique."); !name.empty())
+    return technique.set(name, value);
+  const bool both = scene.has(key) && technique.has(key);
+  require::that(!both, "--set " + setting + ": the scene and the technique have this key: write " +
+                           "scene." + key + " or technique." + key);
+  if (scene.has(key)) return scene.set(key, value);
+  if (technique.has(key)) return technique.set(key, value);
+  std::vector<std::string_view> known;
+  for (const Parameter& p : scene.all()) known.push_back(p.key);
+  for (const Parameter& p : technique.all()) known.push_back(p.key);
+  require::that(false, "--set " + setting + ": unknown key; " + expected_names(key, known));
+}
+
+}  // namespace
+
+void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique) {
+  for (const std::string& setting : settings) apply_one(setting, scene, technique);
+}
+
+ResolvedRequest resolve(const Request& request) {
+  require_valid(request.run);
+  ResolvedRequest out;
+  RunDescription& d = out.description;
+  d.scene = request.scene;
+  d.technique = request.technique.empty() ? std::string(kDefaultTechnique) : request.technique;
+  d.run = request.run;
+  d.contacts = request.contacts;
+  const TechniqueRecipe& technique = technique_recipe(d.technique);
+  d.technique_settings = technique.options();
+  const bool from_file = is_file_name(request.scene);
+  if (!from_file) d.scene_settings = scene_recipe(request.scene).parameters();
+  apply(request.settings, d.scene_settings, d.technique_settings);
+  out.scene =
+      from_file
+          ? read_scene(request.scene)
+          : checked(scene_recipe(request.scene).build(d.scene_settings, Random(request.run.seed)));
+  out.technique = technique.make(d.technique_settings, request.run.seed);
+  d.ignored = out.technique->ignores(build_world(out.scene));
+  const std::string scene_name = std::filesystem::path(request.scene).stem().string();
+  out.folder = request.out.empty()
+                   ? std::filesystem::path("runs") / (scene_name + "-" + d.technique)
+                   : std::filesystem::path(request.out);
+  return out;
+}
+
+}  // namespace tumble::app

@@ -1,0 +1,105 @@
+/// \file
+/// \brief What a user asked for on the command line, resolved.
+#pragma once
+
+#include "tumble/record/run_files.hpp"
+#include "tumble/scenes/scene.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// The command `tumble`: what is behind its sub-commands.
+namespace tumble::app {
+
+/// Exit codes of every command.
+enum ExitCode : int {
+  kDone = 0,          ///< all went well
+  kOurMistake = 1,    ///< an assumption of the program was wrong
+  kBadInput = 2,      ///< the user's mistake; nothing was run
+  kMathematical = 3,  ///< event cap, no solution, not finite
+  kCannotWrite = 4    ///< disk full, no permission, no program to draw with
+};
+
+/// A scene, a technique and their settings, as typed.
+struct Request {
+  std::string scene;                  ///< a built-in name or a TOML file
+  std::string technique;              ///< a name; empty: the default
+  std::vector<std::string> settings;  ///< key=value, scene.key=value or technique.key=value
+  RunSettings run;                    ///< step, duration, seed, every
+  std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE
+  bool contacts = false;              ///< whether contacts.csv is wanted
+  bool quiet = false;                 ///< no progress line and no summary
+};
+
+/// The same, looked up and checked.
+struct ResolvedRequest {
+  Scene scene;                           ///< checked
+  std::unique_ptr<Technique> technique;  ///< with its options
+  RunDescription description;            ///< for the files
+  std::filesystem::path folder;          ///< where the files go
+};
+
+/// Changes settings as `--set` asks for: "scene.rows=13", "technique.impacts=sequential", or a bare
+/// "rows=13" where only one of the two has it.
+/// \param settings   as typed
+/// \param scene      settings of the scene
+/// \param technique  settings of the technique
+/// \throws std::invalid_argument for a key that neither or both have, or a value out of range
+void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique);
+
+/// Looks everything up.
+/// \param request what was typed
+/// \return ready to run
+/// \throws std::invalid_argument for an unknown scene, technique or key, a value out of range, or
+///         a bare key that both the scene and the technique have
+ResolvedRequest resolve(const Request& request);
+
+/// `tumble run`.
+/// \param request what was typed
+/// \return the exit code
+int run(const Request& request);
+
+/// `tumble compare`.
+/// \param request     what was typed; its technique is not used
+/// \param techniques  names; empty: all
+/// \param limit       [s] of the clock that each technique may take
+/// \return the exit code
+int compare(const Request& request, const std::vector<std::string>& techniques, double limit);
+
+/// A picture of a recorded run, as typed.
+struct RenderRequest {
+  std::string folder;                          ///< of the run
+  std::string form;                            ///< svg or png
+  std::vector<double> at;                      ///< [s] one time; empty: the last recorded frame
+  std::vector<double> strip;                   ///< [s] times of several frames in one picture
+  std::vector<double> view = {2.0, 1.0, 4.0};  ///< [-] direction from the boxes to the eye
+};
+
+/// `tumble render`.
+/// \param request what was typed
+/// \return the exit code
+int render(const RenderRequest& request);
+
+/// `tumble scenes`.
+/// \param name     one scene to describe; empty: list all
+/// \param as_toml  print it as a scene file
+/// \param settings parameters for as_toml
+/// \param seed     for scenes with chance in them
+/// \return the exit code
+int list_scenes(const std::string& name, bool as_toml, const std::vector<std::string>& settings,
+                std::uint64_t seed);
+
+/// `tumble techniques`.
+/// \param name one technique to describe; empty: list all
+/// \return the exit code
+int list_techniques(const std::string& name);
+
+/// The signal that asked this process to stop.
+/// \return 0 while there was none
+int stop_signal();
+
+/// Lets SIGINT and SIGTERM end a run at the next step instead of killing it (the third one kills); and lets a limit on file sizes be told like a full disk.
+void catch_stop_signals();
+
+}  // namespace tumble::app

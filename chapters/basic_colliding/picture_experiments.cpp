@@ -1,0 +1,214 @@
+/// \file
+/// \brief Scenes run for a while and drawn as boxes in three dimensions.
+#include "tumble/base/error.hpp"
+#include "tumble/basic_colliding/basic.hpp"
+#include "tumble/math/bracket.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/record/metrics.hpp"
+#include "tumble/record/world_picture.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include "basic_colliding/experiments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::uint64_t kSeed = 1;  // the one of `tumble run`
+
+Table pose_table(const std::string& suffix) {
+  return {suffix,
+          {{"time_s", "s", "time"},
+           {"box", "-", "its number, from 1"},
+           {"px_m", "m", "centre, x"},
+           {"py_m", "m", "centre, y"},
+           {"pz_m", "m", "centre, z"},
+           {"qw", "-", "orientation, body to world, real part"},
+           {"qx", "-", "its x"},
+           {"qy", "-", "its y"},
+           {"qz", "-", "its z"}}};
+}
+
+void add_poses(const World& world, Table& table) {
+  double number = 0.0;
+  for (int k = 0; k < world.count(); ++k) {
+    if (world.bodies()[static_cast<std::size_t>(k)].shape == Shape::ground) continue;
+    const BodyState& state = world.states()[static_cast<std::size_t>(k)];
+    const Vec3& p = state.position_w;
+    const Quat& q = state.orientation_wb;
+    table.rows.push_back({world.time(), ++number, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+  }
+}
+
+// The technique steps until a time; boxes that appear later are added on the way.
+void advance(const Scene& scene, Technique& technique, double step, double until, World& world,
+             StepReport& totals) {
+  while (world.time() < until - 0.5 * step) {
+    const double before = world.time();
+    const StepReport report = technique.step(world, step);
+    totals.status = std::max(totals.status, report.status);
+    totals.energy.restitution += report.energy.restitution;
+    totals.energy.friction += report.energy.friction;
+    totals.energy.damping += report.energy.damping;
+    totals.energy.repair += report.energy.repair;
+    add_late_boxes(scene, before, world.time(), world);
+  }
+}
+
+double lowest_point(const PictureBox& drawn) {
+  return drawn.box.center_w.y() - reach(drawn.box, Vec3::UnitY());
+}
+
+// When a cube that flies and turns touches the ground. Its moments of inertia are equal, so that it
+// turns about a fixed axis at a fixed rate, and its lowest corner is at a known height.
+double first_touch(const World& world) {
+  const BodyProperties& body = world.bodies().back();
+  const BodyState& start = world.states().back();
+  const Vec3 velocity_w = velocity(body, start);
+  const Vec3 omega_w = angular_velocity(body, start);
+  const auto height = [&](double time) {
+    BodyState later = start;
+    later.position_w += time * velocity_w + 0.5 * time * time * world.gravity_w;
+    later.orientation_wb = turned(start.orientation_wb, omega_w, time);
+    return lowest_point({box_of(body, later)});
+  };
+  // It may go up and down on the way, so the first millisecond that ends below the ground is taken.
+  constexpr double sample = 1e-3;  // [s]
+  for (int k = 0; k < 100000; ++k) {
+    if (height((k + 1) * sample) < 0.0)
+      return bisect(height, Bracket{k * sample, (k + 1) * sample}, 0.0, 100).bracket.low;
+  }
+  throw std::runtime_error("the die has not touched the ground after 100 s");
+}
+
+// Keeps the times of impacts.
+struct ImpactTimes : Observer {
+  std::vector<double> times;
+  void on_event(const Event& event) override { times.push_back(event.time); }
+};
+
+// Which side of a die is up: the pips, and how far it is from lying flat.
+struct SideUp {
+  int pips = 0;
+  double angle = 0.0;  // [rad]
+};
+
+SideUp side_up(const BodyState& state) {
+  const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
+  int best = 0;
+  axes_w.row(1).cwiseAbs().maxCoeff(&best);
+  const double up = axes_w(1, best);
+  const Vec3 side_w = (up > 0.0 ? 1.0 : -1.0) * axes_w.col(best);
+  const double across = std::sqrt(side_w.x() * side_w.x() + side_w.z() * side_w.z());
+  return {pips_of_side(2 * best + (up > 0.0 ? 1 : 0)), elementary::atan2(across, side_w.y())};
+}
+
+// The walls of a cage that are between it and the viewer are left out.
+void open_towards(const Vec3& direction_w, std::vector<PictureBox>& boxes, const World& world) {
+  std::vector<PictureBox> kept;
+  std::size_t body = 0;
+  for (const PictureBox& drawn : boxes) {
+    while (world.bodies()[body].shape == Shape::ground) ++body;
+    const bool wall = !world.bodies()[body++].movable();
+    if (!wall || drawn.box.center_w.dot(direction_w) < 0.0) kept.push_back(drawn);
+  }
+  boxes = std::move(kept);
+}
+
+}  // namespace
+
+Result measure_dice_strip(const Parameters& settings) {
+  constexpr int frames = 6;
+  Parameters scene_settings = scene_recipe("dice").parameters();
+  scene_settings.set("count", "1");
+  for (const char* key : {"speed", "spin", "restitution"})
+    scene_settings.set(key, require::text(settings.number(key)));
+  const auto seed = static_cast<std::uint64_t>(settings.whole("seed"));
+  const Scene scene = scene_recipe("dice").build(scene_settings, Random(seed));
+  World world = build_world(scene);
+  const double exact_touch = first_touch(world);
+
+  Basic technique;
+  ImpactTimes impacts;
+  technique.observe(&impacts);
+  MetricsMeter meter;
+  meter.begin(world);
+  Table table = pose_table("");
+  StepReport totals;
+  std::vector<std::vector<PictureBox>> pictures;
+  for (int k = 0; k < frames; ++k) {
+    advance(scene, technique, settings.number("step"),
+            settings.number("first") + k * settings.number("interval"), world, totals);
+    add_poses(world, table);
+    pictures.push_back(picture_boxes(world));
+    for (PictureBox& drawn : pictures.back()) drawn.colour = 0xd55e00;
+  }
+  if (totals.status != StepStatus::done) throw std::runtime_error("the die has begun to rest");
+  const double error = meter.measure(world, totals).energy_error;
+
+  // One camera for all frames.
+  std::vector<PictureBox> all;
+  for (const auto& boxes : pictures) all.insert(all.end(), boxes.begin(), boxes.end());
+  const Camera camera = camera_for(all, Vec3(0.35, 0.45, 1.0), 300.0, 200.0, true);
+  std::vector<Drawing> drawings;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    drawings.push_back(
+        {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(pictures[k], camera, true, all))});
+  }
+
+  const SideUp up = side_up(world.states().back());
+  const double size = scene.boxes.front().size.x();
+  const double unit = scene.boxes.front().mass * world.gravity_w.norm() * size;
+  if (impacts.times.empty()) throw std::runtime_error("the die has not met the ground yet");
+  return {{table},
+          {{"time of the first impact", "s", impacts.times.front()},
+           {"the same from the exact flight", "s", exact_touch},
+           {"impacts until the last frame", "-", static_cast<double>(impacts.times.size())},
+           {"side up in the last frame", "-", static_cast<double>(up.pips)},
+           {"how far that side is from level", "rad", up.angle},
+           {"energy lost until then, over m g L", "-", -totals.energy.total() / unit},
+           {"energy change not booked, over m g L", "-", std::abs(error) / unit}},
+          drawings};
+}
+
+Result measure_gallery(const std::string& name, const Parameters& settings) {
+  const Scene scene = scene_recipe(name).build(settings, Random(kSeed));
+  World world = build_world(scene);
+  BasicOptions options;
+  options.event_cap = settings.count("event_cap");
+  Basic technique(options);
+  StepReport totals;
+  advance(scene, technique, 1.0 / 60.0, settings.number("time"), world, totals);
+  Table table = pose_table("");
+  add_poses(world, table);
+
+  std::vector<PictureBox> boxes = picture_boxes(world);
+  double movable = 0.0;
+  double lowest = kInfinity;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable()) continue;
+    movable += 1.0;
+    lowest = std::min(lowest, lowest_point({box_of(body, world.states()[k])}));
+  }
+
+  const Vec3 direction_w(settings.number("view_x"), settings.number("view_y"),
+                         settings.number("view_z"));
+  if (name == "cage") open_towards(direction_w, boxes, world);
+  const bool floor = has_ground(world);
+  const Picture picture =
+      draw_boxes(boxes, camera_for(boxes, direction_w, 600.0, 400.0, floor), floor);
+  return {{table},
+          {{"movable boxes", "-", movable},
+           {"lowest point of these", "m", lowest},
+           {"rings of boxes drawn wrongly", "-", static_cast<double>(picture.rings)}},
+          {{"boxes", to_gnuplot(picture)}}};
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,152 @@
+/// \file
+/// \brief Experiment on the search for impact times: how often it starts again (thesis 3.3.1).
+#include "tumble/basic_colliding/basic.hpp"
+#include "tumble/dynamics/pair_search.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include "basic_colliding/experiments.hpp"
+#include "basic_colliding/near_pairs.hpp"
+#include "basic_colliding/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+// What the runs with one step came to, by seed.
+struct Counts {
+  std::vector<double> collisions;
+  std::vector<double> restarts;
+  std::vector<double> searches;   // that the end of a step called for
+  std::vector<double> uncovered;  // of them: an earlier collision that the end did not show
+
+  [[nodiscard]] double restarts_per_collision(int left_out) const {
+    return sum_without(restarts, left_out) / sum_without(collisions, left_out);
+  }
+  [[nodiscard]] double uncovered_per_search(int left_out) const {
+    return sum_without(uncovered, left_out) / sum_without(searches, left_out);
+  }
+};
+
+// The first search of a step, done with care: of all pairs that overlap at its end, the one that met
+// first. What is left is the thesis's case: at that time a pair overlaps that is apart at the end.
+class CarefulSearch {
+ public:
+  void look_ahead(const World& world, double dt) {
+    const Flight flight{.bodies = world.bodies(),
+                        .states = world.states(),
+                        .gravity_w = world.gravity_w,
+                        .rule = RotationRule::frozen};
+    shown_.clear();
+    hidden_.clear();
+    for (const IndexPair& pair : near_.find(world, dt))
+      (gap_at(flight, pair, dt).distance < 0.0 ? shown_ : hidden_).push_back(pair);
+
+    double first = dt;
+    for (const IndexPair& pair : shown_) {
+      const PairCollision met = find_collision(flight, pair, 0.0, dt);
+      if (met.status == CollisionStatus::found) first = std::min(first, met.time);
+    }
+    if (first == dt) return;
+    searches += 1.0;
+    const auto met_before = [&](const IndexPair& pair) {
+      return gap_at(flight, pair, first).distance < 0.0 &&
+             gap_at(flight, pair, 0.0).distance >= 0.0;
+    };
+    if (std::any_of(hidden_.begin(), hidden_.end(), met_before)) uncovered += 1.0;
+  }
+
+  double searches = 0.0;
+  double uncovered = 0.0;
+
+ private:
+  NearPairs near_;
+  std::vector<IndexPair> shown_;   // overlapping at the end of the step
+  std::vector<IndexPair> hidden_;  // apart then
+};
+
+// Cubes fly about in a closed cage, without gravity, friction and loss.
+void run_cage(const Parameters& settings, int steps_per_second, int seed, Counts& counts) {
+  const SceneRecipe& recipe = scene_recipe("cage");
+  Parameters p = recipe.parameters();
+  p.set("count", std::to_string(settings.count("count")));
+  p.set("room", std::to_string(settings.number("room")));
+  World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+  BasicOptions options;
+  options.rotation = RotationRule::frozen;  // exact for cubes, and the fastest
+  Basic basic(options);
+  double collisions = 0.0;
+  double restarts = 0.0;
+  CarefulSearch search;
+  const int steps = settings.count("duration") * steps_per_second;
+  for (int k = 0; k < steps; ++k) {
+    search.look_ahead(world, 1.0 / steps_per_second);
+    const StepReport report = basic.step(world, 1.0 / steps_per_second);
+    if (report.status != StepStatus::done) throw std::runtime_error("a step was not finished");
+    collisions += static_cast<double>(report.events);
+    restarts += static_cast<double>(report.restarts);
+  }
+  counts.collisions.push_back(collisions);
+  counts.restarts.push_back(restarts);
+  counts.searches.push_back(search.searches);
+  counts.uncovered.push_back(search.uncovered);
+}
+
+}  // namespace
+
+Result measure_restarts(const Parameters& settings) {
+  constexpr std::array<int, 6> steps_per_second = {15, 30, 60, 120, 240, 480};
+  const int seeds = settings.count("seeds");
+  std::array<Counts, 6> counts;
+  const auto per_collision = [&](std::size_t i, const char* name) {
+    return over_seeds(name, "-", seeds,
+                      [&](int left_out) { return counts[i].restarts_per_collision(left_out); });
+  };
+  const auto per_search = [&](std::size_t i, const char* name) {
+    return over_seeds(name, "-", seeds,
+                      [&](int left_out) { return counts[i].uncovered_per_search(left_out); });
+  };
+  Table table{
+      "",
+      {{"step_s", "s", "time step"},
+       {"restarts", "-", "restarts of the search per collision"},
+       {"low", "-", "lower end of its interval of 95 % over the seeds"},
+       {"high", "-", "upper end of it"},
+       {"uncovered", "-", "share of searches that uncover what the step's end does not show"},
+       {"uncovered_low", "-", "lower end of its interval"},
+       {"uncovered_high", "-", "upper end of it"},
+       {"collisions", "-", "collisions in a run, on average"}}};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (int seed = 1; seed <= seeds; ++seed)
+      run_cage(settings, steps_per_second[i], seed, counts[i]);
+    const Quantity restarts = per_collision(i, "");
+    const Quantity uncovered = per_search(i, "");
+    table.rows.push_back({1.0 / steps_per_second[i], restarts.value, restarts.low, restarts.high,
+                          uncovered.value, uncovered.low, uncovered.high,
+                          sum_without(counts[i].collisions, -1) / seeds});
+  }
+
+  // The same seeds with every step: the ratio is made of sums that belong together.
+  const auto ratio = [&](std::size_t fine, std::size_t coarse) {
+    return [&counts, fine, coarse](int left_out) {
+      return counts[fine].restarts_per_collision(left_out) /
+             counts[coarse].restarts_per_collision(left_out);
+    };
+  };
+  return {{table},
+          {over_seeds("restarts per collision at 1/480 s over those at 1/60 s", "-", seeds,
+                      ratio(5, 2)),
+           over_seeds("the same, 1/120 s over 1/15 s", "-", seeds, ratio(3, 0)),
+           per_collision(0, "restarts per collision at 1/15 s"),
+           per_collision(2, "restarts per collision at 1/60 s"),
+           per_collision(5, "restarts per collision at 1/480 s"),
+           per_search(0, "searches that uncover a hidden collision, 1/15 s"),
+           per_search(2, "searches that uncover a hidden collision, 1/60 s"),
+           per_search(5, "searches that uncover a hidden collision, 1/480 s")}};
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,55 @@
+/// \file
+/// \brief How far a number that was measured over random scenes may be trusted.
+#include "basic_colliding/statistics.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace tumble::chapters {
+
+Quantity share_of_trials(std::string name, std::int64_t hits, std::int64_t trials) {
+  constexpr double z = 1.959963984540054;  // 95 % of a normal distribution lie within ± z
+  const auto n = static_cast<double>(trials);
+  const double share = static_cast<double>(hits) / n;
+  const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double reach =
+      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+  Quantity out{std::move(name), "-", share};
+  // With no hit, or nothing but hits, an end lies exactly on 0 or 1, up to rounding.
+  out.low = hits == 0 ? 0.0 : middle - reach;
+  out.high = hits == trials ? 1.0 : middle + reach;
+  out.seeds = static_cast<int>(trials);
+  return out;
+}
+
+Quantity over_seeds(std::string name, std::string unit, int seeds,
+                    const std::function<double(int left_out)>& estimate) {
+  Quantity out{std::move(name), std::move(unit), estimate(-1)};
+  out.seeds = seeds;
+  if (seeds < 2) return out;
+  std::vector<double> partial;
+  double mean = 0.0;
+  for (int k = 0; k < seeds; ++k) {
+    partial.push_back(estimate(k));
+    mean += partial.back() / seeds;
+  }
+  double squares = 0.0;
+  for (const double value : partial) squares += (value - mean) * (value - mean);
+  const double error = std::sqrt(squares * (seeds - 1) / seeds);
+  const double reach = gsl_cdf_tdist_Pinv(0.975, seeds - 1) * error;
+  out.low = out.value - reach;
+  out.high = out.value + reach;
+  return out;
+}
+
+double sum_without(std::span<const double> values, int left_out) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (static_cast<int>(k) != left_out) sum += values[k];
+  return sum;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,45 @@
+/// \file
+/// \brief How far a number that was measured over random scenes may be trusted.
+#pragma once
+
+#include "driver/figure.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace tumble::chapters {
+
+/// A share of independent trials, with Wilson's interval of 95 %.
+///
+/// With p = hits / n and z = 1.96 the interval is
+/// \f$(p + \tfrac{z^2}{2n} \pm z \sqrt{p(1-p)/n + z^2/4n^2}) / (1 + z^2/n)\f$. It stays within 0 and 1,
+/// and is honest when there are no hits at all.
+/// \param name    of the quantity
+/// \param hits    trials that count
+/// \param trials  all of them; they are its `seeds`
+/// \return hits / trials; NaN if there was no trial
+/// \see Wilson, Journal of the American Statistical Association 22, 1927.
+Quantity share_of_trials(std::string name, std::int64_t hits, std::int64_t trials);
+
+/// A number made of the results of several seeds, with an interval of 95 % over the seeds.
+///
+/// The jackknife: the number is computed again without each of the seeds in turn, and the spread of
+/// these gives the standard error of the whole. Student's factor for the number of seeds makes it
+/// an interval. It serves for ratios of sums, whose parts vary together.
+/// \param name      of the quantity
+/// \param unit      of the quantity
+/// \param seeds     how many; the interval needs two
+/// \param estimate  the number without the seed of this index; -1 leaves out none
+/// \return the number and its interval
+Quantity over_seeds(std::string name, std::string unit, int seeds,
+                    const std::function<double(int left_out)>& estimate);
+
+/// The sum of what each seed gave.
+/// \param values    by seed
+/// \param left_out  index of a seed that is not counted; -1: all are
+/// \return the sum
+double sum_without(std::span<const double> values, int left_out);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,112 @@
+/// \file
+/// \brief All that the figures have found: numbers, verdicts, errata.
+#include "driver/findings.hpp"
+
+#include "driver/csv.hpp"
+#include "driver/page_numbers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+std::size_t figures_of_kind(const std::vector<DrawnFigure>& figures, const std::string& prefix) {
+  std::size_t count = 0;
+  for (const DrawnFigure& figure : figures) count += is_of_kind(figure, prefix) ? 1 : 0;
+  return count;
+}
+
+// Adds "3 figures of the shared layers" to a list; nothing for none.
+void append_count(std::string& list, std::size_t count, const std::string& one,
+                  const std::string& many) {
+  if (count == 0) return;
+  list += (list.empty() ? "also " : ", ") + std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+Findings read_findings(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> expected;
+  std::vector<Claim> claims;
+  std::vector<Erratum> errata;
+  std::vector<std::filesystem::path> pages;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.filename().string();
+    if (name == "expected.csv") {
+      expected.push_back(file);
+    } else if (name == "claims.toml" || name == "open_claims.toml") {
+      const std::vector<Claim> more = read_claims(file);
+      claims.insert(claims.end(), more.begin(), more.end());
+    } else if (name == "errata.toml") {
+      const std::vector<Erratum> more = read_errata(file);
+      errata.insert(errata.end(), more.begin(), more.end());
+    } else if (name == "page.md") {
+      pages.push_back(file);
+    } else {
+      throw std::invalid_argument(file.string() +
+                                  ": give files called expected.csv, claims.toml, "
+                                  "open_claims.toml, errata.toml or page.md");
+    }
+  }
+  Findings findings;
+  findings.figures = std::filesystem::exists(folder) ? check_figures(folder, expected)
+                                                     : expected_figures(expected);
+  findings.ledger = judge(claims, findings.figures);
+  findings.errata = find_errata(errata, findings.figures);
+  for (const std::filesystem::path& page : pages) {
+    const std::vector<std::string> more =
+        stale_numbers(read_file(page), page.string(), findings.figures);
+    findings.stale.insert(findings.stale.end(), more.begin(), more.end());
+  }
+  return findings;
+}
+
+std::vector<std::string> differences(const Findings& findings) {
+  std::vector<std::string> lines;
+  for (const DrawnFigure& figure : findings.figures) {
+    for (const CheckedNumber& number : figure.numbers) {
+      if (!number.agrees()) lines.push_back(difference_text(figure.name, number));
+    }
+  }
+  lines.insert(lines.end(), findings.stale.begin(), findings.stale.end());
+  return lines;
+}
+
+std::string summary_text(const Findings& findings) {
+  const auto open = static_cast<std::size_t>(std::count_if(
+      findings.ledger.begin(), findings.ledger.end(),
+      [](const LedgerEntry& entry) { return entry.verdict == Verdict::not_measured; }));
+  return std::to_string(figures_of_kind(findings.figures, "fig")) + " thesis figures, " +
+         std::to_string(findings.ledger.size() - open) + " claims measured, " +
+         std::to_string(open) + " not measured, " + std::to_string(differences(findings).size()) +
+         " differ from expected";
+}
+
+std::string others_text(const Findings& findings) {
+  const std::vector<DrawnFigure>& figures = findings.figures;
+  const std::size_t gallery = figures_of_kind(figures, "gallery_");
+  const std::size_t claims = figures_of_kind(figures, "claim");
+  const std::size_t shared = figures.size() - figures_of_kind(figures, "fig") - gallery - claims;
+  std::size_t set_aside = 0;
+  for (const DrawnFigure& figure : figures) {
+    for (const CheckedNumber& number : figure.numbers) set_aside += number.compared ? 0 : 1;
+  }
+  std::string text;
+  append_count(text, claims, "figure of claims", "figures of claims");
+  append_count(text, shared, "figure of the shared layers", "figures of the shared layers");
+  append_count(text, gallery, "picture of the gallery", "pictures of the gallery");
+  append_count(text, set_aside, "number not compared: drawn with other settings",
+               "numbers not compared: drawn with other settings");
+  return text;
+}
+
+bool is_of_kind(const DrawnFigure& figure, const std::string& prefix) {
+  return figure.name.rfind(prefix, 0) == 0;
+}
+
+bool is_drawn(const DrawnFigure& figure) { return !figure.head.empty(); }
+
+}  // namespace tumble::chapters

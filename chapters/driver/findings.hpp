@@ -1,0 +1,60 @@
+/// \file
+/// \brief All that the figures have found: numbers, verdicts, errata.
+#pragma once
+
+#include "driver/check.hpp"
+#include "driver/errata.hpp"
+#include "driver/ledger.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// What the pages tell.
+struct Findings {
+  std::vector<DrawnFigure> figures;  ///< from check_figures()
+  std::vector<LedgerEntry> ledger;   ///< from judge()
+  std::vector<ErratumEntry> errata;  ///< from find_errata()
+  std::vector<std::string> stale;    ///< from stale_numbers(), of all pages of chapters
+};
+
+/// Reads everything that chapters expect and claim, and what their figures gave.
+/// \param folder  where `NAME_numbers.csv` are; if it does not exist, nothing has been computed
+/// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `page.md` of the chapters, in order,
+///                and `open_claims.toml`: told apart by their names
+/// \return figures, ledger, errata, and what is no longer so in the pages
+/// \throws FileError, std::invalid_argument as the readers of these files do, and the latter for a
+///         file of another name
+Findings read_findings(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& files);
+
+/// Every number that is not the expected one, and every one in a page that is not the computed
+/// one, in words.
+/// \param findings  from read_findings()
+/// \return a line for each: figure or page, number, value, what it should be
+std::vector<std::string> differences(const Findings& findings);
+
+/// The last line of `make figures`. Its words never change, so that a script can read it.
+/// \param findings  from read_findings()
+/// \return "13 thesis figures, 8 claims measured, 57 not measured, 0 differ from expected"
+std::string summary_text(const Findings& findings);
+
+/// What the last line leaves out: other figures, and numbers that were not compared.
+/// \param findings  from read_findings()
+/// \return for example "also 7 figures of the shared layers"; empty if there is nothing
+std::string others_text(const Findings& findings);
+
+/// Whether a figure is a picture of the gallery, a figure of the thesis, ...: by its name.
+/// \param figure  the figure
+/// \param prefix  "gallery_", "fig", "claim"
+/// \return true if the name begins so
+bool is_of_kind(const DrawnFigure& figure, const std::string& prefix);
+
+/// Whether the figure's numbers were computed here.
+/// \param figure  the figure
+/// \return false if only its expected values are known
+bool is_drawn(const DrawnFigure& figure);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,209 @@
+/// \file
+/// \brief The ledger: what the thesis claims, the number that decides, the verdict.
+#include "driver/ledger.hpp"
+
+#include "driver/csv.hpp"
+#include "driver/records.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr int kFewestSeeds = 20;  // random scenes that a number must come from, if any
+
+const RecordForm kOpenForm{"claim", {"id", "chapter", "section", "statement", "experiment"}};
+
+const RecordForm kMeasuredForm{"claim",
+                               {"id", "section", "statement", "experiment", "technique", "reading",
+                                "quantity", "unit", "reason", "figure", "test"},
+                               {"confirmed", "refuted"},
+                               {"comparable"}};
+
+// The rule must be there exactly if the claim is comparable, and be one.
+void check_rule(const Claim& claim) {
+  if (!claim.comparable) {
+    if (claim.confirmed.empty() && claim.refuted.empty()) return;
+    throw std::invalid_argument(claim.place + "not comparable, so nothing confirms or refutes it");
+  }
+  for (const auto& [key, text] :
+       {std::pair{"confirmed", claim.confirmed}, {"refuted", claim.refuted}}) {
+    if (text.empty()) {
+      throw std::invalid_argument(claim.place + "the key '" + key + "' is missing");
+    }
+  }
+  try {
+    read_rule(claim.confirmed, claim.refuted);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(claim.place + error.what());
+  }
+}
+
+void check_claim(const Claim& claim) {
+  const bool lettered = claim.id.size() == claim.section.size() + 1 &&
+                        claim.id.rfind(claim.section, 0) == 0 && claim.id.back() >= 'a' &&
+                        claim.id.back() <= 'z';
+  if (!lettered) {
+    throw std::invalid_argument(claim.place + "the id is not section " + claim.section +
+                                " and a letter");
+  }
+  if (claim.open) return;
+  static constexpr std::array readings{"as_printed", "as_meant", "ours", "-"};
+  if (std::find(readings.begin(), readings.end(), claim.reading) == readings.end()) {
+    throw std::invalid_argument(claim.place + "reading '" + claim.reading +
+                                "': give as_printed, as_meant, ours or -");
+  }
+  check_rule(claim);
+}
+
+LedgerEntry without_number(const Claim& claim, const std::string& note) {
+  LedgerEntry entry{claim, Verdict::not_measured, {}, note};
+  entry.number.value = entry.number.low = entry.number.high =
+      std::numeric_limits<double>::quiet_NaN();
+  return entry;
+}
+
+LedgerEntry judged(const Claim& claim, const std::vector<DrawnFigure>& figures) {
+  if (claim.open) return without_number(claim, "no chapter measures it yet");
+  const CheckedNumber& number = find_number(figures, claim.figure, claim.quantity, claim.place);
+  if (number.unit != claim.unit) {
+    throw std::invalid_argument(claim.place + "the unit is " + claim.unit + ", but " +
+                                claim.figure + " computes it in " + number.unit);
+  }
+  if (!number.compared) return without_number(claim, "drawn with other settings");
+  if (std::isnan(number.value)) return without_number(claim, "not computed here: run make figures");
+  const bool interval = number.low <= number.high;  // false for NaN
+  if (number.seeds > 0 && (number.seeds < kFewestSeeds || !interval)) {
+    throw std::invalid_argument(claim.place + "measured over " + std::to_string(number.seeds) +
+                                " random scenes: take at least " + std::to_string(kFewestSeeds) +
+                                " and give the interval");
+  }
+  if (!claim.comparable) return {claim, Verdict::not_comparable, number, claim.reason};
+  const Rule rule = read_rule(claim.confirmed, claim.refuted);
+  return {claim, rule.verdict(number.value), number, ""};
+}
+
+// "2.4.3a" gives 2, 4, 3 and a letter. A claim on a section comes before those on its parts, and
+// appendix A after all chapters.
+std::vector<long> thesis_place(const std::string& id) {
+  constexpr long more_than_sections = 1000;
+  std::vector<long> place;
+  for (const char* at = id.c_str(); *at != '\0';) {
+    char* end = nullptr;
+    const long number = std::strtol(at, &end, 10);
+    if (end != at) {
+      place.push_back(number);
+      at = end;
+    } else {
+      const bool appendix = *at >= 'A' && *at <= 'Z';
+      if (*at != '.') place.push_back(*at + (appendix ? more_than_sections : -more_than_sections));
+      ++at;
+    }
+  }
+  return place;
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::vector<Claim> read_claims(const std::filesystem::path& path) {
+  const bool open = path.filename() == "open_claims.toml";
+  std::vector<Claim> claims;
+  for (Record& record : read_records(path, open ? kOpenForm : kMeasuredForm)) {
+    std::map<std::string, std::string>& texts = record.texts;
+    Claim claim;
+    claim.id = texts["id"];
+    claim.section = texts["section"];
+    claim.chapter = open ? texts["chapter"] : path.parent_path().filename().string();
+    claim.statement = texts["statement"];
+    claim.experiment = texts["experiment"];
+    claim.open = open;
+    claim.technique = texts["technique"];
+    claim.reading = texts["reading"];
+    claim.quantity = texts["quantity"];
+    claim.unit = texts["unit"];
+    const auto comparable = record.flags.find("comparable");
+    claim.comparable = comparable == record.flags.end() || comparable->second;
+    claim.confirmed = texts["confirmed"];
+    claim.refuted = texts["refuted"];
+    claim.reason = texts["reason"];
+    claim.figure = texts["figure"];
+    claim.test = texts["test"];
+    claim.place = record.place;
+    check_claim(claim);
+    claims.push_back(claim);
+  }
+  return claims;
+}
+
+std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
+                               const std::vector<DrawnFigure>& figures) {
+  std::map<std::string, const Claim*> known;
+  std::vector<LedgerEntry> ledger;
+  for (const Claim& claim : claims) {
+    const auto [other, is_new] = known.emplace(claim.id, &claim);
+    if (!is_new) {
+      throw std::invalid_argument(claim.place + "this id stands also at " + other->second->place);
+    }
+    ledger.push_back(judged(claim, figures));
+  }
+  std::sort(ledger.begin(), ledger.end(), [](const LedgerEntry& a, const LedgerEntry& b) {
+    return earlier_in_thesis(a.claim.id, b.claim.id);
+  });
+  return ledger;
+}
+
+std::string rule_text(const Claim& claim) {
+  if (claim.open || !claim.comparable) return "";
+  return "confirmed if " + claim.confirmed + ", refuted if " + claim.refuted +
+         ", qualified in between";
+}
+
+std::string ledger_csv(const std::vector<LedgerEntry>& ledger) {
+  std::string text =
+      "id,section,statement,technique,reading,quantity,unit,value,low,high,seeds,rule,verdict,"
+      "figure,test\n";
+  for (const LedgerEntry& entry : ledger) {
+    const Claim& claim = entry.claim;
+    const bool measured = entry.verdict != Verdict::not_measured;
+    const std::vector<std::string> cells{claim.id,
+                                         claim.section,
+                                         claim.statement,
+                                         claim.technique,
+                                         claim.reading,
+                                         claim.quantity,
+                                         claim.unit,
+                                         full_text(entry.number.value),
+                                         full_text(entry.number.low),
+                                         full_text(entry.number.high),
+                                         measured ? std::to_string(entry.number.seeds) : "",
+                                         rule_text(claim),
+                                         verdict_text(entry.verdict),
+                                         claim.figure,
+                                         claim.test};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (i > 0) text += ',';
+      text += cell(cells[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+bool earlier_in_thesis(const std::string& a, const std::string& b) {
+  return thesis_place(a) < thesis_place(b);
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,125 @@
+/// \file
+/// \brief Pieces of HTML that say one thing: a text, a number, a verdict, a claim.
+#include "driver/markup.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace tumble::chapters {
+namespace {
+
+std::string formatted(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// An end of an interval: three digits, and whole numbers whole.
+std::string end_html(double value) {
+  return whole_html(formatted(std::abs(value) >= 1000.0 ? "%.0f" : "%.3g", value));
+}
+
+// "<= 5" as it is printed.
+std::string printed_rule(std::string rule) {
+  for (const auto& [typed, printed] : {std::pair{"<=", "≤"}, {">=", "≥"}}) {
+    for (std::size_t at = rule.find(typed); at != std::string::npos; at = rule.find(typed)) {
+      rule.replace(at, 2, printed);
+    }
+  }
+  return html_text(rule);
+}
+
+// The number that decides, or why there is none.
+std::string finding_html(const LedgerEntry& entry) {
+  if (entry.verdict == Verdict::not_measured) return html_text(entry.note);
+  const CheckedNumber& number = entry.number;
+  const std::string text = html_text(number.quantity) + ": <strong>" +
+                           number_html(number.value, number.unit) + "</strong>" +
+                           interval_html(number);
+  return number.agrees() ? text : text + ", <span class=\"bad\">not as expected</span>";
+}
+
+std::string rule_html(const Claim& claim) {
+  const std::string reason = "<br><span class=\"soft\">" + html_text(claim.reason) + "</span>";
+  if (!claim.comparable) return "none" + reason;
+  return printed_rule(rule_text(claim)) + "; fixed before the first run" + reason;
+}
+
+}  // namespace
+
+std::string html_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\\':
+        result += "&#92;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string whole_html(const std::string& text) {
+  return "<span class=\"whole\">" + html_text(text) + "</span>";
+}
+
+std::string number_html(double value, const std::string& unit) {
+  if (std::isnan(value)) return "missing";
+  return whole_html(formatted("%.6g", value) + (unit == "-" ? "" : ' ' + unit));
+}
+
+std::string interval_html(const CheckedNumber& number) {
+  if (number.seeds == 0) return "";
+  return " (" + end_html(number.low) + " to " + end_html(number.high) + " over " +
+         std::to_string(number.seeds) + " seeds)";
+}
+
+std::string verdict_html(Verdict verdict) {
+  const std::string words = verdict_text(verdict);
+  std::string name = words;
+  for (char& c : name) c = c == ' ' ? '-' : c;
+  return "<span class=\"verdict " + name + "\">" + words + "</span>";
+}
+
+std::string row_html(const std::string& name, const std::string& html) {
+  return "<dt>" + name + "</dt><dd>" + html + "</dd>\n";
+}
+
+std::string claim_html(const LedgerEntry& entry, const std::string& figure_link) {
+  const Claim& claim = entry.claim;
+  std::string text = "<div class=\"entry\">\n<p><strong>Claim " + claim.id + "</strong> " +
+                     verdict_html(entry.verdict) + "<br>\n" + html_text(claim.statement) +
+                     "</p>\n<dl>\n";
+  if (!claim.open) {
+    text += row_html("Number", finding_html(entry)) + row_html("Rule", rule_html(claim));
+  }
+  text += row_html("Experiment", html_text(claim.experiment));
+  if (claim.open) {
+    text += row_html("Chapter", html_text(claim.chapter));
+  } else {
+    const std::string reading = claim.reading == "-" ? "" : " (" + claim.reading + ')';
+    text += row_html("Technique", html_text(claim.technique + reading));
+    if (!figure_link.empty()) {
+      text += row_html("Figure", "<a href=\"" + html_text(figure_link) + "\">" +
+                                     html_text(claim.figure) + "</a>");
+    }
+    text += row_html("Test", html_text(claim.test));
+  }
+  return text + "</dl>\n</div>\n";
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,26 @@
+/// \file
+/// \brief Whether the numbers in a chapter's text are still those that were computed.
+#pragma once
+
+#include "driver/check.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Compares the numbers in a page with those of the figures.
+///
+/// A number in a page that was computed is followed by a comment that says from where:
+/// `15.3 <!-- cradle: quantity in words -->`, or `15.3 per cent <!-- ... -->` for a share. It must be the
+/// computed one, rounded to the digits that are written. Figures that were drawn with other
+/// settings are not compared.
+/// \param page     the text
+/// \param name     of the page, for the messages
+/// \param figures  from check_figures()
+/// \return a message for each number that differs, and for each comment that names a figure or
+///         quantity that does not exist or follows no number
+std::vector<std::string> stale_numbers(const std::string& page, const std::string& name,
+                                       const std::vector<DrawnFigure>& figures);
+
+}  // namespace tumble::chapters

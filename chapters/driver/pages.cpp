@@ -1,0 +1,172 @@
+/// \file
+/// \brief The pages of the site that are made from numbers, claims and constants.
+#include "driver/pages.hpp"
+
+#include "driver/markup.hpp"
+
+#include <cmath>
+
+namespace tumble::chapters {
+namespace {
+
+// Doxygen hands on what stands between the two words as it is.
+std::string as_is(const std::string& html) { return "\\htmlonly\n" + html + "\\endhtmlonly\n\n"; }
+
+// A label that \ref finds: letters, digits and underscores. "2.1a" gives "claim_2_1a".
+std::string label_of(const std::string& kind, const std::string& id) {
+  std::string label = kind + '_';
+  for (const char c : id) {
+    const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    label += kept ? c : '_';
+  }
+  return label;
+}
+
+// "basic_colliding" gives "Basic colliding".
+std::string chapter_title(std::string chapter) {
+  for (char& c : chapter) c = c == '_' ? ' ' : c;
+  if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
+    chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
+  }
+  return chapter.empty() ? "Others" : chapter;
+}
+
+// "5 confirmed, 1 refuted, 59 not measured": verdicts that nothing got are left out.
+std::string counts_of(const std::vector<LedgerEntry>& ledger) {
+  std::string text;
+  for (const Verdict verdict : {Verdict::confirmed, Verdict::qualified, Verdict::refuted,
+                                Verdict::not_comparable, Verdict::not_measured}) {
+    std::size_t count = 0;
+    for (const LedgerEntry& entry : ledger) count += entry.verdict == verdict ? 1 : 0;
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + verdict_text(verdict);
+  }
+  return text;
+}
+
+// The measured claims at a glance.
+std::string overview_html(const std::vector<LedgerEntry>& ledger) {
+  std::string text;
+  for (const LedgerEntry& entry : ledger) {
+    if (entry.verdict == Verdict::not_measured) continue;
+    const Claim& claim = entry.claim;
+    text += "<p><a href=\"#" + label_of("claim", claim.id) + "\">" + claim.id + "</a> " +
+            verdict_html(entry.verdict) + ' ' + html_text(claim.statement) + "</p>\n";
+  }
+  return text.empty() ? text : as_is("<div class=\"entry overview\">\n" + text + "</div>\n");
+}
+
+std::string claims_html(const std::vector<LedgerEntry>& ledger, bool measured) {
+  std::string text;
+  for (const LedgerEntry& entry : ledger) {
+    if ((entry.verdict != Verdict::not_measured) != measured) continue;
+    text += "\\anchor " + label_of("claim", entry.claim.id) + '\n' +
+            as_is(claim_html(entry, "gallery.html#" + entry.claim.figure));
+  }
+  return text.empty() ? "None here: run `make figures`.\n\n" : text;
+}
+
+std::string finding(const CheckedNumber& number) {
+  const std::string value = std::isnan(number.value)
+                                ? "not measured here: run <code>make figures</code>"
+                                : "<strong>" + number_html(number.value, number.unit) + "</strong>";
+  return html_text(number.quantity) + ": " + value;
+}
+
+std::string erratum_html(const ErratumEntry& entry) {
+  const Erratum& erratum = entry.erratum;
+  const bool slip = erratum.kind == "slip";
+  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
+         erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
+         row_html("Printed", html_text(erratum.printed)) +
+         row_html("Read as", html_text(erratum.reading)) +
+         row_html("Shown by", html_text(erratum.scene)) +
+         row_html("Literally", finding(entry.failure)) +
+         row_html(slip ? "Mended" : "Otherwise", finding(entry.mended)) +
+         row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
+                                html_text(erratum.figure) + "</a>") +
+         row_html("Test", html_text(erratum.test)) +
+         row_html("Command", "<code>" + html_text(erratum.command) + "</code>") + "</dl>\n</div>\n";
+}
+
+std::string tolerance_html(const Tolerance& tolerance) {
+  const std::string unit = tolerance.unit == "-" ? "" : ' ' + tolerance.unit;
+  return "<div class=\"entry\">\n<p><code>" + html_text(tolerance.name) + "</code> = <strong>" +
+         whole_html(tolerance.value + unit) + "</strong><br>\n" + html_text(tolerance.meaning) +
+         "</p>\n<p class=\"soft\">Reason: " + html_text(tolerance.reason) + " (" +
+         html_text(tolerance.section) + ")</p>\n</div>\n";
+}
+
+}  // namespace
+
+std::string ledger_page(const Findings& findings) {
+  std::string text = R"(# Ledger of claims {#ledger}
+
+The thesis argues from experience and prints hardly a number. Here each thing that it says is an
+experiment: one number decides, by a rule that was written down before the experiment ran for the
+first time. Of )";
+  text += std::to_string(findings.ledger.size()) + " claims: " + counts_of(findings.ledger) + R"(.
+
+The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endhtmlonly
+
+)";
+  text += overview_html(findings.ledger);
+  text += "## Measured {#ledger_measured}\n\n" + claims_html(findings.ledger, true);
+  text += "## Not measured {#ledger_not_measured}\n\n" + claims_html(findings.ledger, false);
+  return text;
+}
+
+std::string errata_page(const Findings& findings) {
+  std::string text = R"(# Errata of the thesis {#errata}
+
+A *slip* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
+techniques mend it. A *choice* was meant by the author: the techniques of the thesis keep it, and
+cures are in our own. Each has a scene in which it shows and two numbers: the text taken literally,
+and what we do.
+
+)";
+  if (findings.errata.empty()) text += "No chapter has found one yet.\n\n";
+  for (const ErratumEntry& entry : findings.errata) {
+    text += "\\anchor " + label_of("erratum", entry.erratum.id) + '\n' + as_is(erratum_html(entry));
+  }
+  return text;
+}
+
+std::string tolerances_page(const std::vector<Tolerance>& tolerances) {
+  std::string text =
+      "# Small numbers {#tolerances}\n\nEvery tolerance and threshold of the library, " +
+      std::to_string(tolerances.size()) + R"( of them, as
+tumble/base/tolerance.hpp defines them. Those without a unit are ratios and hold for boxes of any
+size and mass. "The same" refers to the number before.
+
+)";
+  std::string layer;
+  for (const Tolerance& tolerance : tolerances) {
+    if (tolerance.layer != layer) text += "## " + chapter_title(tolerance.layer) + "\n\n";
+    layer = tolerance.layer;
+    text += as_is(tolerance_html(tolerance));
+  }
+  return text;
+}
+
+std::string gallery_page(const Findings& findings) {
+  std::string text = R"(# Gallery and figures {#gallery}
+
+All pictures are drawn from numbers that the library has computed. `make figures` draws them again.
+
+)";
+  const std::string thumbnails = gallery_html(findings.figures, "figures/");
+  if (!thumbnails.empty()) text += as_is(thumbnails);
+
+  // Figures come chapter by chapter.
+  std::string chapter;
+  for (const DrawnFigure& figure : findings.figures) {
+    if (is_of_kind(figure, "gallery_")) continue;
+    if (figure.chapter != chapter) text += "## " + chapter_title(figure.chapter) + "\n\n";
+    chapter = figure.chapter;
+    text += as_is(figure_html(figure, findings.ledger, {"figures/", "h3", true}));
+  }
+  return text;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,42 @@
+/// \file
+/// \brief The pages of the site that are made from numbers, claims and constants.
+///
+/// Each is Markdown for Doxygen: headings and labels that other pages can refer to, and HTML between
+/// them. The classes of the HTML are styled by site/pages.css.
+#pragma once
+
+#include "driver/findings.hpp"
+#include "driver/tolerances.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Every claim with verdict, number, rule, figure and test: first the measured ones.
+///
+/// Other pages refer to it by `\ref ledger`, to a claim by `\ref claim_2_1a "2.1a"`.
+/// \param findings  from read_findings()
+/// \return the bytes of `ledger.md`
+std::string ledger_page(const Findings& findings);
+
+/// Every erratum: what is printed, our reading, the numbers of both, test, command.
+///
+/// Other pages refer to it by `\ref errata`, to an erratum by `\ref erratum_C1 "C1"`.
+/// \param findings  from read_findings()
+/// \return the bytes of `errata.md`
+std::string errata_page(const Findings& findings);
+
+/// Every small number of the library: value, unit, reason, section of the thesis.
+/// \param tolerances  from read_tolerances()
+/// \return the bytes of `tolerances.md`
+std::string tolerances_page(const std::vector<Tolerance>& tolerances);
+
+/// The pictures of the gallery, then every figure by chapter.
+///
+/// A figure is at `gallery.html#NAME`.
+/// \param findings  from read_findings()
+/// \return the bytes of `gallery.md`
+std::string gallery_page(const Findings& findings);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,43 @@
+/// \file
+/// \brief Running a figure small and asking for a number of it, as tests do.
+#pragma once
+
+#include "driver/figure.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Computes a figure with its quick settings.
+/// \param figures  a chapter's
+/// \param name     of the figure
+/// \return all that it computed
+/// \throws std::invalid_argument if there is no such figure
+inline Result run_quickly(const std::vector<Figure>& figures, std::string_view name) {
+  for (const Figure& figure : figures) {
+    if (figure.name != name) continue;
+    Parameters settings = figure.parameters;
+    for (const std::string_view setting : figure.quick) {
+      const std::size_t equals = setting.find('=');
+      settings.set(setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return figure.experiment(settings);
+  }
+  throw std::invalid_argument("no figure " + std::string(name));
+}
+
+/// One number of a figure.
+/// \param result  what the figure computed
+/// \param name    of the number
+/// \return the number
+/// \throws std::invalid_argument if there is no such number
+inline const Quantity& quantity_of(const Result& result, std::string_view name) {
+  for (const Quantity& quantity : result.quantities)
+    if (quantity.name == name) return quantity;
+  throw std::invalid_argument("no quantity " + std::string(name));
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,90 @@
+/// \file
+/// \brief The small numbers of the library, read out of their header.
+#include "driver/tolerances.hpp"
+
+#include "driver/csv.hpp"
+
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+const std::string kBegin = "namespace tumble::tolerance {";
+const std::string kEnd = "}  // namespace tumble::tolerance";
+
+// The docstring, whose lines have been joined by blanks.
+Tolerance read_docstring(const std::string& text) {
+  static const std::regex form(R"( \[([^\]]+)\] (.+)\. Reason: (.+)\. \(([^()]+)\))");
+  std::smatch match;
+  if (!std::regex_match(text, match, form)) {
+    throw std::invalid_argument("give /// [unit] what it decides. Reason: why. (section)");
+  }
+  Tolerance tolerance;
+  tolerance.unit = match[1];
+  tolerance.meaning = match[2].str() + '.';
+  tolerance.reason = match[3].str() + '.';
+  tolerance.section = match[4];
+  return tolerance;
+}
+
+// Reads line after line; what a constant needs has to come before it.
+class Reader {
+ public:
+  void read(const std::string& line) {
+    static const std::regex layer("// --- (.+?) -+");
+    static const std::regex constant("inline constexpr double (\\w+) = ([^ ;]+);");
+    std::smatch match;
+    if (line.rfind("///", 0) == 0) {
+      docstring_ += line.substr(3);
+    } else if (std::regex_match(line, match, constant)) {
+      Tolerance tolerance = read_docstring(docstring_);
+      tolerance.layer = layer_;
+      tolerance.name = match[1];
+      tolerance.value = match[2];
+      found.push_back(tolerance);
+      docstring_.clear();
+    } else if (!docstring_.empty()) {
+      throw std::invalid_argument("a docstring without its constant");
+    } else if (std::regex_match(line, match, layer)) {
+      layer_ = match[1];
+    } else if (!line.empty()) {
+      throw std::invalid_argument("give inline constexpr double name = value;");
+    }
+  }
+
+  std::vector<Tolerance> found;
+
+ private:
+  std::string layer_;
+  std::string docstring_;
+};
+
+}  // namespace
+
+std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
+  std::istringstream in(read_file(path));
+  Reader reader;
+  std::size_t number = 0;
+  bool within = false;
+  bool ended = false;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    ended = ended || line == kEnd;
+    try {
+      if (within && !ended) reader.read(line);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(path.string() + ':' + std::to_string(number) + ": '" + line +
+                                  "': " + error.what());
+    }
+    within = within || line == kBegin;
+  }
+  if (!within || !ended || reader.found.empty()) {
+    throw std::invalid_argument(path.string() + ": no constants between '" + kBegin + "' and '" +
+                                kEnd + '\'');
+  }
+  return reader.found;
+}
+
+}  // namespace tumble::chapters

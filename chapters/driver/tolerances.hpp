@@ -1,0 +1,33 @@
+/// \file
+/// \brief The small numbers of the library, read out of their header.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// One constant of `src/tumble/base/tolerance.hpp`.
+struct Tolerance {
+  std::string layer;    ///< of the library
+  std::string name;     ///< of the constant
+  std::string value;    ///< as the source writes it
+  std::string unit;     ///< "-" for a ratio
+  std::string meaning;  ///< what it decides
+  std::string reason;   ///< why it has that size
+  std::string section;  ///< of the thesis, or what else it belongs to
+};
+
+/// Reads all constants of the header.
+///
+/// A constant is a docstring `[unit] what it decides. Reason: why. (section)` and the line
+/// `inline constexpr double name = value;`; a comment `// --- layer ---` begins a layer. Anything
+/// else within the namespace is a mistake.
+/// \param path  the header
+/// \return the constants in its order
+/// \throws FileError for a file that cannot be read, std::invalid_argument naming file and line of
+///         what is not of this form
+std::vector<Tolerance> read_tolerances(const std::filesystem::path& path);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,59 @@
+/// \file
+/// \brief Distance between words.
+#include "tumble/base/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace tumble {
+namespace {
+
+constexpr std::size_t kLongest = 64;  // letters; what is longer is no name of ours
+
+// How many insertions, deletions, replacements and swaps of neighbours lead from a to b: row i of
+// the table has the distances from the first i letters of a to all beginnings of b.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::array<std::vector<std::size_t>, 3> rows;
+  for (auto& row : rows) row.resize(b.size() + 1);
+  auto& [before, last, now] = rows;
+  for (std::size_t k = 0; k <= b.size(); ++k) last[k] = k;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    now[0] = i;
+    for (std::size_t k = 1; k <= b.size(); ++k) {
+      const std::size_t replaced = last[k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      now[k] = std::min({last[k] + 1, now[k - 1] + 1, replaced});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        now[k] = std::min(now[k], before[k - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(now);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::string_view closest_name(std::string_view word, std::span<const std::string_view> known) {
+  std::string_view best;
+  if (word.size() > kLongest) return best;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string_view name : known) {
+    const std::size_t d = distance(word, name);
+    if (d >= least) continue;
+    least = d;
+    best = name;
+  }
+  return best;
+}
+
+std::string expected_names(std::string_view word, std::span<const std::string_view> known) {
+  std::string out;
+  const std::string_view close = closest_name(word, known);
+  if (!close.empty()) out.append("did you mean ").append(close).append("? Expected one of: ");
+  if (close.empty()) out = "expected one of: ";
+  for (std::size_t k = 0; k < known.size(); ++k) out.append(k > 0 ? ", " : "").append(known[k]);
+  return out;
+}
+
+}  // namespace tumble

@@ -1,0 +1,27 @@
+/// \file
+/// \brief What a user may have meant who mistyped a name.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tumble {
+
+/// The known name that is closest to a mistyped one.
+///
+/// Closeness is the number of letters to be inserted, left out, replaced or swapped with the next one.
+/// \param word   what was typed
+/// \param known  the names that there are
+/// \return the closest; the earliest of several; empty if none is within a third of the word's
+///         letters (one letter at least), so that a guess is a help and not a riddle
+/// \see Damerau, "A technique for computer detection and correction of spelling errors", 1964
+std::string_view closest_name(std::string_view word, std::span<const std::string_view> known);
+
+/// The end of a message about an unknown name.
+/// \param word   what was typed
+/// \param known  the names that there are
+/// \return for example "did you mean gravity? Expected one of: title, gravity, ground, box"
+std::string expected_names(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace tumble

@@ -1,0 +1,240 @@
+/// \file
+/// \brief The basic colliding technique.
+#include "tumble/basic_colliding/basic.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace tumble {
+namespace {
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+Basic::Basic(const BasicOptions& options)
+    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+  require::positive(options.resolution, "resolution");
+  require::that(options.event_cap >= 1,
+                "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
+}
+
+Basic::Basic(const Basic& other)
+    : Technique(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
+
+std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
+
+StepReport Basic::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  records_.clear();
+  let_go_.clear();
+  double passed = 0.0;  // [s] of this step
+  for (int moment = 0;; ++moment) {
+    // [S2.1:search]
+    // Let all bodies fly to the end of the step, and see whether
+    // two of them overlap there. If so, search back for the moment
+    // at which the first two meet.
+    const double left = dt - passed;
+    if (!(left > 0.0)) break;  // an impact came with the end
+    find_candidates(world, left);
+    const FirstEvent& found = find_first(world, left, report);
+    // [S2.1:search]
+
+    // Bodies that overlap when the step begins, and go deeper, collide before anything moves.
+    touching_.clear();
+    for (const StartOverlap& overlap : found.overlapping_at_start)
+      if (moment == 0 && overlap.deepening) touching_.push_back(overlap.pair);
+    const bool at_once = !touching_.empty();
+    const bool collide = at_once || found.status == CollisionStatus::found;
+
+    // [S2.1:fly_on]
+    // No collision, or no end of them: fly to the end of the step.
+    const bool lost = found.status == CollisionStatus::cap_reached;
+    const bool endless = collide && moment == options_.event_cap;
+    const bool capped = lost || endless;
+    if (capped) report.status = StepStatus::event_cap;
+    if (!collide || capped) {
+      fly_all(world, left, report);
+      break;
+    }
+    // [S2.1:fly_on]
+
+    // [S2.1:resolve]
+    // Put all bodies back to the last moment at which they are
+    // apart, and resolve the impact there.
+    Event impact;
+    if (!at_once) {
+      touching_ = found.touching;
+      passed += found.time;
+      impact.rewinds = fly_all(world, found.time, report);
+      impact.restarts = static_cast<int>(found.restarts);
+      report.rewinds += impact.rewinds;
+    }
+    impact.time = world.time() + passed;
+    const double push = resolve(world, impact, report);
+    // [S2.1:resolve]
+    let_go_of_rounding(world, push, dt - passed);
+  }
+  repair_overlap(world, report);
+  world.finish_step(dt);
+  return report;
+}
+
+// [S4.1]
+// Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
+// diagonal, overlap. A parabola stays within g t²/8 of its chord.
+void Basic::find_candidates(const World& world, double left) {
+  const double sag = world.gravity_w.norm() * left * left / 8.0;
+  bounds_.resize(place(world.count()));
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    const BodyState& start = world.states()[k];
+    if (body.shape == Shape::ground || !body.movable()) {
+      bounds_[k] = bounds_of(body, start);
+      continue;
+    }
+    const Vec3 end_w =
+        start.position_w + left * velocity(body, start) + 0.5 * left * left * world.gravity_w;
+    const Vec3 wide = Vec3::Constant(0.5 * body.size.norm() + sag);
+    bounds_[k] =
+        Bounds{start.position_w.cwiseMin(end_w) - wide, start.position_w.cwiseMax(end_w) + wide};
+  }
+  broad_phase_->find_pairs(bounds_, candidates_);
+}
+// [S4.1]
+
+Flight Basic::flight_of(const World& world) const {
+  return Flight{.bodies = world.bodies(),
+                .states = world.states(),
+                .gravity_w = world.gravity_w,
+                .rule = options_.rotation};
+}
+
+// The first impact in the time that is left, if all bodies fly on.
+const FirstEvent& Basic::find_first(const World& world, double left, StepReport& report) {
+  const auto let_go = [&](const IndexPair& pair) {
+    return std::find(let_go_.begin(), let_go_.end(), pair) != let_go_.end();
+  };
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), let_go),
+                    candidates_.end());
+  const Flight flight = flight_of(world);
+  const SearchOptions how{.method = options_.search,
+                          .resolution = std::min(options_.resolution, left)};
+  const FirstEvent& found = search_.find(flight, candidates_, 0.0, left, how);
+  report.pair_tests += found.pair_tests;
+  report.searches += found.evaluations;
+  report.restarts += found.restarts;
+  return found;
+}
+
+// Returns how many bodies flew.
+int Basic::fly_all(World& world, double time, StepReport& report) const {
+  int moved = 0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    fly(world.bodies()[k], world.states()[k], world.gravity_w, time, options_.rotation);
+    ++moved;
+  }
+  report.integrations += moved;
+  return moved;
+}
+
+// The impact of all pairs that touch at this moment.
+// Returns by how much it changed the speed of a body at most [m/s].
+double Basic::resolve(World& world, const Event& moment, StepReport& report) {
+  load_moving_bodies(world, moving_);
+  // The search stops up to one resolution before the bodies touch: contact reaches as far as they
+  // can come in that time.
+  double margin = 0.0;
+  for (const IndexPair& pair : touching_) {
+    for (const int body : {pair.first, pair.second}) {
+      const MovingBody& m = moving_[place(body)];
+      const double size =
+          world.bodies()[place(body)].movable() ? world.bodies()[place(body)].size.norm() : 0.0;
+      const double speed = m.velocity_w.norm() + 0.5 * size * m.angular_velocity_w.norm();
+      margin = std::max(margin, 2.0 * options_.resolution * speed + tolerance::contact_gap * size);
+    }
+  }
+  const GatherReport gathered = gather_contacts(world, moving_, touching_, margin, {}, contacts_);
+  report.pair_tests += gathered.pair_tests;
+
+  ImpactOptions how;
+  how.order = options_.impacts;
+  const ImpactResult impact = impacts_.resolve(contacts_, moving_, how);
+  store_moving_bodies(moving_, world);
+  if (impact.status != ImpactStatus::done)
+    report.status = std::max(report.status, StepStatus::event_cap);
+  report.events += impact.collisions;
+  report.impulses += impact.impulses;
+  report.iterations += impact.passes;
+  report.pivots += impact.pivots;
+  report.energy.restitution += impact.restitution_energy;
+  report.energy.friction += impact.friction_energy;
+  record(moment);
+  double push = 0.0;
+  for (const Contact& contact : contacts_) {
+    double impulse = 0.0;
+    for (int p = 0; p < contact.count; ++p) impulse += contact.points[place(p)].normal_impulse;
+    for (const int body : {contact.first, contact.second})
+      push = std::max(push, impulse * moving_[place(body)].inverse_mass.maxCoeff());
+  }
+  return push;
+}
+
+// Pairs that touch, hardly push, and overlap at the end by less than a rounding: the search would
+// find them for ever at this same moment. They are left out until somebody is pushed.
+void Basic::let_go_of_rounding(const World& world, double push, double left) {
+  const Flight flight = flight_of(world);
+  for (const IndexPair& pair : touching_) {
+    double size = 0.0;
+    for (const int body : {pair.first, pair.second})
+      if (world.bodies()[place(body)].movable())
+        size = std::max(size, world.bodies()[place(body)].size.maxCoeff());
+    const double rounding = tolerance::rounding_overlap * size;
+    if (push * left > rounding) return let_go_.clear();
+    if (gap_at(flight, pair, left).distance > -rounding) let_go_.push_back(pair);
+  }
+}
+
+// Tells about the collisions of one moment.
+void Basic::record(const Event& moment) {
+  for (const Contact& contact : contacts_) {
+    Event event = moment;
+    event.first = contact.first_id;
+    event.second = contact.second_id;
+    event.normal_w = contact.normal_w;
+    double weight = 0.0;
+    for (int p = 0; p < contact.count; ++p) {
+      const ContactPoint& point = contact.points[place(p)];
+      const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
+      event.impulse_w += push_w;
+      event.point_w += point.normal_impulse * point.position_w;
+      weight += point.normal_impulse;
+      records_.push_back(ContactRecord{moment.time, contact.first_id, contact.second_id,
+                                       point.position_w, contact.normal_w, push_w, true,
+                                       state_of(contact, p)});
+    }
+    if (!(weight > 0.0)) continue;  // they were parting already
+    event.point_w /= weight;
+    if (observer() != nullptr) observer()->on_event(event);
+  }
+}
+
+// What is left of overlap (rounding, a capped step, a missed collision) is repaired by moving
+// bodies (thesis 4.4).
+void Basic::repair_overlap(World& world, StepReport& report) {
+  for (std::size_t k = 0; k < bounds_.size(); ++k)
+    bounds_[k] = bounds_of(world.bodies()[k], world.states()[k],
+                           tolerance::repair_slop * world.bodies()[k].size.maxCoeff());
+  broad_phase_->find_pairs(bounds_, candidates_);
+  const RepairReport repaired = repair_.run(world, candidates_);
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  report.contacts = static_cast<std::int64_t>(records_.size());
+}
+
+}  // namespace tumble

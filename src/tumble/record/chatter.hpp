@@ -1,0 +1,77 @@
+/// \file
+/// \brief The measure of chatter: how much a body shakes that should rest (thesis 3.3.2, 5.5).
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// How much the resting bodies of a scene shake.
+struct Chatter {
+  double amplitude = 0.0;  ///< [m] of the body with the largest
+  /// [-] of the body with the largest; 1 is as much as a free fall
+  double acceleration = 0.0;
+  int bodies = 0;  ///< how many bodies rest and were measured
+};
+
+/// Measures chatter from the poses that a viewer sees.
+///
+/// A body rests if it is in contact on every frame of the last half second and each of its corners
+/// is at the end of that window within 1 % of the body's shortest edge of where it was at the
+/// beginning. Two numbers tell how it shakes:
+/// - the amplitude, the largest distance between two places of a corner within the window;
+/// - the acceleration, the root mean square of the second differences \f$x_{k+1}-2x_k+x_{k-1}\f$ of
+///   its corners from frame to frame, over \f$g/60^2\f$.
+///
+/// Frames are those of a 60 Hz display whatever the time step is, at multiples of 1/60 s. A corner
+/// between two steps is interpolated linearly; whether the body is in contact there is told by
+/// the later step.
+class ChatterMeter {
+ public:
+  /// [1/s] Frames per second.
+  static constexpr double kFrameRate = 60.0;
+  /// Frames in the window, both ends included: half a second.
+  static constexpr int kWindow = 31;
+
+  /// Takes in the world after a step (and at the start).
+  ///
+  /// A body that comes in later begins its window with the first frame after the step in which it
+  /// is seen first.
+  /// \param world       the bodies
+  /// \param in_contact  by index: whether the body touches another one
+  void add(const World& world, std::span<const char> in_contact);
+
+  /// Measures over the last half second.
+  /// \param gravity  [m/s²] size of the gravity that accelerations are divided by, above 0
+  /// \return all zero before half a second has passed or while no body rests
+  [[nodiscard]] Chatter measure(double gravity) const;
+
+ private:
+  using Corners = std::array<Vec3, 8>;
+  struct Track {
+    BodyId id{};
+    double limit = 0.0;                    // [m] net movement up to which the body rests
+    std::int64_t since = 0;                // the first frame that it was seen in
+    Corners last;                          // [m] at the last step
+    std::array<Corners, kWindow> frames;   // frame n is at place n mod kWindow
+    std::array<char, kWindow> touching{};  // whether it was in contact then
+  };
+
+  void take_frames(const Corners& corners, bool touches, double now, std::int64_t first,
+                   std::int64_t end, Track& track) const;
+  [[nodiscard]] const Corners& frame(const Track& track, int place) const;
+  [[nodiscard]] bool rests(const Track& track) const;
+  [[nodiscard]] double amplitude(const Track& track, double above) const;
+  [[nodiscard]] double second_difference(const Track& track) const;
+
+  std::vector<Track> tracks_;    // by id, ascending
+  bool begun_ = false;           // something has been taken in
+  double last_time_ = 0.0;       // [s] of the last step taken in
+  std::int64_t next_frame_ = 0;  // number of the first frame not yet taken
+};
+
+}  // namespace tumble

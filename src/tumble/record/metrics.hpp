@@ -1,0 +1,70 @@
+/// \file
+/// \brief The numbers of metrics.csv and summary.json: energies, overlap, chatter, counts.
+#pragma once
+
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/record/chatter.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// The state of a run after a step, in numbers that know no technique.
+struct Metrics {
+  double kinetic = 0.0;       ///< [J]
+  double potential = 0.0;     ///< [J] against y = 0
+  BookedEnergy booked;        ///< [J] by cause, since the start
+  double energy_error = 0.0;  ///< [J] change of the total energy that was not booked
+  /// [-] the same over Σ m g L of the movable bodies, L a body's shortest edge; without gravity g is
+  /// 9.81 m/s²
+  double energy_error_share = 0.0;
+  Vec3 momentum_w = Vec3::Zero();          ///< [kg m/s] of all movable bodies
+  Vec3 angular_momentum_w = Vec3::Zero();  ///< [kg m²/s] about the origin
+  double deepest_overlap = 0.0;            ///< [m] largest penetration over all pairs; 0: none
+  Chatter chatter;                         ///< over the last half second
+  double fastest = 0.0;                    ///< [m/s] largest speed of a centre of mass
+  int asleep = 0;                          ///< bodies that sleep
+};
+
+/// Measures a run from outside, from poses and momenta alone.
+///
+/// Overlap is the least translation over the 15 axes that parts two boxes, and the depth of the
+/// lowest corner under the ground. The bodies' own technique is not asked. Pairs of immovable bodies
+/// do not count.
+class MetricsMeter {
+ public:
+  /// Makes the storage.
+  MetricsMeter();
+
+  /// Begins with the world at the start.
+  /// \param world the bodies at time 0
+  /// \return the numbers at the start
+  Metrics begin(const World& world);
+
+  /// Bodies came in or were changed from outside: their energy is not the technique's error.
+  /// \param energy_added [J] how much the total energy changed by it
+  void allow(double energy_added) { start_energy_ += energy_added; }
+
+  /// Measures after a step.
+  /// \param world   the bodies
+  /// \param report  what the step did
+  /// \return the numbers; of a world that is not finite the energies alone
+  Metrics measure(const World& world, const StepReport& report);
+
+ private:
+  // Deepest overlap of all pairs; marks the bodies that touch another one in in_contact_.
+  double look_for_contacts(const World& world);
+  Metrics measure_now(const World& world);
+
+  std::unique_ptr<BroadPhase> broad_phase_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+  std::vector<char> in_contact_;
+  ChatterMeter chatter_;
+  BookedEnergy booked_;
+  double start_energy_ = 0.0;
+};
+
+}  // namespace tumble

@@ -1,0 +1,135 @@
+/// \file
+/// \brief Reading a run's folder.
+#include "tumble/record/recorded_run.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/scenes/scene_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+namespace tumble {
+namespace {
+
+constexpr std::size_t kNumbers = 13;  // in a row, after time and name
+
+// One row of trajectory.csv. Messages name the file and the line.
+class Row {
+ public:
+  Row(std::string where, const std::string& line)
+      : where_(std::move(where)), cells_(cells_of(line)) {
+    require::that(cells_.size() == kNumbers + 2,
+                  where_ + ": " + std::to_string(cells_.size()) + " cells: expected " +
+                      std::to_string(kNumbers + 2) + ", as `tumble run` writes them");
+  }
+
+  double number(std::size_t column) const {
+    const std::string& text = cells_[column];
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool whole = !text.empty() && end == text.c_str() + text.size();
+    require::that(whole && std::isfinite(value),
+                  where_ + ": " + text + ": expected a finite number");
+    return value;
+  }
+
+  const std::string& name() const { return cells_[1]; }
+  const std::string& where() const { return where_; }
+
+ private:
+  std::string where_;
+  std::vector<std::string> cells_;
+};
+
+RecordedPose pose_of(const Row& row, const std::map<std::string, int>& boxes) {
+  const auto box = boxes.find(row.name());
+  require::that(box != boxes.end(),
+                row.where() + ": body " + row.name() + ": scene.toml has no such box");
+  std::array<double, kNumbers> v{};
+  for (std::size_t k = 0; k < kNumbers; ++k) v[k] = row.number(k + 2);
+  RecordedPose pose;
+  pose.box = box->second;
+  pose.position_w = Vec3(v[0], v[1], v[2]);
+  pose.orientation_wb = Quat(v[3], v[4], v[5], v[6]);
+  pose.velocity_w = Vec3(v[7], v[8], v[9]);
+  pose.angular_velocity_w = Vec3(v[10], v[11], v[12]);
+  return pose;
+}
+
+}  // namespace
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"') {
+      cells.back() += c;  // two quotes within quotes are one
+      ++k;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+RecordedRun read_run(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "trajectory.csv";
+  std::ifstream in(path);
+  require::that(in.is_open(), path.string() + ": cannot be read: give the folder of a run");
+  RecordedRun run;
+  run.scene = read_scene(folder / "scene.toml");
+  std::map<std::string, int> boxes;
+  for (std::size_t k = 0; k < run.scene.boxes.size(); ++k)
+    boxes.emplace(run.scene.boxes[k].name, static_cast<int>(k));
+
+  std::string line;
+  std::getline(in, line);  // the names of the columns
+  for (int number = 2; std::getline(in, line); ++number) {
+    const Row row(path.string() + ":" + std::to_string(number), line);
+    const double time = row.number(0);
+    if (run.frames.empty() || run.frames.back().time != time) {
+      require::that(run.frames.empty() || run.frames.back().time < time,
+                    row.where() + ": time_s = " + require::text(time) + ": expected it to grow");
+      run.frames.push_back(RecordedFrame{time, {}});
+    }
+    run.frames.back().poses.push_back(pose_of(row, boxes));
+  }
+  require::that(!run.frames.empty(), path.string() + ": has no frame");
+  return run;
+}
+
+World world_of(const RecordedRun& run, const RecordedFrame& frame) {
+  World world;
+  world.gravity_w = run.scene.gravity_w;
+  if (run.scene.ground) world.add_ground(run.scene.ground->friction, run.scene.ground->restitution);
+  for (const RecordedPose& pose : frame.poses) {
+    const SceneBox& box = run.scene.boxes[static_cast<std::size_t>(pose.box)];
+    const BodyProperties body = properties_of(box);
+    world.add(body, make_state(body, pose.position_w, pose.orientation_wb), box.name);
+  }
+  return world;
+}
+
+const RecordedFrame& nearest_frame(const RecordedRun& run, double time) {
+  const std::vector<RecordedFrame>& frames = run.frames;
+  const double first = frames.front().time;
+  const double last = frames.back().time;
+  const double half = frames.size() > 1 ? 0.5 * (frames[1].time - first) : 0.0;
+  require::that(time >= first - half && time <= last + half,
+                "time " + require::text(time) + " s: the run was recorded from " +
+                    require::text(first) + " to " + require::text(last) + " s");
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < frames.size(); ++k)
+    if (std::abs(frames[k].time - time) < std::abs(frames[nearest].time - time)) nearest = k;
+  return frames[nearest];
+}
+
+}  // namespace tumble

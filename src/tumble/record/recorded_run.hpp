@@ -1,0 +1,60 @@
+/// \file
+/// \brief The folder of a run, read back: its scene and its trajectory.
+#pragma once
+
+#include "tumble/scenes/scene.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// One body in one recorded frame: a row of trajectory.csv.
+struct RecordedPose {
+  int box = 0;                             ///< place of the body in the scene, from 0
+  Vec3 position_w = Vec3::Zero();          ///< [m] centre of mass, world frame
+  Quat orientation_wb = Quat::Identity();  ///< [-] body to world
+  Vec3 velocity_w = Vec3::Zero();          ///< [m/s] of the centre of mass, world frame
+  Vec3 angular_velocity_w = Vec3::Zero();  ///< [rad/s] world frame
+};
+
+/// All bodies at one recorded time.
+struct RecordedFrame {
+  double time = 0.0;                ///< [s]
+  std::vector<RecordedPose> poses;  ///< those that there were
+};
+
+/// What a run recorded.
+struct RecordedRun {
+  Scene scene;                        ///< of scene.toml
+  std::vector<RecordedFrame> frames;  ///< of trajectory.csv, times ascending, at least one
+};
+
+/// Reads scene.toml and trajectory.csv of a run's folder. Numbers have the bits that were written.
+/// \param folder  of a run
+/// \return what was recorded
+/// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
+///         cannot be read
+RecordedRun read_run(const std::filesystem::path& folder);
+
+/// The bodies of a frame as a world, at rest.
+/// \param run    what was recorded
+/// \param frame  one of its frames
+/// \return the ground, if there is one, and the frame's bodies with their names
+World world_of(const RecordedRun& run, const RecordedFrame& frame);
+
+/// The frame that is nearest in time.
+/// \param run   what was recorded
+/// \param time  [s] within the recorded times, or half a frame outside
+/// \return the frame
+/// \throws std::invalid_argument naming the recorded times if `time` is outside
+const RecordedFrame& nearest_frame(const RecordedRun& run, double time);
+
+/// Takes a row of a comma-separated table apart.
+/// \param line  without the line break
+/// \return the cells, without the quotes that some are in
+std::vector<std::string> cells_of(std::string_view line);
+
+}  // namespace tumble

@@ -1,0 +1,181 @@
+/// \file
+/// \brief The loop of a run.
+#include "tumble/record/run.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/dynamics/energy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+constexpr double kMostSteps = 1e12;  // as many would run for years
+
+// Passes on the events of the steps, with the world for the bodies' names, for as long as it lives.
+class EventForwarder : public Observer {
+ public:
+  EventForwarder(const World& world, std::span<RunObserver* const> observers, Technique& technique)
+      : world_(world), observers_(observers), technique_(technique) {
+    technique_.observe(this);
+  }
+  ~EventForwarder() override { technique_.observe(nullptr); }
+  EventForwarder(const EventForwarder&) = delete;
+  EventForwarder& operator=(const EventForwarder&) = delete;
+  void on_event(const Event& event) override {
+    for (RunObserver* observer : observers_) observer->on_event(world_, event);
+  }
+
+ private:
+  const World& world_;
+  std::span<RunObserver* const> observers_;
+  Technique& technique_;
+};
+
+// Whole steps in the duration; a remainder of next to nothing is rounding.
+std::int64_t whole_steps(const RunSettings& settings) {
+  return static_cast<std::int64_t>(
+      std::floor(settings.duration / settings.dt + tolerance::step_remainder));
+}
+
+// Every count of a report, by its name.
+constexpr std::array<std::int64_t StepReport::*, 10> kCounts = {
+    &StepReport::events,       &StepReport::contacts, &StepReport::iterations,
+    &StepReport::pivots,       &StepReport::impulses, &StepReport::pair_tests,
+    &StepReport::integrations, &StepReport::searches, &StepReport::rewinds,
+    &StepReport::restarts};
+
+void add_up(const StepReport& step, StepReport& total, StepReport& worst) {
+  for (const auto count : kCounts) {
+    total.*count += step.*count;
+    worst.*count = std::max(worst.*count, step.*count);
+  }
+  total.deepest_overlap = std::max(total.deepest_overlap, step.deepest_overlap);
+  worst.deepest_overlap = total.deepest_overlap;
+  worst.status = std::max(worst.status, step.status);
+}
+
+void keep_farther(double now, double& worst) {
+  if (std::abs(now) > std::abs(worst)) worst = now;
+}
+
+void keep_longer(const Vec3& now, Vec3& worst) {
+  if (now.squaredNorm() > worst.squaredNorm()) worst = now;
+}
+
+void keep_worst(const Metrics& now, Metrics& worst) {
+  keep_farther(now.kinetic, worst.kinetic);
+  keep_farther(now.potential, worst.potential);
+  keep_farther(now.booked.restitution, worst.booked.restitution);
+  keep_farther(now.booked.friction, worst.booked.friction);
+  keep_farther(now.booked.damping, worst.booked.damping);
+  keep_farther(now.booked.repair, worst.booked.repair);
+  keep_farther(now.energy_error, worst.energy_error);
+  keep_farther(now.energy_error_share, worst.energy_error_share);
+  keep_longer(now.momentum_w, worst.momentum_w);
+  keep_longer(now.angular_momentum_w, worst.angular_momentum_w);
+  keep_farther(now.deepest_overlap, worst.deepest_overlap);
+  keep_farther(now.chatter.amplitude, worst.chatter.amplitude);
+  keep_farther(now.chatter.acceleration, worst.chatter.acceleration);
+  worst.chatter.bodies = std::max(worst.chatter.bodies, now.chatter.bodies);
+  keep_farther(now.fastest, worst.fastest);
+  worst.asleep = std::max(worst.asleep, now.asleep);
+}
+
+bool finite(const World& world) {
+  for (const BodyState& s : world.states()) {
+    if (!(s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
+          s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite()))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void require_valid(const RunSettings& settings) {
+  require::positive(settings.dt, "dt");
+  require::not_negative(settings.duration, "duration");
+  require::that(settings.every >= 1,
+                "every = " + std::to_string(settings.every) + ": expected 1 or more");
+  require::that(settings.duration / settings.dt < kMostSteps,
+                "duration / dt = " + require::text(settings.duration / settings.dt) +
+                    ": expected fewer than 1e12 steps");
+}
+
+RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
+                    std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
+  require_valid(settings);
+  World world = build_world(scene);
+  RunResult result;
+  MetricsMeter meter;
+  result.last = meter.begin(world);
+  keep_worst(result.last, result.worst_metrics);
+  for (RunObserver* observer : observers) observer->on_begin(world);
+  const EventForwarder forwarder(world, observers, technique);
+
+  const std::int64_t whole = whole_steps(settings);
+  const double rest = settings.duration - static_cast<double>(whole) * settings.dt;
+  const std::int64_t steps = whole + (rest > tolerance::step_remainder * settings.dt ? 1 : 0);
+  double entered = 0.0;  // boxes that appear up to this time are in the world
+  for (std::int64_t k = 0; k < steps; ++k) {
+    if (stop && stop()) {
+      result.end = RunEnd::interrupted;
+      break;
+    }
+    const double before = energy_of(world).total();
+    add_late_boxes(scene, entered, world.time(), world);
+    entered = world.time();
+    meter.allow(energy_of(world).total() - before);
+
+    StepReport report = technique.step(world, k < whole ? settings.dt : rest);
+    if (!finite(world)) report.status = StepStatus::not_finite;
+    ++result.steps;
+    if (report.status == StepStatus::event_cap) ++result.capped_steps;
+    add_up(report, result.totals, result.worst_report);
+    result.last_report = report;
+    result.last = meter.measure(world, report);
+    keep_worst(result.last, result.worst_metrics);
+    for (RunObserver* observer : observers)
+      observer->on_step(world, technique, report, result.last);
+    if (report.status >= StepStatus::unsolved) {
+      result.end = RunEnd::failed;
+      break;
+    }
+  }
+  result.worst = result.worst_report.status;
+  result.time = world.time();
+  result.state_hash = world.hash().text();
+  return result;
+}
+
+std::string_view name_of(StepStatus status) {
+  switch (status) {
+    case StepStatus::done:
+      return "done";
+    case StepStatus::event_cap:
+      return "event_cap";
+    case StepStatus::unsolved:
+      return "unsolved";
+    case StepStatus::not_finite:
+      return "not_finite";
+  }
+  return "unknown";
+}
+
+std::string_view name_of(RunEnd end) {
+  switch (end) {
+    case RunEnd::complete:
+      return "complete";
+    case RunEnd::interrupted:
+      return "interrupted";
+    case RunEnd::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+}  // namespace tumble

@@ -1,0 +1,158 @@
+/// \file
+/// \brief The files of a run.
+#include "tumble/record/run_files.hpp"
+
+#include "tumble/base/version.hpp"
+#include "tumble/record/json.hpp"
+#include "tumble/record/metrics_table.hpp"
+#include "tumble/scenes/scene_file.hpp"
+
+#include <array>
+
+namespace tumble {
+namespace {
+
+constexpr std::string_view kTrajectoryHeader =
+    "time_s,body,px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s";
+constexpr std::string_view kEventsHeader =
+    "time_s,first,second,px_m,py_m,pz_m,nx,ny,nz,jx_N_s,jy_N_s,jz_N_s,rewinds,restarts";
+constexpr std::string_view kContactsHeader =
+    "time_s,first,second,px_m,py_m,pz_m,nx,ny,nz,fx,fy,fz,unit,state";
+
+constexpr std::array<std::string_view, 7> kFiles = {"trajectory.csv", "metrics.csv", "events.csv",
+                                                    "contacts.csv",   "scene.toml",  "summary.json",
+                                                    "timing.csv"};
+
+std::string metrics_header() {
+  std::string out = "time_s,status";
+  for (const MetricsColumn& column : metrics_columns()) out.append(",").append(column.name);
+  return out;
+}
+
+void write(const Metrics& metrics, const StepReport& report, Json& out) {
+  out.begin();
+  for (const MetricsColumn& column : metrics_columns()) {
+    const double value = column.value(metrics, report);
+    if (column.whole) out.field(column.name, static_cast<std::int64_t>(value));
+    if (!column.whole) out.field(column.name, value);
+  }
+  out.end();
+}
+
+void write(const Parameters& settings, Json& out) {
+  out.begin();
+  for (const Parameter& p : settings.all()) {
+    if (p.kind == ParameterKind::number) {
+      out.field(p.key, settings.number(p.key));
+    } else if (p.kind == ParameterKind::whole) {
+      out.field(p.key, settings.whole(p.key));
+    } else {
+      out.field(p.key, std::string_view(p.value));
+    }
+  }
+  out.end();
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const std::filesystem::path& folder, RunDescription description,
+                   const Scene& scene)
+    : folder_(folder, kFiles.front(), kFiles),
+      description_(std::move(description)),
+      trajectory_(folder / "trajectory.csv", kTrajectoryHeader),
+      metrics_(folder / "metrics.csv", metrics_header()),
+      events_(folder / "events.csv", kEventsHeader) {
+  if (description_.contacts) contacts_.emplace(folder / "contacts.csv", kContactsHeader);
+  write_file(folder / "scene.toml", to_toml(scene));
+}
+
+void RunFiles::write_frame(const World& world) {
+  for (int i = 0; i < world.count(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const BodyProperties& body = world.bodies()[k];
+    if (body.shape == Shape::ground) continue;
+    const BodyState& state = world.states()[k];
+    const Quat& q = state.orientation_wb;
+    trajectory_.cell(world.time()).cell(world.name(i)).cell(state.position_w);
+    trajectory_.cell(q.w()).cell(Vec3(q.vec()));
+    trajectory_.cell(velocity(body, state)).cell(angular_velocity(body, state));
+    trajectory_.end_row();
+  }
+}
+
+void RunFiles::on_begin(const World& world) { write_frame(world); }
+
+void RunFiles::on_step(const World& world, const Technique& technique, const StepReport& report,
+                       const Metrics& m) {
+  ++step_;
+  if (step_ % description_.run.every == 0) write_frame(world);
+  metrics_.cell(world.time()).cell(name_of(report.status));
+  for (const MetricsColumn& column : metrics_columns()) {
+    const double value = column.value(m, report);
+    if (column.whole) metrics_.cell(static_cast<std::int64_t>(value));
+    if (!column.whole) metrics_.cell(value);
+  }
+  metrics_.end_row();
+  if (!contacts_) return;
+  for (const ContactRecord& c : technique.contacts()) {
+    contacts_->cell(c.time).cell(world.name(world.index_of(c.first)));
+    contacts_->cell(world.name(world.index_of(c.second))).cell(c.point_w).cell(c.normal_w);
+    contacts_->cell(c.push_w).cell(c.is_impulse ? "N s" : "N").cell(name_of(c.state)).end_row();
+  }
+}
+
+void RunFiles::on_event(const World& world, const Event& event) {
+  events_.cell(event.time).cell(world.name(world.index_of(event.first)));
+  events_.cell(world.name(world.index_of(event.second)));
+  events_.cell(event.point_w).cell(event.normal_w).cell(event.impulse_w);
+  events_.cell(std::int64_t{event.rewinds}).cell(std::int64_t{event.restarts}).end_row();
+}
+
+void RunFiles::finish(const RunResult& result) {
+  trajectory_.flush();
+  metrics_.flush();
+  events_.flush();
+  if (contacts_) contacts_->flush();
+  const BuildInfo build = build_info();
+  Json out;
+  out.begin()
+      .field("state_hash", std::string_view(result.state_hash))
+      .field("end", name_of(result.end))
+      .field("worst_status", name_of(result.worst))
+      .field("steps", result.steps)
+      .field("steps_at_the_event_cap", result.capped_steps)
+      .field("simulated_s", result.time)
+      .field("scene", std::string_view(description_.scene))
+      .field("technique", std::string_view(description_.technique))
+      .field("dt_s", description_.run.dt)
+      .field("duration_s", description_.run.duration)
+      .field("seed", std::to_string(description_.run.seed))
+      .field("every", std::int64_t{description_.run.every})
+      .field("contacts", std::string_view(description_.contacts ? "on" : "off"));
+  write(description_.scene_settings, out.key("scene_settings"));
+  write(description_.technique_settings, out.key("technique_settings"));
+  out.key("ignored").begin_list();
+  for (const std::string& what : description_.ignored) out.item(what);
+  out.end_list();
+  write(result.last, result.last_report, out.key("at_the_end"));
+  write(result.worst_metrics, result.worst_report, out.key("at_worst"));
+  const StepReport& t = result.totals;
+  out.key("totals")
+      .begin()
+      .field("collisions", t.events)
+      .field("contacts", t.contacts)
+      .field("iterations", t.iterations)
+      .field("pivots", t.pivots)
+      .field("impulses", t.impulses)
+      .field("pair_tests", t.pair_tests)
+      .field("integrations", t.integrations)
+      .field("searches", t.searches)
+      .field("rewinds", t.rewinds)
+      .field("restarts", t.restarts)
+      .end();
+  out.field("version", build.version).field("compiler", build.compiler).field("flags", build.flags);
+  out.end();
+  write_file(folder_.path() / "summary.json", out.text());
+}
+
+}  // namespace tumble

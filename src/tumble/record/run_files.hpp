@@ -1,0 +1,65 @@
+/// \file
+/// \brief The folder of a run: every file that `tumble run` leaves behind.
+#pragma once
+
+#include "tumble/record/output_folder.hpp"
+#include "tumble/record/run.hpp"
+#include "tumble/record/table_file.hpp"
+
+#include <optional>
+
+namespace tumble {
+
+/// What summary.json says about how a run was made.
+struct RunDescription {
+  std::string scene;                 ///< the name or file that the user gave
+  std::string technique;             ///< its name
+  Parameters scene_settings;         ///< of a built-in scene
+  Parameters technique_settings;     ///< options of the technique
+  RunSettings run;                   ///< step, duration, seed
+  bool contacts = false;             ///< whether contacts.csv is wanted
+  std::vector<std::string> ignored;  ///< what the technique leaves out, for example friction
+};
+
+/// Writes trajectory.csv, metrics.csv, events.csv, contacts.csv, scene.toml and summary.json.
+///
+/// All of them are the same bytes for the same run. Times of the clock are not the library's
+/// business: the command writes them into timing.csv beside these. summary.json is written last: a
+/// folder without it is of a run that could not be finished.
+class RunFiles : public RunObserver {
+ public:
+  /// Makes the folder and opens the files.
+  /// \param folder       where; made if missing. One that is not empty must be a run's
+  /// \param description  how the run is made
+  /// \param scene        as resolved, for scene.toml
+  /// \throws std::invalid_argument if the folder holds other things than a run
+  /// \throws CannotWrite if it cannot be made or written
+  RunFiles(const std::filesystem::path& folder, RunDescription description, const Scene& scene);
+
+  void on_begin(const World& world) override;
+  void on_step(const World& world, const Technique& technique, const StepReport& report,
+               const Metrics& metrics) override;
+  void on_event(const World& world, const Event& event) override;
+
+  /// Writes summary.json and what the tables still hold.
+  /// \param result what the run came to
+  /// \throws CannotWrite if something cannot be written
+  void finish(const RunResult& result);
+
+  /// Takes everything away again, the folder too if it was made for this run: for a run that turns
+  /// out to be a mistake when it has begun.
+  void discard() const { folder_.discard(); }
+
+ private:
+  void write_frame(const World& world);
+
+  OutputFolder folder_;
+  RunDescription description_;
+  TableFile trajectory_;
+  TableFile metrics_;
+  TableFile events_;
+  std::optional<TableFile> contacts_;
+  std::int64_t step_ = 0;
+};
+
+}  // namespace tumble

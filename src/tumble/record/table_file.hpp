@@ -1,0 +1,84 @@
+/// \file
+/// \brief CSV files that are made of whole lines, whatever happens.
+#pragma once
+
+#include "tumble/base/types.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tumble {
+
+/// A file or folder could not be written: disk full, no permission. Commands exit with 4.
+class CannotWrite : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes a whole small file at once. If it cannot be written whole, none is left.
+/// \param path  where
+/// \param text  its content
+/// \throws CannotWrite naming the path and the reason
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// A number as all files of a run have it: 17 significant digits, which read back to the same bits.
+/// \param value any double
+/// \return for example `0.10000000000000001`; every NaN is `nan`, whatever its sign
+std::string full_text(double value);
+
+/// A comma-separated table that grows by whole rows.
+///
+/// Rows are handed to the system in blocks. If that fails (disk full), the file is cut back to
+/// the last whole block before the error is thrown, and nothing more is written to it: every later
+/// flush throws again.
+class TableFile {
+ public:
+  /// Creates the file with its first line.
+  /// \param path    where
+  /// \param header  the names of the columns, with commas
+  /// \throws CannotWrite naming the path and the reason
+  TableFile(std::filesystem::path path, std::string_view header);
+  /// Writes what is left; errors are not seen here, call flush() before.
+  ~TableFile();
+  TableFile(const TableFile&) = delete;
+  TableFile& operator=(const TableFile&) = delete;
+
+  /// Adds a cell.
+  /// \param value a number
+  /// \return this, for the next cell
+  TableFile& cell(double value);
+  /// Adds a cell.
+  /// \param value a whole number
+  /// \return this, for the next cell
+  TableFile& cell(std::int64_t value);
+  /// Adds a cell.
+  /// \param value text; put in quotes where CSV asks for it
+  /// \return this, for the next cell
+  TableFile& cell(std::string_view value);
+  /// Adds three cells.
+  /// \param value x, y, z
+  /// \return this, for the next cell
+  TableFile& cell(const Vec3& value);
+  /// Ends the row.
+  /// \throws CannotWrite if a block of rows could not be written
+  void end_row();
+  /// Hands everything to the system.
+  /// \throws CannotWrite if it could not be written
+  void flush();
+
+ private:
+  void separate();
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  int failure_ = 0;             // errno of the first write that failed
+  std::string pending_;         // whole rows not yet written, then the row being made
+  std::size_t row_begin_ = 0;   // where in pending_ the row being made begins
+  std::uintmax_t written_ = 0;  // bytes of whole rows in the file
+};
+
+}  // namespace tumble

@@ -1,0 +1,45 @@
+/// \file
+/// \brief The list of built-in scenes.
+#include "tumble/scenes/library.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/suggestion.hpp"
+#include "tumble/scenes/recipes.hpp"
+
+#include <string>
+
+namespace tumble {
+
+const std::vector<SceneRecipe>& scene_library() {
+  static const std::vector<SceneRecipe> library = [] {
+    std::vector<SceneRecipe> list;
+    recipes::add_single(list);
+    recipes::add_structures(list);
+    recipes::add_thrown(list);
+    return list;
+  }();
+  return library;
+}
+
+const SceneRecipe& scene_recipe(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const SceneRecipe& recipe : scene_library()) {
+    if (recipe.name == name) return recipe;
+    names.push_back(recipe.name);
+  }
+  require::that(false, "unknown scene " + std::string(name) + ": " + expected_names(name, names));
+  return scene_library().front();  // not reached
+}
+
+std::string recipes::numbered(std::string_view stem, std::initializer_list<int> places) {
+  std::string name(stem);
+  bool first = true;
+  for (const int place : places) {
+    if (!first) name += '_';
+    name += std::to_string(place);
+    first = false;
+  }
+  return name;
+}
+
+}  // namespace tumble

@@ -1,0 +1,35 @@
+/// \file
+/// \brief The built-in scenes, by name.
+#pragma once
+
+#include "tumble/base/parameters.hpp"
+#include "tumble/base/random.hpp"
+#include "tumble/scenes/scene.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// A scene that a user can name.
+struct SceneRecipe {
+  std::string_view name;     ///< what a user calls it
+  std::string_view section;  ///< thesis sections that it belongs to
+  std::string_view summary;  ///< one line
+  /// Declares its parameters with their defaults.
+  Parameters (*parameters)();
+  /// Builds it; `random` is used by scenes with chance in them and by no others.
+  Scene (*build)(const Parameters& parameters, Random random);
+};
+
+/// All built-in scenes.
+/// \return in the order in which `tumble scenes` lists them
+const std::vector<SceneRecipe>& scene_library();
+
+/// One built-in scene.
+/// \param name its name
+/// \return the recipe
+/// \throws std::invalid_argument listing the names if there is none of this name
+const SceneRecipe& scene_recipe(std::string_view name);
+
+}  // namespace tumble

@@ -1,0 +1,163 @@
+/// \file
+/// \brief Checking a scene and building its world.
+#include "tumble/scenes/scene.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/separation.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace tumble {
+namespace {
+
+void add(const SceneBox& box, World& world) {
+  const BodyProperties body = properties_of(box);
+  world.add(
+      body,
+      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w),
+      box.name);
+}
+
+std::string text_of(const Vec3& v) {
+  std::string out = "[";
+  out.append(require::text(v.x())).append(", ").append(require::text(v.y())).append(", ");
+  return out.append(require::text(v.z())).append("]");
+}
+
+void refuse_overlap(const Scene& scene, int box, const std::string& other, double depth,
+                    double allowed) {
+  if (depth <= allowed) return;
+  const SceneBox& b = scene.boxes[static_cast<std::size_t>(box)];
+  std::string message = " = ";
+  message.append(text_of(b.position_w)).append(": ").append(b.name).append(" and ").append(other);
+  message.append(" overlap by ").append(require::text(depth)).append(" m at the start: ");
+  message.append("move them apart, up to ").append(require::text(allowed));
+  throw SceneMistake(box, "position", message.append(" m is accepted"));
+}
+
+// Boxes may touch and overlap a little at the start, as numbers typed by hand do.
+void refuse_overlaps(const Scene& scene) {
+  std::vector<int> present;  // places of the boxes that are there at the start
+  std::vector<Box> shapes;
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+    const SceneBox& box = scene.boxes[i];
+    if (box.appears > 0.0) continue;
+    present.push_back(static_cast<int>(i));
+    shapes.push_back(make_box(box.position_w, box.orientation_wb, box.size));
+    bounds.push_back(bounds_of(shapes.back()));
+    const double lowest = box.position_w.y() - reach(shapes.back(), Vec3::UnitY());
+    if (scene.ground && !box.fixed)
+      refuse_overlap(scene, present.back(), "the ground", -lowest,
+                     tolerance::start_overlap * box.size.minCoeff());
+  }
+  std::vector<IndexPair> pairs;
+  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  SeparationOptions exact;
+  exact.prefer_faces = false;
+  for (const IndexPair& pair : pairs) {
+    const auto first = static_cast<std::size_t>(pair.first);
+    const auto second = static_cast<std::size_t>(pair.second);
+    const SceneBox& a = scene.boxes[static_cast<std::size_t>(present[first])];
+    const SceneBox& b = scene.boxes[static_cast<std::size_t>(present[second])];
+    if (a.fixed && b.fixed) continue;
+    refuse_overlap(scene, present[second], a.name,
+                   -separation(shapes[first], shapes[second], exact).distance,
+                   tolerance::start_overlap * std::min(a.size.minCoeff(), b.size.minCoeff()));
+  }
+}
+
+// Names are how files and messages tell bodies apart; a line break in one would break rows.
+void settle_names(Scene& scene) {
+  std::map<std::string, std::size_t> owners;
+  if (scene.ground) owners.emplace("ground", scene.boxes.size());
+  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+    const std::string& name = scene.boxes[i].name;
+    if (name.empty()) continue;
+    for (const char c : name)
+      if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f)
+        throw SceneMistake(static_cast<int>(i), "name",
+                           ": has a control character in it: expected letters that can be printed");
+    const auto [owner, first] = owners.emplace(name, i);
+    if (first) continue;
+    std::string message = " = ";
+    message.append(name).append(owner->second == scene.boxes.size() ? ": the ground is"
+                                                                    : ": two boxes are");
+    throw SceneMistake(static_cast<int>(i), "name",
+                       message.append(" called so: give another name"));
+  }
+  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+    std::string& name = scene.boxes[i].name;
+    for (std::size_t number = i + 1; name.empty(); ++number) {
+      const std::string candidate = "box" + std::to_string(number);
+      if (owners.emplace(candidate, i).second) name = candidate;
+    }
+  }
+}
+
+}  // namespace
+
+BodyProperties properties_of(const SceneBox& box) {
+  return box.fixed ? fixed_box_properties(box.size, box.friction, box.restitution)
+                   : box_properties(box.size, box.mass, box.friction, box.restitution);
+}
+
+SceneMistake::SceneMistake(int box, std::string key, const std::string& message)
+    : std::invalid_argument(
+          "tumble: " +
+          (box < 0 ? key
+                   : "box[" + std::to_string(box + 1) + "]" + (key.empty() ? "" : "." + key)) +
+          message),
+      box_(box),
+      key_(std::move(key)) {}
+
+std::string_view message_of(const std::invalid_argument& error) {
+  constexpr std::string_view program = "tumble: ";
+  const std::string_view text = error.what();
+  return text.substr(0, program.size()) == program ? text.substr(program.size()) : text;
+}
+
+Scene checked(Scene scene) {
+  if (scene.boxes.empty()) throw SceneMistake(-1, "box", ": a scene needs at least one");
+  try {
+    require::finite(scene.gravity_w, "gravity");
+  } catch (const std::invalid_argument& error) {
+    throw SceneMistake(-1, "", std::string(message_of(error)));
+  }
+  settle_names(scene);
+  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+    const SceneBox& box = scene.boxes[i];
+    try {
+      require::not_negative(box.appears, "appears");
+      const BodyProperties body = properties_of(box);
+      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w);
+    } catch (const std::invalid_argument& error) {
+      const std::string name = ", " + box.name + ": ";
+      throw SceneMistake(static_cast<int>(i), "", name + std::string(message_of(error)));
+    }
+  }
+  refuse_overlaps(scene);
+  return scene;
+}
+
+World build_world(const Scene& given) {
+  const Scene scene = checked(given);
+  World world;
+  world.gravity_w = scene.gravity_w;
+  if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
+  for (const SceneBox& box : scene.boxes) {
+    if (!(box.appears > 0.0)) add(box, world);
+  }
+  return world;
+}
+
+void add_late_boxes(const Scene& scene, double from, double until, World& world) {
+  for (const SceneBox& box : scene.boxes) {
+    if (box.appears > from && box.appears <= until) add(box, world);
+  }
+}
+
+}  // namespace tumble

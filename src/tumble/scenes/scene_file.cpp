@@ -1,0 +1,271 @@
+/// \file
+/// \brief Reading and writing scene files; the only place that knows TOML.
+#include "tumble/scenes/scene_file.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/suggestion.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/math/rotation.hpp"
+
+// Some bad files, one of "[[[" for example, break what toml++ takes for granted: it would end the
+// process, or with NDEBUG and clang do anything at all. Without these checks of its own it goes on to
+// where it reports the mistake.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(belief) static_assert(true)
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+#include <vector>
+
+namespace tumble {
+namespace {
+
+// Text for a message: one line, not too long.
+std::string shortened(std::string text) {
+  constexpr std::size_t most = 60;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20U) c = ' ';
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // UTF-8
+  return text.substr(0, end) + "...";
+}
+
+std::string shown(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const toml::array* list = node.as_array(); list != nullptr && list->size() > 16)
+    return "a list of " + std::to_string(list->size());
+  std::ostringstream out;
+  out << toml::node_view<const toml::node>(node);
+  return shortened(out.str());
+}
+
+// A table of the file, with what a message needs to point at a place in it.
+class Place {
+ public:
+  Place(const toml::table& table, std::string_view file, std::string prefix)
+      : table_(table), file_(file), prefix_(std::move(prefix)) {}
+
+  [[noreturn]] void refuse(std::string_view key, const toml::node* node,
+                           const std::string& wanted) const {
+    std::string out = place_of(node);
+    out.append(prefix_).append(shortened(std::string(key)));
+    if (node != nullptr) out.append(" = ").append(shown(*node));
+    throw std::invalid_argument(out + ": " + wanted);
+  }
+
+  // FILE:LINE: of a value, or of the table if there is none.
+  std::string place_of(const toml::node* node) const {
+    const auto line = (node != nullptr ? node : &table_)->source().begin.line;
+    return std::string(file_) + ":" + std::to_string(line) + ": ";
+  }
+
+  // A key that is not part of the format is a mistake of the user's.
+  void only(std::initializer_list<std::string_view> known) const {
+    for (const auto& [key, node] : table_) {
+      const std::string_view name = key.str();
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      refuse(name, &node,
+             "unknown key; " + expected_names(name, std::vector<std::string_view>(known)));
+    }
+  }
+
+  const toml::node* find(std::string_view key) const { return table_.get(key); }
+
+  bool number(std::string_view key, double& out) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value)) refuse(key, node, "expected a finite number");
+    out = *value;
+    return true;
+  }
+
+  bool vector(std::string_view key, Vec3& out) const {
+    std::array<double, 3> v{};
+    if (!numbers(key, v)) return false;
+    out = Vec3(v[0], v[1], v[2]);
+    return true;
+  }
+
+  bool quaternion(std::string_view key, Quat& out) const {
+    std::array<double, 4> v{};
+    if (!numbers(key, v)) return false;
+    out = Quat(v[0], v[1], v[2], v[3]);
+    return true;
+  }
+
+  bool text(std::string_view key, std::string& out) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    if (!node->is_string()) refuse(key, node, "expected a text in quotes");
+    out = node->value<std::string>().value_or("");
+    return true;
+  }
+
+  bool flag(std::string_view key, bool& out) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    if (!node->is_boolean()) refuse(key, node, "expected true or false");
+    out = node->value<bool>().value_or(false);
+    return true;
+  }
+
+ private:
+  template <std::size_t n>
+  bool numbers(std::string_view key, std::array<double, n>& out) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    const std::string wanted = "expected " + std::to_string(n) + " finite numbers in brackets";
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->size() != n) refuse(key, node, wanted);
+    for (std::size_t i = 0; i < n; ++i) {
+      const toml::node& item = *list->get(i);
+      const auto value = item.is_number() ? item.value<double>() : std::nullopt;
+      if (!value || !std::isfinite(*value)) refuse(key, node, wanted);
+      out[i] = *value;
+    }
+    return true;
+  }
+
+  const toml::table& table_;
+  std::string_view file_;
+  std::string prefix_;
+};
+
+void read_surface(const Place& place, double& friction, double& restitution) {
+  if (place.number("friction", friction) && friction < 0.0)
+    place.refuse("friction", place.find("friction"), "expected 0 or above");
+  if (place.number("restitution", restitution) && !(restitution >= 0.0 && restitution <= 1.0))
+    place.refuse("restitution", place.find("restitution"), "expected a number from 0 to 1");
+}
+
+void read_mass(const Place& place, SceneBox& box) {
+  place.flag("fixed", box.fixed);
+  const bool has_mass = place.number("mass", box.mass);
+  if (box.fixed && has_mass)
+    place.refuse("mass", place.find("mass"), "a fixed box has none: give mass or fixed = true");
+  if (!box.fixed && !has_mass) place.refuse("mass", nullptr, "missing: give mass or fixed = true");
+  if (has_mass && !(box.mass > 0.0))
+    place.refuse("mass", place.find("mass"), "expected a number above 0 kg");
+}
+
+void read_orientation(const Place& place, SceneBox& box) {
+  Vec3 degrees;
+  const bool turned = place.vector("rotation_deg", degrees);
+  if (place.quaternion("orientation", box.orientation_wb)) {
+    if (turned)
+      place.refuse("rotation_deg", place.find("rotation_deg"),
+                   "give orientation or rotation_deg, not both");
+    if (std::abs(box.orientation_wb.norm() - 1.0) > tolerance::unit_length)
+      place.refuse("orientation", place.find("orientation"),
+                   "expected w x y z of length 1, this has length " +
+                       require::text(box.orientation_wb.norm()));
+  }
+  if (turned) box.orientation_wb = rotation_from_degrees(degrees);
+}
+
+SceneBox read_box(const Place& place) {
+  place.only({"name", "size", "mass", "fixed", "position", "orientation", "rotation_deg",
+              "velocity", "angular_velocity", "friction", "restitution", "appears"});
+  SceneBox box;
+  place.text("name", box.name);
+  if (!place.vector("size", box.size)) place.refuse("size", nullptr, "missing: [x, y, z] in m");
+  if (!(box.size.minCoeff() > 0.0))
+    place.refuse("size", place.find("size"), "expected three numbers above 0 m");
+  if (!place.vector("position", box.position_w))
+    place.refuse("position", nullptr, "missing: [x, y, z] in m");
+  read_mass(place, box);
+  read_orientation(place, box);
+  place.vector("velocity", box.velocity_w);
+  place.vector("angular_velocity", box.angular_velocity_w);
+  if (box.fixed && !(box.velocity_w.isZero(0.0) && box.angular_velocity_w.isZero(0.0)))
+    place.refuse("velocity", place.find("velocity"), "a fixed box cannot move");
+  read_surface(place, box.friction, box.restitution);
+  if (place.number("appears", box.appears) && box.appears < 0.0)
+    place.refuse("appears", place.find("appears"), "expected 0 s or later");
+  return box;
+}
+
+Scene read_table(const toml::table& root, std::string_view file) {
+  const Place place(root, file, "");
+  place.only({"title", "gravity", "ground", "box"});
+  Scene scene;
+  place.text("title", scene.title);
+  place.vector("gravity", scene.gravity_w);
+  if (const toml::node* node = place.find("ground"); node != nullptr) {
+    if (!node->is_table()) place.refuse("ground", node, "expected a table [ground]");
+    const Place ground(*node->as_table(), file, "ground.");
+    ground.only({"friction", "restitution"});
+    scene.ground.emplace();
+    read_surface(ground, scene.ground->friction, scene.ground->restitution);
+  }
+  const toml::node* boxes = place.find("box");
+  const toml::array* list = boxes != nullptr ? boxes->as_array() : nullptr;
+  if (list == nullptr || list->empty())
+    place.refuse("box", boxes, "a scene needs at least one [[box]] table");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table* table = list->get(i)->as_table();
+    if (table == nullptr) place.refuse("box", boxes, "expected [[box]] tables");
+    scene.boxes.push_back(read_box(Place(*table, file, "box[" + std::to_string(i + 1) + "].")));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, std::string_view file) {
+  toml::table root;
+  try {
+    root = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    std::string out(file);
+    out.append(":").append(std::to_string(error.source().begin.line)).append(": not TOML: ");
+    throw std::invalid_argument(out + shortened(std::string(error.description())));
+  }
+  Scene scene = read_table(root, file);
+  try {
+    return checked(std::move(scene));
+  } catch (const SceneMistake& mistake) {
+    const Place place(root, file, "");
+    const toml::node* node = mistake.box() < 0 ? place.find(mistake.key()) : nullptr;
+    if (mistake.box() >= 0) {
+      const toml::table& box =
+          *root["box"].as_array()->get(static_cast<std::size_t>(mistake.box()))->as_table();
+      node = box.get(mistake.key());
+      if (node == nullptr) node = &box;
+    }
+    throw std::invalid_argument(place.place_of(node) + std::string(message_of(mistake)));
+  }
+}
+
+Scene read_scene(const std::filesystem::path& path) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+  std::error_code failed;
+  const auto kind = std::filesystem::status(path, failed).type();
+  require::that(std::filesystem::exists(path, failed),
+                path.string() + ": cannot be read: there is no such file");
+  require::that(kind != std::filesystem::file_type::directory,
+                path.string() + ": is a folder: give a scene file, *.toml");
+  // Read piece by piece: a pipe has no size to ask for.
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  std::vector<char> piece(std::size_t{1} << 16U);
+  while (in && text.size() <= most_bytes) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  require::that(in.eof() || text.size() > most_bytes, path.string() + ": cannot be read");
+  require::that(text.size() <= most_bytes,
+                path.string() + ": a scene file has at most 64 MiB, this one has more");
+  return parse_scene(text, path.string());
+}
+
+}  // namespace tumble

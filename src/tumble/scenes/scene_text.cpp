@@ -1,0 +1,76 @@
+/// \file
+/// \brief Writing a scene as a TOML file.
+#include "tumble/base/error.hpp"
+#include "tumble/scenes/scene_file.hpp"
+
+namespace tumble {
+namespace {
+
+// A number as TOML writes floats: with a point or an exponent, and reading back to the same bits.
+std::string number(double value) {
+  std::string out = require::text(value);
+  if (out.find_first_of(".e") == std::string::npos) out += ".0";
+  return out;
+}
+
+std::string list(const Vec3& v) {
+  std::string out = "[";
+  return out.append(number(v.x()))
+             .append(", ")
+             .append(number(v.y()))
+             .append(", ")
+             .append(number(v.z())) +
+         "]";
+}
+
+// Text in quotes: backslash, quote and control characters are escaped as TOML asks.
+std::string quoted(const std::string& text) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') out += '\\';
+    if (code < 0x20U || code == 0x7fU) {
+      out.append("\\u00").append(1, digits[code >> 4U]).append(1, digits[code & 0xfU]);
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+void write(const SceneBox& box, std::string& out) {
+  const Quat& q = box.orientation_wb;
+  out.append("\n[[box]]\n");
+  if (!box.name.empty()) out.append("name = ").append(quoted(box.name)).append("\n");
+  out.append("size = ").append(list(box.size)).append("\n");
+  if (box.fixed) out.append("fixed = true\n");
+  if (!box.fixed) out.append("mass = ").append(number(box.mass)).append("\n");
+  out.append("position = ").append(list(box.position_w)).append("\n");
+  out.append("orientation = [").append(number(q.w()));
+  for (int k = 0; k < 3; ++k) out.append(", ").append(number(q.vec()[k]));
+  out.append("]\n");
+  if (!box.fixed) {
+    out.append("velocity = ").append(list(box.velocity_w)).append("\n");
+    out.append("angular_velocity = ").append(list(box.angular_velocity_w)).append("\n");
+  }
+  out.append("friction = ").append(number(box.friction)).append("\n");
+  out.append("restitution = ").append(number(box.restitution)).append("\n");
+  if (box.appears > 0.0) out.append("appears = ").append(number(box.appears)).append("\n");
+}
+
+}  // namespace
+
+std::string to_toml(const Scene& scene) {
+  std::string out;
+  out.append("title = ").append(quoted(scene.title)).append("\n");
+  out.append("gravity = ").append(list(scene.gravity_w)).append("\n");
+  if (scene.ground) {
+    out.append("\n[ground]\nfriction = ").append(number(scene.ground->friction));
+    out.append("\nrestitution = ").append(number(scene.ground->restitution)).append("\n");
+  }
+  for (const SceneBox& box : scene.boxes) write(box, out);
+  return out;
+}
+
+}  // namespace tumble

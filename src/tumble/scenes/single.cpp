@@ -1,0 +1,193 @@
+/// \file
+/// \brief Scenes of one box, or of a few that meet once.
+#include "tumble/base/error.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/scenes/recipes.hpp"
+
+#include <string>
+
+namespace tumble::recipes {
+namespace {
+
+Parameters box_drop_parameters() {
+  Parameters p;
+  p.add_number("height", 1.0, 0.0, 1e4, "m", "of the lowest corner over the ground");
+  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
+  p.add_number("tilt", 30.0, -180.0, 180.0, "deg", "turned about the z axis");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return p;
+}
+
+// How far a cube that is turned about z reaches below its centre.
+double reach_below(const SceneBox& box) {
+  return reach(make_box(Vec3::Zero(), box.orientation_wb, box.size), Vec3::UnitY());
+}
+
+Scene box_drop(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a cube dropped on an edge";
+  SceneBox box;
+  box.name = "cube";
+  box.size = Vec3::Constant(p.number("size"));
+  box.orientation_wb = rotation_from_degrees(Vec3(0.0, 0.0, p.number("tilt")));
+  box.position_w = Vec3(0.0, p.number("height") + reach_below(box), 0.0);
+  box.friction = p.number("friction");
+  box.restitution = p.number("restitution");
+  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  scene.boxes.push_back(box);
+  return scene;
+}
+
+Parameters bouncing_box_parameters() {
+  Parameters p;
+  p.add_number("height", 1.0, 0.0, 1e4, "m", "of the lower face over the ground");
+  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
+  p.add_number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return p;
+}
+
+Scene bouncing_box(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a cube dropped flat on the ground";
+  SceneBox box;
+  box.name = "cube";
+  box.size = Vec3::Constant(p.number("size"));
+  box.position_w = Vec3(0.0, p.number("height") + 0.5 * p.number("size"), 0.0);
+  box.restitution = p.number("restitution");
+  scene.ground = SceneGround{0.5, p.number("restitution")};
+  scene.boxes.push_back(box);
+  return scene;
+}
+
+Parameters tumbling_box_parameters() {
+  Parameters p;
+  p.add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "about the longest edge");
+  p.add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "about the middle edge");
+  p.add_number("spin_z", 0.02, -100.0, 100.0, "rad/s", "about the shortest edge");
+  return p;
+}
+
+// Spinning about its middle axis a free body turns over again and again (Dzhanibekov).
+Scene tumbling_box(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a free box of three different edges, spinning about the middle one";
+  scene.gravity_w = Vec3::Zero();
+  SceneBox box;
+  box.name = "box";
+  box.size = Vec3(3.0, 2.0, 1.0);
+  box.mass = 12.0;
+  box.angular_velocity_w = Vec3(p.number("spin_x"), p.number("spin_y"), p.number("spin_z"));
+  scene.boxes.push_back(box);
+  return scene;
+}
+
+Parameters two_boxes_parameters() {
+  Parameters p;
+  p.add_number("speed", 2.0, 0.0, 1e3, "m/s", "of the left cube");
+  p.add_number("offset", 0.75, -1.4, 1.4, "m", "height of the right box's centre over the left's");
+  p.add_number("gap", 1.0, 0.0, 1e3, "m", "between the faces at the start");
+  p.add_number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  p.add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb's coefficient");
+  return p;
+}
+
+Scene two_boxes(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a cube flies into a heavier box, off its centre";
+  scene.gravity_w = Vec3::Zero();
+  SceneBox left;
+  left.name = "left";
+  left.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
+  SceneBox right;
+  right.name = "right";
+  right.size = Vec3(1.0, 2.0, 1.0);
+  right.mass = 3.0;
+  right.position_w = Vec3(1.0 + p.number("gap"), p.number("offset"), 0.0);
+  for (SceneBox* box : {&left, &right}) {
+    box->friction = p.number("friction");
+    box->restitution = p.number("restitution");
+  }
+  scene.boxes = {left, right};
+  return scene;
+}
+
+Parameters crate_parameters() {
+  Parameters p;
+  p.add_number("speed", 3.5, 0.0, 100.0, "m/s", "of the crate along the table");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("restitution", 0.1, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return p;
+}
+
+// The example with which the thesis opens (1.1).
+Scene crate_off_table(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a crate slides along a table and tumbles over its edge";
+  SceneBox table;
+  table.name = "table";
+  table.size = Vec3(2.0, 0.8, 1.2);
+  table.fixed = true;
+  table.position_w = Vec3(0.0, 0.4, 0.0);
+  SceneBox crate;
+  crate.name = "crate";
+  crate.size = Vec3(0.4, 0.3, 0.3);
+  crate.mass = 2.0;
+  crate.position_w = Vec3(-0.6, 0.95, 0.0);
+  crate.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
+  for (SceneBox* box : {&table, &crate}) {
+    box->friction = p.number("friction");
+    box->restitution = p.number("restitution");
+  }
+  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  scene.boxes = {table, crate};
+  return scene;
+}
+
+Parameters cradle_parameters() {
+  Parameters p;
+  p.add_whole("count", 5, 2, 1000, "cubes in all");
+  p.add_whole("moving", 1, 1, 999, "those that arrive together from the left, fewer than count");
+  p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  p.add_number("gap", 0.5, 0.0, 100.0, "m", "between those that arrive and the row");
+  return p;
+}
+
+// Newton's cradle without strings: cubes in a row that touch, in free space.
+Scene cradle(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "Newton's cradle";
+  scene.gravity_w = Vec3::Zero();
+  const std::string count = std::to_string(p.count("count"));
+  require::that(p.count("moving") < p.count("count"),
+                "moving = " + std::to_string(p.count("moving")) +
+                    ": expected fewer than count = " + count + ", somebody has to be hit");
+  for (int k = 0; k < p.count("count"); ++k) {
+    const bool arrives = k < p.count("moving");
+    SceneBox box;
+    box.name = numbered("ball", {k + 1});
+    box.position_w = Vec3(k - (arrives ? p.number("gap") : 0.0), 0.0, 0.0);
+    box.velocity_w = Vec3(arrives ? 1.0 : 0.0, 0.0, 0.0);
+    box.restitution = p.number("restitution");
+    box.friction = 0.0;
+    scene.boxes.push_back(box);
+  }
+  return scene;
+}
+
+}  // namespace
+
+void add_single(std::vector<SceneRecipe>& list) {
+  list.push_back({"box_drop", "2.1", "a cube dropped on an edge", box_drop_parameters, box_drop});
+  list.push_back({"bouncing_box", "2.1, 4.3", "a cube dropped flat, bouncing",
+                  bouncing_box_parameters, bouncing_box});
+  list.push_back({"tumbling_box", "3.1", "a free box spinning about its middle axis",
+                  tumbling_box_parameters, tumbling_box});
+  list.push_back({"two_boxes", "3.3.2", "a cube hits a heavier box off its centre",
+                  two_boxes_parameters, two_boxes});
+  list.push_back(
+      {"crate_off_table", "1.1", "a crate slides off a table", crate_parameters, crate_off_table});
+  list.push_back({"cradle", "3.3.1", "Newton's cradle of cubes", cradle_parameters, cradle});
+}
+
+}  // namespace tumble::recipes

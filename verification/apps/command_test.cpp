@@ -1,0 +1,237 @@
+/// \file
+/// \brief The command `tumble` from outside: exit codes, messages, files.
+#include "apps/command.hpp"
+
+#include "support/catch.hpp"
+
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tumble::test;
+
+}  // namespace
+
+TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[unit][command]") {
+  const Folder one("one");
+  const Folder two("two");
+  const Folder three("three");
+  const std::string rest = " --duration 1.005 --quiet --contacts --out ";
+  REQUIRE(run_tumble("run two_boxes --set speed=3 --set technique.impacts=sequential" + rest +
+                     one.text())
+              .code == 0);
+  for (const char* name : {"trajectory.csv", "metrics.csv", "events.csv", "contacts.csv",
+                           "scene.toml", "summary.json", "timing.csv"}) {
+    INFO(name);
+    const std::string text = content(one.path / name);
+    CHECK(!text.empty());
+    CHECK(text.back() == '\n');
+  }
+  // 61 steps (the last one cut) and the start, two bodies each, and the header.
+  const std::string trajectory = content(one.path / "trajectory.csv");
+  CHECK(std::count(trajectory.begin(), trajectory.end(), '\n') == 1 + 2 * 62);
+  REQUIRE(
+      run_tumble("run " + one.text() + "/scene.toml --set impacts=sequential" + rest + two.text())
+          .code == 0);
+  CHECK(hash_of(two.path) == hash_of(one.path));
+  REQUIRE(
+      run_tumble("run two_boxes --set scene.speed=3 --set impacts=sequential" + rest + three.text())
+          .code == 0);
+  for (const char* name : {"trajectory.csv", "metrics.csv", "events.csv", "contacts.csv",
+                           "scene.toml", "summary.json"}) {
+    INFO(name);
+    CHECK(content(three.path / name) == content(one.path / name));
+  }
+}
+
+TEST_CASE("Every built-in scene runs again from its own scene.toml to the same hash",
+          "[determinism][command]") {
+  // Three steps and a cut one; the cap keeps the piles short.
+  const std::string rest = " --duration 0.06 --set technique.event_cap=3 --quiet --out ";
+  std::istringstream names(run_tumble("scenes").text);
+  int count = 0;
+  for (std::string line; std::getline(names, line); ++count) {
+    const std::string name = line.substr(0, line.find(' '));
+    INFO(name);
+    std::string small;
+    if (name == "wall") small = " --set courses=4 --set bricks=4";
+    if (name == "pyramid3d" || name == "pyramid") small = " --set rows=4";
+    if (name == "clump" || name == "fig6_7") small = " --set per_edge=2";
+    if (name == "fig6_6" || name == "projectile") small = " --set rows=4 --set appears=0.03";
+    const Folder one("scene_one");
+    const Folder two("scene_two");
+    const Outcome first = run_tumble("run " + name + small + " --seed 5" + rest + one.text());
+    const Outcome again =
+        run_tumble("run " + one.text() + "/scene.toml --seed 5" + rest + two.text());
+    INFO(first.text << again.text);
+    CHECK((first.code == 0 || first.code == 3));  // 3: the cap was met
+    CHECK(again.code == first.code);
+    CHECK(hash_of(one.path) != "none");
+    CHECK(hash_of(two.path) == hash_of(one.path));
+    for (const char* file : {"trajectory.csv", "metrics.csv", "events.csv", "scene.toml"})
+      CHECK(content(one.path / file) == content(two.path / file));
+  }
+  CHECK(count >= 16);
+}
+
+TEST_CASE("A scene that is printed runs as the scene itself does", "[unit][command]") {
+  const Folder folder("printed");
+  const Folder one("printed_one");
+  const Folder two("printed_two");
+  fs::create_directories(folder.path);
+  const std::string rest = " --duration 0.3 --quiet --out ";
+  const std::string file = folder.text() + "/mine.toml";
+  REQUIRE(run_tumble("scenes dice --toml --set count=2 --seed 9 > " + file).code == 0);
+  run_tumble("run " + file + rest + one.text());
+  run_tumble("run dice --set count=2 --seed 9" + rest + two.text());
+  CHECK(hash_of(one.path) != "none");
+  CHECK(hash_of(one.path) == hash_of(two.path));
+  CHECK(
+      shell("cat " + file + " | " + TUMBLE_COMMAND + " run /dev/stdin" + rest + one.text()).code !=
+      2);  // a pipe is a file too
+  CHECK(hash_of(one.path) == hash_of(two.path));
+}
+
+TEST_CASE("Short runs end well: no step, one step, every third step recorded", "[unit][command]") {
+  const Folder folder("short");
+  const auto rows = [&](const std::string& options) {
+    const Outcome outcome =
+        run_tumble("run box_drop --quiet --out " + folder.text() + " " + options);
+    CHECK(outcome.code == 0);
+    const std::string text = content(folder.path / "trajectory.csv");
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  CHECK(rows("--duration 0") == 1);  // the start
+  CHECK(content(folder.path / "summary.json").find("\"potential_J\": 0,") == std::string::npos);
+  CHECK(rows("--duration 0.1 --dt 1") == 2);
+  CHECK(rows("--duration 0.1 --dt 0.01 --every 3") == 4);
+  CHECK(rows("--duration 0.1 --dt 0.01 --every 2147483647") == 1);
+}
+
+TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and nothing left behind",
+          "[unit][command]") {
+  struct Case {
+    std::string arguments;
+    std::string told;
+  };
+  const Folder folder("mistake");
+  const Folder files("mistake_files");
+  fs::create_directories(files.path / "folder.toml");
+  std::ofstream(files.path / "empty.toml").close();
+  std::ofstream(files.path / "file") << "x";
+  std::ofstream(files.path / "torn.toml") << "[[box]\nsize = [1,1,1]\n";
+  std::ofstream(files.path / "zero.toml")
+      << "[[box]]\nname = \"a\"\nsize = [1,0,1]\nmass = 1\nposition = [0,1,0]\n";
+  std::ofstream(files.path / "binary.toml", std::ios::binary) << std::string(4096, '\xfe');
+  const std::string in = " " + files.text() + "/";
+  const std::vector<Case> cases = {
+      {"run piramid", "unknown scene piramid: did you mean pyramid? Expected one of: box_drop,"},
+      {"run stack --technique basics", "unknown technique basics: did you mean basic?"},
+      {"run stack --set cuont=3",
+       "--set cuont=3: unknown key; did you mean count? Expected one of"},
+      {"run stack --set scene.cuont=3", "unknown setting cuont: did you mean count?"},
+      {"run stack --set technique.count=3", "unknown setting count: expected one of: resolution"},
+      {"run stack --set count=0", "count = 0: expected a whole number from 1"},
+      {"run stack --set count=2.5", "count = 2.5: expected a whole number"},
+      {"run stack --set friction=nan", "friction = nan: expected a number from 0"},
+      {"run stack --set technique.impacts=both", "impacts = both: expected one of: simultaneous"},
+      {"run stack --set count", "--set count: expected key=value"},
+      {"run stack --set =3", "--set =3: expected key=value"},
+      {"run stack --dt 0", "dt = 0: expected a finite number above 0"},
+      {"run stack --dt -0.1", "dt = -0.1: expected a finite number above 0"},
+      {"run stack --dt nan", "dt = nan: expected a finite number above 0"},
+      {"run stack --dt fast", "--dt: fast: expected a number"},
+      {"run stack --dt 0.1s", "--dt: 0.1s: expected a number"},
+      {"run stack --duration -1", "duration = -1: expected a finite number, 0 or above"},
+      {"run stack --duration nan", "duration = nan: expected"},
+      {"run stack --duration inf", "duration = inf: expected"},
+      {"run stack --duration 1e300", "duration / dt = 6e+301: expected fewer than 1e12 steps"},
+      {"run stack --seed -1", "--seed: -1: expected a whole number from 0 to 1844674407370955161"},
+      {"run stack --seed 18446744073709551616", "18446744073709551616: expected a whole number"},
+      {"run stack --seed 1.5", "--seed: 1.5: expected a whole number"},
+      {"run stack --every 0", "every = 0: expected 1 or more"},
+      {"run stack --every -3", "--every: -3: expected a whole number"},
+      {"run stack --every 99999999999", "--every: 99999999999: expected a whole number"},
+      {"run stack --speed 3", "--speed"},
+      {"run stack pyramid", "pyramid"},
+      {"run nowhere.toml", "nowhere.toml: cannot be read: there is no such file"},
+      {"run" + in + "folder.toml", "folder.toml: is a folder: give a scene file"},
+      {"run" + in + "empty.toml", "empty.toml:1: box: a scene needs at least one [[box]]"},
+      {"run" + in + "torn.toml", "torn.toml:1: not TOML"},
+      {"run" + in + "zero.toml", "zero.toml:3: box[1].size = [ 1, 0, 1 ]: expected three numbers"},
+      {"run" + in + "binary.toml", "binary.toml:1: not TOML"},
+      {"run" + in + "file", "file:1: not TOML"},
+      {"run cradle --set moving=5", "moving = 5: expected fewer than count = 5"},
+      {"run", "scene is required"},
+      {"", "no command: expected one of: run, compare"},
+      {"fly", "unknown command fly: expected one of: run, compare"},
+      {"rnu stack", "unknown command rnu: did you mean run?"},
+      {"scenes piramid", "did you mean pyramid?"},
+      {"scenes --toml", "need the name of a scene"},
+      {"techniques bsic", "unknown technique bsic: did you mean basic?"},
+      {"compare stack --techniques basic,magic", "unknown technique magic"},
+      {"compare stack --techniques basic,basic", "basic is there twice"},
+      {"compare stack --limit 0", "limit = 0: expected a finite number above 0"},
+      {"render" + in + "folder.toml --as svg", "trajectory.csv: cannot be read: give the folder"},
+      {"render" + in + "folder.toml --as gif", "--as gif: expected svg or png (gif, mp4 and gltf"},
+      {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg or png"},
+      {"render" + in + "folder.toml --as svg --at soon", "--at: soon: expected a number"},
+  };
+  for (const Case& c : cases) {
+    INFO(c.arguments);
+    const bool writes = c.arguments.find("run ") == 0 || c.arguments.find("compare ") == 0;
+    const Outcome outcome = run_tumble(c.arguments + (writes ? " --out " + folder.text() : ""));
+    INFO(outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.text.find(c.told) != std::string::npos);
+    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    CHECK(!fs::exists(folder.path));
+  }
+}
+
+TEST_CASE("A folder that is no run's is not written into", "[unit][command]") {
+  const Folder folder("taken");
+  fs::create_directories(folder.path);
+  std::ofstream(folder.path / "thesis.txt") << "years of work";
+  for (const std::string command : {"run bouncing_box --out ", "compare bouncing_box --out "}) {
+    const Outcome outcome = run_tumble(command + folder.text());
+    INFO(outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.text.find("not empty") != std::string::npos);
+    const Outcome file = run_tumble(command + folder.text() + "/thesis.txt");
+    CHECK(file.code == 2);
+    CHECK(file.text.find("is a file: give a folder") != std::string::npos);
+  }
+  CHECK(content(folder.path / "thesis.txt") == "years of work");
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("Scenes and techniques are listed, described and printed", "[unit][command]") {
+  CHECK(run_tumble("scenes").text.find("crate_off_table") != std::string::npos);
+  CHECK(run_tumble("scenes stack").text.find("top_mass") != std::string::npos);
+  CHECK(run_tumble("techniques").text.find("basic") != std::string::npos);
+  CHECK(run_tumble("scenes stack").text.find("--") == std::string::npos);
+  CHECK(run_tumble("techniques basic").text.find("resolution") != std::string::npos);
+  CHECK(run_tumble("--help").code == 0);
+  CHECK(run_tumble("run --help").text.find("--every") != std::string::npos);
+  CHECK(run_tumble("--version").text.find("tumble 0.") != std::string::npos);
+  const Outcome toml = run_tumble("scenes stack --toml --set count=3");
+  CHECK(toml.code == 0);
+  CHECK(toml.text.find("name = \"level3\"") != std::string::npos);
+}
+
+TEST_CASE("Every example scene runs", "[unit][command]") {
+  int found = 0;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(TUMBLE_SOURCE_DIR) / "examples/scenes")) {
+    const Folder folder("example");
+    INFO(entry.path());
+    const Outcome outcome = run_tumble("run " + entry.path().string() +
+                                       " --duration 0.2 --quiet --out " + folder.text());
+    INFO(outcome.text);
+    CHECK((outcome.code == 0 || outcome.code == 3));  // 3: the basic technique does not rest
+    ++found;
+  }
+  CHECK(found >= 3);
+}

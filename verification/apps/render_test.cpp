@@ -1,0 +1,107 @@
+/// \file
+/// \brief `tumble compare` and `tumble render`: pictures, and what is said where none can be drawn.
+#include "apps/command.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tumble::test;
+
+bool has_gnuplot() { return shell("command -v gnuplot").code == 0; }
+
+// A path in which no program is.
+std::string without_programs() { return "PATH=/nowhere " + std::string(TUMBLE_COMMAND) + " "; }
+
+}  // namespace
+
+TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every run",
+          "[unit][command]") {
+  const Folder one("compare_one");
+  const Folder two("compare_two");
+  const std::string rest = "compare bouncing_box --duration 0.5 --out ";
+  const Outcome outcome = run_tumble(rest + one.text());
+  INFO(outcome.text);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.text.find("one technique only (basic)") != std::string::npos);
+  CHECK(run_tumble(rest + two.text()).code == 0);
+  CHECK(run_tumble(rest + two.text()).code == 0);  // its own folder may be used again
+  CHECK(content(one.path / "compare.csv").find("\nbasic,complete,done,30,") != std::string::npos);
+  const std::string series = content(one.path / "series.csv");
+  CHECK(std::count(series.begin(), series.end(), '\n') == 31);
+  for (const char* file : {"compare.csv", "series.csv", "scene.toml", "compare.gp"}) {
+    INFO(file);
+    CHECK(!content(one.path / file).empty());
+    CHECK(content(one.path / file) == content(two.path / file));
+  }
+  if (!has_gnuplot()) return;
+  CHECK(content(one.path / "compare.svg").find("</svg>") != std::string::npos);
+  CHECK(content(one.path / "compare.svg") == content(two.path / "compare.svg"));
+}
+
+TEST_CASE("A technique that takes too long is told as such in the comparison", "[unit][command]") {
+  const Folder folder("limit");
+  const Outcome outcome =
+      run_tumble("compare cage --duration 100000 --limit 0.1 --quiet --out " + folder.text());
+  INFO(outcome.text);
+  CHECK(outcome.code == 0);
+  CHECK(content(folder.path / "compare.csv").find("basic,time_limit") != std::string::npos);
+}
+
+TEST_CASE("Where gnuplot is missing its package is named", "[unit][command]") {
+  const Folder folder("no_gnuplot");
+  const Folder compared("no_gnuplot_compare");
+  REQUIRE(run_tumble("run bouncing_box --duration 0.1 --quiet --out " + folder.text()).code == 0);
+  const Outcome picture = shell(without_programs() + "render " + folder.text() + " --as svg");
+  INFO(picture.text);
+  CHECK(picture.code == 4);
+  CHECK(picture.text.find("gnuplot-nox") != std::string::npos);
+  CHECK(!fs::exists(folder.path / "picture.svg"));
+  const Outcome table =
+      shell(without_programs() + "compare bouncing_box --duration 0.1 --out " + compared.text());
+  CHECK(table.code == 0);  // the numbers are there
+  CHECK(table.text.find("no picture: ") != std::string::npos);
+  CHECK(table.text.find("gnuplot-nox") != std::string::npos);
+  CHECK(!content(compared.path / "compare.csv").empty());
+}
+
+TEST_CASE("Frames of a run are drawn as SVG and PNG, one or several", "[unit][command]") {
+  if (!has_gnuplot()) {
+    WARN("gnuplot is missing (package gnuplot-nox): not tested");
+    return;
+  }
+  const Folder folder("render's folder");  // with a quote and a space in its name
+  const std::string quoted = "\"" + folder.text() + "\"";
+  REQUIRE(run_tumble("run dice --duration 0.4 --quiet --out " + quoted).code == 0);
+  const auto draw = [&](const std::string& options) {
+    const Outcome outcome = run_tumble("render " + quoted + " " + options);
+    INFO(options << ": " << outcome.text);
+    CHECK(outcome.code == 0);
+    std::string path = outcome.text.substr(0, outcome.text.find('\n'));
+    CHECK(path.find(folder.text()) == 0);
+    const std::string picture = content(path);
+    fs::remove(path);
+    return picture;
+  };
+  const std::string last = draw("--as svg");
+  CHECK(last.find("</svg>") != std::string::npos);
+  CHECK(draw("--as svg --at 0.4") == last);  // the last frame, and the same bytes again
+  const std::string first = draw("--as svg --at 0");
+  CHECK(first.find("</svg>") != std::string::npos);
+  CHECK(first != last);
+  CHECK(draw("--as svg --view 1,1,1") != last);
+  const std::string strip = draw("--as svg --strip 0,0.2,0.4,0.3");
+  CHECK(strip.find("0.2 s") != std::string::npos);
+  CHECK(strip.find("0.4 s") != std::string::npos);
+  CHECK(draw("--as png").substr(1, 3) == "PNG");
+  CHECK(!fs::exists(folder.path / "picture.svg.part"));
+
+  for (const char* wrong : {"--at 0.5", "--at nan", "--strip 0,7", "--view 0,1,0", "--view 1,2",
+                            "--at 0.1 --strip 0,0.1"}) {
+    const Outcome outcome = run_tumble("render " + quoted + " --as svg " + wrong);
+    INFO(wrong << ": " << outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    CHECK(!fs::exists(folder.path / "picture.svg"));
+  }
+}

@@ -1,0 +1,145 @@
+/// \file
+/// \brief Numbers that changed, errata, the last line of `make figures`.
+#include "driver/findings.hpp"
+
+#include "chapters/scratch.hpp"
+#include "driver/csv.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+
+namespace tumble::chapters {
+namespace {
+
+using Catch::Matchers::Contains;
+
+const char* const kExpected =
+    "figure,quantity,unit,value,tolerance,reason\n"
+    "fig2_1_fall,depth,m,5,0.1,measured\n"
+    "claim_2_1a_fall,speed,m/s,3,0,exact\n";
+
+const char* const kClaims = R"([[claim]]
+id = "2.1a"
+section = "2.1"
+statement = "It falls."
+experiment = "A box is dropped."
+technique = "basic"
+reading = "ours"
+quantity = "speed"
+unit = "m/s"
+confirmed = ">= 1"
+refuted = "< 1"
+reason = "One is fast."
+figure = "claim_2_1a_fall"
+test = "A box falls"
+)";
+
+const char* const kErratum = R"([[erratum]]
+id = "C1"
+section = "A.1"
+kind = "slip"
+printed = "Down is up."
+reading = "Down is down."
+scene = "drop"
+figure = "fig2_1_fall"
+failure = "depth"
+mended = "depth"
+test = "Down is down"
+command = "tumble run drop"
+)";
+
+std::string replaced(std::string text, const std::string& old_text, const std::string& new_text) {
+  const std::size_t at = text.find(old_text);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old_text.size(), new_text);
+}
+
+}  // namespace
+
+TEST_CASE("The last line counts figures, claims and differences in fixed words", "[unit][ledger]") {
+  const Scratch scratch("summary");
+  const auto folder = scratch.figure("fig2_1_fall", "depth,m,5.05,,,0\n");
+  static_cast<void>(scratch.figure("claim_2_1a_fall", "speed,m/s,3,,,0\n"));
+  const Findings findings = read_findings(folder, {scratch.file("falling/expected.csv", kExpected),
+                                                   scratch.file("falling/claims.toml", kClaims),
+                                                   scratch.file("falling/errata.toml", kErratum)});
+  CHECK(differences(findings).empty());
+  CHECK(summary_text(findings) ==
+        "1 thesis figures, 1 claims measured, 0 not measured, 0 differ from expected");
+  CHECK(others_text(findings) == "also 1 figure of claims");
+  CHECK(findings.ledger.at(0).claim.chapter == "falling");
+  CHECK(findings.figures.at(0).chapter == "falling");
+}
+
+TEST_CASE("A changed number is reported with what was expected", "[unit][ledger]") {
+  const Scratch scratch("changed");
+  const auto folder = scratch.figure("fig2_1_fall", "depth,m,5.125,,,0\nwidth,m,1,,,0\n");
+  static_cast<void>(scratch.figure("gallery_pile", "boxes,-,3,,,0\n", "changed"));
+  const Findings findings = read_findings(
+      folder, {scratch.file("falling/expected.csv", kExpected),
+               scratch.file("falling/claims.toml", kClaims),
+               scratch.file("falling/page.md", "It is 5.2<!-- fig2_1_fall: depth -->.\n")});
+  const std::vector<std::string> wrong = differences(findings);
+  REQUIRE(wrong.size() == 4);
+  CHECK_THAT(wrong[0], Contains("fig2_1_fall, depth: 5.125 m, expected 5 to within 0.1"));
+  CHECK_THAT(wrong[1], Contains("fig2_1_fall, width: 1 m, but no expected.csv knows it"));
+  CHECK_THAT(wrong[2], Contains("claim_2_1a_fall, speed: expected, but not computed"));
+  CHECK_THAT(wrong[3], Contains("page.md: 5.2 (fig2_1_fall, depth): computed is 5.125"));
+  CHECK(summary_text(findings) ==
+        "1 thesis figures, 0 claims measured, 1 not measured, 4 differ from expected");
+  CHECK(others_text(findings) ==
+        "also 1 figure of claims, 1 picture of the gallery, 1 number not compared: drawn with "
+        "other settings");
+  CHECK(findings.figures.at(2).chapter == "falling");  // told by its command
+}
+
+TEST_CASE("Without any figures everything is expected and nothing is measured", "[unit][ledger]") {
+  const Scratch scratch("nothing");
+  const auto expected = scratch.file("falling/expected.csv", kExpected);
+  const Findings findings = read_findings(expected.parent_path() / "figures",
+                                          {expected, scratch.file("falling/claims.toml", kClaims)});
+  CHECK(findings.ledger.at(0).verdict == Verdict::not_measured);
+  CHECK(summary_text(findings) ==
+        "1 thesis figures, 0 claims measured, 1 not measured, 2 differ from expected");
+  CHECK_FALSE(is_drawn(findings.figures.at(0)));
+}
+
+TEST_CASE("An erratum has the numbers of its figure beside it", "[unit][ledger]") {
+  const Scratch scratch("errata");
+  const auto expected = scratch.file("falling/expected.csv", kExpected);
+  const auto errata = scratch.file("falling/errata.toml", kErratum);
+  const auto entry = [&](const std::string& settings) {
+    const auto folder = scratch.figure("fig2_1_fall", "depth,m,5,,,0\n", settings);
+    return read_findings(folder, {expected, errata}).errata.at(0);
+  };
+  CHECK(entry("default").failure.value == 5.0);
+  CHECK(entry("default").mended.value == 5.0);
+  CHECK(entry("default").erratum.chapter == "falling");
+  CHECK(std::isnan(entry("changed").failure.value));
+}
+
+TEST_CASE("Every mistake in a file of errata is named with file, line and id", "[unit][ledger]") {
+  const Scratch scratch("bad_errata");
+  const std::string good = kErratum;
+  const auto read = [&](const std::string& text) {
+    return read_findings("/nowhere", {scratch.file("falling/expected.csv", kExpected),
+                                      scratch.file("falling/errata.toml", text)});
+  };
+  CHECK_NOTHROW(read(good));
+  CHECK_THROWS_WITH(read(replaced(good, "slip", "error")),
+                    Contains("errata.toml:1: erratum C1: kind 'error': give slip or choice"));
+  CHECK_THROWS_WITH(read(replaced(good, "scene = \"drop\"\n", "")),
+                    Contains("erratum C1: the key 'scene' is missing"));
+  CHECK_THROWS_WITH(read(replaced(good, "\"depth\"", "\"height\"")),
+                    Contains("erratum C1: figure fig2_1_fall has no quantity 'height'"));
+  CHECK_THROWS_WITH(read(replaced(good, "fig2_1_fall", "fig9")),
+                    Contains("erratum C1: there is no figure fig9"));
+  CHECK_THROWS_WITH(read(good + good), Contains("erratum C1: this id stands twice"));
+}
+
+TEST_CASE("A file whose name says nothing is refused", "[unit][ledger]") {
+  CHECK_THROWS_WITH(read_findings("/nowhere", {"notes.toml"}), Contains("notes.toml: give files"));
+  CHECK_THROWS_AS(read_findings("/nowhere", {"/nowhere/expected.csv"}), FileError);
+}
+
+}  // namespace tumble::chapters

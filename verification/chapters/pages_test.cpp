@@ -1,0 +1,156 @@
+/// \file
+/// \brief Pages that are made from numbers: what they say, what they escape, what they refuse.
+#include "driver/pages.hpp"
+
+#include "chapters/scratch.hpp"
+#include "driver/index_page.hpp"
+#include "driver/markup.hpp"
+#include "support/catch.hpp"
+
+namespace tumble::chapters {
+namespace {
+
+using Catch::Matchers::Contains;
+
+const char* const kClaims = R"([[claim]]
+id = "2.1a"
+section = "2.1"
+statement = "A < B \\ref C."
+experiment = "A box is dropped."
+technique = "basic"
+reading = "ours"
+quantity = "speed"
+unit = "m/s"
+confirmed = ">= 1"
+refuted = "< 1"
+reason = "One is fast."
+figure = "claim_2_1a_fall"
+test = "A box falls"
+)";
+
+Findings findings_with(const std::string& rows) {
+  const Scratch scratch("pages");
+  const auto folder = scratch.figure("claim_2_1a_fall", rows);
+  static_cast<void>(scratch.figure("gallery_pile", ""));
+  return read_findings(folder, {scratch.file("falling/expected.csv",
+                                             "figure,quantity,unit,value,tolerance,reason\n"
+                                             "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
+                                scratch.file("falling/claims.toml", kClaims)});
+}
+
+std::string header_with(const std::string& lines) {
+  return "/// \\file\n#pragma once\n\nnamespace tumble::tolerance {\n\n" + lines +
+         "\n}  // namespace tumble::tolerance\n";
+}
+
+std::vector<Tolerance> tolerances_in(const std::string& text) {
+  const Scratch scratch("tolerances");
+  return read_tolerances(scratch.file("tolerance.hpp", text));
+}
+
+}  // namespace
+
+TEST_CASE("Text in HTML keeps browsers and Doxygen from taking it for their own",
+          "[unit][ledger]") {
+  CHECK(html_text("a<b> & \"c\" \\ref d") == "a&lt;b&gt; &amp; &quot;c&quot; &#92;ref d");
+}
+
+TEST_CASE("Ledger and index show statement, number, interval, rule and verdict", "[unit][ledger]") {
+  const Findings findings = findings_with("speed,m/s,3.25,2,4,20\n");
+  for (const std::string& page : {ledger_page(findings), index_page(findings)}) {
+    CHECK_THAT(page, Contains("A &lt; B &#92;ref C."));
+    CHECK_THAT(page, Contains("<span class=\"verdict confirmed\">confirmed</span>"));
+    CHECK_THAT(page, Contains("<strong><span class=\"whole\">3.25 m/s</span></strong>"));
+    CHECK_THAT(page, Contains("over 20 seeds"));
+    CHECK_THAT(page, Contains("confirmed if ≥ 1, refuted if &lt; 1, qualified in between"));
+  }
+  const std::string ledger = ledger_page(findings);
+  CHECK(ledger.rfind("# Ledger of claims {#ledger}\n", 0) == 0);
+  CHECK_THAT(ledger, Contains("Of 1 claims: 1 confirmed."));
+  CHECK_THAT(ledger, Contains("\\anchor claim_2_1a\n\\htmlonly\n"));
+  CHECK_THAT(ledger, Contains("href=\"gallery.html#claim_2_1a_fall\""));
+  CHECK_FALSE(findings.ledger.at(0).number.value != 3.25);
+}
+
+TEST_CASE("A number that left its tolerance is marked on both pages", "[unit][ledger]") {
+  const Findings findings = findings_with("speed,m/s,9,,,0\n");
+  CHECK_THAT(ledger_page(findings), Contains("not as expected"));
+  CHECK_THAT(index_page(findings), Contains("<span class=\"bad\"><span class=\"whole\">9 m/s"));
+}
+
+TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
+  const Scratch scratch("without");
+  Findings findings = read_findings(
+      "/nowhere", {scratch.file("falling/expected.csv",
+                                "figure,quantity,unit,value,tolerance,reason\n"
+                                "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
+                   scratch.file("falling/claims.toml", kClaims),
+                   scratch.file("falling/errata.toml",
+                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"slip\"\n"
+                                "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
+                                "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
+                                "test = \"t\"\ncommand = \"c\"\n")});
+  CHECK_THAT(ledger_page(findings), Contains("not measured"));
+  CHECK_THAT(errata_page(findings), Contains("\\anchor erratum_C1\n"));
+  for (const std::string& page :
+       {ledger_page(findings), errata_page(findings), gallery_page(findings)}) {
+    CHECK_THAT(page, Contains("make figures"));
+    CHECK_THAT(page, !Contains("<img"));
+  }
+  findings.errata.clear();
+  CHECK_THAT(errata_page(findings), Contains("No chapter has found one yet."));
+}
+
+TEST_CASE("The gallery shows thumbnails first and then figures by chapter", "[unit][ledger]") {
+  const Findings findings = findings_with("speed,m/s,3.25,,,0\n");
+  const std::string page = gallery_page(findings);
+  CHECK_THAT(page, Contains("{#gallery}"));
+  CHECK_THAT(page, Contains("src=\"figures/gallery_pile.png\" alt=\"A &lt; B &amp; &quot;C&quot;"));
+  CHECK_THAT(page, Contains("## Falling\n"));
+  CHECK(page.find("gallery_pile.png") < page.find("## Falling"));
+  CHECK(page.find("<article id=\"claim_2_1a_fall\">") != std::string::npos);
+  CHECK(page.find("<article id=\"gallery_pile\">") == std::string::npos);
+  CHECK_THAT(index_page(findings), Contains("src=\"gallery_pile.png\""));
+}
+
+TEST_CASE("Small numbers are read with layer, value, unit, reason and section", "[unit][ledger]") {
+  const auto found = tolerances_in(
+      header_with("// --- math ----\n\n/// [m/s] Slow, or\n/// not. Reason: so. Really. (3.1)\n"
+                  "inline constexpr double slow = 0x1p-3;\n"));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].layer == "math");
+  CHECK(found[0].name == "slow");
+  CHECK(found[0].value == "0x1p-3");
+  CHECK(found[0].unit == "m/s");
+  CHECK(found[0].meaning == "Slow, or not.");
+  CHECK(found[0].reason == "so. Really.");
+  CHECK(found[0].section == "3.1");
+  CHECK_THAT(tolerances_page(found),
+             Contains("<code>slow</code> = <strong><span class=\"whole\">0x1p-3 m/s</span>"));
+  CHECK_THAT(tolerances_page(found), Contains("{#tolerances}"));
+}
+
+TEST_CASE("A small number without unit, reason or section is refused", "[unit][ledger]") {
+  const std::string constant = "inline constexpr double slow = 1e-3;\n";
+  for (const char* said : {"", "/// Slow. Reason: so. (3.1)\n", "/// [-] Slow. (3.1)\n",
+                           "/// [-] Slow. Reason: so.\n", "/// [-] Slow. Reason: (3.1)\n"}) {
+    INFO(said);
+    CHECK_THROWS_WITH(tolerances_in(header_with(said + constant)),
+                      Contains("tolerance.hpp:") && Contains("what it decides. Reason: why."));
+  }
+  const std::string good = "/// [-] Slow. Reason: so. (3.1)\n";
+  CHECK_THROWS_WITH(tolerances_in(header_with(good + "\n" + constant)),
+                    Contains("tolerance.hpp:7: '': a docstring without its constant"));
+  CHECK_THROWS_WITH(tolerances_in(header_with(good + constant + "inline double fast = 1.0;\n")),
+                    Contains("tolerance.hpp:8: 'inline double fast = 1.0;'"));
+  CHECK_THROWS_WITH(tolerances_in(header_with("")), Contains("no constants between"));
+  CHECK_THROWS_WITH(tolerances_in(good + constant), Contains("no constants between"));
+}
+
+TEST_CASE("Every small number of the library has unit, reason and section", "[unit][ledger]") {
+  const auto found =
+      read_tolerances(std::filesystem::path(TUMBLE_SOURCE_DIR) / "src/tumble/base/tolerance.hpp");
+  CHECK(found.size() > 40);
+}
+
+}  // namespace tumble::chapters

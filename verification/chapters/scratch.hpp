@@ -1,0 +1,61 @@
+/// \file
+/// \brief Small files for tests of what reads them, and the numbers of a figure.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace tumble::chapters {
+
+/// A folder of one test, removed when the test ends.
+class Scratch {
+ public:
+  /// Makes an empty folder.
+  /// \param name  unlike that of any other test
+  explicit Scratch(const std::string& name)
+      : folder_(std::filesystem::temp_directory_path() /
+                ("tumble_" + name + '_' + std::to_string(getpid()))) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  /// Removes it.
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  /// Writes a file.
+  /// \param name  of the file; folders in it are made
+  /// \param text  its bytes
+  /// \return its path
+  [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+  /// Writes what a figure computed: `NAME_numbers.csv`, in folder `figures`.
+  /// \param name      the figure's name
+  /// \param rows      lines `quantity,unit,value,low,high,seeds`
+  /// \param settings  "default" or "changed"
+  /// \return the folder of the figures
+  [[nodiscard]] std::filesystem::path figure(const std::string& name, const std::string& rows,
+                                             const std::string& settings = "default") const {
+    return file("figures/" + name + "_numbers.csv",
+                "# figure: " + name + "\n# thesis: 2.1\n# title: A < B & \"C\"\n# command: " +
+                    "reproduce_falling --figure " + name + "\n# settings: " + settings +
+                    "\n# parameter: step = 0.1 [s] time step\n# caption: It falls.\n" +
+                    "quantity,unit,value,low,high,seeds\n" + rows)
+        .parent_path();
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace tumble::chapters

@@ -1,0 +1,152 @@
+/// \file
+/// \brief The built-in scenes: all can be built, none begins with overlap, parameters do something.
+#include "tumble/scenes/library.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/dynamics/energy.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+Scene built(const char* name, std::initializer_list<std::pair<const char*, const char*>> set,
+            std::uint64_t seed = 1) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters p = recipe.parameters();
+  for (const auto& [key, value] : set) p.set(key, value);
+  return checked(recipe.build(p, Random(seed)));
+}
+
+}  // namespace
+
+TEST_CASE("Every built-in scene is accepted with its defaults", "[unit][scenes]") {
+  std::set<std::string_view> names;
+  for (const SceneRecipe& recipe : scene_library()) {
+    INFO(recipe.name);
+    CHECK(names.insert(recipe.name).second);
+    CHECK(!recipe.summary.empty());
+    const Scene scene = checked(recipe.build(recipe.parameters(), Random(1)));
+    CHECK(!scene.title.empty());
+    CHECK(build_world(scene).count() >= 1);
+  }
+}
+
+TEST_CASE("Piles have the number of boxes that their names promise", "[unit][scenes]") {
+  CHECK(built("stack", {{"count", "10"}}).boxes.size() == 10);
+  CHECK(built("pyramid", {{"rows", "10"}}).boxes.size() == 55);
+  CHECK(built("pyramid3d", {{"rows", "8"}}).boxes.size() == 204);
+  CHECK(built("wall", {}).boxes.size() == 400);
+  CHECK(built("clump", {{"per_edge", "5"}}).boxes.size() == 125);
+}
+
+TEST_CASE("In quarter bond every brick of the wall is carried over more than half its length",
+          "[unit][scenes]") {
+  // Courses are shifted by a quarter: a brick at a free end overhangs by a quarter only.
+  const Scene wall = built("wall", {});
+  CHECK(wall.boxes[20].position_w.x() - wall.boxes[0].position_w.x() == Approx(0.25));
+  CHECK(wall.boxes[40].position_w.x() == wall.boxes[0].position_w.x());
+}
+
+TEST_CASE("The seed changes scenes with chance in them and no others", "[unit][scenes]") {
+  for (const SceneRecipe& recipe : scene_library()) {
+    INFO(recipe.name);
+    const auto hash = [&](std::uint64_t seed) {
+      return build_world(checked(recipe.build(recipe.parameters(), Random(seed)))).hash().value();
+    };
+    const bool chance = recipe.name == "clump" || recipe.name == "fig6_7" ||
+                        recipe.name == "dice" || recipe.name == "cage";
+    CHECK((hash(1) != hash(2)) == chance);
+    CHECK(hash(3) == hash(3));
+  }
+}
+
+TEST_CASE("A projectile enters the scene at its time with its speed", "[unit][scenes]") {
+  const Scene scene = built("projectile", {{"appears", "2"}, {"speed", "20"}, {"rows", "3"}});
+  World world = build_world(scene);
+  CHECK(world.count() == 7);  // the ground and six cubes
+  add_late_boxes(scene, 0.0, 1.9, world);
+  CHECK(world.count() == 7);
+  add_late_boxes(scene, 1.9, 2.0, world);
+  REQUIRE(world.count() == 8);
+  CHECK(world.name(7) == "projectile");
+  CHECK(velocity(world.bodies()[7], world.states()[7]).z() == Approx(-20.0));
+  add_late_boxes(scene, 2.0, 9.0, world);
+  CHECK(world.count() == 8);
+}
+
+TEST_CASE("An unknown scene or setting is refused with the list of what there is",
+          "[unit][scenes]") {
+  CHECK_THROWS_WITH(scene_recipe("piramid"), Catch::Matchers::Contains("pyramid3d"));
+  CHECK_THROWS_WITH(built("stack", {{"hight", "3"}}), Catch::Matchers::Contains("count"));
+  CHECK_THROWS_WITH(built("stack", {{"count", "0"}}), Catch::Matchers::Contains("from 1"));
+  CHECK_THROWS_WITH(built("stack", {{"count", "2.5"}}), Catch::Matchers::Contains("whole"));
+  CHECK_THROWS_WITH(built("clump", {{"toward", "moon"}}), Catch::Matchers::Contains("axis"));
+}
+
+TEST_CASE("Every scene can be built at both ends of each of its parameters", "[unit][scenes]") {
+  for (const SceneRecipe& recipe : scene_library()) {
+    const Parameters standard = recipe.parameters();
+    for (const Parameter& parameter : standard.all()) {
+      std::vector<std::string> values = parameter.choices;
+      if (values.empty()) values = {require::text(parameter.low), require::text(parameter.high)};
+      for (const std::string& value : values) {
+        INFO(recipe.name << ", " << parameter.key << " = " << value);
+        Parameters p = recipe.parameters();
+        if (recipe.name == "cradle" && parameter.key == "moving") p.set("count", "1000");
+        if (recipe.name == "projectile" && parameter.key == "per_edge") p.set("target", "clump");
+        CHECK_NOTHROW(p.set(parameter.key, value));
+        Scene scene;
+        CHECK_NOTHROW(scene = checked(recipe.build(p, Random(2))));  // no overlap, above all
+        CHECK(!scene.boxes.empty());
+        CHECK(scene.boxes.size() <= 10000);
+        if (scene.boxes.size() <= 1000) CHECK_NOTHROW(build_world(scene));
+      }
+    }
+  }
+}
+
+TEST_CASE("Scenes can be built at random values of all parameters together", "[unit][scenes]") {
+  Random random(11);
+  for (const SceneRecipe& recipe : scene_library()) {
+    for (int trial = 0; trial < 20; ++trial) {
+      Parameters p = recipe.parameters();
+      const Parameters standard = p;
+      std::string told(recipe.name);
+      for (const Parameter& parameter : standard.all()) {
+        const double high = parameter.kind == ParameterKind::whole ? std::min(parameter.high, 12.0)
+                                                                   : parameter.high;
+        double value = random.uniform(parameter.low, high);
+        if (parameter.kind == ParameterKind::whole) value = std::floor(value);
+        std::string text = require::text(value);
+        if (!parameter.choices.empty())
+          text =
+              parameter.choices[random.below(static_cast<std::uint32_t>(parameter.choices.size()))];
+        if (parameter.key == "moving") text = require::text(1.0);  // fewer than count
+        p.set(parameter.key, text);
+        told.append(" ").append(parameter.key).append("=").append(text);
+      }
+      INFO(told);
+      CHECK_NOTHROW(build_world(recipe.build(p, random.fork(1))));
+    }
+  }
+}
+
+TEST_CASE("A cradle in which nobody is left to be hit is refused", "[unit][scenes]") {
+  CHECK_THROWS_WITH(built("cradle", {{"moving", "5"}}),
+                    Catch::Matchers::Contains("fewer than count = 5"));
+  CHECK(built("cradle", {{"moving", "4"}}).boxes.size() == 5);
+}
+
+TEST_CASE("Figures 6.6 and 6.7 are scenes by their numbers", "[unit][scenes]") {
+  const auto hash = [](const Scene& scene) { return build_world(scene).hash().text(); };
+  CHECK(hash(built("fig6_6", {})) == hash(built("projectile", {})));
+  CHECK(hash(built("fig6_7", {})) == hash(built("clump", {{"toward", "origin"}})));
+}

@@ -1,0 +1,244 @@
+/// \file
+/// \brief Scene files: what is read, what is refused and in which words.
+#include "tumble/scenes/scene_file.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 2, 0]\n";
+
+// The message with which a text is refused; empty if it is read.
+std::string refusal(const std::string& text) {
+  try {
+    (void)parse_scene(text, "my.toml");
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+bool same_bits(const Scene& a, const Scene& b) {
+  return build_world(a).hash().value() == build_world(b).hash().value();
+}
+
+}  // namespace
+
+TEST_CASE("A scene file with every key is read as written", "[unit][scenes]") {
+  const Scene scene = parse_scene(R"(
+title = "all keys"
+gravity = [0.0, -1.62, 0.0]
+[ground]
+friction = 0.25
+restitution = 0.5
+[[box]]
+name = "die"
+size = [1.0, 2.0, 3.0]
+mass = 4.0
+position = [0.0, 3.0, 0.5]
+orientation = [0.6, 0.0, 0.8, 0.0]
+velocity = [1.0, 0.0, -1.0]
+angular_velocity = [0.5, 0.25, 0.125]
+friction = 0.75
+restitution = 0.125
+appears = 1.5
+[[box]]
+fixed = true
+size = [1, 1, 1]
+position = [9, 1, 0]
+rotation_deg = [0, 90, 0]
+)",
+                                  "my.toml");
+  CHECK(scene.title == "all keys");
+  CHECK(scene.gravity_w == Vec3(0.0, -1.62, 0.0));
+  REQUIRE(scene.ground.has_value());
+  CHECK(scene.ground->friction == 0.25);
+  CHECK(scene.ground->restitution == 0.5);
+  REQUIRE(scene.boxes.size() == 2);
+  const SceneBox& die = scene.boxes[0];
+  CHECK(die.name == "die");
+  CHECK(die.size == Vec3(1.0, 2.0, 3.0));
+  CHECK(die.mass == 4.0);
+  CHECK(die.position_w == Vec3(0.0, 3.0, 0.5));
+  CHECK(die.orientation_wb.w() == 0.6);
+  CHECK(die.orientation_wb.y() == 0.8);
+  CHECK(die.velocity_w == Vec3(1.0, 0.0, -1.0));
+  CHECK(die.angular_velocity_w == Vec3(0.5, 0.25, 0.125));
+  CHECK(die.friction == 0.75);
+  CHECK(die.restitution == 0.125);
+  CHECK(die.appears == 1.5);
+  const SceneBox& block = scene.boxes[1];
+  CHECK(block.name == "box2");  // the default name
+  CHECK(block.fixed);
+  CHECK(block.orientation_wb.y() == Approx(std::sqrt(0.5)).epsilon(1e-15));
+}
+
+TEST_CASE("A mistake in a scene file is told with file, line, key, value and remedy",
+          "[unit][scenes]") {
+  struct Case {
+    std::string text;
+    std::vector<std::string> told;
+  };
+  const std::vector<Case> cases = {
+      {"", {"my.toml", "at least one [[box]]"}},
+      {"[[box]]\nmass = 1\nposition = [0,1,0]\n", {"my.toml:1", "box[1].size", "missing"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = 1\n", {"my.toml:1", "box[1].position", "missing"}},
+      {"[[box]]\nsize = [1,1,1]\nposition = [0,1,0]\n", {"box[1].mass", "fixed = true"}},
+      {"[[box]]\nsize = [1,0,1]\nmass = 1\nposition = [0,1,0]\n",
+       {"my.toml:2", "box[1].size", "0", "above 0 m"}},
+      {"[[box]]\nsize = [1,1]\nmass = 1\nposition = [0,1,0]\n", {"my.toml:2", "3 finite numbers"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = -2.5\nposition = [0,1,0]\n",
+       {"my.toml:3", "box[1].mass = -2.5", "above 0 kg"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = nan\nposition = [0,1,0]\n",
+       {"my.toml:3", "box[1].mass = nan", "finite"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = 1\nposition = [0,inf,0]\n", {"my.toml:4", "position"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = \"heavy\"\nposition = [0,1,0]\n",
+       {"my.toml:3", "box[1].mass", "heavy", "number"}},
+      {kBox + "colour = \"red\"\n", {"my.toml:5", "colour", "unknown key", "angular_velocity"}},
+      {"gravitiy = [0,0,0]\n" + kBox, {"my.toml:1", "gravitiy", "gravity"}},
+      {kBox + "orientation = [1, 1, 0, 0]\n", {"my.toml:5", "orientation", "length 1"}},
+      {kBox + "orientation = [1,0,0,0]\nrotation_deg = [1,2,3]\n", {"not both"}},
+      {kBox + "restitution = 1.5\n", {"my.toml:5", "1.5", "from 0 to 1"}},
+      {kBox + "friction = -0.5\n", {"my.toml:5", "-0.5", "0 or above"}},
+      {kBox + "appears = -1\n", {"appears", "0 s or later"}},
+      {kBox + "fixed = true\n", {"box[1].mass", "a fixed box has none"}},
+      {"[[box]]\nfixed = true\nsize=[1,1,1]\nposition=[0,1,0]\nvelocity=[1,0,0]\n",
+       {"cannot move"}},
+      {kBox + kBox,
+       {"my.toml:8: box[2].position = [0, 2, 0]", "box2 and box1", "overlap by 1 m",
+        "move them apart"}},
+      {"[ground]\n" + std::string("[[box]]\nsize=[1,1,1]\nmass=1\nposition=[0,0.25,0]\n"),
+       {"my.toml:5: box[1].position = [0, 0.25, 0]", "the ground", "overlap by 0.25 m"}},
+      {kBox + "name = \"a\"\n[[box]]\nname=\"a\"\nsize=[1,1,1]\nmass=1\nposition=[5,1,0]\n",
+       {"my.toml:7: box[2].name = a", "two boxes"}},
+      {"[ground]\n" + kBox + "name = \"ground\"\n",
+       {"my.toml:6: box[1].name = ground", "the ground is called so"}},
+      {kBox + "name = \"a\\nb\"\n", {"my.toml:5", "control character"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = 1e-320\nposition = [0,1,0]\n",
+       {"my.toml:1: box[1], box1", "1 / mass = inf"}},
+      {kBox + "frction = 0.5\n", {"my.toml:5: box[1].frction", "did you mean friction?"}},
+      {"[gruond]\n" + kBox, {"my.toml:1: gruond", "did you mean ground?"}},
+      {kBox + "[box.x]\n", {"my.toml", "box[1].x = a table", "unknown key"}},
+      {kBox + "orientation = [0, 0, 0, 0]\n", {"my.toml:5", "this has length 0"}},
+      {kBox + "orientation = [nan, 0, 0, 0]\n", {"my.toml:5", "4 finite numbers"}},
+      {kBox + "rotation_deg = [0, inf, 0]\n", {"my.toml:5", "3 finite numbers"}},
+      {kBox + "fixed = \"yes\"\n", {"my.toml:5", "true or false"}},
+      {kBox + "friction = true\n", {"my.toml:5", "friction = true", "finite number"}},
+      {kBox + "mass = 2\n", {"my.toml:5", "not TOML"}},  // a key twice
+      {kBox + "title = \"here it belongs to the box\"\n", {"my.toml:5: box[1].title"}},
+      {"box = []\n", {"my.toml:1", "at least one [[box]]"}},
+      {"box = [1, 2]\n", {"my.toml:1", "expected [[box]] tables"}},
+      {"gravity = -9.81\n" + kBox, {"my.toml:1: gravity = -9.81", "3 finite numbers"}},
+      {"gravity = [0, 1e400, 0]\n" + kBox, {"my.toml:1"}},
+      {std::string(2000, '['), {"my.toml:1", "not TOML"}},
+      {"x = " + std::string(100000, '[') + "\n", {"my.toml:1", "not TOML"}},
+      {std::string("title = \"a\0b\"\n", 14) + kBox, {"my.toml:1", "not TOML"}},
+      {"title = 3\n" + kBox, {"my.toml:1", "title = 3", "text in quotes"}},
+      {"ground = 3\n" + kBox, {"my.toml:1", "[ground]"}},
+      {"box = 3\n", {"my.toml:1", "[[box]]"}},
+      {"[[box]\n", {"my.toml:1", "not TOML"}},
+      {std::string(1000, '\x01'), {"my.toml:1", "not TOML"}},
+  };
+  for (const Case& c : cases) {
+    INFO(c.text);
+    const std::string message = refusal(c.text);
+    INFO("refused with: " << message);
+    CHECK(!message.empty());
+    CHECK(message.size() < 400);
+    CHECK(message.find('\n') == std::string::npos);
+    for (const std::string& part : c.told) {
+      INFO("expected to be told: " << part);
+      CHECK(message.find(part) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("Ten megabytes of garbage are refused with one message", "[unit][scenes]") {
+  std::string garbage(10 << 20, 'x');
+  Random random(7);
+  for (std::size_t i = 0; i < garbage.size(); i += 997)
+    garbage[i] = static_cast<char>(random.below(256));
+  const std::string message = refusal(garbage);
+  CHECK(message.find("not TOML") != std::string::npos);
+  CHECK(message.size() < 1000);
+}
+
+TEST_CASE("A long value in a scene file makes no long message", "[unit][scenes]") {
+  const std::string message = refusal("title = [" + std::string(1 << 20, ' ') + "1]\n" + kBox);
+  CHECK(message.find("text in quotes") != std::string::npos);
+  CHECK(message.size() < 400);
+  CHECK(refusal("gravity = \"" + std::string(1 << 20, 'g') + "\"\n" + kBox).size() < 400);
+  CHECK(refusal(std::string(1 << 20, 'k') + " = 1\n" + kBox).size() < 400);
+}
+
+TEST_CASE("A file that is no scene file is refused by its name", "[unit][scenes]") {
+  namespace fs = std::filesystem;
+  const auto refused = [](const fs::path& path) {
+    try {
+      (void)read_scene(path);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("not refused");
+  };
+  const fs::path folder = fs::temp_directory_path() / "tumble_scene_files";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "folder.toml");
+  std::ofstream(folder / "empty.toml").close();
+  std::ofstream(folder / "good.toml") << kBox;
+  CHECK(refused(folder / "good.toml") == "not refused");
+  CHECK(refused(folder / "folder.toml").find("is a folder") != std::string::npos);
+  CHECK(refused(folder / "empty.toml").find("empty.toml:1: box: a scene needs") !=
+        std::string::npos);
+  CHECK(refused(folder / "none.toml").find("no such file") != std::string::npos);
+  if (fs::exists("/dev/zero"))  // never ends
+    CHECK(refused("/dev/zero").find("at most 64 MiB") != std::string::npos);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("A box without a name gets a number that is free", "[unit][scenes]") {
+  const Scene scene = parse_scene(
+      "[[box]]\nname=\"box2\"\nsize=[1,1,1]\nmass=1\nposition=[0,1,0]\n"
+      "[[box]]\nsize=[1,1,1]\nmass=1\nposition=[5,1,0]\n"
+      "[[box]]\nsize=[1,1,1]\nmass=1\nposition=[9,1,0]\n",
+      "my.toml");
+  CHECK(scene.boxes[0].name == "box2");
+  CHECK(scene.boxes[1].name == "box3");
+  CHECK(scene.boxes[2].name == "box4");
+}
+
+TEST_CASE("Boxes may overlap a little at the start, as typed numbers do", "[unit][scenes]") {
+  const std::string upper = "[[box]]\nsize=[1,1,1]\nmass=1\nposition=[0,2.9995,0]\n";
+  CHECK(refusal(kBox + upper).empty());  // 0.5 mm of 1 m; 1 mm is accepted
+  const std::string deeper = "[[box]]\nsize=[1,1,1]\nmass=1\nposition=[0,2.9985,0]\n";
+  CHECK(!refusal(kBox + deeper).empty());
+  const std::string later = "[[box]]\nsize=[1,1,1]\nmass=1\nposition=[0,2,0]\nappears=1\n";
+  CHECK(refusal(kBox + later).empty());  // is not there at the start
+  const std::string fixed = "[[box]]\nfixed=true\nsize=[1,1,1]\nposition=[0,2,0]\n";
+  CHECK(refusal(fixed + fixed).empty());  // of two that cannot move it does not matter
+  CHECK(!refusal(kBox + fixed).empty());
+}
+
+TEST_CASE("A scene that is written and read again has the same bits", "[unit][scenes]") {
+  for (const SceneRecipe& recipe : scene_library()) {
+    INFO(recipe.name);
+    const Scene scene = checked(recipe.build(recipe.parameters(), Random(5)));
+    const Scene again = parse_scene(to_toml(scene), "again.toml");
+    CHECK(same_bits(scene, again));
+    CHECK(to_toml(again) == to_toml(scene));
+  }
+  Scene odd = parse_scene(kBox, "my.toml");
+  odd.title = "quotes \" and \\ and a tab\t and umlauts äöü";
+  CHECK(parse_scene(to_toml(odd), "odd.toml").title == odd.title);
+}
