@@ -50,7 +50,7 @@ constexpr std::array<Shot, 14> kShots = {{
     {"bouncing_box", "A cube that was dropped flat rebounds", "", 0.8, {0.6, 0.4, 1.0}},
     {"tumbling_box", "A free box turns over", "", 2.8, {0.5, 0.6, 1.0}},
     {"two_boxes", "A cube has hit a heavier box off its centre", "", 1.2, {-0.4, 0.5, 1.0}},
-    {"crate_off_table", "A crate tumbles off a table", "speed=3.5", 0.9, {0.6, 0.45, 1.0}},
+    {"crate_off_table", "A crate tumbles off a table", "", 0.9, {0.6, 0.45, 1.0}},
     {"cradle", "Newton's cradle, made of cubes", "", 0.0, {0.4, 0.5, 1.0}},
     {"stack", "A stack of ten cubes", "", 0.0, {0.6, 0.35, 1.0}},
     {"pyramid", "A flat pyramid of ten rows", "", 0.0, {0.35, 0.3, 1.0}},

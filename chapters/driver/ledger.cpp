@@ -18,7 +18,10 @@ namespace {
 
 constexpr int kFewestSeeds = 20;  // random scenes that a number must come from, if any
 
-const RecordForm kOpenForm{"claim", {"id", "chapter", "section", "statement", "experiment"}};
+// A rule may be fixed ahead of the experiment.
+const RecordForm kOpenForm{"claim",
+                           {"id", "chapter", "section", "statement", "experiment"},
+                           {"quantity", "unit", "confirmed", "refuted", "reason"}};
 
 const RecordForm kMeasuredForm{"claim",
                                {"id", "section", "statement", "experiment", "technique", "reading",
@@ -53,7 +56,13 @@ void check_claim(const Claim& claim) {
     throw std::invalid_argument(claim.place + "the id is not section " + claim.section +
                                 " and a letter");
   }
-  if (claim.open) return;
+  if (claim.open) {
+    const bool ruled = !(claim.confirmed + claim.refuted + claim.quantity + claim.unit).empty();
+    if (ruled && (claim.quantity.empty() || claim.unit.empty() || claim.reason.empty()))
+      throw std::invalid_argument(claim.place + "a rule needs quantity, unit and reason");
+    if (ruled) check_rule(claim);
+    return;
+  }
   static constexpr std::array readings{"as_printed", "as_meant", "ours", "-"};
   if (std::find(readings.begin(), readings.end(), claim.reading) == readings.end()) {
     throw std::invalid_argument(claim.place + "reading '" + claim.reading +
@@ -166,7 +175,7 @@ std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
 }
 
 std::string rule_text(const Claim& claim) {
-  if (claim.open || !claim.comparable) return "";
+  if (claim.confirmed.empty()) return "";
   return "confirmed if " + claim.confirmed + ", refuted if " + claim.refuted +
          ", qualified in between";
 }

@@ -18,7 +18,7 @@ struct Claim {
   std::string chapter;     ///< the chapter that measures it, or will
   std::string statement;   ///< retold
   std::string experiment;  ///< what is run and what is counted
-  bool open = false;       ///< no chapter measures it yet: all that follows is empty
+  bool open = false;       ///< no chapter measures it yet: of what follows it has at most a rule
   std::string technique;   ///< what is put to the test
   std::string reading;     ///< of the technique: "as_printed", "as_meant", "ours" or "-"
   std::string quantity;    ///< the number that decides, one of its figure's

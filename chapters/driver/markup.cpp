@@ -14,9 +14,9 @@ std::string formatted(const char* format, double value) {
   return text;
 }
 
-// An end of an interval: three digits, and whole numbers whole.
+// An end of an interval: four digits, and whole numbers whole.
 std::string end_html(double value) {
-  return whole_html(formatted(std::abs(value) >= 1000.0 ? "%.0f" : "%.3g", value));
+  return whole_html(formatted(std::abs(value) >= 1000.0 ? "%.0f" : "%.4g", value));
 }
 
 // "<= 5" as it is printed.
@@ -85,7 +85,7 @@ std::string number_html(double value, const std::string& unit) {
 std::string interval_html(const CheckedNumber& number) {
   if (number.seeds == 0) return "";
   return " (" + end_html(number.low) + " to " + end_html(number.high) + " over " +
-         std::to_string(number.seeds) + " seeds)";
+         std::to_string(number.seeds) + " random cases)";
 }
 
 std::string verdict_html(Verdict verdict) {

@@ -171,6 +171,19 @@ TEST_CASE("Two claims with one id are refused, in one file and in two", "[unit][
   CHECK_THROWS_WITH(judge(all, {drawn(1.0)}), Contains("this id stands also at"));
 }
 
+TEST_CASE("An open claim may have its rule already, whole", "[unit][ledger]") {
+  const Scratch scratch("ruled");
+  const std::string open =
+      "[[claim]]\nid = \"2.1a\"\nchapter = \"c\"\nsection = \"2.1\"\nstatement = \"s\"\n"
+      "experiment = \"e\"\nconfirmed = \"<= 5\"\nrefuted = \"> 6\"\n";
+  CHECK_THROWS_WITH(read_claims(scratch.file("open_claims.toml", open)),
+                    Contains("a rule needs quantity, unit and reason"));
+  const std::string rest = "quantity = \"q\"\nunit = \"m\"\nreason = \"r\"\n";
+  const auto claims = read_claims(scratch.file("open_claims.toml", open + rest));
+  CHECK(rule_text(claims.at(0)) == "confirmed if <= 5, refuted if > 6, qualified in between");
+  CHECK(judge(claims, {}).at(0).verdict == Verdict::not_measured);
+}
+
 TEST_CASE("Every mistake in a file of claims is named with file, line and id", "[unit][ledger]") {
   struct Case {
     std::string text;

@@ -61,7 +61,7 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
     CHECK_THAT(page, Contains("A &lt; B &#92;ref C."));
     CHECK_THAT(page, Contains("<span class=\"verdict confirmed\">confirmed</span>"));
     CHECK_THAT(page, Contains("<strong><span class=\"whole\">3.25 m/s</span></strong>"));
-    CHECK_THAT(page, Contains("over 20 seeds"));
+    CHECK_THAT(page, Contains("over 20 random cases"));
     CHECK_THAT(page, Contains("confirmed if ≥ 1, refuted if &lt; 1, qualified in between"));
   }
   const std::string ledger = ledger_page(findings);
