@@ -69,7 +69,7 @@ TEST_CASE("A missed third body restarts the search and collides first",
   REQUIRE(!seen.events.empty());
   CHECK(seen.events[0].first == bullet);
   CHECK(world.name(world.index_of(seen.events[0].second)) == "near");
-  CHECK(seen.events[0].time == Approx(0.2 / 90.0).margin(1e-6));
+  CHECK(seen.events[0].time == near(0.2 / 90.0).margin(1e-6));
 }
 
 TEST_CASE("Overlap of the size of a rounding does not hold up a cradle",

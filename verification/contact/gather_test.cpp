@@ -51,23 +51,23 @@ TEST_CASE(
   REQUIRE(contacts.size() == 2);
   CHECK(report.pair_tests == 5);
   CHECK(report.points == 8);
-  CHECK(report.deepest_overlap == Approx(0.01).epsilon(1e-12));
+  CHECK(report.deepest_overlap == near(0.01).epsilon(1e-12));
 
   const Contact& low = contacts[0];
   CHECK(low.first == 0);
   CHECK(low.second == 1);
   CHECK(low.first_id < low.second_id);
   CHECK((low.normal_w - Vec3::UnitY()).norm() < 1e-15);
-  CHECK(low.friction == Approx(0.6));  // √(0.9 · 0.4)
+  CHECK(low.friction == near(0.6).margin(1e-12));  // √(0.9 · 0.4)
   CHECK(low.restitution == 0.3);
   CHECK(low.count == 4);
   const Contact& high = contacts[1];
-  CHECK(high.friction == Approx(0.2));  // √(0.4 · 0.1)
+  CHECK(high.friction == near(0.2).margin(1e-12));  // √(0.4 · 0.1)
   CHECK(high.restitution == 0.3);
   for (std::size_t i = 0; i < 4; ++i) {
-    CHECK(low.points[i].approach_speed == Approx(-2.0));
-    CHECK(high.points[i].approach_speed == Approx(-1.0));
-    CHECK(low.points[i].distance == Approx(-0.01));
+    CHECK(low.points[i].approach_speed == near(-2.0).margin(1e-12));
+    CHECK(high.points[i].approach_speed == near(-1.0).margin(1e-12));
+    CHECK(low.points[i].distance == near(-0.01).margin(1e-12));
     CHECK(low.points[i].normal_impulse == 0.0);
   }
 }
@@ -83,7 +83,7 @@ TEST_CASE("A ground that is younger than a box is the second body", "[unit][gath
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK((contacts[0].normal_w + Vec3::UnitY()).norm() < 1e-15);
-  CHECK(contacts[0].points[0].approach_speed == Approx(-1.0));
+  CHECK(contacts[0].points[0].approach_speed == near(-1.0).margin(1e-12));
 }
 
 TEST_CASE("Points that touched before get their impulses back, by feature", "[unit][gather]") {
@@ -142,13 +142,13 @@ TEST_CASE("The remembered axis keeps a contact on its face", "[unit][gather]") {
   ContactList after;
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, before);
   REQUIRE(before.size() == 1);
-  CHECK(before[0].normal_w.x() == Approx(1.0));
+  CHECK(before[0].normal_w.x() == near(1.0).margin(1e-12));
   world.set_state(second, make_state(cube, Vec3(0.9, 0.902, 0)));
   gather_contacts(world, bodies, all_pairs(world), 0.001, before, after);
   CHECK(after[0].axis == before[0].axis);
-  CHECK(after[0].normal_w.x() == Approx(1.0));
+  CHECK(after[0].normal_w.x() == near(1.0).margin(1e-12));
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, after);
-  CHECK(after[0].normal_w.y() == Approx(1.0));
+  CHECK(after[0].normal_w.y() == near(1.0).margin(1e-12));
 }
 
 TEST_CASE("Gathering again allocates nothing", "[unit][gather]") {

@@ -99,14 +99,14 @@ TEST_CASE("A stack of five pressed into itself is put right in one sweep", "[exa
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.sweeps == 1);
   CHECK(report.moves == 5);
-  CHECK(report.deepest_before == Approx(0.08).epsilon(1e-12));
-  CHECK(report.deepest_after == Approx(kSlop).epsilon(1e-9));  // [m] rounding only
+  CHECK(report.deepest_before == near(0.08).epsilon(1e-12));
+  CHECK(report.deepest_after == near(kSlop).epsilon(1e-9));  // [m] rounding only
   for (int k = 0; k < 5; ++k) {
     const Vec3 expected(0.0, 0.5 + k - (k + 1) * kSlop, 0.0);
     // Rounding of five sums of numbers up to 5 m: measured 9e-16 m.
     CHECK((position_of(world, boxes[at(k)]) - expected).norm() < 1e-14);
   }
-  CHECK(report.energy == Approx(potential_energy(world) - before).epsilon(1e-12));
+  CHECK(report.energy == near(potential_energy(world) - before).epsilon(1e-12));
   CHECK(report.energy > 0.0);
 }
 
@@ -132,13 +132,13 @@ TEST_CASE("A contact is left as an overlap, not as a gap", "[unit][repair]") {
   OverlapRepair coarse(RepairOptions{.slop = 0.05, .most_sweeps = 1});
   const RepairReport report = coarse.run(world, all_pairs(world));
   CHECK(report.status == RepairStatus::clear);
-  CHECK(position_of(world, box).y() == Approx(0.45).epsilon(1e-14));
+  CHECK(position_of(world, box).y() == near(0.45).epsilon(1e-14));
   // The slop is a share of the shortest edge of the two bodies.
   World thin;
   const BodyId plate = thin.add(box_properties(Vec3(1.0, 0.1, 1.0), 1.0), place(Vec3(0, 0.54, 0)));
   fixed(thin, Vec3::Ones(), 0.0, 0.0);
   repair(thin);
-  CHECK(position_of(thin, plate).y() == Approx(0.55 - 0.1 * kSlop).epsilon(1e-14));
+  CHECK(position_of(thin, plate).y() == near(0.55 - 0.1 * kSlop).epsilon(1e-14));
 }
 
 TEST_CASE("The place of the ground among the bodies does not matter", "[unit][repair]") {
@@ -146,7 +146,7 @@ TEST_CASE("The place of the ground among the bodies does not matter", "[unit][re
   const BodyId box = cube(world, 0.0, 0.4);
   world.add_ground();
   CHECK(repair(world).status == RepairStatus::clear);
-  CHECK(position_of(world, box).y() == Approx(0.5 - kSlop).epsilon(1e-14));
+  CHECK(position_of(world, box).y() == near(0.5 - kSlop).epsilon(1e-14));
 }
 
 TEST_CASE("A box that presses against a shelf from below goes down, and the shelf stays",
@@ -158,7 +158,7 @@ TEST_CASE("A box that presses against a shelf from below goes down, and the shel
   const RepairReport report = repair(world);
   CHECK(report.status == RepairStatus::clear);
   CHECK(position_of(world, shelf) == Vec3(0.0, 1.15, 0.0));
-  CHECK(position_of(world, box).y() == Approx(0.55 + 0.2 * kSlop).epsilon(1e-14));
+  CHECK(position_of(world, box).y() == near(0.55 + 0.2 * kSlop).epsilon(1e-14));
   CHECK(report.energy < 0.0);
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("A box squeezed between two walls ends in their middle, and the status
     const RepairReport report = repair(world);
     CHECK(report.status == RepairStatus::unsolved);
     CHECK(report.sweeps == RepairOptions{}.most_sweeps);
-    CHECK(report.deepest_before == Approx(0.1 + std::abs(off)));
+    CHECK(report.deepest_before == near(0.1 + std::abs(off)).margin(1e-12));
     // [m] 0.1 is the best there is; half steps miss the middle by a little: measured 0.1120
     CHECK(report.deepest_after < 0.115);
     CHECK(std::abs(position_of(world, box).x()) < 0.015);
@@ -195,9 +195,9 @@ TEST_CASE("A box in a wedge of two faces finds its way out", "[unit][repair]") {
   CHECK(report.sweeps > 1);
   // It fits where the wedge is 0.8 m wide: lower corners at 0.4 sqrt(3); the slop along
   // a normal that rises by one half is twice as much along y.
-  CHECK(report.deepest_before == Approx(0.5 * (0.4 * std::sqrt(3.0) - 0.5)).epsilon(1e-12));
+  CHECK(report.deepest_before == near(0.5 * (0.4 * std::sqrt(3.0) - 0.5)).epsilon(1e-12));
   CHECK(position_of(world, box).y() ==
-        Approx(0.4 + 0.4 * std::sqrt(3.0) - 2.0 * 0.8 * kSlop).margin(1e-4));
+        near(0.4 + 0.4 * std::sqrt(3.0) - 2.0 * 0.8 * kSlop).margin(1e-4));
 }
 
 TEST_CASE("Two boxes side by side on the ground share the way in the ratio of their masses",
@@ -211,9 +211,9 @@ TEST_CASE("Two boxes side by side on the ground share the way in the ratio of th
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.moves == 1);
   const double way = 0.08 - kSlop;
-  CHECK(position_of(world, light).x() == Approx(-0.46 - 0.75 * way).epsilon(1e-14));
-  CHECK(position_of(world, heavy).x() == Approx(0.46 + 0.25 * way).epsilon(1e-14));
-  CHECK(report.energy == Approx(0.0).margin(1e-15));
+  CHECK(position_of(world, light).x() == near(-0.46 - 0.75 * way).epsilon(1e-14));
+  CHECK(position_of(world, heavy).x() == near(0.46 + 0.25 * way).epsilon(1e-14));
+  CHECK(report.energy == near(0.0).margin(1e-15));
 }
 
 TEST_CASE("A box beside a stack's second box gives way, not the stack's lower one",
@@ -229,7 +229,7 @@ TEST_CASE("A box beside a stack's second box gives way, not the stack's lower on
   CHECK(report.status == RepairStatus::clear);
   CHECK(position_of(world, tall).x() == 1.45);
   CHECK(position_of(world, low).x() == 0.0);
-  CHECK(position_of(world, high).x() == Approx(0.45 + kSlop).epsilon(1e-12));
+  CHECK(position_of(world, high).x() == near(0.45 + kSlop).epsilon(1e-12));
 }
 
 TEST_CASE("A row of boxes pushed into a wall spreads out", "[unit][repair]") {
@@ -242,7 +242,7 @@ TEST_CASE("A row of boxes pushed into a wall spreads out", "[unit][repair]") {
   // All are of one level and share, so this takes many sweeps, not one: measured 46.
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.sweeps < 60);
-  CHECK(report.deepest_before == Approx(0.01).epsilon(1e-9));
+  CHECK(report.deepest_before == near(0.01).epsilon(1e-9));
 }
 
 TEST_CASE("Three planks in a ring of support are one level and the repair ends", "[unit][repair]") {
@@ -301,7 +301,7 @@ TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
   world.remove(world.ids()[0]);
   report = repair(world);
   CHECK(position_of(world, sleeper).y() == 0.9);
-  CHECK(position_of(world, below).y() == Approx(-0.1 + kSlop).epsilon(1e-12));
+  CHECK(position_of(world, below).y() == near(-0.1 + kSlop).epsilon(1e-12));
 }
 
 TEST_CASE("Only positions change, and the energy booked is the potential energy added",

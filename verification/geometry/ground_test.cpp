@@ -51,8 +51,8 @@ TEST_CASE("A box 0.1 deep in the ground has points halfway between its corners a
   REQUIRE(collide_with_ground(make_box({0, 0.4, 0}, Quat::Identity(), Vec3::Ones()), 0.0, m));
   CHECK(m.count == 4);
   for (int i = 0; i < 4; ++i) {
-    CHECK(point(m, i).distance == Approx(-0.1).margin(1e-16));
-    CHECK(point(m, i).position_w.y() == Approx(-0.05).margin(1e-16));
+    CHECK(point(m, i).distance == near(-0.1).margin(1e-16));
+    CHECK(point(m, i).position_w.y() == near(-0.05).margin(1e-16));
   }
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("A cube on an edge touches in two points, on a corner in one, above th
   const double reach_down = std::sqrt(0.75);
   CHECK(collide_with_ground(make_box({0, reach_down - 1e-6, 0}, on_corner, Vec3::Ones()), 0.0, m));
   CHECK(m.count == 1);
-  CHECK(point(m, 0).distance == Approx(-1e-6).margin(1e-15));
+  CHECK(point(m, 0).distance == near(-1e-6).margin(1e-15));
   CHECK(point(m, 0).position_w.head<1>().norm() < 1e-15);
   CHECK_FALSE(
       collide_with_ground(make_box({0, reach_down + 1e-6, 0}, on_corner, Vec3::Ones()), 0.0, m));

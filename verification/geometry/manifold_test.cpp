@@ -143,11 +143,11 @@ TEST_CASE("The contact of two stacked cubes has the area in which their faces ov
     const Manifold m = collided(lower, upper);
     CAPTURE(c.area);
     CHECK(m.count == c.points);
-    CHECK(area_from_above(m) == Approx(c.area).margin(3e-12));  // digits given, clip slack
+    CHECK(area_from_above(m) == near(c.area).margin(3e-12));  // digits given, clip slack
     CHECK((m.normal_w - Vec3::UnitY()).norm() < 1e-15);
     for (int i = 0; i < m.count; ++i) {
-      CHECK(point(m, i).distance == Approx(-0.01).margin(1e-15));
-      CHECK(point(m, i).position_w.y() == Approx(0.495).margin(1e-15));
+      CHECK(point(m, i).distance == near(-0.01).margin(1e-15));
+      CHECK(point(m, i).position_w.y() == near(0.495).margin(1e-15));
     }
   }
 }
@@ -159,7 +159,7 @@ TEST_CASE("Two crossing edges touch in the one point between them", "[exact][man
   REQUIRE(m.count == 1);
   CHECK(m.axis == 6 + 3 * 2 + 0);
   CHECK((m.normal_w - Vec3::UnitY()).norm() < 1e-15);
-  CHECK(point(m, 0).distance == Approx(1.4 - std::sqrt(2.0)).margin(1e-15));
+  CHECK(point(m, 0).distance == near(1.4 - std::sqrt(2.0)).margin(1e-15));
   // The lower edge runs along z at x = 0, the upper along x at z = 0.2; halfway in height.
   CHECK((point(m, 0).position_w - Vec3(0.0, 0.7, 0.2)).norm() < 1e-15);
 }
@@ -188,7 +188,7 @@ TEST_CASE("Faces that meet in a line have two points, in a corner one", "[exact]
   const Manifold corner =
       collided(lower, cube_at({0.1, 0.5 + std::sqrt(0.75) - 1e-6, 0}, on_corner));
   CHECK(corner.count == 1);
-  CHECK(deepest(corner) == Approx(-1e-6).margin(1e-15));
+  CHECK(deepest(corner) == near(-1e-6).margin(1e-15));
 }
 
 TEST_CASE("Faces that meet in a line do so in any orientation", "[unit][manifold]") {
@@ -211,14 +211,14 @@ TEST_CASE("Identical and nested boxes have finite contacts", "[unit][manifold]")
   const Manifold cases[] = {collided(outer, outer), collided(outer, inner), collided(inner, outer)};
   for (const Manifold& m : cases) {
     REQUIRE(m.count > 0);
-    CHECK(m.normal_w.norm() == Approx(1.0).margin(1e-15));
+    CHECK(m.normal_w.norm() == near(1.0).margin(1e-15));
     for (int i = 0; i < m.count; ++i) {
       CHECK(point(m, i).position_w.allFinite());
       CHECK(point(m, i).distance < 0.0);
     }
   }
   CHECK(cases[0].count == 4);
-  CHECK(deepest(cases[0]) == Approx(-1.0).margin(1e-15));
+  CHECK(deepest(cases[0]) == near(-1.0).margin(1e-15));
 }
 
 TEST_CASE("Face to face, the order of the boxes turns only the normal", "[unit][manifold]") {

@@ -237,7 +237,7 @@ TEST_CASE("Cubes offset by 0.9 along x overlap by 0.1 along x", "[exact][separat
     SeparationOptions options = exact();
     options.prefer_faces = prefer;
     const Separation s = separation(cube_at(Vec3::Zero()), cube_at({0.9, 0.2, 0.1}), options);
-    CHECK(s.distance == Approx(-0.1).margin(1e-15));  // rounding of 0.9 - 1
+    CHECK(s.distance == near(-0.1).margin(1e-15));  // rounding of 0.9 - 1
     CHECK(s.axis == 0);
     CHECK(s.normal_w == Vec3::UnitX());
   }
@@ -247,8 +247,8 @@ TEST_CASE("A cube turned by 45 degrees reaches 0.107106781187 into a cube 1.1 aw
           "[exact][separation]") {
   const Separation s = separation(cube_at(Vec3::Zero()),
                                   cube_at({1.1, 0.0, 0.0}, about(Vec3::UnitZ(), M_PI_4)), exact());
-  CHECK(-s.distance == Approx(0.5 + kQuarter - 1.1).margin(1e-15));
-  CHECK(-s.distance == Approx(0.107106781187).margin(1e-12));  // digits given
+  CHECK(-s.distance == near(0.5 + kQuarter - 1.1).margin(1e-15));
+  CHECK(-s.distance == near(0.107106781187).margin(1e-12));  // digits given
   CHECK(s.axis == 0);
   CHECK((s.normal_w - Vec3::UnitX()).norm() < 1e-15);
 }
@@ -261,21 +261,21 @@ TEST_CASE("Two cubes edge across edge overlap by the square root of 2 less their
     options.prefer_faces = prefer;
     const Separation touching =
         separation(lower, cube_at({0.0, 1.4, 0.0}, about(Vec3::UnitX(), M_PI_4)), options);
-    CHECK(-touching.distance == Approx(2.0 * kQuarter - 1.4).margin(4e-16));
-    CHECK(-touching.distance == Approx(0.014213562373).margin(1e-12));
+    CHECK(-touching.distance == near(2.0 * kQuarter - 1.4).margin(4e-16));
+    CHECK(-touching.distance == near(0.014213562373).margin(1e-12));
     CHECK(touching.axis == 6 + 3 * 2 + 0);
     CHECK((touching.normal_w - Vec3::UnitY()).norm() < 1e-15);
     // A little higher they are apart, which none of the six face axes sees.
     const Box upper = cube_at({0.0, 1.42, 0.0}, about(Vec3::UnitX(), M_PI_4));
     const Separation apart = separation(lower, upper, options);
-    CHECK(apart.distance == Approx(0.005786437627).margin(1e-12));
+    CHECK(apart.distance == near(0.005786437627).margin(1e-12));
     double faces = -kInfinity;
     for (int i = 0; i < 3; ++i) {
       const LongVec a = column(lower, i), b = column(upper, i);
       faces = std::max(faces, static_cast<double>(shadow_gap(lower, upper, a)));
       faces = std::max(faces, static_cast<double>(shadow_gap(lower, upper, b)));
     }
-    CHECK(-faces == Approx(0.349461761).margin(1e-9));
+    CHECK(-faces == near(0.349461761).margin(1e-9));
   }
 }
 
@@ -284,12 +284,12 @@ TEST_CASE("A small turned box overlaps a unit cube by 0.078572231036 along an ed
   const Quat q = about({1.0, 2.0, 3.0}, 0.7);
   const Separation s =
       separation(cube_at(Vec3::Zero()), make_box({0.8, 0.7, 0.6}, q, {0.6, 0.8, 1.0}), exact());
-  CHECK(-s.distance == Approx(0.078572231036).margin(1e-12));
+  CHECK(-s.distance == near(0.078572231036).margin(1e-12));
   CHECK(s.axis == 6 + 3 * 2 + 1);
   CHECK((s.normal_w - Vec3(0.864872434, 0.501991705, 0.0)).norm() < 1e-9);
   const Separation apart =
       separation(cube_at(Vec3::Zero()), make_box({1.0, 0.9, 0.8}, q, {0.6, 0.8, 1.0}), exact());
-  CHECK(apart.distance == Approx(0.194800596905).margin(1e-12));
+  CHECK(apart.distance == near(0.194800596905).margin(1e-12));
   CHECK(apart.axis == 6 + 3 * 2 + 1);
 }
 
@@ -435,14 +435,14 @@ TEST_CASE("Boxes with the same centre have a finite separation and a normal of l
           "[unit][separation]") {
   const Box box = make_box({1.0, 2.0, 3.0}, about({1.0, 1.0, 0.0}, 0.3), {1.0, 2.0, 3.0});
   const Separation same = separation(box, box);
-  CHECK(same.distance == Approx(-1.0).margin(1e-15));  // across the shortest side
+  CHECK(same.distance == near(-1.0).margin(1e-15));  // across the shortest side
   CHECK(same.axis == 0);
   CHECK((same.normal_w - box.axes_w.col(0)).norm() < 1e-15);
   const Box inner = make_box(box.center_w, Quat::Identity(), {0.1, 0.1, 0.1});
   const Separation nested = separation(box, inner);
   CHECK(std::isfinite(nested.distance));
   CHECK(nested.distance < -0.5);
-  CHECK(nested.normal_w.norm() == Approx(1.0).margin(1e-15));
+  CHECK(nested.normal_w.norm() == near(1.0).margin(1e-15));
 }
 
 TEST_CASE("A separation that is asked for with bad options is refused", "[unit][separation]") {

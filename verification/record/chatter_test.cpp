@@ -64,9 +64,9 @@ TEST_CASE("Chatter of a cube that swings by a known amount is the same at any st
       const Chatter chatter = swing.measured(dt, 1.0);
       CHECK(chatter.bodies == 1);
       // Corners are rounded at 1e-16 m, 1e-12 of the amplitude; frame times at 1e-15 s. Measured: 3e-12.
-      CHECK(chatter.amplitude == Approx(2.0 * amplitude).epsilon(1e-10));
+      CHECK(chatter.amplitude == near(2.0 * amplitude).epsilon(1e-10));
       CHECK(chatter.acceleration ==
-            Approx(second / std::sqrt(2.0) * 3600.0 / kGravity).epsilon(1e-10));
+            near(second / std::sqrt(2.0) * 3600.0 / kGravity).epsilon(1e-10));
     }
   }
 }
@@ -81,9 +81,9 @@ TEST_CASE("A step that fits no display frame is interpolated to frames",
   }};
   const Chatter chatter = zigzag.measured(1.0 / 90.0, 1.0);
   CHECK(chatter.bodies == 1);
-  CHECK(chatter.amplitude == Approx(a).epsilon(1e-9));
+  CHECK(chatter.amplitude == near(a).epsilon(1e-9));
   const double rms = a * std::sqrt(14.0 / 29.0);  // even frames from 31 to 59
-  CHECK(chatter.acceleration == Approx(rms * 3600.0 / kGravity).epsilon(1e-9));
+  CHECK(chatter.acceleration == near(rms * 3600.0 / kGravity).epsilon(1e-9));
 }
 
 TEST_CASE("A cube that turns to and fro has the chord of its corners for an amplitude",
@@ -98,8 +98,8 @@ TEST_CASE("A cube that turns to and fro has the chord of its corners for an ampl
   const Chatter chatter = turning.measured(1.0 / 60.0, 0.5);
   const double chord = 2.0 * std::sqrt(0.5) * std::sin(0.5 * angle * M_PI / 180.0);
   CHECK(chatter.bodies == 1);
-  CHECK(chatter.amplitude == Approx(chord).epsilon(1e-10));
-  CHECK(chatter.acceleration == Approx(2.0 * chord * 3600.0 / kGravity).epsilon(1e-10));
+  CHECK(chatter.amplitude == near(chord).epsilon(1e-10));
+  CHECK(chatter.acceleration == near(2.0 * chord * 3600.0 / kGravity).epsilon(1e-10));
 }
 
 TEST_CASE("A hop under gravity has the acceleration 1", "[exact][record][chatter]") {
@@ -108,8 +108,8 @@ TEST_CASE("A hop under gravity has the acceleration 1", "[exact][record][chatter
       .path = [](double t) { return at(Vec3(0.0, 0.5 * kGravity * t * (0.5 - t), 0.0)); }};
   const Chatter chatter = hop.measured(1.0 / 60.0, 0.5);
   CHECK(chatter.bodies == 1);
-  CHECK(chatter.amplitude == Approx(kGravity * 0.25 / 8.0).epsilon(1e-12));
-  CHECK(chatter.acceleration == Approx(1.0).epsilon(1e-12));
+  CHECK(chatter.amplitude == near(kGravity * 0.25 / 8.0).epsilon(1e-12));
+  CHECK(chatter.acceleration == near(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("A body that slides, lets go on a frame or is seen too short does not count",

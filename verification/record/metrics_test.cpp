@@ -37,7 +37,7 @@ TEST_CASE("What changes the energy and is not booked is the energy error", "[exa
   MetricsMeter meter;
   const Metrics start = meter.begin(world);
   CHECK(start.kinetic == 9.0);
-  CHECK(start.potential == Approx(2.0 * 9.81 * 5.0).epsilon(1e-15));
+  CHECK(start.potential == near(2.0 * 9.81 * 5.0).epsilon(1e-15));
   CHECK(start.energy_error == 0.0);
   world.set_velocity(id, Vec3(1.0, 0.0, 0.0), Vec3::Zero());
   StepReport report;
@@ -45,15 +45,15 @@ TEST_CASE("What changes the energy and is not booked is the energy error", "[exa
   const Metrics after = meter.measure(world, report);
   CHECK(after.kinetic == 1.0);
   CHECK(after.booked.total() == -5.5);
-  CHECK(after.energy_error == Approx(-2.5).epsilon(1e-14));
-  CHECK(after.energy_error_share == Approx(-2.5 / (2.0 * 9.81 * 0.5)).epsilon(1e-14));
+  CHECK(after.energy_error == near(-2.5).epsilon(1e-14));
+  CHECK(after.energy_error_share == near(-2.5 / (2.0 * 9.81 * 0.5)).epsilon(1e-14));
   CHECK(after.momentum_w == Vec3(2.0, 0.0, 0.0));
   CHECK(after.angular_momentum_w == Vec3(0.0, 0.0, -10.0));  // r × P = (0,5,0) × (2,0,0)
   CHECK(after.fastest == 1.0);
   // Booked energy adds up over steps.
   const Metrics again = meter.measure(world, report);
   CHECK(again.booked.friction == -6.0);
-  CHECK(again.energy_error == Approx(3.0).epsilon(1e-14));
+  CHECK(again.energy_error == near(3.0).epsilon(1e-14));
 }
 
 TEST_CASE("Energy that comes in from outside is not the technique's error", "[exact][record]") {
@@ -63,7 +63,7 @@ TEST_CASE("Energy that comes in from outside is not the technique's error", "[ex
   meter.begin(world);
   add(world, Vec3(4.0, 2.0, 0.0));  // brings 9.81 * 2 J
   meter.allow(9.81 * 2.0);
-  CHECK(meter.measure(world, {}).energy_error == Approx(0.0).margin(1e-14));
+  CHECK(meter.measure(world, {}).energy_error == near(0.0).margin(1e-14));
 }
 
 TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
@@ -74,15 +74,15 @@ TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
     world.add_ground();
     add(world, Vec3(0.0, 2.0, 0.0));
     add(world, Vec3(0.9, 2.0, 0.0));
-    CHECK(overlap_of(world) == Approx(0.1).epsilon(1e-14));
+    CHECK(overlap_of(world) == near(0.1).epsilon(1e-14));
     add(world, Vec3(9.0, 0.375, 0.0));
-    CHECK(overlap_of(world) == Approx(0.125).epsilon(1e-14));
+    CHECK(overlap_of(world) == near(0.125).epsilon(1e-14));
   }
   {
     World world;  // an edge in a face
     add(world, Vec3::Zero());
     add(world, Vec3(0.1, 0.5 + half_diagonal - 0.05, 0.0), on_edge);
-    CHECK(overlap_of(world) == Approx(0.05).epsilon(1e-13));
+    CHECK(overlap_of(world) == near(0.05).epsilon(1e-13));
   }
   {
     World
@@ -90,7 +90,7 @@ TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
     add(world, Vec3::Zero(), on_edge);
     add(world, Vec3(0.0, 2.0 * half_diagonal - 0.02, 0.0),
         rotation_from_degrees(Vec3(45.0, 0.0, 0.0)));
-    CHECK(overlap_of(world) == Approx(0.02).epsilon(1e-12));
+    CHECK(overlap_of(world) == near(0.02).epsilon(1e-12));
   }
   {
     World world;  // apart, touching, and two that cannot move

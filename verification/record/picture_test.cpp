@@ -335,7 +335,7 @@ TEST_CASE("The shadow of a cube in the air lies where the light through its cent
   CHECK(over_dark == layers);
   CHECK(over_lit == 0);
   // [-] all layers together make the shadow that the floor's shade asks for; rounding
-  CHECK(1.0 - remaining == Approx(Lamp(view, 1).shadow_depth(Vec3::UnitY())).epsilon(1e-12));
+  CHECK(1.0 - remaining == near(Lamp(view, 1).shadow_depth(Vec3::UnitY())).epsilon(1e-12));
 }
 
 TEST_CASE("A box throws its shadow on the box below and not on the one above", "[exact][picture]") {

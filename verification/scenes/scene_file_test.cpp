@@ -81,7 +81,7 @@ rotation_deg = [0, 90, 0]
   const SceneBox& block = scene.boxes[1];
   CHECK(block.name == "box2");  // the default name
   CHECK(block.fixed);
-  CHECK(block.orientation_wb.y() == Approx(std::sqrt(0.5)).epsilon(1e-15));
+  CHECK(block.orientation_wb.y() == near(std::sqrt(0.5)).epsilon(1e-15));
 }
 
 TEST_CASE("A mistake in a scene file is told with file, line, key, value and remedy",
