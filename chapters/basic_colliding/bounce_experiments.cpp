@@ -213,7 +213,8 @@ Result measure_rest(const Parameters& settings) {
   const double rest = std::sqrt(2.0 * settings.number("height") / kGravity) * (1.0 + restitution) /
                       (1.0 - restitution);
   Settling found = settle(settings, rest, 0.0);
-  if (found.at_rest == 0) throw std::runtime_error("the run ends before the cube rests");
+  if (found.at_rest == 0)
+    throw std::runtime_error("the run ends before the cube rests; take a longer duration");
   Settling cleared = settle(settings, rest, settings.number("clear"));
   cleared.steps.suffix = "cleared";
   const auto share = [](int some, const Settling& all) {
