@@ -159,7 +159,7 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run" + in + "folder.toml", "folder.toml: is a folder: give a scene file"},
       {"run" + in + "empty.toml", "empty.toml:1: box: a scene needs at least one [[box]]"},
       {"run" + in + "torn.toml", "torn.toml:1: not TOML"},
-      {"run" + in + "zero.toml", "zero.toml:3: box[1].size = [ 1, 0, 1 ]: expected three numbers"},
+      {"run" + in + "zero.toml", "zero.toml:3: box[1].size = [1, 0, 1]: expected three numbers"},
       {"run" + in + "binary.toml", "binary.toml:1: not TOML"},
       {"run" + in + "file", "file:1: not TOML"},
       {"run cradle --set moving=5", "moving = 5: expected fewer than count = 5"},

@@ -40,10 +40,20 @@ std::string shortened(std::string text) {
 
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
-  if (const toml::array* list = node.as_array(); list != nullptr && list->size() > 16)
-    return "a list of " + std::to_string(list->size());
   std::ostringstream out;
-  out << toml::node_view<const toml::node>(node);
+  if (const toml::array* list = node.as_array(); list != nullptr) {
+    if (list->size() > 16) return "a list of " + std::to_string(list->size());
+    // toml++ would measure the width of the list, with casts that numbers such as inf do not survive.
+    out << '[';
+    const char* between = "";
+    for (const toml::node& element : *list) {
+      out << between << shown(element);
+      between = ", ";
+    }
+    out << ']';
+  } else {
+    out << toml::node_view<const toml::node>(node);
+  }
   return shortened(out.str());
 }
 
