@@ -14,15 +14,19 @@ namespace tumble::chapters {
 /// Computes a figure with its quick settings.
 /// \param figures  a chapter's
 /// \param name     of the figure
+/// \param set      further settings, each as key=value
 /// \return all that it computed
 /// \throws std::invalid_argument if there is no such figure
-inline Result run_quickly(const std::vector<Figure>& figures, std::string_view name) {
+inline Result run_quickly(const std::vector<Figure>& figures, std::string_view name,
+                          const std::vector<std::string>& set = {}) {
   for (const Figure& figure : figures) {
     if (figure.name != name) continue;
     Parameters settings = figure.parameters;
-    for (const std::string_view setting : figure.quick) {
-      const std::size_t equals = setting.find('=');
-      settings.set(setting.substr(0, equals), setting.substr(equals + 1));
+    for (const std::vector<std::string>* list : {&figure.quick, &set}) {
+      for (const std::string_view setting : *list) {
+        const std::size_t equals = setting.find('=');
+        settings.set(setting.substr(0, equals), setting.substr(equals + 1));
+      }
     }
     return figure.experiment(settings);
   }

@@ -1,14 +1,13 @@
 /// \file
 /// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata S5 to S9.
 #include "basic_colliding/experiments.hpp"
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
-#include <initializer_list>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -19,28 +18,12 @@ namespace {
 class FigureUnderTest {
  public:
   // Computes it.
-  explicit FigureUnderTest(
-      std::string_view name,
-      std::initializer_list<std::pair<std::string_view, std::string_view>> set = {}) {
-    for (const Figure& figure : basic_colliding_figures()) {
-      if (figure.name != name) continue;
-      Parameters settings = figure.parameters;
-      for (const std::string& text : figure.quick) {
-        const std::size_t equals = text.find('=');
-        settings.set(text.substr(0, equals), text.substr(equals + 1));
-      }
-      for (const auto& [key, value] : set) settings.set(key, value);
-      result = figure.experiment(settings);
-      return;
-    }
-    throw std::invalid_argument("no figure '" + std::string(name) + "'");
-  }
+  explicit FigureUnderTest(std::string_view name, const std::vector<std::string>& set = {})
+      : result(run_quickly(basic_colliding_figures(), name, set)) {}
 
   // A number of the figure.
   [[nodiscard]] double number(std::string_view quantity) const {
-    for (const Quantity& q : result.quantities)
-      if (q.name == quantity) return q.value;
-    throw std::invalid_argument("no number '" + std::string(quantity) + "'");
+    return quantity_of(result, quantity).value;
   }
 
   Result result;  // all that was computed
@@ -87,11 +70,10 @@ TEST_CASE("The basic technique meets its cap once a bouncing cube has come to re
 }
 
 TEST_CASE("Bouncing is refused where it cannot be compared", "[unit][basic_colliding]") {
-  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1b_rest", {{"duration", "0.5"}}),
+  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1b_rest", {"duration=0.5"}),
                     Catch::Matchers::Contains("the run ends before the cube rests"));
-  CHECK_THROWS_WITH(
-      FigureUnderTest("claim_2_1a_impacts", {{"restitution", "0.5"}, {"impacts", "100"}}),
-      Catch::Matchers::Contains("a step met its cap"));
+  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1a_impacts", {"restitution=0.5", "impacts=100"}),
+                    Catch::Matchers::Contains("a step met its cap"));
 }
 
 TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][basic_colliding]") {
@@ -113,7 +95,7 @@ TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][bas
 
 TEST_CASE("A stack that needs more impulses than the cap allows is said to",
           "[unit][basic_colliding]") {
-  const FigureUnderTest figure("claim_2_5_2a_stack", {{"cap", "1000"}, {"seeds", "2"}});
+  const FigureUnderTest figure("claim_2_5_2a_stack", {"cap=1000", "seeds=2"});
   CHECK(figure.number("runs that met the cap") > 0.0);
   // What is counted until then still is a rate: measured 16.4.
   CHECK(figure.number("impulses per second with four cubes over those with one cube, shortest hop "
