@@ -2,6 +2,8 @@
 /// \brief Tables of numbers as files, written and read.
 #include "driver/csv.hpp"
 
+#include "tumble/record/csv_cells.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -56,18 +58,7 @@ std::vector<std::vector<std::string>> split_csv(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line.front() == '#') continue;
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (c == ',' && !quoted) {
-        cells.emplace_back();
-      } else {
-        cells.back() += c;
-      }
-    }
-    lines.push_back(cells);
+    lines.push_back(cells_of(line));
   }
   return lines;
 }

@@ -2,6 +2,8 @@
 /// \brief The ledger: what the thesis claims, the number that decides, the verdict.
 #include "driver/ledger.hpp"
 
+#include "tumble/record/csv_cells.hpp"
+
 #include "driver/csv.hpp"
 #include "driver/records.hpp"
 
@@ -118,13 +120,6 @@ std::vector<long> thesis_place(const std::string& id) {
   return place;
 }
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::vector<Claim> read_claims(const std::filesystem::path& path) {
@@ -204,7 +199,7 @@ std::string ledger_csv(const std::vector<LedgerEntry>& ledger) {
                                          claim.test};
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (i > 0) text += ',';
-      text += cell(cells[i]);
+      text += csv_cell(cells[i]);
     }
     text += '\n';
   }

@@ -18,21 +18,7 @@ const char* const kExpected =
     "fig2_1_fall,depth,m,5,0.1,measured\n"
     "claim_2_1a_fall,speed,m/s,3,0,exact\n";
 
-const char* const kClaims = R"([[claim]]
-id = "2.1a"
-section = "2.1"
-statement = "It falls."
-experiment = "A box is dropped."
-technique = "basic"
-reading = "ours"
-quantity = "speed"
-unit = "m/s"
-confirmed = ">= 1"
-refuted = "< 1"
-reason = "One is fast."
-figure = "claim_2_1a_fall"
-test = "A box falls"
-)";
+const std::string kClaims = claim_on_speed("It falls.");
 
 const char* const kErratum = R"([[erratum]]
 id = "C1"

@@ -12,21 +12,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 
-const char* const kClaims = R"([[claim]]
-id = "2.1a"
-section = "2.1"
-statement = "A < B \\ref C."
-experiment = "A box is dropped."
-technique = "basic"
-reading = "ours"
-quantity = "speed"
-unit = "m/s"
-confirmed = ">= 1"
-refuted = "< 1"
-reason = "One is fast."
-figure = "claim_2_1a_fall"
-test = "A box falls"
-)";
+const std::string kClaims = claim_on_speed("A < B \\\\ref C.");
 
 Findings findings_with(const std::string& rows) {
   const Scratch scratch("pages");

@@ -58,4 +58,22 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+/// One claim, as a chapter's claims.toml has it: a speed of at least 1 m/s confirms it.
+/// \param statement  as it stands between quotes in TOML
+/// \return the bytes of the file
+inline std::string claim_on_speed(const std::string& statement) {
+  return "[[claim]]\nid = \"2.1a\"\nsection = \"2.1\"\nstatement = \"" + statement + R"("
+experiment = "A box is dropped."
+technique = "basic"
+reading = "ours"
+quantity = "speed"
+unit = "m/s"
+confirmed = ">= 1"
+refuted = "< 1"
+reason = "One is fast."
+figure = "claim_2_1a_fall"
+test = "A box falls"
+)";
+}
+
 }  // namespace tumble::chapters

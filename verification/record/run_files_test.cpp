@@ -3,6 +3,7 @@
 #include "tumble/record/run_files.hpp"
 
 #include "tumble/basic_colliding/basic.hpp"
+#include "tumble/record/csv_cells.hpp"
 #include "tumble/record/metrics_table.hpp"
 #include "tumble/record/recorded_run.hpp"
 #include "tumble/scenes/library.hpp"

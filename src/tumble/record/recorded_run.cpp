@@ -3,6 +3,7 @@
 #include "tumble/record/recorded_run.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/record/csv_cells.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
 #include <array>
@@ -60,25 +61,6 @@ RecordedPose pose_of(const Row& row, const std::map<std::string, int>& boxes) {
 }
 
 }  // namespace
-
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const char c = line[k];
-    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"') {
-      cells.back() += c;  // two quotes within quotes are one
-      ++k;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
 
 RecordedRun read_run(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "trajectory.csv";

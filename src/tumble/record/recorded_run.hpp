@@ -52,9 +52,4 @@ World world_of(const RecordedRun& run, const RecordedFrame& frame);
 /// \throws std::invalid_argument naming the recorded times if `time` is outside
 const RecordedFrame& nearest_frame(const RecordedRun& run, double time);
 
-/// Takes a row of a comma-separated table apart.
-/// \param line  without the line break
-/// \return the cells, without the quotes that some are in
-std::vector<std::string> cells_of(std::string_view line);
-
 }  // namespace tumble

@@ -2,6 +2,8 @@
 /// \brief Writing whole lines.
 #include "tumble/record/table_file.hpp"
 
+#include "tumble/record/csv_cells.hpp"
+
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -77,13 +79,7 @@ TableFile& TableFile::cell(std::int64_t value) {
 
 TableFile& TableFile::cell(std::string_view value) {
   separate();
-  if (value.find_first_of(",\"\n\r") == std::string_view::npos) {
-    pending_ += value;
-    return *this;
-  }
-  pending_ += '"';
-  for (const char c : value) pending_.append(c == '"' ? 2 : 1, c);
-  pending_ += '"';
+  pending_ += csv_cell(value);
   return *this;
 }
 
