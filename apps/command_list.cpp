@@ -1,5 +1,6 @@
 /// \file
-/// \brief `tumble scenes` and `tumble techniques`.
+/// \brief `tumble scenes`, `tumble techniques` and `tumble lcp --list`.
+#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -15,7 +16,7 @@ namespace {
 int width(std::string_view text) { return static_cast<int>(text.size()); }
 
 void print_line(std::string_view name, std::string_view section, std::string_view summary) {
-  std::printf("%-16.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
+  std::printf("%-18.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
               width(summary), summary.data());
 }
 
@@ -77,6 +78,11 @@ int list_techniques(const std::string& name) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   print_line(recipe.name, recipe.section, recipe.summary);
   print_settings(recipe.options());
+  return kDone;
+}
+
+int list_lcp_solvers() {
+  for (const LcpRecipe& s : lcp_solvers()) print_line(s.name, s.section, s.summary);
   return kDone;
 }
 

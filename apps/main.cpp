@@ -20,8 +20,8 @@ namespace {
 using tumble::app::Request;
 
 // The name of a sub-command is the first word; what is said about it tells which are known.
-constexpr std::array<std::string_view, 5> kCommands = {"run", "compare", "render", "scenes",
-                                                       "techniques"};
+constexpr std::array<std::string_view, 6> kCommands = {"run", "compare", "render",
+                                                       "lcp", "scenes",  "techniques"};
 
 // What a user has typed that is no number is told with what would be one.
 CLI::Validator number() {
@@ -134,6 +134,14 @@ int main(int argc, char** argv) {
   CLI::App* render = app.add_subcommand("render", "draw frames of a run that was recorded");
   add_render_options(*render, picture);
 
+  tumble::app::LcpRequest problem;
+  bool list_solvers = false;
+  CLI::App* lcp = app.add_subcommand("lcp", "solve f >= 0, a = A f + b >= 0, f'a = 0 from files");
+  lcp->add_option("--matrix", problem.matrix, "A, a Matrix Market file");
+  lcp->add_option("--vector", problem.vector, "b, one with a single column");
+  lcp->add_option("--solver", problem.solver, "see --list")->capture_default_str();
+  lcp->add_flag("--list", list_solvers, "list the solvers");
+
   std::string name;
   bool as_toml = false;
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or describe one");
@@ -158,6 +166,8 @@ int main(int argc, char** argv) {
     tumble::app::catch_stop_signals();
     if (run->parsed()) return printed(tumble::app::run(request));
     if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
+    if (lcp->parsed() && list_solvers) return printed(tumble::app::list_lcp_solvers());
+    if (lcp->parsed()) return printed(tumble::app::solve_lcp(problem));
     if (render->parsed()) return printed(tumble::app::render(picture));
     if (scenes->parsed())
       return printed(tumble::app::list_scenes(name, as_toml, request.settings, request.run.seed));

@@ -81,6 +81,22 @@ struct RenderRequest {
 /// \return the exit code
 int render(const RenderRequest& request);
 
+/// A linear complementarity problem in files, as typed.
+struct LcpRequest {
+  std::string matrix;            ///< Matrix Market file of A
+  std::string vector;            ///< Matrix Market file of b, one column
+  std::string solver = "lemke";  ///< the default takes any matrix
+};
+
+/// `tumble lcp`.
+/// \param request what was typed
+/// \return the exit code
+int solve_lcp(const LcpRequest& request);
+
+/// `tumble lcp --list`.
+/// \return the exit code
+int list_lcp_solvers();
+
 /// `tumble scenes`.
 /// \param name     one scene to describe; empty: list all
 /// \param as_toml  print it as a scene file

@@ -197,6 +197,27 @@ inline constexpr double friction_limit = 1e-9;
 /// what is seen begins a thousand million times above. (2.1)
 inline constexpr double rounding_overlap = 1e-12;
 
+// --- analytic_lcp -------------------------------------------------------------------------
+
+/// [-] The inverse of a basis is refined once a correction exceeds this share of the sum of its
+/// terms' sizes. Reason: a correction squares the relative error, so that half of the digits are
+/// enough to get all. (3.3.1)
+inline constexpr double lost_digits = 1e-8;
+
+/// [m/s²] Contacts that sink no faster are left alone, in the form of the method that the thesis
+/// describes. Reason: the thesis's own number; it fits boxes of a metre under gravity. (3.3.1)
+inline constexpr double sinking = 1e-5;
+
+/// [-] Residual at which Gauss-Seidel sweeps stop. Reason: 1e-8 m/s² under gravity moves 2 cm in half
+/// an hour; each digit more costs as many sweeps as the one before. (3.3.1)
+inline constexpr double gauss_seidel_residual = 1e-9;
+
+/// [-] Constraints contradict each other if the nearest point of their cone is closer than this to
+/// the target, which is 1 away from its tip. Reason: contradiction leaves rounding, and this far,
+/// accelerations would be a million times those that any constraint asks for alone: a thousand times
+/// more than a box of a ton on one of a gram. (2.6.2)
+inline constexpr double contradiction = 1e-6;
+
 // --- scenes, record -----------------------------------------------------------------------
 
 /// [-] Overlap at the start of a run up to which a scene is accepted, as a share of the shortest

@@ -16,6 +16,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+std::int64_t count(const std::vector<int>& indices) {
+  return static_cast<std::int64_t>(indices.size());
+}
+
 double largest(const VecRef& b) {
   double size = 0.0;
   for (int i = 0; i < b.size(); ++i) size = std::max(size, std::abs(b[i]));
@@ -81,6 +85,7 @@ void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, Complementar
   check_sizes(A, b);
   const bool plausible = check_values(A, b);
   const int n = static_cast<int>(b.size());
+  multiplications_ = 0;
   begin(A, b, start);
   result.status = ComplementarityStatus::solved;
   result.pivots = 0;
@@ -103,6 +108,7 @@ void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, Complementar
   result.pushing.assign(factor_.indices().begin(), factor_.indices().end());
   std::sort(result.pushing.begin(), result.pushing.end());
   result.residual = complementarity_residual(A, b, view(result.f));
+  result.multiplications = multiplications_;
 }
 
 // Makes room, and puts the contacts of the warm start among the pushing ones.
@@ -134,12 +140,14 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
     subset_.clear();
     for (const int c : pushing) subset_.push_back(-b[c]);
     factor_.solve(subset_);
+    multiplications_ += count(pushing) * (count(pushing) + 1);
     const auto worst = std::min_element(subset_.begin(), subset_.end());
     if (worst == subset_.end() || *worst >= 0.0) break;
     change_place(A, pushing[at(static_cast<int>(worst - subset_.begin()))]);
     ++result.pivots;
   }
 
+  multiplications_ += 2 * std::int64_t{b.size()} * count(pushing);  // a, and its terms
   result.f.assign(place_.size(), 0.0);
   result.a.assign(b.data(), b.data() + b.size());
   std::fill(da_.begin(), da_.end(), 0.0);  // here: how large the terms of each a are
@@ -171,6 +179,7 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
     // A unit force at d, and the forces of C that keep C neither sinking nor parting:
     // df_d = 1, df_C = -A_CC^{-1} A_Cd, da = A df. At d itself da_d is the Schur complement.
     const Answer answer = answer_to(A, d);
+    multiplications_ += (count(pushing) + 2) * n;  // da, f and a
     std::fill(df_.begin(), df_.end(), 0.0);
     std::fill(da_.begin(), da_.end(), 0.0);
     df_[at(d)] = 1.0;
@@ -258,6 +267,9 @@ void ComplementaritySolver::change_place(const MatRef& A, int j) {
   if (leaves) {
     const auto where = std::find(pushing.begin(), pushing.end(), j);
     factor_.remove(A, static_cast<int>(where - pushing.begin()));
+    // Each row after it takes a triangular solve and its own length.
+    for (auto k = where - pushing.begin(); k < count(pushing); ++k)
+      multiplications_ += k * (k + 1) / 2 + k;
   } else {
     factor_.append_considered();
   }
@@ -272,6 +284,7 @@ ComplementaritySolver::Answer ComplementaritySolver::answer_to(const MatRef& A, 
   Answer answer{factor_.consider(A, j), root_[at(j)]};
   subset_.resize(pushing.size());
   factor_.answer_to_considered(subset_);
+  multiplications_ += count(pushing) * (count(pushing) + 3);  // two triangles, and two sums
   for (std::size_t k = 0; k < subset_.size(); ++k)
     answer.size += std::abs(subset_[k]) * root_[at(pushing[k])];
   return answer;

@@ -28,6 +28,7 @@ struct ComplementarityResult {
   std::vector<int> pushing;  ///< indices of forces in use, ascending: a start for the next solve
   int pivots = 0;            ///< how often a contact began or ceased to push
   double residual = 0.0;     ///< [-] see complementarity_residual()
+  std::int64_t multiplications = 0;  ///< [-] the work done, whatever the machine
 };
 
 /// The number that judges any answer, whoever computed it.
@@ -88,6 +89,7 @@ class ComplementaritySolver {
   std::vector<double> df_, da_;  // (n) change of f and a per unit force at the driven contact
   std::vector<int> start_;       // copy of the warm start
   double slack_ = 0.0;           // [m/s²] a >= -slack_ counts as not negative
+  std::int64_t multiplications_ = 0;
 };
 
 }  // namespace tumble

@@ -123,6 +123,7 @@ void OrthogonalFactor::clear(int rows, int columns) {
   indices_.reserve(static_cast<std::size_t>(r_.rows()));
   later_.reserve(static_cast<std::size_t>(r_.rows()));
   rest_.resize(static_cast<std::size_t>(rows));
+  multiplications_ = 0;
 }
 
 // Subtracts from `rest_` its part along direction k; returns how long that part was.
@@ -130,6 +131,7 @@ double OrthogonalFactor::take_out(int k) {
   const int rows = static_cast<int>(rest_.size());
   const double along = dot(q_.col(k).data(), rest_.data(), 0, rows);
   add_scaled(-along, q_.col(k).data(), rest_.data(), 0, rows);
+  multiplications_ += 2 * std::int64_t{rows};
   return along;
 }
 
@@ -148,6 +150,7 @@ bool OrthogonalFactor::append(const MatRef& G, int column, double limit) {
   const double length_before = std::sqrt(dot(rest_.data(), rest_.data(), 0, rows));
   for (int k = 0; k < n; ++k) r_(k, n) = take_out(k);
   const double length = std::sqrt(dot(rest_.data(), rest_.data(), 0, rows));
+  multiplications_ += 3 * std::int64_t{rows};  // two lengths, and the division below
   if (length <= limit * length_before) return false;
 
   for (int i = 0; i < rows; ++i) q_(i, n) = rest_[static_cast<std::size_t>(i)] / length;
@@ -174,6 +177,7 @@ void OrthogonalFactor::solve(const VecRef& d, std::span<double> x) {
     double& value = x[static_cast<std::size_t>(k)];
     value /= r_(k, k);
     add_scaled(-value, r_.col(k).data(), x.data(), 0, k);
+    multiplications_ += k + 1;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "tumble/base/types.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -119,6 +120,10 @@ class OrthogonalFactor {
   /// \param x (|P|) the answer, in the order of indices()
   void solve(const VecRef& d, std::span<double> x);
 
+  /// The work done, whatever the machine.
+  /// \return [-] multiplications and divisions since clear()
+  [[nodiscard]] std::int64_t multiplications() const { return multiplications_; }
+
  private:
   bool append(const MatRef& G, int column, double limit);
   double take_out(int k);
@@ -128,6 +133,7 @@ class OrthogonalFactor {
   std::vector<int> indices_;  // P
   std::vector<int> later_;    // columns to be appended again
   std::vector<double> rest_;  // (m) what is left of a column or of d
+  std::int64_t multiplications_ = 0;
 };
 
 }  // namespace tumble

@@ -37,6 +37,7 @@ void NonNegativeLeastSquares::solve(const MatRef& G, const VecRef& d, LeastSquar
   size_of_target_ = length_of(d);
   result.status = ComplementarityStatus::solved;
   result.pivots = 0;
+  result.multiplications = std::int64_t{n} * G.rows();  // the lengths of the columns
   result.pushing.reserve(at(n));
   result.f.assign(at(n), 0.0);
 
@@ -47,6 +48,8 @@ void NonNegativeLeastSquares::solve(const MatRef& G, const VecRef& d, LeastSquar
   while (true) {
     update_rest(G, d, result);
     const int j = steepest(G, result);
+    // The rest takes the columns in use and a length, the slopes at most all the others.
+    result.multiplications += std::int64_t{n + 1} * G.rows();
     if (j < 0) break;
     if (result.pivots >= cap) {
       result.status = ComplementarityStatus::cap_reached;
@@ -64,6 +67,7 @@ void NonNegativeLeastSquares::solve(const MatRef& G, const VecRef& d, LeastSquar
 
   result.pushing.assign(factor_.indices().begin(), factor_.indices().end());
   std::sort(result.pushing.begin(), result.pushing.end());
+  result.multiplications += factor_.multiplications();
 }
 
 // Makes room, and puts the columns of the warm start to use.

@@ -15,10 +15,11 @@ namespace tumble {
 struct LeastSquaresResult {
   ComplementarityStatus status = ComplementarityStatus::solved;  ///< solved or cap_reached
   std::vector<double> f;                                         ///< [any] (n) factors, f >= 0
-  std::vector<double> rest;  ///< [any] (m) d - G f, unique where f is not
-  std::vector<int> pushing;  ///< columns in use, ascending: a start for the next solve
-  int pivots = 0;            ///< how often a column began or ceased to be used
-  double distance = 0.0;     ///< [any] |rest|, the distance of d from the cone
+  std::vector<double> rest;          ///< [any] (m) d - G f, unique where f is not
+  std::vector<int> pushing;          ///< columns in use, ascending: a start for the next solve
+  int pivots = 0;                    ///< how often a column began or ceased to be used
+  double distance = 0.0;             ///< [any] |rest|, the distance of d from the cone
+  std::int64_t multiplications = 0;  ///< [-] the work done, whatever the machine
 };
 
 /// Finds f >= 0 that makes |G f - d| least: the point nearest to d in the cone of G's columns.

@@ -1,0 +1,62 @@
+/// \file
+/// \brief `tumble lcp`: a linear complementarity problem from files, solved.
+#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/base/error.hpp"
+#include "tumble/record/json.hpp"
+#include "tumble/record/matrix_market.hpp"
+
+#include "request.hpp"
+
+#include <cstdio>
+
+namespace tumble::app {
+namespace {
+
+void write_list(Json& json, std::string_view name, const std::vector<double>& values) {
+  json.key(name).begin_list();
+  for (const double value : values) json.item(value);
+  json.end_list();
+}
+
+std::string size_text(const MatX& matrix) {
+  return std::to_string(matrix.rows()) + " by " + std::to_string(matrix.cols());
+}
+
+LcpProblem read_problem(const LcpRequest& request) {
+  require::that(!request.matrix.empty() && !request.vector.empty(),
+                "tumble: --matrix and --vector are needed, a Matrix Market file each");
+  LcpProblem problem;
+  problem.A = read_matrix_market(request.matrix);
+  require::that(problem.A.rows() == problem.A.cols(),
+                request.matrix + ": " + size_text(problem.A) + ": expected a square matrix");
+  const MatX b = read_matrix_market(request.vector);
+  require::that(b.rows() == problem.A.rows() && b.cols() == 1,
+                request.vector + ": " + size_text(b) + ": expected " +
+                    std::to_string(problem.A.rows()) + " by 1, a row for each of " +
+                    request.matrix);
+  problem.b = b.col(0);
+  return problem;
+}
+
+}  // namespace
+
+int solve_lcp(const LcpRequest& request) {
+  const std::unique_ptr<LcpSolver> solver = make_lcp_solver(request.solver);
+  const LcpProblem problem = read_problem(request);
+  LcpResult result;
+  solver->solve(problem, result);
+
+  Json json;
+  json.begin();
+  json.field("solver", solver->name());
+  json.field("status", name_of(result.status));
+  json.field("pivots", std::int64_t{result.pivots});
+  json.field("residual", result.residual);
+  write_list(json, "f", result.f);
+  write_list(json, "a", result.a);
+  json.end();
+  std::printf("%s", json.text().c_str());
+  return result.status == LcpStatus::solved ? kDone : kMathematical;
+}
+
+}  // namespace tumble::app

@@ -1,0 +1,47 @@
+/// \file
+/// \brief Baraff's pivoting, with equalities.
+#include "tumble/analytic_lcp/baraff.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+LcpStatus translated(ComplementarityStatus status) {
+  switch (status) {
+    case ComplementarityStatus::solved:
+      return LcpStatus::solved;
+    case ComplementarityStatus::infeasible:
+      return LcpStatus::infeasible;
+    case ComplementarityStatus::cap_reached:
+      return LcpStatus::cap_reached;
+    case ComplementarityStatus::not_positive_semidefinite:
+      break;
+  }
+  return LcpStatus::not_positive_semidefinite;
+}
+
+}  // namespace
+
+void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span<const int> start) {
+  require_valid(problem, LcpMatrix::symmetric_semidefinite);
+  require_valid_start(problem.size(), start);
+
+  // Contacts only: no copy is needed.
+  if (std::all_of(problem.equality.begin(), problem.equality.end(),
+                  [](char flag) { return flag == 0; })) {
+    solver_.solve(problem.A, problem.b, answer_, start);
+    result.f.assign(answer_.f.begin(), answer_.f.end());
+  } else {
+    twins_.assign(problem);
+    twins_.start_from(problem, start, start_);
+    solver_.solve(twins_.A(), twins_.b(), answer_, start_);
+    twins_.forces(answer_.f, result.f);
+  }
+  result.status = translated(answer_.status);
+  result.pivots = answer_.pivots;
+  result.multiplications = answer_.multiplications;
+  complete(problem, result);
+}
+
+}  // namespace tumble

@@ -1,0 +1,453 @@
+/// \file
+/// \brief The problem of contact forces: matrices and statics known in closed form.
+#include "tumble/base/random.hpp"
+#include "tumble/contact/effective_mass.hpp"
+
+#include "analytic_lcp/instant.hpp"
+#include "dynamics/random_bodies.hpp"
+#include "support/allocation_counter.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+using Catch::Matchers::Contains;
+
+Instant cube_on_floor() {
+  World world;
+  world.add_ground();
+  add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5, 0));
+  return Instant(world);
+}
+
+// The rows of the corners (x, z) = (-, -), (+, -), (+, +), (-, +) of a cube on the floor.
+std::array<int, 4> rows_of_corners(const Instant& cube) {
+  std::array<int, 4> rows{};
+  for (int i = 0; i < 4; ++i) {
+    const Vec3& p = cube.place(at(i));
+    rows[p.z() < 0.0 ? (p.x() < 0.0 ? 0 : 1) : (p.x() < 0.0 ? 3 : 2)] = i;
+  }
+  return rows;
+}
+
+// One point where two bodies touch, put down by hand.
+Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w) {
+  Contact contact;
+  contact.first = first;
+  contact.second = second;
+  contact.normal_w = normal_w;
+  contact.count = 1;
+  contact.points[0].position_w = position_w;
+  return contact;
+}
+
+}  // namespace
+
+// --- matrices and statics -----------------------------------------------------------------------
+
+TEST_CASE("The matrix of a cube on the floor is singular and has the rows (4, 1, -2, 1)",
+          "[exact][assembly]") {
+  Instant cube = cube_on_floor();
+  cube.assemble();
+  const LcpProblem& lcp = cube.problem.lcp();
+  REQUIRE(lcp.size() == 4);
+  const std::array<int, 4> rows = rows_of_corners(cube);
+  const std::array<double, 4> expected{4.0, 1.0, -2.0, 1.0};  // [1/kg] and so on round the corners
+  double worst = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    double null = 0.0;  // A (1, -1, 1, -1)
+    for (int j = 0; j < 4; ++j) {
+      const double a = lcp.A(rows[at(i)], rows[at(j)]);
+      worst = std::max(worst, std::abs(a - expected[at((j - i + 4) % 4)]));
+      null += j % 2 == 0 ? a : -a;
+    }
+    worst = std::max({worst, std::abs(null), std::abs(lcp.b[rows[at(i)]] + kG)});
+  }
+  CHECK(worst < 1e-14);  // [1/kg], [m/s²] rounding of products near 4: measured 0
+  CHECK(lcp.equality.empty());
+  CHECK(lcp.factors.bodies.size() == 1);  // the ground has no block
+}
+
+TEST_CASE("Whatever the corners of a cube bear, their net force is its weight and it rests",
+          "[exact][assembly]") {
+  Instant cube = cube_on_floor();
+  cube.solve();
+  CHECK(cube.force_between(0, 1) == Approx(kG).epsilon(1e-14));
+  CHECK((cube.wrenches[1].force_w - Vec3(0, kG, 0)).norm() < 1e-14);  // [N] measured 0
+  CHECK(cube.wrenches[1].torque_w.norm() < 1e-14);                    // [N m] measured 0
+  CHECK(cube.wrenches[0].force_w.norm() == 0.0);                      // nothing moves the ground
+  CHECK(cube.unrest() < 1e-14);                                       // measured 0
+}
+
+TEST_CASE("A torque of -6 N m tips a cube over its right edge", "[exact][assembly]") {
+  Instant cube = cube_on_floor();
+  cube.external[1].torque_w.z() = -6.0;
+  cube.solve();
+  const std::array<int, 4> rows = rows_of_corners(cube);
+  const std::array<double, 4> b{8.19, -27.81, -27.81, 8.19};
+  const std::array<double, 4> f{0.0, 5.562, 5.562, 0.0};
+  const std::array<double, 4> a{2.628, 0.0, 0.0, 2.628};
+  for (std::size_t i = 0; i < 4; ++i) {
+    // Rounding of sums of a few numbers near 30.
+    CHECK(cube.problem.lcp().b[rows[i]] == Approx(b[i]).epsilon(1e-14));
+    CHECK(cube.answer.f[at(rows[i])] == Approx(f[i]).epsilon(1e-13).margin(1e-13));
+    CHECK(cube.answer.a[at(rows[i])] == Approx(a[i]).epsilon(1e-13).margin(1e-13));
+  }
+}
+
+TEST_CASE("A cube with its load at (x, z) rests if the load is above its base, and tips if not",
+          "[exact][assembly]") {
+  // The load is the cube's weight, moved there by a torque.
+  const auto loaded = [](double x, double z) {
+    Instant cube = cube_on_floor();
+    cube.external[1].torque_w = Vec3(x, 0, z).cross(Vec3(0, -kG, 0));
+    cube.solve();
+    return cube;
+  };
+  for (const auto& [x, z] : {std::pair(0.2, 0.1), std::pair(0.4, 0.3), std::pair(-0.5, 0.5)}) {
+    const Instant cube = loaded(x, z);
+    CHECK(cube.unrest() < 1e-13);  // measured 6e-15
+    Vec3 moment = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) moment += cube.answer.f[i] * cube.place(i);
+    CHECK((moment / kG - Vec3(x, 0, z)).norm() < 1e-14);  // [m] the centre of pressure
+  }
+  const Instant cube = loaded(0.6, 0.0);
+  const std::array<int, 4> rows = rows_of_corners(cube);
+  for (const std::size_t i : {0U, 3U}) {
+    CHECK(cube.answer.f[at(rows[i])] == 0.0);
+    CHECK(cube.answer.a[at(rows[i])] == Approx(2.3544).epsilon(1e-13));
+  }
+  for (const std::size_t i : {1U, 2U}) {
+    CHECK(cube.answer.f[at(rows[i])] == Approx(5.4936).epsilon(1e-13));
+    CHECK(cube.answer.a[at(rows[i])] == Approx(0.0).margin(1e-13));
+  }
+}
+
+TEST_CASE("The contacts of a stack bear what is above them", "[exact][assembly]") {
+  World world;
+  world.add_ground();
+  for (int k = 0; k < 5; ++k) add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5 + k, 0));
+  Instant stack(world);
+  stack.solve();
+  CHECK(stack.problem.lcp().size() == 20);
+  for (int k = 0; k < 5; ++k)
+    CHECK(stack.force_between(k, k + 1) == Approx((5 - k) * kG).epsilon(1e-12));
+  CHECK(stack.unrest() < 1e-12);  // [m/s²] rounding with 20 rows: measured 3e-14
+
+  // With one point for each contact the matrix is (1, 2, 2, ...), -1 beside the diagonal.
+  for (Contact& contact : stack.contacts)
+    contact = contact_at(contact.first, contact.second, Vec3(0, contact.first, 0), Vec3::UnitY());
+  stack.solve();
+  const LcpProblem& lcp = stack.problem.lcp();
+  for (int i = 0; i < 5; ++i) {
+    CHECK(lcp.b[i] == (i == 0 ? -kG : 0.0));
+    for (int j = 0; j < 5; ++j)
+      CHECK(lcp.A(i, j) == (i == j ? (i == 0 ? 1.0 : 2.0) : (std::abs(i - j) == 1 ? -1.0 : 0.0)));
+    CHECK(stack.answer.f[at(i)] == Approx((5 - i) * kG).epsilon(1e-14));
+  }
+}
+
+// Rows of bricks, each brick over the gap between two below. Bricks of a row do not touch.
+namespace {
+
+World pyramid(int rows) {
+  World world;
+  world.add_ground();
+  for (int r = 0; r < rows; ++r)
+    for (int k = 0; k < rows - r; ++k)
+      add_box(world, Vec3(1.0, 0.5, 1.0), 1.0, Vec3(1.02 * (k + 0.5 * r), 0.25 + 0.5 * r, 0));
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("Each row of a pyramid bears all the rows above it", "[exact][assembly]") {
+  for (int rows = 2; rows <= 5; ++rows) {
+    Instant heap(pyramid(rows));
+    heap.solve();
+    CHECK(heap.unrest() < 1e-11);  // [m/s²] up to 100 redundant rows: measured 2e-13
+    double on_floor = 0.0;
+    for (int k = 1; k <= rows; ++k) on_floor += heap.force_between(0, k);
+    CHECK(on_floor == Approx(0.5 * rows * (rows + 1) * kG).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("A pyramid on two feet for each brick has forces that nothing else can be",
+          "[exact][assembly]") {
+  // Feet a quarter of a brick from its centre, on bricks side by side, make it determinate.
+  const std::array<std::vector<double>, 4> floor_loads{
+      std::vector<double>{1.5, 1.5},
+      {1.5, 3.0, 1.5},
+      {1.5, 3.5, 3.5, 1.5},
+      {1.5, 3.5, 5.0, 3.5, 1.5}};  // [m g] by brick of the lowest row
+  for (int rows = 2; rows <= 5; ++rows) {
+    Instant heap(pyramid(rows));
+    heap.contacts.clear();
+    int below = 0;  // index of the brick under the left foot; 0 in the lowest row: the ground
+    int brick = 1;
+    for (int r = 0; r < rows; ++r)
+      for (int k = 0; k < rows - r; ++k, ++brick) {
+        heap.bodies[at(brick)].position_w = Vec3(k + 0.5 * r, 0.25 + 0.5 * r, 0);
+        if (r > 0) below = brick - (rows - r) - 1;
+        for (int foot = 0; foot < 2; ++foot) {
+          const Vec3 p = heap.bodies[at(brick)].position_w + Vec3(0.5 * foot - 0.25, -0.25, 0);
+          heap.contacts.push_back(contact_at(r == 0 ? 0 : below + foot, brick, p, Vec3::UnitY()));
+        }
+      }
+    heap.solve();
+    const std::vector<double>& expected = floor_loads[at(rows - 2)];
+    // Rounding of 30 rows with a condition of some hundreds.
+    for (int k = 0; k < rows; ++k)
+      CHECK(heap.force_between(0, k + 1) == Approx(expected[at(k)] * kG).epsilon(1e-12));
+    CHECK(heap.unrest() < 1e-11);  // [m/s²] measured 7e-14
+    if (rows != 3) continue;
+    const std::array<double, 6> feet{0.5, 1.0, 1.5, 1.5, 1.0, 0.5};  // [m g]
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(heap.answer.f[i] == Approx(feet[i] * kG).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("Two blocks on narrow feet stand under a block of two thirds of their mass, no lighter",
+          "[exact][assembly]") {
+  // The thesis's figure 6.5: each block by itself would tip outwards, and half of what lies on both
+  // holds down each. The top block's centre can be moved to one side, by a torque.
+  const auto unrest = [](double mass, double centre) {
+    World world;
+    add_fixed(world, Vec3(0.75, 1, 1), Vec3(-1.375, 0.5, 0));
+    add_fixed(world, Vec3(0.75, 1, 1), Vec3(1.375, 0.5, 0));
+    add_box(world, Vec3(2, 0.5, 1), 1.0, Vec3(-2, 1.25, 0));
+    add_box(world, Vec3(2, 0.5, 1), 1.0, Vec3(2, 1.25, 0));
+    add_box(world, Vec3(2.5, 0.5, 1), mass, Vec3(0, 1.75, 0));
+    Instant instant(world);
+    instant.external[4].torque_w.z() = -centre * mass * kG;
+    instant.solve();
+    return instant.unrest();
+  };
+  // A millionth of mass beyond the limit leaves a torque that moves bodies by some 1e-7 g.
+  CHECK(unrest(2.0 / 3.0 * (1.0 + 1e-6), 0.0) < 1e-10);  // measured 4e-14
+  CHECK(unrest(2.0 / 3.0 * (1.0 - 1e-6), 0.0) > 1e-7);   // measured 2e-6
+  CHECK(unrest(70.0 / 93.0 * (1.0 + 1e-6), 0.2) < 1e-10);
+  CHECK(unrest(70.0 / 93.0 * (1.0 - 1e-6), 0.2) > 1e-7);
+  CHECK(unrest(0.0001, 0.0) > 1.0);
+}
+
+TEST_CASE("A push at the top edge tips a block on a slippery floor from m g w / h on",
+          "[exact][assembly]") {
+  for (const auto& [w, h] : {std::pair(1.0, 2.0), std::pair(0.5, 2.0), std::pair(1.0, 1.0)}) {
+    for (const double side : {1.0, -1.0}) {
+      World world;
+      world.add_ground();
+      add_box(world, Vec3(w, h, 1.0), 2.0, Vec3(0, 0.5 * h, 0));
+      Instant block(world);
+      block.external[1].force_w.x() = 2.0 * kG * w / h * (1.0 + side * 1e-6);
+      block.external[1].torque_w.z() = -0.5 * h * block.external[1].force_w.x();
+      block.solve();
+      CHECK(block.accelerations[1].linear_w.x() == Approx(kG * w / h * (1.0 + side * 1e-6)));
+      const double turning = std::abs(block.accelerations[1].angular_w.z());  // [rad/s²]
+      if (side > 0.0) CHECK(turning > 1e-7);                                  // measured 3e-6
+      if (side < 0.0) CHECK(turning < 1e-12);                                 // measured 1e-14
+    }
+  }
+}
+
+TEST_CASE("Without friction a box slides down a slope with g sin and is pressed on it with g cos",
+          "[exact][assembly]") {
+  const double slope = std::numbers::pi / 6.0;
+  const Quat tilt = about(Vec3::UnitZ(), -slope);
+  for (const bool slope_is_first : {true, false}) {
+    World world;
+    if (slope_is_first) add_fixed(world, Vec3(20, 1, 5), tilt * Vec3(0, -0.5, 0), tilt);
+    add_box(world, Vec3::Ones(), 3.0, tilt * Vec3(-2, 0.5, 0), tilt, tilt * Vec3(3, 0, 0));
+    if (!slope_is_first) add_fixed(world, Vec3(20, 1, 5), tilt * Vec3(0, -0.5, 0), tilt);
+    Instant instant(world);
+    instant.solve();
+    const Acceleration& box = instant.accelerations[slope_is_first ? 1 : 0];
+    CHECK((box.linear_w - tilt * Vec3(0.5 * kG, 0, 0)).norm() < 1e-13);  // measured 5e-15
+    CHECK(box.angular_w.norm() < 1e-13);                                 // measured 4e-15
+    CHECK(instant.force_between(0, 1) == Approx(3.0 * kG * std::cos(slope)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("A block that rocks on its edge is carried by what its swing leaves of its weight",
+          "[exact][assembly]") {
+  // Edge at (x, -y) from the centre: the edge's centripetal acceleration is w² y upwards.
+  const double tilt = 0.3, omega = 1.7, mass = 4.0, w = 0.4, h = 2.0;
+  const Quat orientation = about(Vec3::UnitZ(), -tilt);
+  const Vec3 edge = orientation * Vec3(0.5 * w, -0.5 * h, 0);
+  World world;
+  world.add_ground();
+  add_box(world, Vec3(w, h, 1.0), mass, Vec3(0, -edge.y(), 0), orientation,
+          Vec3(0, -omega * edge.x(), 0), Vec3(0, 0, omega));
+  Instant block(world);
+  block.solve();
+  REQUIRE(block.problem.lcp().size() == 2);
+  CHECK(block.problem.fastest_approach() < 1e-15);
+  const double inertia = mass / 12.0 * (w * w + h * h);
+  const double load =
+      (kG + omega * omega * edge.y()) / (1.0 / mass + edge.x() * edge.x() / inertia);
+  CHECK(block.problem.lcp().b[0] == Approx(-kG - omega * omega * edge.y()).epsilon(1e-14));
+  CHECK(block.force_between(0, 1) == Approx(load).epsilon(1e-13));
+  CHECK(block.accelerations[1].angular_w.z() == Approx(edge.x() * load / inertia).epsilon(1e-13));
+}
+
+// --- the parts together -------------------------------------------------------------------------
+
+namespace {
+
+// Boxes thrown together, as they touch or overlap; some immovable, on the ground.
+Instant random_heap(std::uint64_t seed) {
+  Random random(seed);
+  World world;
+  if (seed % 3 != 0) world.add_ground();
+  for (int k = 0; k < 8; ++k) {
+    const BodyProperties body = random_box(random);
+    const BodyState state = random_state(random, body, 1.0, 2.0, 3.0);
+    if (random.below(6) == 0) {
+      add_fixed(world, body.size, state.position_w, state.orientation_wb);
+    } else {
+      world.add(body, state);
+    }
+  }
+  return Instant(world);
+}
+
+}  // namespace
+
+TEST_CASE("With forces on the bodies, assembling again gives A f + b", "[exact][assembly]") {
+  double worst = 0.0, worst_diagonal = 0.0, least_square = 1.0;
+  int rows = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Instant heap = random_heap(seed);
+    heap.assemble();
+    const LcpProblem lcp = heap.problem.lcp();
+    Random random(seed);
+    std::vector<double> f(at(lcp.size())), a(at(lcp.size()));
+    for (double& force : f) force = random.uniform(-10.0, 10.0);
+    multiply(lcp.A, f, a);
+    double square = 0.0, scale = 0.0;
+    for (int i = 0; i < lcp.size(); ++i) {
+      square += f[at(i)] * a[at(i)];
+      scale += f[at(i)] * f[at(i)] * lcp.A(i, i);
+      a[at(i)] += lcp.b[i];
+      const Contact& contact = heap.contacts[at(heap.problem.rows()[at(i)].contact)];
+      const double mass =
+          effective_mass(heap.bodies[at(contact.first)], heap.bodies[at(contact.second)],
+                         heap.place(at(i)), contact.normal_w);
+      worst_diagonal = std::max(worst_diagonal, std::abs(lcp.A(i, i) * mass - 1.0));
+    }
+    if (scale > 0.0) least_square = std::min(least_square, square / scale);
+    heap.wrenches.assign(heap.bodies.size(), Wrench());
+    heap.problem.add_wrenches(f, heap.wrenches);
+    accelerate(heap.bodies, heap.wrenches, heap.accelerations);
+    heap.problem.assemble(heap.world, heap.bodies, heap.accelerations, heap.contacts, kAll);
+    for (int i = 0; i < lcp.size(); ++i)
+      worst = std::max(worst, std::abs(heap.problem.lcp().b[i] - a[at(i)]));
+    rows += lcp.size();
+  }
+  CHECK(rows > 500);
+  CHECK(worst < 1e-11);           // [m/s²] rounding of sums of some hundreds: measured 9e-14
+  CHECK(worst_diagonal < 1e-12);  // [-] n K n, from the other end: measured 7e-16
+  CHECK(least_square > -1e-14);   // [-] f·A f is not negative
+}
+
+TEST_CASE("Contact forces between bodies cancel out", "[exact][assembly]") {
+  World world;
+  add_box(world, Vec3::Ones(), 1.0, Vec3::Zero());
+  add_box(world, Vec3(1, 2, 1), 3.0, Vec3(0.3, 1.5, 0.2));
+  Instant pair(world);
+  pair.assemble();
+  std::vector<double> f{1.0, 5.0, 2.0, 7.0};
+  REQUIRE(pair.problem.lcp().size() == 4);
+  pair.wrenches.assign(2, Wrench());
+  pair.problem.add_wrenches(f, pair.wrenches);
+  const Wrench& one = pair.wrenches[0];
+  const Wrench& other = pair.wrenches[1];
+  CHECK((one.force_w + other.force_w).norm() == 0.0);
+  CHECK((other.force_w - Vec3(0, 15, 0)).norm() < 1e-15);
+  // Torques about the origin.
+  const Vec3 total = one.torque_w + other.torque_w + pair.bodies[1].position_w.cross(other.force_w);
+  CHECK(total.norm() < 1e-14);  // [N m] measured 0
+}
+
+TEST_CASE("A point that parts faster than asked has no row", "[unit][assembly]") {
+  World world;
+  world.add_ground();
+  // It turns about its left edge: the right one lifts off with 0.5 m/s.
+  add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5, 0), Quat::Identity(), Vec3(0, 0.25, 0),
+          Vec3(0, 0, 0.5));
+  Instant cube(world);
+  cube.assemble();
+  CHECK(cube.problem.rows().size() == 4);
+  CHECK(cube.problem.parting() == 0);
+  const auto assemble = [&cube](double speed) {
+    cube.problem.assemble(cube.world, cube.bodies, cube.accelerations, cube.contacts, speed);
+  };
+  assemble(0.6);
+  CHECK(cube.problem.parting() == 0);
+  assemble(0.4);
+  CHECK(cube.problem.parting() == 2);
+  REQUIRE(cube.problem.rows().size() == 2);
+  CHECK(cube.place(0).x() == -0.5);
+  CHECK(cube.place(1).x() == -0.5);
+  CHECK(cube.problem.fastest_approach() == 0.0);
+  cube.bodies[1].velocity_w.y() = 0.0;  // now the left edge goes down with 0.25 m/s
+  assemble(0.0);
+  CHECK(cube.problem.parting() == 2);
+  CHECK(cube.problem.fastest_approach() == 0.25);
+  cube.contacts.clear();
+  assemble(0.0);
+  CHECK(cube.problem.lcp().size() == 0);
+  CHECK(cube.problem.fastest_approach() == 0.0);
+}
+
+TEST_CASE("Assembling a problem of the same size again takes no memory", "[unit][assembly]") {
+  Instant heap = random_heap(4);
+  heap.solve();
+  const AllocationCount allocations;
+  free_accelerations(heap.world, heap.bodies, heap.accelerations);
+  heap.problem.assemble(heap.world, heap.bodies, heap.accelerations, heap.contacts, kAll);
+  heap.problem.add_wrenches(heap.answer.f, heap.wrenches);
+  accelerate(heap.bodies, heap.wrenches, heap.accelerations);
+  CHECK(allocations.value() == 0);
+}
+
+TEST_CASE("A problem that does not fit its world is refused", "[unit][assembly]") {
+  Instant cube = cube_on_floor();
+  cube.assemble();
+  std::vector<MovingBody> one(1);
+  std::vector<Acceleration> three(3);
+  std::vector<Wrench> wrenches(2);
+  CHECK_THROWS_WITH(free_accelerations(cube.world, one, three),
+                    Contains("bodies: 1 entries; 2 are needed"));
+  const auto assemble = [&cube](double speed) {
+    cube.problem.assemble(cube.world, cube.bodies, cube.accelerations, cube.contacts, speed);
+  };
+  CHECK_THROWS_WITH(assemble(-1.0), Contains("parting_speed = -1: give at least 0"));
+  CHECK_THROWS_AS(assemble(std::nan("")), std::invalid_argument);
+  CHECK_THROWS_WITH(cube.problem.assemble(cube.world, one, cube.accelerations, cube.contacts, 0.0),
+                    Contains("bodies: 1"));
+  CHECK_THROWS_WITH(cube.problem.assemble(cube.world, cube.bodies, three, cube.contacts, 0.0),
+                    Contains("free: 3"));
+  CHECK_THROWS_WITH(cube.problem.add_wrenches(std::vector<double>(5), wrenches),
+                    Contains("f: 5 entries; 4 are needed"));
+  wrenches.resize(1);
+  CHECK_THROWS_WITH(cube.problem.add_wrenches(std::vector<double>(4), wrenches),
+                    Contains("wrenches: 1"));
+  CHECK_THROWS_WITH(accelerate(cube.bodies, wrenches, cube.accelerations), Contains("wrenches"));
+  cube.contacts[0].axis = 15;
+  CHECK_THROWS_WITH(assemble(0.0), Contains("contact.axis = 15"));
+  cube.contacts[0].axis = 6;  // but the ground's edges and the cube's are parallel
+  CHECK_THROWS_WITH(assemble(0.0), Contains("parallel"));
+  cube.contacts[0].axis = kNoAxis;
+  cube.contacts[0].second = 2;
+  CHECK_THROWS_WITH(assemble(0.0), Contains("body 2"));
+  cube.contacts[0].second = -1;
+  CHECK_THROWS_AS(assemble(0.0), std::invalid_argument);
+  cube.contacts[0].second = 1;
+  assemble(0.0);  // and it works again
+  CHECK(cube.problem.lcp().size() == 4);
+}

@@ -1,0 +1,131 @@
+/// \file
+/// \brief Worlds at an instant, for tests of contact forces.
+#pragma once
+
+#include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/math/complementarity.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble::test {
+
+inline constexpr double kG = 9.81;       ///< [m/s²]
+inline constexpr double kMargin = 1e-9;  ///< [m] of contacts between bodies that touch exactly
+/// [m/s] Every point gets a row.
+inline constexpr double kAll = std::numeric_limits<double>::infinity();
+
+/// An index into standard containers.
+/// \param index at least 0
+/// \return the same
+inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A rotation.
+/// \param axis   [any] of any length
+/// \param angle  [rad]
+/// \return [-] length 1
+inline Quat about(const Vec3& axis, double angle) {
+  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
+}
+
+/// Adds a movable box.
+/// \param world           where to
+/// \param size            [m] full edges
+/// \param mass            [kg]
+/// \param position_w      [m]
+/// \param orientation_wb  [-]
+/// \param velocity_w      [m/s]
+/// \param omega_w         [rad/s]
+/// \return its id
+inline BodyId add_box(World& world, const Vec3& size, double mass, const Vec3& position_w,
+                      const Quat& orientation_wb = Quat::Identity(),
+                      const Vec3& velocity_w = Vec3::Zero(), const Vec3& omega_w = Vec3::Zero()) {
+  const BodyProperties body = box_properties(size, mass);
+  return world.add(body, make_state(body, position_w, orientation_wb, velocity_w, omega_w));
+}
+
+/// Adds an immovable box.
+/// \param world           where to
+/// \param size            [m] full edges
+/// \param position_w      [m]
+/// \param orientation_wb  [-]
+/// \return its id
+inline BodyId add_fixed(World& world, const Vec3& size, const Vec3& position_w,
+                        const Quat& orientation_wb = Quat::Identity()) {
+  const BodyProperties body = fixed_box_properties(size);
+  return world.add(body, make_state(body, position_w, orientation_wb));
+}
+
+/// A world at an instant: from its contacts to the accelerations under the forces of a solver.
+struct Instant {
+  /// Gathers the contacts.
+  /// \param w the world
+  explicit Instant(const World& w) : world(w), external(w.bodies().size()) {
+    load_moving_bodies(world, bodies);
+    std::vector<IndexPair> pairs;
+    for (int i = 0; i < world.count(); ++i)
+      for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
+    gather_contacts(world, bodies, pairs, kMargin, {}, contacts);
+  }
+
+  /// Sets up the problem.
+  void assemble() {
+    free_accelerations(world, bodies, accelerations);
+    accelerate(bodies, external, accelerations);
+    problem.assemble(world, bodies, accelerations, contacts, kAll);
+  }
+
+  /// Sets up the problem, solves it and lets the forces act.
+  void solve() {
+    assemble();
+    ComplementaritySolver().solve(problem.lcp().A, problem.lcp().b, answer);
+    REQUIRE(answer.status == ComplementarityStatus::solved);
+    wrenches.assign(bodies.size(), Wrench());
+    problem.add_wrenches(answer.f, wrenches);
+    accelerate(bodies, wrenches, accelerations);
+  }
+
+  /// The point of a row.
+  /// \param row from 0
+  /// \return [m] world frame
+  [[nodiscard]] const Vec3& place(std::size_t row) const {
+    const ContactRow& r = problem.rows()[row];
+    return contacts[at(r.contact)].points[at(r.point)].position_w;
+  }
+
+  /// All forces of the contacts between two bodies.
+  /// \param first   index of the first body
+  /// \param second  index of the second body
+  /// \return [N] their sum
+  [[nodiscard]] double force_between(int first, int second) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < answer.f.size(); ++i) {
+      const Contact& contact = contacts[at(problem.rows()[i].contact)];
+      if (contact.first == first && contact.second == second) sum += answer.f[i];
+    }
+    return sum;
+  }
+
+  /// The largest acceleration of any body.
+  /// \return [m/s² or rad/s²]
+  [[nodiscard]] double unrest() const {
+    double most = 0.0;
+    for (const Acceleration& a : accelerations)
+      most = std::max({most, a.linear_w.norm(), a.angular_w.norm()});
+    return most;
+  }
+
+  World world;                              ///< the bodies
+  std::vector<MovingBody> bodies;           ///< how they move
+  std::vector<Wrench> external;             ///< what acts beside gravity and contacts
+  ContactList contacts;                     ///< where they touch
+  std::vector<Acceleration> accelerations;  ///< without, and after solve() with contact forces
+  ContactProblem problem;                   ///< the problem
+  ComplementarityResult answer;             ///< its solution
+  std::vector<Wrench> wrenches;             ///< of the contact forces
+};
+
+}  // namespace tumble::test
