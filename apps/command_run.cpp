@@ -1,5 +1,7 @@
 /// \file
 /// \brief `tumble run`: one scene, one technique, a folder of files.
+#include "tumble/analytic_lcp/lcp.hpp"
+
 #include "progress.hpp"
 #include "request.hpp"
 
@@ -57,6 +59,12 @@ int run(const Request& request) {
         run_scene(r.scene, *r.technique, request.run, observers, [] { return stop_signal() != 0; });
     timing.finish();
     files.finish(result);
+    if (const LcpProblem* problem = r.technique->unsolved_problem()) {
+      files.write_unsolved(*problem);
+      std::fprintf(stderr,
+                   "a problem of %d contact forces was not solved: see %s and unsolved_b.mtx\n",
+                   problem->size(), (r.folder / "unsolved_A.mtx").c_str());
+    }
   } catch (const std::invalid_argument&) {
     files.discard();  // a scene that the technique refuses: the user's mistake leaves nothing
     throw;

@@ -18,7 +18,7 @@
 #include "tumble/math/elementary.hpp"
 
 #include "basic_colliding/experiments.hpp"
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 
 #include <algorithm>
 #include <array>

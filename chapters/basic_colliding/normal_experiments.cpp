@@ -7,7 +7,7 @@
 
 #include "basic_colliding/counted.hpp"
 #include "basic_colliding/experiments.hpp"
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "basic_colliding/experiments.hpp"
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 
 #include <algorithm>
 #include <array>

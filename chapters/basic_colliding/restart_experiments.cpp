@@ -6,7 +6,7 @@
 
 #include "basic_colliding/experiments.hpp"
 #include "basic_colliding/near_pairs.hpp"
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,8 @@
 /// \brief The list of techniques.
 #include "tumble/techniques.hpp"
 
+#include "tumble/analytic_lcp/analytic.hpp"
+#include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/basic_colliding/basic.hpp"
@@ -37,12 +39,91 @@ std::unique_ptr<Technique> make_basic(const Parameters& p, std::uint64_t) {
   return std::make_unique<Basic>(options);
 }
 
+// All solvers, the one of the default first, but for the one that tries everything: it is for eight
+// contacts at most.
+std::vector<std::string> solver_names(const std::string& first) {
+  std::vector<std::string> names = {first};
+  for (const LcpRecipe& recipe : lcp_solvers())
+    if (recipe.name != first && recipe.name != "enumeration") names.emplace_back(recipe.name);
+  return names;
+}
+
+Parameters analytic_options() {
+  const AnalyticOptions standard;
+  Parameters p;
+  p.add_word("friction", {"coulomb", "none", "damping"},
+             "Coulomb's, none, or none and bodies in contact are slowed down (thesis 5.3)");
+  p.add_word("directions", {"8", "4"}, "of the pyramid of friction in contacts");
+  p.add_word("solver", solver_names(standard.solver), "of contact forces without friction");
+  p.add_word("impacts", {"simultaneous", "sequential"},
+             "how collisions at the same moment are resolved");
+  p.add_number("sticky", standard.sticky.threshold, 0.0, 1e6, "-",
+               "collisions slower than this share of sqrt(g L) stick (thesis 4.3)");
+  p.add_number("resolution", standard.resolution, 1e-15, 1.0, "s",
+               "how exactly the moment of an impact is searched for");
+  p.add_whole("event_cap", standard.event_cap, 1, 1000000,
+              "collisions and ends of sliding allowed in one step");
+  p.add_number("damping_velocity", standard.damping.velocity, 0.0, 1.0, "-",
+               "friction=damping: what 1/60 s leaves of velocities (k1 of the thesis)");
+  p.add_number("damping_spin", standard.damping.spin, 0.0, 1.0, "-",
+               "friction=damping: what 1/60 s leaves of angular velocities (k2)");
+  p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn in flight");
+  return p;
+}
+
+std::unique_ptr<Technique> make_analytic(const Parameters& p, std::uint64_t) {
+  AnalyticOptions options;
+  const std::string_view friction = p.word("friction");
+  options.friction = friction == "coulomb" ? AnalyticFriction::coulomb
+                     : friction == "none"  ? AnalyticFriction::none
+                                           : AnalyticFriction::damping;
+  options.directions = p.word("directions") == "8" ? 8 : 4;
+  options.solver = p.word("solver");
+  options.impacts =
+      p.word("impacts") == "simultaneous" ? ImpactOrder::simultaneous : ImpactOrder::sequential;
+  options.sticky.threshold = p.number("sticky");
+  options.resolution = p.number("resolution");
+  options.event_cap = p.count("event_cap");
+  options.damping = {p.number("damping_velocity"), p.number("damping_spin")};
+  options.rotation = rotation_rule_from(p.word("rotation"));
+  return std::make_unique<Analytic>(options);
+}
+
+Parameters time_stepping_options() {
+  Parameters p;
+  p.add_word("form", {"stewart_trinkle", "anitescu_potra"},
+             "close gaps and no more, or look at points that touch only");
+  p.add_word("directions", {"4", "8"}, "of friction's pyramid");
+  p.add_word("sticky", {"speed", "step_size", "off"},
+             "how a collision is told to be too slow to bounce (thesis 4.3)");
+  p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
+  return p;
+}
+
+std::unique_ptr<Technique> make_time_stepping(const Parameters& p, std::uint64_t) {
+  TimeSteppingOptions options;
+  options.velocities.form = p.word("form") == "stewart_trinkle" ? SteppingForm::stewart_trinkle
+                                                                : SteppingForm::anitescu_potra;
+  options.velocities.directions = p.word("directions") == "8" ? 8 : 4;
+  const std::string_view sticky = p.word("sticky");
+  options.velocities.sticky.rule = sticky == "speed"       ? StickyRule::speed
+                                   : sticky == "step_size" ? StickyRule::step_size
+                                                           : StickyRule::off;
+  options.rotation = rotation_rule_from(p.word("rotation"));
+  return std::make_unique<TimeStepping>(options);
+}
+
 }  // namespace
 
 const std::vector<TechniqueRecipe>& technique_library() {
   static const std::vector<TechniqueRecipe> library = {
       {"basic", "2.1", "advance, find an overlap, search back for the impact, resolve, go on",
        basic_options, make_basic},
+      {"analytic", "3.3.1, 4.3, 5.3",
+       "collisions in the order of their times, exact contact forces in between", analytic_options,
+       make_analytic},
+      {"time_stepping", "2.6.3", "impacts and contacts of a step at one stroke, with friction",
+       time_stepping_options, make_time_stepping},
   };
   return library;
 }

@@ -1,6 +1,6 @@
 /// \file
 /// \brief The intervals that measured numbers are given.
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>

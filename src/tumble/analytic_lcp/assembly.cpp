@@ -115,6 +115,7 @@ int ContactProblem::place_of(int body, const World& world, std::span<const Movin
   return place_[at(body)];
 }
 
+// [S2.6.1:J]
 // What a force at a point does to its two bodies: a row of J.
 void ContactProblem::add_row(const World& world, std::span<const MovingBody> bodies,
                              const Contact& contact, const Vec3& point_w) {
@@ -127,6 +128,7 @@ void ContactProblem::add_row(const World& world, std::span<const MovingBody> bod
   row.linear_second_w = n;
   row.angular_second_w = (point_w - bodies[at(contact.second)].position_w).cross(n);
 }
+// [S2.6.1:J]
 
 void ContactProblem::assemble(const World& world, std::span<const MovingBody> bodies,
                               std::span<const Acceleration> free, std::span<const Contact> contacts,
@@ -161,16 +163,23 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
       fastest_approach_ = std::max(fastest_approach_, -speed);
       rows_.push_back({static_cast<int>(c), k});
 
+      // [S2.6.1:row]
       // What the gap does without forces; what a force does to it.
       const Vec3 acceleration_w = acceleration_at(second, free[at(contact.second)], p) -
                                   acceleration_at(first, free[at(contact.first)], p);
       constant_.push_back(n.dot(acceleration_w) + 2.0 * n_rate.dot(velocity_w));
       add_row(world, bodies, contact, p);
+      // [S2.6.1:row]
     }
   }
   multiply_out(lcp_.factors, lcp_.A);
   lcp_.b = view(constant_);
   lcp_.equality.clear();
+}
+
+void ContactProblem::add_to_b(std::span<const double> terms) {
+  require_entries(terms.size(), rows_.size(), "terms");
+  for (std::size_t i = 0; i < terms.size(); ++i) lcp_.b[static_cast<int>(i)] += terms[i];
 }
 
 void ContactProblem::add_wrenches(std::span<const double> f, std::span<Wrench> wrenches) const {

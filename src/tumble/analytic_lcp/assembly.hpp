@@ -111,6 +111,12 @@ class ContactProblem {
                 std::span<const Acceleration> free, std::span<const Contact> contacts,
                 double parting_speed);
 
+  /// Asks for more, or less, than that no surfaces sink into each other.
+  /// \param terms  [m/s²] one for each row, added to b: with a term c the row asks for an acceleration
+  ///               of at least -c
+  /// \throws std::invalid_argument if there is not one for each row
+  void add_to_b(std::span<const double> terms);
+
   /// The problem, with the factors of its matrix.
   /// \return A, b; no equalities
   [[nodiscard]] const LcpProblem& lcp() const { return lcp_; }

@@ -2,6 +2,8 @@
 /// \brief Baraff's pivoting, with equalities.
 #include "tumble/analytic_lcp/baraff.hpp"
 
+#include "tumble/base/tolerance.hpp"
+
 #include <algorithm>
 
 namespace tumble {
@@ -42,6 +44,15 @@ void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span
   result.pivots = answer_.pivots;
   result.multiplications = answer_.multiplications;
   complete(problem, result);
+
+  // A holds only the squares of what J holds: half of the digits. Where that is too few, J is used.
+  const bool good = result.status == LcpStatus::solved && result.residual <= tolerance::lost_in_A;
+  if (good || problem.factors.rows.empty()) return;
+  const int pivots = result.pivots;
+  const std::int64_t multiplications = result.multiplications;
+  with_factors_.solve(problem, result);
+  result.pivots += pivots;
+  result.multiplications += multiplications;
 }
 
 }  // namespace tumble

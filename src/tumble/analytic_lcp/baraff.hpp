@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/analytic_lcp/least_constraint.hpp"
 #include "tumble/analytic_lcp/twins.hpp"
 #include "tumble/math/complementarity.hpp"
 
@@ -15,7 +16,10 @@ namespace tumble {
 ///
 /// The algorithm itself is ComplementaritySolver, which every layer above math may use. Added here are
 /// equalities: they are taken up first, each as two contacts that push against each other
-/// (TwinProblem).
+/// (TwinProblem). And where A has lost the digits that decide, as with a dozen contacts in any
+/// direction on each body of a chain, a problem that comes with factors is solved again with them
+/// (LeastConstraintSolver) if the residual is above `tolerance::lost_in_A` or
+/// there is none.
 ///
 /// A has to be symmetric and positive semidefinite. Then `infeasible` means that there is no solution,
 /// and a is unique; f is not if A is singular. Cost: about n + m pivots of O((n + m)²) for n rows, m of
@@ -41,6 +45,7 @@ class BaraffSolver : public LcpSolver {
   ComplementaritySolver solver_;
   ComplementarityResult answer_;
   TwinProblem twins_;
+  LeastConstraintSolver with_factors_;
   std::vector<int> start_;
 };
 

@@ -93,6 +93,7 @@ LcpStatus BaraffAsPrintedSolver::drive_to_zero(const MatX& A, int d, LcpResult& 
 
     // j changes sets, and d goes on; if it is d, it has stopped sinking and belongs to C.
     set_[at(j)] = set_[at(j)] == Set::C ? Set::NC : Set::C;
+    if (observer_ != nullptr) observer_->on_step({d, j, step.length, set_, result.f, result.a});
     if (j == d) return LcpStatus::solved;
   }
   return LcpStatus::cap_reached;

@@ -14,6 +14,33 @@ struct BaraffAsPrintedOptions {
   int pivots_per_row = 50;          ///< [-] give up after n + 1 times as many pivots; at least 1
 };
 
+/// Where a contact is while BaraffAsPrintedSolver is at work.
+enum class BaraffSet : std::uint8_t {
+  none,  ///< not looked at yet, or driven right now
+  C,     ///< its force may grow and shrink, its acceleration is 0
+  NC     ///< it parts, without a force
+};
+
+/// What is shown after each step of BaraffAsPrintedSolver, until the observer returns.
+struct BaraffStep {
+  int driven = 0;                   ///< the contact whose force grew
+  int ended_by = 0;                 ///< the contact that ended the step and has just changed sets
+  double length = 0.0;              ///< [N] by how much the force grew
+  std::span<const BaraffSet> sets;  ///< (n) after the step
+  std::span<const double> f;        ///< [N] (n) after the step
+  std::span<const double> a;        ///< [m/s²] (n) after the step
+};
+
+/// Watches BaraffAsPrintedSolver.
+class BaraffObserver {
+ public:
+  virtual ~BaraffObserver() = default;
+
+  /// A step has ended.
+  /// \param step  what it did
+  virtual void on_step(const BaraffStep& step) = 0;
+};
+
 /// Baraff's pivoting as in 1994, with the two changes that the thesis made, and Gaussian
 /// elimination.
 ///
@@ -50,8 +77,12 @@ class BaraffAsPrintedSolver final : public LcpSolver {
   void solve(const LcpProblem& problem, LcpResult& result,
              std::span<const int> start = {}) override;
 
+  /// Shows every step to an observer.
+  /// \param observer  must outlive the solver or be replaced; nullptr: nobody watches
+  void observe(BaraffObserver* observer) { observer_ = observer; }
+
  private:
-  enum class Set : std::uint8_t { none, C, NC };
+  using Set = BaraffSet;
   struct Step;
 
   LcpStatus drive_to_zero(const MatX& A, int d, LcpResult& result);
@@ -60,6 +91,7 @@ class BaraffAsPrintedSolver final : public LcpSolver {
   bool eliminate(LcpResult& result);
 
   BaraffAsPrintedOptions options_;
+  BaraffObserver* observer_ = nullptr;
   std::vector<Set> set_;         // (n) where each contact is
   std::vector<int> C_;           // the contacts of C, ascending
   std::vector<double> df_, da_;  // (n) change of f and a per unit force at d

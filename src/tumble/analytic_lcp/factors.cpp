@@ -24,7 +24,7 @@ Part part_of(const Row& row, int body) {
 
 // J_i W J_jᵀ, the part of one body; -1 does not move.
 double through_body(const LcpFactors& factors, const Row& i, const Row& j, int body) {
-  if (body < 0) return 0.0;
+  if (body < 0 || (j.first != body && j.second != body)) return 0.0;  // most pairs of rows
   const Body& w = factors.bodies[static_cast<std::size_t>(body)];
   const Part a = part_of(i, body);
   const Part b = part_of(j, body);

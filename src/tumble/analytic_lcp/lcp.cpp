@@ -2,6 +2,7 @@
 /// \brief What all solvers of the complementarity problem share, and the list of them.
 #include "tumble/analytic_lcp/lcp.hpp"
 
+#include "tumble/analytic_lcp/augmented_lagrangian.hpp"
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/baraff_as_printed.hpp"
 #include "tumble/analytic_lcp/enumerate.hpp"
@@ -52,10 +53,10 @@ void require_finite(const LcpProblem& problem) {
 void require_symmetric(const MatX& A) {
   for (int j = 0; j < A.cols(); ++j)
     for (int i = 0; i < j; ++i) {
+      // Equal entries are symmetric even without a diagonal to compare with.
+      if (A(i, j) == A(j, i)) continue;
       const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
       if (std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale) continue;
-      // Without a diagonal to compare with, equal entries are symmetric all the same.
-      if (A(i, j) == A(j, i)) continue;
       require::that(false, entry(i, j) + " = " + require::text(A(i, j)) + " but " + entry(j, i) +
                                " = " + require::text(A(j, i)) + ": give a symmetric matrix");
     }
@@ -172,6 +173,9 @@ const std::vector<LcpRecipe>& lcp_solvers() {
        make<GaussSeidelSolver>},
       {"least_constraint", "2.6.2", "Gauss' principle, for problems that come from bodies",
        make<LeastConstraintSolver>},
+      {"augmented_lagrangian", "2.6.2",
+       "springs whose preload grows; sparse and fastest where bodies are known",
+       make<AugmentedLagrangianSolver>},
       {"baraff_as_printed", "3.3.1",
        "baraff as the thesis's program had it, absolute tolerance and all",
        make<BaraffAsPrintedSolver>},

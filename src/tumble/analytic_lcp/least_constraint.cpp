@@ -2,6 +2,7 @@
 /// \brief Contact forces by Gauss' principle of least constraint (thesis 2.6.2).
 #include "tumble/analytic_lcp/least_constraint.hpp"
 
+#include "tumble/analytic_lcp/mass_root.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
 
@@ -13,19 +14,6 @@ namespace tumble {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Lower triangular S with S Sᵀ = B (Cholesky). Where B does not yield, neither does S: a pivot that
-// is only rounding leaves a column of zeros.
-Mat3 root_of(const Mat3& B) {
-  Mat3 S = Mat3::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const double left = B(k, k) - S.row(k).squaredNorm();
-    if (left <= tolerance::rigid * B.trace()) continue;
-    const double pivot = std::sqrt(left);
-    for (int i = k; i < 3; ++i) S(i, k) = (B(i, k) - S.row(i).dot(S.row(k))) / pivot;
-  }
-  return S;
-}
 
 // The length of a column of E without its last entry: of a column of G.
 double length_of(const MatX& E, int column) {

@@ -20,6 +20,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 LemkeSolver::LemkeSolver(const LemkeOptions& options) : options_(options) {
   if (options.pivot_cap < 0)
     require::that(false, "pivot_cap = " + std::to_string(options.pivot_cap) + ": give at least 0");
+  require::not_negative(options.slack, "slack");
 }
 
 void LemkeSolver::solve(const LcpProblem& problem, LcpResult& result, std::span<const int> start) {
@@ -28,12 +29,19 @@ void LemkeSolver::solve(const LcpProblem& problem, LcpResult& result, std::span<
   problem_ = &problem;
   result.pivots = 0;
   basis_.begin(problem);
+  slack_ = 0.0;
+  for (int i = 0; i < problem.size(); ++i)
+    slack_ = std::max(slack_, options_.slack * std::abs(problem.b[i]));
   solve_equalities(result);
   result.status = follow_path(result);
   set_forces(result);
   if (result.status == LcpStatus::solved && !left_over_equalities_hold())
     result.status = LcpStatus::infeasible;
   complete(problem, result);
+  // A basis that was singular but for rounding may have been taken for regular: no answer is better
+  // than a wrong one. (The comparison is false for a residual that is not a number.)
+  if (result.status == LcpStatus::solved && !(result.residual <= tolerance::usable_residual))
+    result.status = LcpStatus::singular;
   result.multiplications = basis_.multiplications();
   problem_ = nullptr;
 }
@@ -129,13 +137,16 @@ int LemkeSolver::row_to_leave() {
   for (int i = 0; i < problem_->size(); ++i)
     if (is_signed(basis_.unknowns()[at(i)]) && answer_.x[at(i)] > 0.0) ties_.push_back(i);
   if (ties_.empty()) return -1;
-  keep_first(values_);
+  keep_first(values_, slack_);
   for (const int i : ties_)
     if (is_lift(basis_.unknowns()[at(i)])) return i;
+  if (slack_ > 0.0)
+    return *std::max_element(ties_.begin(), ties_.end(),
+                             [this](int i, int j) { return answer_.x[at(i)] < answer_.x[at(j)]; });
   for (int j = 0; j < problem_->size() && ties_.size() > 1; ++j) {
     if (is_equality(*problem_, j)) continue;
     basis_.answer_to(j, column_);
-    keep_first(column_);
+    keep_first(column_, 0.0);
   }
 
   // In exact numbers one row is left. If rounding hides which, the surest pivot is taken.
@@ -146,10 +157,11 @@ int LemkeSolver::row_to_leave() {
 
 // Of the tied rows, keeps those whose numbers[i] / answer[i] may be the least: they differ from the
 // least by no more than rounding of both sides of both fractions.
-void LemkeSolver::keep_first(const Rounded& numbers) {
+void LemkeSolver::keep_first(const Rounded& numbers, double slack) {
   const auto ratio = [&](int i) { return numbers.x[at(i)] / answer_.x[at(i)]; };
   const auto rounding = [&](int i) {
-    return (numbers.bound[at(i)] + std::abs(ratio(i)) * answer_.bound[at(i)]) / answer_.x[at(i)];
+    return (slack + numbers.bound[at(i)] + std::abs(ratio(i)) * answer_.bound[at(i)]) /
+           answer_.x[at(i)];
   };
   double limit = std::numeric_limits<double>::infinity();
   for (const int i : ties_) limit = std::min(limit, ratio(i) + rounding(i));
@@ -160,7 +172,7 @@ void LemkeSolver::keep_first(const Rounded& numbers) {
 // With a lift of 0 the unknowns solve the problem, even if the lift is still in the basis.
 bool LemkeSolver::lift_is_zero() const {
   for (int i = 0; i < problem_->size(); ++i)
-    if (is_lift(basis_.unknowns()[at(i)])) return values_.x[at(i)] <= 0.0;
+    if (is_lift(basis_.unknowns()[at(i)])) return values_.x[at(i)] <= slack_;
   return false;
 }
 

@@ -11,6 +11,10 @@ namespace tumble {
 /// What can be chosen of Lemke's method.
 struct LemkeOptions {
   int pivot_cap = 10000;  ///< pivots allowed; contacts take about 2n, the worst problems 2ⁿ
+  /// [-] How far unknowns may fall below 0, as a share of max |b|. Above 0, of all rows that may leave the
+  /// largest pivot does (Harris's rule) in place of the lexicographic one: rows that nearly depend on each
+  /// other, as those of boxes that have turned by 1e-9, are then no danger, but circles are
+  double slack = 0.0;
 };
 
 /// Lifts all contacts alike until none sinks, and then lowers the lift along a path of pivots.
@@ -37,7 +41,9 @@ struct LemkeOptions {
 /// semidefinite, if the equalities' own part of A has no inverse.
 /// \par Rounding
 /// LemkeBasis gives each number with the bound of its rounding error, and no number is trusted below
-/// it; so a matrix may be singular, and its rows in any units.
+/// it; so a matrix may be singular, and its rows in any units. Rows that depend on each other but for
+/// a few digits can still mislead the path: an answer whose residual is above
+/// `tolerance::usable_residual` ends as `singular`, never as `solved`.
 /// \par Cost and determinism
 /// O(n²) a pivot and O(n³) for a refinement. No allocation for a problem no larger than one before.
 /// \see Lemke, "Bimatrix equilibrium points and mathematical programming", Management Science 11,
@@ -47,7 +53,7 @@ struct LemkeOptions {
 class LemkeSolver : public LcpSolver {
  public:
   /// \param options what can be chosen
-  /// \throws std::invalid_argument if the cap is negative
+  /// \throws std::invalid_argument if the cap or the slack is negative
   explicit LemkeSolver(const LemkeOptions& options = {});
 
   /// \return "lemke"
@@ -69,7 +75,7 @@ class LemkeSolver : public LcpSolver {
   LcpStatus follow_path(LcpResult& result);
   int most_negative_row();
   int row_to_leave();
-  void keep_first(const Rounded& numbers);
+  void keep_first(const Rounded& numbers, double slack);
   [[nodiscard]] bool lift_is_zero() const;
   [[nodiscard]] bool left_over_equalities_hold() const;
   void set_forces(LcpResult& result);
@@ -80,6 +86,7 @@ class LemkeSolver : public LcpSolver {
   Rounded values_;              // of the unknowns of the basis
   Rounded answer_;              // of the basis to the entering unknown
   Rounded column_;              // of the inverse, to break ties
+  double slack_ = 0.0;          // the option times max |b|
   std::vector<int> ties_;       // rows that would leave together
   std::vector<int> open_rows_;  // equalities without a force in the basis
 };

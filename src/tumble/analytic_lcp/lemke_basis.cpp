@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tumble {
 namespace {
@@ -31,26 +32,28 @@ void LemkeBasis::begin(const LcpProblem& problem) {
   const int n = problem.size();
   if (inverse_.rows() < n) inverse_.resize(n, n);
   unknowns_.resize(at(n));
+  start_with_accelerations();
+}
+
+void LemkeBasis::start_with_accelerations() {
+  const int n = static_cast<int>(unknowns_.size());
   for (int j = 0; j < n; ++j) {
     unknowns_[at(j)] = j;
     for (int i = 0; i < n; ++i) inverse_(i, j) = i == j ? 1.0 : 0.0;
   }
 }
 
-void LemkeBasis::values(Rounded& values) {
-  right_.assign(problem_->b.data(), problem_->b.data() + problem_->b.size());
-  solve_or_refine(values);
-}
+void LemkeBasis::values(Rounded& values) { solve_or_invert(-1, values); }
 
-void LemkeBasis::answer_to(int unknown, Rounded& answer) {
+void LemkeBasis::answer_to(int unknown, Rounded& answer) { solve_or_invert(unknown, answer); }
+
+// Solves B x = c with the column of an unknown, or b for -1. If the inverse is no longer good enough,
+// it is made anew first.
+void LemkeBasis::solve_or_invert(int unknown, Rounded& out) {
   set_column(unknown, right_);
-  solve_or_refine(answer);
-}
-
-// Solves B x = right_. If the inverse is no longer good enough, it is refined first.
-void LemkeBasis::solve_or_refine(Rounded& out) {
   if (solve(out)) return;
-  refine_inverse();
+  invert();
+  set_column(unknown, right_);
   solve(out);
 }
 
@@ -80,17 +83,37 @@ bool LemkeBasis::solve(Rounded& out) {
   return good;
 }
 
-// Newton's iteration for B⁻¹, column by column: y_j += B⁻¹ (e_j - B y_j).
-void LemkeBasis::refine_inverse() {
+// Gauss and Jordan: from the basis of accelerations every other unknown enters in the row of an
+// acceleration that is not wanted, where its answer is largest. Then the rows are put back in order.
+void LemkeBasis::invert() {
   const int n = static_cast<int>(unknowns_.size());
-  for (int j = 0; j < n; ++j) {
-    rest_.assign(at(n), 0.0);
-    rest_[at(j)] = 1.0;
-    double* column = inverse_.col(j).data();
-    subtract_product({column, at(n)}, rest_, nullptr);
-    correction_.assign(at(n), 0.0);
-    add_inverse_times(rest_, correction_);
-    for (int i = 0; i < n; ++i) column[i] += correction_[at(i)];
+  wanted_ = unknowns_;
+  is_wanted_.assign(at(n), 0);
+  for (const int unknown : wanted_)
+    if (unknown < n) is_wanted_[at(unknown)] = 1;
+  start_with_accelerations();
+  for (const int unknown : wanted_) {
+    if (unknown < n) continue;
+    set_column(unknown, right_);
+    solve(entering_);
+    int row = -1;
+    double best = 0.0;
+    for (int i = 0; i < n; ++i) {
+      if (unknowns_[at(i)] >= n || is_wanted_[at(unknowns_[at(i)])] != 0) continue;
+      if (row >= 0 && std::abs(entering_.x[at(i)]) <= best) continue;
+      row = i;
+      best = std::abs(entering_.x[at(i)]);
+    }
+    if (best > 0.0) exchange(row, unknown, entering_);
+    unknowns_[at(row)] = unknown;  // a singular basis has no answers that hold
+  }
+  // Back to the rows of before.
+  for (int i = 0; i < n; ++i) {
+    int from = i;
+    while (unknowns_[at(from)] != wanted_[at(i)]) ++from;
+    if (from == i) continue;
+    std::swap(unknowns_[at(from)], unknowns_[at(i)]);
+    for (int j = 0; j < n; ++j) std::swap(inverse_(from, j), inverse_(i, j));
   }
 }
 
@@ -115,7 +138,9 @@ void LemkeBasis::exchange(int row, int entering, const Rounded& answer) {
 void LemkeBasis::set_column(int unknown, std::vector<double>& column) const {
   const int n = problem_->size();
   column.assign(at(n), 0.0);
-  if (unknown < n) {
+  if (unknown < 0) {
+    column.assign(problem_->b.data(), problem_->b.data() + n);
+  } else if (unknown < n) {
     column[at(unknown)] = 1.0;
   } else if (unknown < 2 * n) {
     for (int i = 0; i < n; ++i) column[at(i)] = -problem_->A(i, unknown - n);

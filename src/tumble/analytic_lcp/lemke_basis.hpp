@@ -25,11 +25,12 @@ struct Rounded {
 /// exchange. Everything computed with it is corrected once by what is left over, and comes with
 /// the bound \f$|B^{-1}|\,(|B|\,|x| + |c|)\f$ units of rounding for \f$x = B^{-1} c\f$, which does not
 /// depend on the units of rows and unknowns. If a correction shows that the inverse has lost half of
-/// its digits, one step of Newton's iteration brings them back.
+/// its digits, it is made anew from the basis of accelerations, the largest pivots first: the way
+/// that the exchanges took may have led through a basis that was nearly singular.
 /// \par Cost
-/// O(n²) for all but such a step, O(n³). No allocation for a problem no larger than one before.
-/// \see Higham, "Accuracy and stability of numerical algorithms", 2002, 7.2 (the bound) and 14.5
-///      (Newton's iteration).
+/// O(n²); making the inverse anew takes that for each force in the basis. No allocation for a problem no larger than one before.
+/// \see Higham, "Accuracy and stability of numerical algorithms", 2002, 7.2 (the bound) and 14.4
+///      (Gauss and Jordan's elimination).
 class LemkeBasis {
  public:
   /// Starts with the accelerations as basis.
@@ -67,12 +68,16 @@ class LemkeBasis {
   void add_inverse_times(std::span<const double> c, std::vector<double>& y);
   void add_inverse_sizes_times(std::span<const double> c, std::vector<double>& y);
   bool solve(Rounded& out);
-  void solve_or_refine(Rounded& out);
-  void refine_inverse();
+  void start_with_accelerations();
+  void solve_or_invert(int unknown, Rounded& out);
+  void invert();
 
   const LcpProblem* problem_ = nullptr;
   MatX inverse_;                      // (capacity×capacity) B⁻¹ in the first n rows, columns
   std::vector<int> unknowns_;         // (n)
+  std::vector<int> wanted_;           // (n) unknowns_ while the inverse is made anew
+  std::vector<char> is_wanted_;       // (n) ditto, of accelerations
+  Rounded entering_;                  // ditto
   std::vector<double> right_, rest_;  // (n) c, and what B x leaves of it
   std::vector<double> sizes_, correction_;  // (n) |B| |x| + |c|, and B⁻¹ times the rest
   std::int64_t multiplications_ = 0;

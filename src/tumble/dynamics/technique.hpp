@@ -48,11 +48,13 @@ struct StepReport {
   std::int64_t searches = 0;             ///< evaluations of event searches
   std::int64_t rewinds = 0;              ///< bodies put back in time
   std::int64_t restarts = 0;             ///< event searches begun again for a missed third body
+  std::int64_t fallbacks = 0;            ///< times that another method stepped in, as documented
   double deepest_overlap = 0.0;          ///< [m] largest penetration found, 0 or above
   BookedEnergy energy;                   ///< energy added and removed, by cause
 };
 
 class Observer;
+struct LcpProblem;
 
 /// A way to advance a world by one time step.
 ///
@@ -81,6 +83,11 @@ class Technique {
   /// The contact points of the last step.
   /// \return valid until the next step; each at the pose that it belongs to
   [[nodiscard]] virtual std::span<const ContactRecord> contacts() const { return {}; }
+
+  /// The problem that a step could not solve, to be kept in a file and solved again.
+  /// \return nullptr unless the last step ended as StepStatus::unsolved and there is such a problem;
+  ///         valid until the next step
+  [[nodiscard]] virtual const LcpProblem* unsolved_problem() const { return nullptr; }
 
   /// What this technique leaves out of a world's physics.
   /// \param world the bodies

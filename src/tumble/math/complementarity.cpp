@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
+#include "tumble/math/complementarity_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,29 +27,8 @@ double largest(const VecRef& b) {
   return size;
 }
 
-void check_sizes(const MatRef& A, const VecRef& b) {
-  require::that(A.rows() == A.cols(), "A: expected as many rows as columns");
-  require::that(b.size() == A.rows(), "b: expected as many entries as A has rows");
-}
-
-// Refuses mistakes, and returns whether A can be positive semidefinite as far as its 1×1 and 2×2
-// principal minors tell: A_ii >= 0 and A_ij² <= A_ii A_jj.
-bool check_values(const MatRef& A, const VecRef& b) {
-  bool plausible = true;
-  for (int j = 0; j < A.cols(); ++j) {
-    require::finite(b[j], "b");
-    for (int i = 0; i <= j; ++i) {
-      require::finite(A(i, j), "A");
-      require::finite(A(j, i), "A");
-      const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
-      require::that(std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale,
-                    "A: expected a symmetric matrix");
-      if (std::abs(A(i, j)) > (1.0 + tolerance::symmetry) * scale) plausible = false;
-    }
-    if (A(j, j) < 0.0) plausible = false;
-  }
-  return plausible;
-}
+// An exchange of dependent contacts is worth its work if it is with twice the force at least.
+constexpr double worthwhile = 2.0;
 
 }  // namespace
 
@@ -60,44 +40,35 @@ struct ComplementaritySolver::Step {
 
 // How contacts in C answer a unit force at another one; their forces are in subset_.
 struct ComplementaritySolver::Answer {
-  double schur;  // what that force changes at its own contact
+  double root;   // √A_jj of that contact
+  double schur;  // what the force changes at its own contact
   double size;   // Σ |force_i| √A_ii, the unit force included
 
-  [[nodiscard]] double least_schur() const { return tolerance::dependent * size * size; }
+  // What may be rounding: of the sums that lead to it, and of A itself, which v·A v sees through v.
+  [[nodiscard]] double least_schur() const {
+    return tolerance::dependent * root * root + tolerance::matrix_rounding * size * size;
+  }
   [[nodiscard]] bool independent() const { return schur > least_schur(); }
 };
 
-double complementarity_residual(const MatRef& A, const VecRef& b, const VecRef& f) {
-  check_sizes(A, b);
-  require::that(f.size() == b.size(), "f: expected as many entries as b has");
-  double worst = 0.0;
-  for (int i = 0; i < b.size(); ++i) {
-    double a = b[i];
-    for (int j = 0; j < b.size(); ++j) a += A(i, j) * f[j];
-    worst = std::max(worst, std::abs(std::min(A(i, i) * f[i], a)));
-  }
-  const double scale = largest(b);
-  return scale > 0.0 ? worst / scale : worst;
-}
-
 void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, ComplementarityResult& result,
                                   std::span<const int> start) {
-  check_sizes(A, b);
-  const bool plausible = check_values(A, b);
+  const bool plausible = may_be_semidefinite(A, b);
   const int n = static_cast<int>(b.size());
   multiplications_ = 0;
+  exchanges_ = 0;
   begin(A, b, start);
   result.status = ComplementarityStatus::solved;
   result.pivots = 0;
   result.ray.clear();
   result.ray.reserve(at(n));
   result.pushing.reserve(at(n));
+  result.f.assign(at(n), 0.0);
   settle(A, b, result);
   if (!plausible) result.status = ComplementarityStatus::not_positive_semidefinite;
 
-  // While some contact sinks, drive it. Forces and accelerations are computed afresh from the
-  // set of pushing contacts after each drive, so that rounding errors do not pile up and nothing has
-  // to be clamped at the end, as the thesis does (3.3.1).
+  // While some contact sinks, drive it. Forces are computed afresh from the set of pushing contacts
+  // after each drive: rounding does not pile up, and nothing has to be clamped (3.3.1).
   while (result.status == ComplementarityStatus::solved) {
     int d = 0;
     while (d < n && (result.a[at(d)] >= -slack_ || place_[at(d)] == Place::left_out)) ++d;
@@ -131,8 +102,10 @@ void ComplementaritySolver::begin(const MatRef& A, const VecRef& b, std::span<co
   }
 }
 
-// Forces and accelerations that belong to the set of pushing contacts: A_CC f_C = -b_C. A contact
-// that would have to pull leaves the set, the worst first: after a drive such a pull is rounding.
+// Forces and accelerations that belong to the set of pushing contacts: A_CC f_C = -b_C. Where some of
+// them would have to pull, f goes towards them as far as it can without, the contact that ends the
+// way leaves the set, and so on. On this way f·A f / 2 + b·f only falls, as it does in drives, so no
+// set comes back. After a drive a pull is rounding; after a start whose forces are 0 it is not.
 void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
                                    ComplementarityResult& result) {
   const std::vector<int>& pushing = factor_.indices();
@@ -141,9 +114,25 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
     for (const int c : pushing) subset_.push_back(-b[c]);
     factor_.solve(subset_);
     multiplications_ += count(pushing) * (count(pushing) + 1);
-    const auto worst = std::min_element(subset_.begin(), subset_.end());
-    if (worst == subset_.end() || *worst >= 0.0) break;
-    change_place(A, pushing[at(static_cast<int>(worst - subset_.begin()))]);
+
+    double share = infinity;
+    int first = -1;
+    for (int k = 0; k < static_cast<int>(pushing.size()); ++k) {
+      const double wanted = subset_[at(k)];
+      if (wanted >= 0.0) continue;
+      const double f = result.f[at(pushing[at(k)])];
+      const double way = f / (f - wanted);
+      if (way > share || (way == share && wanted >= subset_[at(first)])) continue;
+      share = way;
+      first = k;
+    }
+    if (first < 0) break;
+    for (int k = 0; k < static_cast<int>(pushing.size()); ++k) {
+      double& f = result.f[at(pushing[at(k)])];
+      f = k == first ? 0.0 : f + share * (subset_[at(k)] - f);
+    }
+    multiplications_ += 2 * count(pushing);
+    change_place(A, pushing[at(first)]);
     ++result.pivots;
   }
 
@@ -160,6 +149,7 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
 
   // Heavy bodies on light ones have terms far larger than b; a is no better than their rounding.
   const double terms = da_.empty() ? 0.0 : *std::max_element(da_.begin(), da_.end());
+  unsure_ = tolerance::dependent_sinking * largest(b) + tolerance::rounding * terms;
   slack_ = tolerance::complementarity * largest(b) + tolerance::rounding * terms;
 }
 
@@ -170,49 +160,51 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
   const int n = static_cast<int>(place_.size());
   const int cap = 50 * n + 50;
   const std::vector<int>& pushing = factor_.indices();
-  while (true) {
-    if (result.pivots >= cap) {
-      result.status = ComplementarityStatus::cap_reached;
-      return false;
-    }
-
+  int newest = -1;  // who began to push in the last step, if anybody did
+  while (result.pivots < cap) {
     // A unit force at d, and the forces of C that keep C neither sinking nor parting:
-    // df_d = 1, df_C = -A_CC^{-1} A_Cd, da = A df. At d itself da_d is the Schur complement.
+    // df_d = 1, df_C = -A_CC^{-1} A_Cd, da = A df. At d itself da_d is the Schur complement, and if
+    // that is 0, so is all of da.
     const Answer answer = answer_to(A, d);
-    multiplications_ += (count(pushing) + 2) * n;  // da, f and a
-    std::fill(df_.begin(), df_.end(), 0.0);
-    std::fill(da_.begin(), da_.end(), 0.0);
-    df_[at(d)] = 1.0;
-    add_column(1.0, A, d, da_);
-    for (std::size_t k = 0; k < subset_.size(); ++k) {
-      df_[at(pushing[k])] = subset_[k];
-      add_column(subset_[k], A, pushing[k], da_);
-    }
     if (answer.schur < -answer.least_schur()) {
       result.status = ComplementarityStatus::not_positive_semidefinite;
       return false;
     }
-
-    // Nothing ends the step if A df = 0, that is, if d depends on C. Then d sinks with
-    // a_d = b·df whatever the forces, and there is no solution; unless that is 0 but for rounding,
-    // because d stopped together with one that entered C: then the forces of C will do.
-    const Step step = longest_step(d, answer, result);
-    if (step.contact < 0) {
-      double sinking = 0.0;
-      double rounding = 0.0;
-      for (int i = 0; i < n; ++i) {
-        sinking += b[i] * df_[at(i)];
-        rounding += slack_ * std::abs(df_[at(i)]);
+    std::fill(df_.begin(), df_.end(), 0.0);
+    std::fill(da_.begin(), da_.end(), 0.0);
+    df_[at(d)] = 1.0;
+    for (std::size_t k = 0; k < subset_.size(); ++k) df_[at(pushing[k])] = subset_[k];
+    if (answer.independent()) {
+      multiplications_ += (count(pushing) + 2) * n;  // da, f and a
+      for (std::size_t k = 0; k <= pushing.size(); ++k) {
+        const int i = k == 0 ? d : pushing[k - 1];
+        add_column(df_[at(i)], A, i, da_);
       }
-      if (sinking >= -rounding) {
-        place_[at(d)] = Place::left_out;
-        return true;
-      }
-      result.status = ComplementarityStatus::infeasible;
-      result.ray.assign(df_.begin(), df_.end());
-      return false;
     }
 
+    // If d depends on C, no acceleration changes, and d sinks unless a contact of C gives way to it. Or
+    // it only seems to sink, by rounding. Then the exchange is done where it makes C less dependent,
+    // as it multiplies the determinant of A_CC by df_j² A_jj / A_dd, in units of its own diagonal. Else
+    // d comes to rest together with the newest one of C, whose place it takes as it has a force; and
+    // before it has one, it is left to the forces of C.
+    const Step step = longest_step(d, answer, result);
+    if (!answer.independent()) {
+      const int j = step.contact;
+      if (sinks_with_pushing(b)) {
+        if (j < 0) {
+          result.status = ComplementarityStatus::infeasible;
+          result.ray.assign(df_.begin(), df_.end());
+          return false;
+        }
+      } else if (j < 0 || exchanges_ >= n ||
+                 -df_[at(j)] * root_[at(j)] < worthwhile * answer.root) {
+        if (newest >= 0) change_place(A, newest);
+        change_place(A, d);
+        return true;
+      } else {
+        ++exchanges_;
+      }
+    }
     for (int i = 0; i < n; ++i) {
       result.f[at(i)] += step.length * df_[at(i)];
       result.a[at(i)] += step.length * da_[at(i)];
@@ -224,12 +216,28 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
     change_place(A, j);
     ++result.pivots;
     if (j == d) return true;
+    newest = place_[at(j)] == Place::pushing ? j : -1;
   }
+  result.status = ComplementarityStatus::cap_reached;
+  return false;
+}
+
+// If d depends on C, a_d = b·df whatever the forces. Where b comes from bodies that is 0 but for
+// rounding.
+bool ComplementaritySolver::sinks_with_pushing(const VecRef& b) const {
+  double sinking = 0.0;
+  double sizes = 0.0;
+  for (int i = 0; i < b.size(); ++i) {
+    sinking += b[i] * df_[at(i)];
+    sizes += std::abs(df_[at(i)]);
+  }
+  return sinking < -unsure_ * sizes;
 }
 
 // The first of these to happen: d stops sinking, a pushing contact has no force left, a parted
 // one would start to sink. Contacts that sank already when the drive began are not looked at, and
-// d comes before those that would end the step when it has all but stopped.
+// d comes before those that would end the step when it has all but stopped. Of a d that depends on C
+// only forces are changed.
 ComplementaritySolver::Step ComplementaritySolver::longest_step(
     int d, const Answer& answer, const ComplementarityResult& result) const {
   Step step;
@@ -277,11 +285,10 @@ void ComplementaritySolver::change_place(const MatRef& A, int j) {
   place_[at(j)] = leaves ? Place::parted : Place::pushing;
 }
 
-// How C answers a force 1 at j. In v = (1 at j, df_C) the Schur complement is v·A v, of which
-// rounding is a part of at most (Σ |v_i| √A_ii)².
+// How C answers a force 1 at j. With v = (1 at j, df_C) the Schur complement is v·A v.
 ComplementaritySolver::Answer ComplementaritySolver::answer_to(const MatRef& A, int j) {
   const std::vector<int>& pushing = factor_.indices();
-  Answer answer{factor_.consider(A, j), root_[at(j)]};
+  Answer answer{root_[at(j)], factor_.consider(A, j), root_[at(j)]};
   subset_.resize(pushing.size());
   factor_.answer_to_considered(subset_);
   multiplications_ += count(pushing) * (count(pushing) + 3);  // two triangles, and two sums

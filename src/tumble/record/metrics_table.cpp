@@ -58,6 +58,7 @@ constexpr std::array kColumns = {
     MetricsColumn{"searches", true, [](const M&, const R& r) { return number(r.searches); }},
     MetricsColumn{"rewinds", true, [](const M&, const R& r) { return number(r.rewinds); }},
     MetricsColumn{"restarts", true, [](const M&, const R& r) { return number(r.restarts); }},
+    MetricsColumn{"fallbacks", true, [](const M&, const R& r) { return number(r.fallbacks); }},
 };
 
 }  // namespace

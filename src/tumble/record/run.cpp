@@ -42,11 +42,11 @@ std::int64_t whole_steps(const RunSettings& settings) {
 }
 
 // Every count of a report, by its name.
-constexpr std::array<std::int64_t StepReport::*, 10> kCounts = {
+constexpr std::array<std::int64_t StepReport::*, 11> kCounts = {
     &StepReport::events,       &StepReport::contacts, &StepReport::iterations,
     &StepReport::pivots,       &StepReport::impulses, &StepReport::pair_tests,
     &StepReport::integrations, &StepReport::searches, &StepReport::rewinds,
-    &StepReport::restarts};
+    &StepReport::restarts,     &StepReport::fallbacks};
 
 void add_up(const StepReport& step, StepReport& total, StepReport& worst) {
   for (const auto count : kCounts) {

@@ -2,8 +2,10 @@
 /// \brief The files of a run.
 #include "tumble/record/run_files.hpp"
 
+#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/version.hpp"
 #include "tumble/record/json.hpp"
+#include "tumble/record/matrix_market.hpp"
 #include "tumble/record/metrics_table.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
@@ -19,9 +21,12 @@ constexpr std::string_view kEventsHeader =
 constexpr std::string_view kContactsHeader =
     "time_s,first,second,px_m,py_m,pz_m,nx,ny,nz,fx,fy,fz,unit,state";
 
-constexpr std::array<std::string_view, 7> kFiles = {"trajectory.csv", "metrics.csv", "events.csv",
-                                                    "contacts.csv",   "scene.toml",  "summary.json",
-                                                    "timing.csv"};
+constexpr std::string_view kUnsolvedMatrix = "unsolved_A.mtx";
+constexpr std::string_view kUnsolvedVector = "unsolved_b.mtx";
+
+constexpr std::array<std::string_view, 9> kFiles = {
+    "trajectory.csv", "metrics.csv", "events.csv",    "contacts.csv", "scene.toml",
+    "summary.json",   "timing.csv",  kUnsolvedMatrix, kUnsolvedVector};
 
 std::string metrics_header() {
   std::string out = "time_s,status";
@@ -108,6 +113,14 @@ void RunFiles::on_event(const World& world, const Event& event) {
   events_.cell(std::int64_t{event.rewinds}).cell(std::int64_t{event.restarts}).end_row();
 }
 
+void RunFiles::write_unsolved(const LcpProblem& problem) {
+  const auto write = [&](std::string_view name, const MatRef& matrix, std::string_view comment) {
+    write_file(folder_.path() / name, to_matrix_market(matrix, comment));
+  };
+  write(kUnsolvedMatrix, problem.A, "A of the problem a = A f + b that ended the run");
+  write(kUnsolvedVector, problem.b, "b of the problem a = A f + b that ended the run");
+}
+
 void RunFiles::finish(const RunResult& result) {
   trajectory_.flush();
   metrics_.flush();
@@ -149,6 +162,7 @@ void RunFiles::finish(const RunResult& result) {
       .field("searches", t.searches)
       .field("rewinds", t.rewinds)
       .field("restarts", t.restarts)
+      .field("fallbacks", t.fallbacks)
       .end();
   out.field("version", build.version).field("compiler", build.compiler).field("flags", build.flags);
   out.end();

@@ -46,6 +46,13 @@ class RunFiles : public RunObserver {
   /// \throws CannotWrite if something cannot be written
   void finish(const RunResult& result);
 
+  /// Writes the problem that ended a run into unsolved_A.mtx and unsolved_b.mtx, with 17 digits, so
+  /// that `tumble lcp` solves the very same one.
+  /// \param problem  see Technique::unsolved_problem()
+  /// \throws CannotWrite if something cannot be written
+  /// \throws std::invalid_argument if a number in it is not finite
+  void write_unsolved(const LcpProblem& problem);
+
   /// Takes everything away again, the folder too if it was made for this run: for a run that turns
   /// out to be a mistake when it has begun.
   void discard() const { folder_.discard(); }

@@ -1,6 +1,6 @@
 /// \file
 /// \brief How far a number that was measured over random scenes may be trusted.
-#include "basic_colliding/statistics.hpp"
+#include "driver/statistics.hpp"
 
 #include <gsl/gsl_cdf.h>
 

@@ -1,0 +1,143 @@
+/// \file
+/// \brief What exact impact times cost, against time stepping at equal error (thesis 3.3.1).
+#include "tumble/scenes/scene.hpp"
+
+#include "analytic_lcp/joined_experiments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kGravity = 9.81;          // [m/s²]
+constexpr double kLook = 1.0 / 15;         // [s] between two looks at the error
+constexpr double kSpacing = 3.0;           // [m] between the cubes: they never meet
+constexpr int kMany = 10;                  // cubes of the verdict
+constexpr double kGoldenRatio = 0.618034;  // heights that repeat nothing
+
+// Different heights, so that no two cubes land at once.
+double drop_of(int cube) {
+  const double turn = kGoldenRatio * (cube + 1);
+  return 0.5 + 1.5 * (turn - std::floor(turn));
+}
+
+World cubes_in_a_row(int cubes, double restitution) {
+  Scene scene;
+  scene.ground = SceneGround{0.0, 0.0};
+  for (int k = 0; k < cubes; ++k) {
+    SceneBox box;
+    box.name = "cube" + std::to_string(k + 1);
+    box.position_w = Vec3(kSpacing * k, drop_of(k) + 0.5, 0.0);
+    box.friction = 0.0;
+    box.restitution = restitution;
+    scene.boxes.push_back(box);
+  }
+  return build_world(scene);
+}
+
+// Height of a bouncing cube's lower face at a time: flights of t1, 2 e t1, 2 e² t1, and so on.
+double exact_height(double drop, double restitution, double time) {
+  double since = time;
+  double flight = std::sqrt(2.0 * drop / kGravity);
+  if (since < flight) return drop - 0.5 * kGravity * since * since;
+  since -= flight;
+  double speed = restitution * kGravity * flight;
+  constexpr double shortest = 1e-12;  // [s] what bounces shorter than this rests
+  while (2.0 * speed / kGravity > shortest) {
+    flight = 2.0 * speed / kGravity;
+    if (since < flight) return since * (speed - 0.5 * kGravity * since);
+    since -= flight;
+    speed *= restitution;
+  }
+  return 0.0;
+}
+
+struct Cost {
+  double step = 0.0;   // [s]
+  double work = 0.0;   // separations and integrations
+  double error = 0.0;  // [m] largest over cubes and looks
+};
+
+Cost run(const std::string& name, int cubes, double step, const Parameters& settings) {
+  const double restitution = settings.number("restitution");
+  World world = cubes_in_a_row(cubes, restitution);
+  const auto technique = technique_with(name, {});
+  const auto looks = static_cast<int>(std::lround(settings.number("duration") / kLook));
+  const auto steps_a_look = static_cast<int>(std::lround(kLook / step));
+  Cost cost{step};
+  for (int look = 0; look < looks; ++look) {
+    for (int k = 0; k < steps_a_look; ++k) {
+      const StepReport report = technique->step(world, step);
+      if (report.status != StepStatus::done) throw std::runtime_error("a step was not solved");
+      cost.work += static_cast<double>(report.pair_tests + report.integrations);
+    }
+    for (int k = 0; k < cubes; ++k) {
+      const double height = world.states()[static_cast<std::size_t>(k + 1)].position_w.y() - 0.5;
+      const double exact = exact_height(drop_of(k), restitution, world.time());
+      cost.error = std::max(cost.error, std::abs(height - exact));
+    }
+  }
+  return cost;
+}
+
+// The least work among the runs that are close enough, from long steps to short ones.
+Cost cheapest(const std::string& name, int cubes, double longest, const Parameters& settings,
+              std::vector<Cost>& all) {
+  Cost best;
+  for (double step = longest; step > 0.99 * settings.number("finest"); step *= 0.5) {
+    const Cost cost = run(name, cubes, step, settings);
+    all.push_back(cost);
+    if (cost.error > settings.number("accepted")) continue;
+    if (!(best.work > 0.0) || cost.work < best.work) best = cost;
+    if (cost.work > best.work) break;  // shorter steps only cost more
+  }
+  if (!(best.work > 0.0))
+    throw std::runtime_error(name + " never comes as close as " +
+                             setting_text(settings.number("accepted")) +
+                             " m; take a smaller finest");
+  return best;
+}
+
+}  // namespace
+
+Result measure_exact_times(const Parameters& settings) {
+  Table table{"",
+              {{"exact", "-", "1: exact impact times, 0: time stepping"},
+               {"step_s", "s", "time step"},
+               {"work", "-", "separations and integrations"},
+               {"error_m", "m", "largest error of a height"}}};
+  Table growth{"cubes",
+               {{"cubes", "-", "that bounce side by side"},
+                {"exact_work", "-", "separations and integrations with exact impact times"},
+                {"stepping_work", "-", "the same with time stepping, at equal error"},
+                {"ratio", "-", "of the two"}}};
+  double verdict = 0.0;
+  double crossing = 0.0;
+  std::vector<int> numbers;
+  for (int cubes = 1; cubes <= settings.count("cubes"); cubes *= 2) numbers.push_back(cubes);
+  numbers.push_back(kMany);
+  std::sort(numbers.begin(), numbers.end());
+  for (const int cubes : numbers) {
+    std::vector<Cost> exact, stepping;
+    const Cost a = cheapest("analytic", cubes, kLook, settings, exact);
+    const Cost b = cheapest("time_stepping", cubes, 1.0 / 60.0, settings, stepping);
+    const double ratio = a.work / b.work;
+    growth.rows.push_back({static_cast<double>(cubes), a.work, b.work, ratio});
+    if (ratio >= 1.0 && crossing == 0.0) crossing = cubes;
+    if (cubes != kMany) continue;
+    verdict = ratio;
+    for (const Cost& c : exact) table.rows.push_back({1.0, c.step, c.work, c.error});
+    for (const Cost& c : stepping) table.rows.push_back({0.0, c.step, c.work, c.error});
+  }
+  return {{table, growth},
+          {{"separations and integrations with exact impact times over those of time stepping, at "
+            "equal error",
+            "-", verdict},
+           {"the same ratio for one cube", "-", growth.rows.front().back()},
+           {"the same ratio for the most cubes", "-", growth.rows.back().back()},
+           {"cubes from which exact times cost more, 0: never", "-", crossing}}};
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,194 @@
+/// \file
+/// \brief Where Coulomb's law has no answer, and what a time step does there (thesis 2.6.3).
+#include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include "analytic_lcp/force_experiments.hpp"
+#include "analytic_lcp/painleve_rod.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kFirst = 20.0;  // [degrees] the map's left edge
+constexpr double kLast = 88.0;
+constexpr double kMost = 3.0;         // [-] friction at the map's upper edge
+constexpr double kStandstill = 1e-9;  // [m/s] slower is rounding, where rods slide with 1 m/s
+
+// What the map tells.
+enum class Answers { none, pushes, lifts, two };
+
+Answers answers_of(const PainleveRod& rod) {
+  const std::vector<double> forces = possible_forces(rod);
+  if (forces.empty()) return Answers::none;
+  if (forces.size() == 2) return Answers::two;
+  return forces.front() > 0.0 ? Answers::pushes : Answers::lifts;
+}
+
+// Counts the solutions in the middles of a grid. Neighbours above each other with the same answer
+// are one row of the table.
+Table count_answers(const std::string& suffix, double spin, int friction_steps) {
+  Table table{suffix,
+              {{"from_deg", "deg", "left edge"},
+               {"to_deg", "deg", "right edge"},
+               {"from_mu", "-", "lower edge"},
+               {"to_mu", "-", "upper edge"},
+               {"answers", "-", "0: no force; 1: one, it pushes; 2: one, 0: it lifts; 3: two"}}};
+  const int angle_steps = static_cast<int>(kLast - kFirst);
+  for (int i = 0; i < angle_steps; ++i) {
+    const double left = kFirst + i;
+    for (int k = 0; k < friction_steps; ++k) {
+      const double low = kMost * k / friction_steps;
+      const double high = kMost * (k + 1) / friction_steps;
+      const auto answers =
+          static_cast<double>(answers_of({(left + 0.5) * kDegree, 0.5 * (low + high), spin}));
+      if (k == 0 || table.rows.back().back() != answers)
+        table.rows.push_back({left, left + 1.0, low, high, answers});
+      table.rows.back()[3] = high;
+    }
+  }
+  return table;
+}
+
+// How far an edge between numbers of solutions is from the closed form, at most.
+double edge_error(const Table& cells) {
+  double worst = 0.0;
+  for (const std::vector<double>& cell : cells.rows) {
+    if (cell[3] >= kMost) continue;
+    worst =
+        std::max(worst, std::abs(cell[3] - critical_friction(0.5 * (cell[0] + cell[1]) * kDegree)));
+  }
+  return worst;
+}
+
+Table boundary() {
+  Table table{
+      "boundary",
+      {{"angle_deg", "deg", "of the rod"}, {"mu", "-", "friction at which pushing stops to help"}}};
+  for (double angle = kFirst; angle <= kLast; angle += 0.5)
+    table.rows.push_back({angle, critical_friction(angle * kDegree)});
+  return table;
+}
+
+// The lowest point of the boundary, where the tangent of the angle is 2.
+Table least(double spin) {
+  const double angle = elementary::atan2(2.0, 1.0);
+  return {"least",
+          {{"angle_deg", "deg", "angle with the least critical friction"},
+           {"mu", "-", "that friction"},
+           {"spin_rad_s", "rad/s", "of the rods in the map with spin"}},
+          {{angle / kDegree, critical_friction(angle), spin}}};
+}
+
+RodStep solved_step(const PainleveRod& rod, double step) {
+  LemkeSolver solver;
+  const RodStep after = step_rod(rod, step, solver);
+  if (after.status != LcpStatus::solved) throw std::runtime_error("a time step was not solved");
+  return after;
+}
+
+// A time step for rods all over the map.
+Table steps_over_map(double step) {
+  Table table{"",
+              {{"angle_deg", "deg", "of the rod"},
+               {"mu", "-", "friction"},
+               {"after", "-", "0: the end lifts off, 1: slides on, 2: sticks"},
+               {"normal_n_s", "N s", "impulse away from the ground"},
+               {"slip_m_s", "m/s", "of the end after the step"}}};
+  for (int angle = 24; angle <= 84; angle += 4) {
+    for (int k = 0; k < 14; ++k) {
+      const double friction = 0.1 + 0.2 * k;
+      const RodStep after = solved_step({angle * kDegree, friction, 0.0}, step);
+      const double state = after.lift > kStandstill ? 0.0 : -after.slip > kStandstill ? 1.0 : 2.0;
+      table.rows.push_back({1.0 * angle, friction, state, after.normal_impulse, after.slip});
+    }
+  }
+  return table;
+}
+
+double count_of(const Table& table, std::size_t column, double value) {
+  double count = 0.0;
+  for (const std::vector<double>& row : table.rows)
+    if (row[column] == value) count += 1.0;
+  return count;
+}
+
+// The impulse of one step against its length, for rods at 60 degrees.
+Table impulses() {
+  Table table{"impulses",
+              {{"step_s", "s", "length of the step"},
+               {"sliding_n_s", "N s", "impulse away from the ground, friction 1"},
+               {"jammed_n_s", "N s", "the same, friction 1.5"}}};
+  for (int k = 0; k <= 16; ++k) {
+    const double step = 0.1 * elementary::pow(10.0, -0.25 * k);
+    std::vector<double> row{step};
+    for (const double friction : {1.0, 1.5})
+      row.push_back(solved_step({60.0 * kDegree, friction, 0.0}, step).normal_impulse);
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace
+
+Result measure_painleve_map(const Parameters& settings) {
+  const double spin = settings.number("spin");
+  const double step = settings.number("step");
+  const int friction_steps = settings.count("friction_steps");
+  const Table still = count_answers("still", 0.0, friction_steps);
+  const Table spinning = count_answers("spinning", spin, friction_steps);
+  const Table steps = steps_over_map(step);
+  const Table lowest = least(spin);
+
+  std::vector<Quantity> list;
+  const auto add = [&list](const std::string& name, const char* unit, double value) {
+    list.push_back({name, unit, value});
+  };
+  for (const int angle : {30, 45, 60, 75})
+    add("critical friction at " + std::to_string(angle) + " degrees", "-",
+        critical_friction(angle * kDegree));
+  add("angle of the least critical friction", "deg", lowest.rows.front()[0]);
+  add("least critical friction", "-", lowest.rows.front()[1]);
+  add("largest distance of the map's edge from the closed form", "-", edge_error(still));
+
+  const PainleveRod slides{60.0 * kDegree, 1.0, 0.0};
+  const PainleveRod jams{60.0 * kDegree, 1.5, 0.0};
+  const PainleveRod spins{60.0 * kDegree, 1.5, spin};
+  const std::vector<double> two = possible_forces(spins);
+  add("60 degrees, friction 1: push response p", "1/kg", push_response(slides));
+  add("60 degrees, friction 1: the force", "N", possible_forces(slides).front());
+  add("60 degrees, friction 1.5: push response p", "1/kg", push_response(jams));
+  add("60 degrees, friction 1.5: free acceleration b", "m/s²", free_acceleration(jams));
+  add("60 degrees, friction 1.5: forces that obey the laws", "-",
+      static_cast<double>(possible_forces(jams).size()));
+  add("60 degrees, friction 1.5, spinning: free acceleration b", "m/s²", free_acceleration(spins));
+  add("60 degrees, friction 1.5, spinning: forces that obey the laws", "-",
+      static_cast<double>(two.size()));
+  add("60 degrees, friction 1.5, spinning: the larger force", "N", two.empty() ? 0.0 : two.back());
+  add("60 degrees: spin at which b = 0", "rad/s",
+      std::sqrt(-free_acceleration(jams) / elementary::sin(jams.angle)));
+
+  const RodStep jammed = solved_step(jams, step);
+  add("step, friction 1.5: impulse away from the ground", "N s", jammed.normal_impulse);
+  add("step, friction 1.5: impulse of friction", "N s", jammed.friction_impulse);
+  add("step, friction 1.5: sliding speed left", "m/s", std::abs(jammed.slip));
+  add("step, friction 1.5: angular velocity after it", "rad/s", jammed.spin);
+  const RodStep limit = solved_step(jams, 1e-12);
+  add("step of 1e-12 s, friction 1.5: impulse away from the ground", "N s", limit.normal_impulse);
+  add("step of 1e-12 s, friction 1.5: impulse of friction", "N s", limit.friction_impulse);
+  const RodStep slid = solved_step(slides, step);
+  add("step, friction 1: impulse away from the ground", "N s", slid.normal_impulse);
+  add("step, friction 1: impulse of friction", "N s", slid.friction_impulse);
+  add("step, friction 1: velocity of sliding after it", "m/s", slid.slip);
+  add("steps tried", "-", static_cast<double>(steps.rows.size()));
+  add("of these, the end sticks", "-", count_of(steps, 2, 2.0));
+  add("of these, the end lifts off", "-", count_of(steps, 2, 0.0));
+  return {{steps, still, spinning, boundary(), lowest, impulses()}, list};
+}
+
+}  // namespace tumble::chapters

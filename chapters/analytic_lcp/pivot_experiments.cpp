@@ -1,0 +1,159 @@
+/// \file
+/// \brief Baraff's algorithm step by step (thesis 3.3.1).
+#include "analytic_lcp/force_experiments.hpp"
+#include "analytic_lcp/pivot_trace.hpp"
+#include "analytic_lcp/planks.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+// What a cell of the picture shows.
+double state_of(const TracedStep& step, int contact) {
+  if (step.driven == contact) return 1.0;
+  switch (step.during[static_cast<std::size_t>(contact)]) {
+    case BaraffSet::C:
+      return 2.0;
+    case BaraffSet::NC:
+      return 3.0;
+    default:
+      return 0.0;
+  }
+}
+
+Table set_table(const std::vector<TracedStep>& steps, int contacts) {
+  Table table{"",
+              {{"step", "-", "from 1"},
+               {"contact", "-", "from 1"},
+               {"state", "-", "0: not looked at, 1: driven, 2: in C, 3: in NC"},
+               {"ends", "-", "of the contact that ends the step: 1 rests, 2 lets go, 3 returns"}}};
+  double number = 0.0;
+  for (const TracedStep& step : steps) {
+    ++number;
+    for (int i = 0; i < contacts; ++i) {
+      const double end = step.ended_by == i ? 1.0 + static_cast<double>(step.end) : 0.0;
+      table.rows.push_back({number, i + 1.0, state_of(step, i), end});
+    }
+  }
+  return table;
+}
+
+std::string column_of(const char* letter, int contact, const char* unit) {
+  std::string name = letter;
+  name += std::to_string(contact + 1);
+  name += unit;
+  return name;
+}
+
+// Forces and accelerations before the first step and after each one. In between they are linear.
+Table path_table(const LcpProblem& problem, const std::vector<TracedStep>& steps) {
+  const int n = problem.size();
+  Table table{"path", {{"step", "-", "steps done"}}};
+  for (int i = 0; i < n; ++i)
+    table.columns.push_back({column_of("f", i, "_n"), "N", "force at this contact"});
+  for (int i = 0; i < n; ++i)
+    table.columns.push_back(
+        {column_of("a", i, "_m_s2"), "m/s²", "acceleration apart at this contact"});
+  std::vector<double> row(static_cast<std::size_t>(1 + n), 0.0);
+  row.insert(row.end(), problem.b.data(), problem.b.data() + n);
+  table.rows.push_back(row);
+  for (const TracedStep& step : steps) {
+    row.assign(1, row.front() + 1.0);
+    row.insert(row.end(), step.f.begin(), step.f.end());
+    row.insert(row.end(), step.a.begin(), step.a.end());
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Table body_table(const Planks& planks) {
+  Table table{"bodies",
+              {{"x_m", "m", "middle, to the right"},
+               {"y_m", "m", "middle, up"},
+               {"width_m", "m", "of the box"},
+               {"height_m", "m", "of the box"},
+               {"mass_kg", "kg", "0: fixed"}}};
+  for (std::size_t k = 0; k < planks.bodies.size(); ++k) {
+    const BodyProperties& body = planks.world.bodies()[k];
+    const Vec3& p = planks.bodies[k].position_w;
+    table.rows.push_back(
+        {p.x(), p.y(), body.size.x(), body.size.y(), body.movable() ? body.mass : 0.0});
+  }
+  return table;
+}
+
+Table contact_table(const Planks& planks, const LcpResult& result) {
+  Table table{"contacts",
+              {{"contact", "-", "from 1"},
+               {"x_m", "m", "to the right"},
+               {"y_m", "m", "up"},
+               {"force_n", "N", "in the end"}}};
+  for (std::size_t k = 0; k < planks.contacts.size(); ++k) {
+    const Vec3& p = planks.contacts[k].points[0].position_w;
+    table.rows.push_back({static_cast<double>(k + 1), p.x(), p.y(), result.f[k]});
+  }
+  return table;
+}
+
+// The acceleration of the contact that sinks fastest.
+double fastest_sinking(std::span<const double> a) {
+  return std::max(0.0, -*std::min_element(a.begin(), a.end()));
+}
+
+// P4, taken literally: the loop goes on *until* a contact sinks. One does at the start, with f = 0
+// and a = b, so it is not entered.
+double left_by_loop_until_sinking(const LcpProblem& problem) {
+  return fastest_sinking({problem.b.data(), static_cast<std::size_t>(problem.size())});
+}
+
+// The force at the third post when the upper plank tips over it: m g / (1 + m d² / I), d from its
+// centre.
+double tipping_force(const Planks& planks, double post) {
+  const BodyProperties& plank = planks.world.bodies().back();
+  const double d = planks.bodies.back().position_w.x() - post;
+  return plank.mass * planks.world.gravity_w.norm() /
+         (1.0 + plank.mass * d * d * plank.inverse_inertia_b.z());
+}
+
+}  // namespace
+
+Result measure_index_sets(const Parameters& settings) {
+  const double post = settings.number("post");
+  const Planks planks = make_planks(settings.number("centre"), post);
+  const LcpProblem& lcp = planks.problem.lcp();
+  LcpResult result;
+  const std::vector<TracedStep> steps = trace_baraff(lcp, result);
+  if (result.status != LcpStatus::solved)
+    throw std::runtime_error("Baraff's algorithm ended as " + std::string(name_of(result.status)));
+
+  std::vector<Quantity> quantities;
+  const auto add = [&](const std::string& name, const char* unit, double value) {
+    quantities.push_back({name, unit, value});
+  };
+  const auto ends = [&steps](StepEnd end) {
+    return static_cast<double>(std::count_if(
+        steps.begin(), steps.end(), [end](const TracedStep& step) { return step.end == end; }));
+  };
+  add("steps", "-", static_cast<double>(steps.size()));
+  add("of these, a contact lets go", "-", ends(StepEnd::lets_go));
+  add("of these, a contact returns", "-", ends(StepEnd::returns));
+  for (std::size_t i = 0; i < result.f.size(); ++i)
+    add("force at contact " + std::to_string(i + 1), "N", result.f[i]);
+  add("force at the third post, plank tipping over it", "N", tipping_force(planks, post));
+  for (std::size_t i = 0; i < result.a.size(); ++i)
+    add("acceleration apart at contact " + std::to_string(i + 1), "m/s²", result.a[i]);
+  add("residual", "-", result.residual);
+  add("P4: fastest sinking that is left, loop until a contact sinks", "m/s²",
+      left_by_loop_until_sinking(lcp));
+  add("P4: fastest sinking that is left, loop while a contact sinks", "m/s²",
+      fastest_sinking(result.a));
+  return {{set_table(steps, lcp.size()), path_table(lcp, steps), body_table(planks),
+           contact_table(planks, result)},
+          quantities};
+}
+
+}  // namespace tumble::chapters

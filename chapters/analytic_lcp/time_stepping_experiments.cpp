@@ -1,0 +1,287 @@
+/// \file
+/// \brief Time stepping without events, and on random problems with friction.
+#include "analytic_lcp/time_stepping_experiments.hpp"
+
+#include "tumble/analytic_lcp/time_stepping.hpp"
+#include "tumble/base/random.hpp"
+#include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/gather.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+
+// --- 2.6.3a ---------------------------------------------------------------------------------------
+
+// A stack of cubes of 1 m, and one of half a metre that flies into it, a little off its middle plane.
+World stack_and_projectile(int cubes, double speed, double height, double aside) {
+  World world;
+  world.add_ground();
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  for (int k = 0; k < cubes; ++k) world.add(cube, make_state(cube, Vec3(0.0, k + 0.5, 0.0)));
+  const BodyProperties shot = box_properties(Vec3::Constant(0.5), 1.0);
+  world.add(shot,
+            make_state(shot, Vec3(-4.0, height, aside), Quat::Identity(), Vec3(speed, 2.0, 0.0)));
+  return world;
+}
+
+struct Shot {
+  double speed = 0.0;
+  int steps = 0;
+  int unsolved = 0;
+  int deep = 0;              // steps that left an overlap above 1 % of the smaller cube's edge
+  double deepest = 0.0;      // [-] of that edge
+  double worst_error = 0.0;  // [-]
+};
+
+Shot shoot(int cubes, double speed, double height, double aside, double duration, Table* table) {
+  World world = stack_and_projectile(cubes, speed, height, aside);
+  TimeStepping technique;
+  Shot shot{.speed = speed};
+  const double edge = 0.5;  // [m]
+  const int steps = static_cast<int>(std::lround(duration / kStep));
+  for (int k = 0; k < steps; ++k) {
+    const StepReport report = technique.step(world, kStep);
+    ++shot.steps;
+    const double overlap = report.deepest_overlap / edge;
+    const double error = technique.velocities().residual;
+    if (report.status != StepStatus::done) {
+      ++shot.unsolved;
+      world.finish_step(kStep);
+    }
+    if (overlap > 0.01) ++shot.deep;
+    shot.deepest = std::max(shot.deepest, overlap);
+    shot.worst_error = std::max(shot.worst_error, error);
+    if (table == nullptr) continue;
+    double fastest = 0.0;
+    for (std::size_t b = 1; b < world.bodies().size(); ++b)
+      fastest = std::max(fastest, velocity(world.bodies()[b], world.states()[b]).norm());
+    table->rows.push_back({world.time(), 100.0 * overlap, std::max(error, 1e-17), fastest,
+                           static_cast<double>(report.contacts)});
+  }
+  return shot;
+}
+
+// --- 2.6.3b ---------------------------------------------------------------------------------------
+
+struct Instant {
+  World world;
+  ContactList contacts;
+  std::vector<MovingBody> bodies;
+  std::vector<Acceleration> free;
+};
+
+void add_gravity(Instant& instant) {
+  load_moving_bodies(instant.world, instant.bodies);
+  instant.free.assign(instant.bodies.size(), Acceleration{});
+  for (std::size_t k = 0; k < instant.bodies.size(); ++k)
+    if (instant.world.bodies()[k].movable()) instant.free[k].linear_w = instant.world.gravity_w;
+}
+
+BodyState random_motion(Random& random, const BodyProperties& body, const Vec3& place_w,
+                        const Quat& turned) {
+  const Vec3 velocity_w = random.in_cube(2.0);
+  const Vec3 spin_w = random.in_cube(2.0);
+  return make_state(body, place_w, turned, velocity_w, spin_w);
+}
+
+// Boxes anywhere, the first one fixed, with one to eight points anywhere between them.
+Instant random_points(Random& random) {
+  Instant instant;
+  const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
+  instant.world.add(fixed, make_state(fixed, Vec3::Zero()));
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 size = Vec3::Ones() + random.in_cube(0.5);
+    const BodyProperties body = box_properties(size, random.uniform(0.5, 2.0));
+    const Vec3 place_w = random.in_cube(1.0);
+    const Quat turned = random.orientation();
+    instant.world.add(body, random_motion(random, body, place_w, turned));
+  }
+  const int count = 1 + static_cast<int>(random.below(8));
+  for (int k = 0; k < count; ++k) {
+    Contact contact;
+    contact.first = static_cast<int>(random.below(3));
+    contact.second = contact.first + 1 +
+                     static_cast<int>(random.below(static_cast<std::uint32_t>(3 - contact.first)));
+    contact.normal_w = random.direction();
+    contact.friction = random.uniform(0.0, 2.0);
+    contact.count = 1;
+    contact.points[0].position_w = random.in_cube(1.0);
+    instant.contacts.push_back(contact);
+  }
+  add_gravity(instant);
+  return instant;
+}
+
+// Three cubes, one on two, with four points to a face, turned by up to a millionth and moving anyhow.
+Instant random_bricks(Random& random) {
+  Instant instant;
+  const double friction = random.uniform(0.05, 2.0);
+  instant.world.add_ground(friction);
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, friction);
+  const std::array<Vec3, 3> places = {Vec3(-0.52, 0.5, 0.0), Vec3(0.52, 0.5, 0.0),
+                                      Vec3(0.0, 1.5, 0.0)};
+  for (const Vec3& place_w : places) {
+    const Vec3 axis = random.in_cube(1e-6);
+    const Quat turned = Quat(1.0, axis.x(), axis.y(), axis.z()).normalized();
+    instant.world.add(cube, random_motion(random, cube, place_w, turned));
+  }
+  add_gravity(instant);
+  std::vector<IndexPair> pairs;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) pairs.push_back(IndexPair{i, j});
+  gather_contacts(instant.world, instant.bodies, pairs, 1e-3, {}, instant.contacts);
+  return instant;
+}
+
+// A rod of 1 kg and half length 1 m that slides on its end at 1 m/s, away from the side to which it
+// leans.
+Instant rod_on_end(double angle, double friction, double spin) {
+  Instant instant;
+  instant.world.add_ground(friction);
+  const Vec3 to_end(-std::cos(angle), -std::sin(angle), 0.0);
+  const Vec3 spin_w(0.0, 0.0, spin);
+  const BodyProperties rod = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, friction);
+  const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+  instant.world.add(
+      rod, make_state(rod, -to_end, turned, -Vec3::UnitX() - spin_w.cross(to_end), spin_w));
+  Contact contact;
+  contact.second = 1;
+  contact.friction = friction;
+  contact.count = 1;
+  instant.contacts.push_back(contact);
+  add_gravity(instant);
+  return instant;
+}
+
+VelocityStepResult step(Instant& instant) {
+  VelocityStepOptions options;
+  options.form = SteppingForm::anitescu_potra;
+  return VelocityStep().solve(instant.world, instant.free, instant.contacts, kStep, options,
+                              instant.bodies);
+}
+
+// Counts answers by the power of ten of their error; the first class has all below 1e-16.
+class Errors {
+ public:
+  void add(const VelocityStepResult& result) {
+    ++count;
+    if (!result.solved) {
+      ++unsolved;
+      return;
+    }
+    int power = 0;
+    for (double limit = 1e-16; power < kClasses - 1 && result.residual > limit; limit *= 10.0)
+      ++power;
+    ++classes[static_cast<std::size_t>(power)];
+  }
+
+  static constexpr int kClasses = 10;  // up to 1e-7, what is accepted
+  int count = 0;
+  int unsolved = 0;
+  std::array<int, kClasses> classes{};
+};
+
+}  // namespace
+
+Result measure_no_events(const Parameters& settings) {
+  Table run{.suffix = "",
+            .columns = {{"time_s", "s", "end of the step"},
+                        {"overlap_percent", "%", "deepest overlap over the smaller cube's edge"},
+                        {"error", "-", "of the velocities, over the fastest; 1e-17 for none"},
+                        {"fastest_m_s", "m/s", "fastest cube"},
+                        {"points", "-", "contact points"}}};
+  Table shots{.suffix = "shots",
+              .columns = {{"speed_m_s", "m/s", "of the projectile"},
+                          {"steps", "-", "steps"},
+                          {"unsolved", "-", "steps not solved"},
+                          {"deep", "-", "steps with an overlap above 1 %"},
+                          {"deepest_percent", "%", "deepest overlap over the smaller cube's edge"},
+                          {"error", "-", "largest error of the velocities"}}};
+  Random random(263);
+  Shot all;
+  for (int k = 0; k < settings.count("shots"); ++k) {
+    const double speed = k == 0 ? 12.0 : random.uniform(5.0, 20.0);
+    const double height = k == 0 ? 1.3 : random.uniform(0.5, settings.count("cubes") - 1.0);
+    const double aside = k == 0 ? 0.1 : random.uniform(-0.5, 0.5);
+    const Shot shot = shoot(settings.count("cubes"), speed, height, aside,
+                            settings.number("duration"), k == 0 ? &run : nullptr);
+    shots.rows.push_back({shot.speed, static_cast<double>(shot.steps),
+                          static_cast<double>(shot.unsolved), static_cast<double>(shot.deep),
+                          100.0 * shot.deepest, shot.worst_error});
+    all.steps += shot.steps;
+    all.unsolved += shot.unsolved;
+    all.deep += shot.deep;
+    all.deepest = std::max(all.deepest, shot.deepest);
+    all.worst_error = std::max(all.worst_error, shot.worst_error);
+  }
+  const double failed = static_cast<double>(all.unsolved + all.deep) / all.steps;
+  return Result{
+      .tables = {run, shots},
+      .quantities = {
+          {"steps that were not solved or left an overlap above 1 % of the size, over all steps",
+           "-", failed},
+          {"steps", "-", static_cast<double>(all.steps)},
+          {"steps not solved", "-", static_cast<double>(all.unsolved)},
+          {"steps with an overlap above 1 %", "-", static_cast<double>(all.deep)},
+          {"deepest overlap over the smaller cube's edge", "-", all.deepest},
+          {"largest error of the velocities", "-", all.worst_error}}};
+}
+
+Result measure_always_solved(const Parameters& settings) {
+  Random random(static_cast<std::uint64_t>(settings.count("seed")));
+  Errors points;
+  Errors bricks;
+  for (int k = 0; k < settings.count("problems"); ++k) {
+    Instant instant = k % 2 == 0 ? random_points(random) : random_bricks(random);
+    (k % 2 == 0 ? points : bricks).add(step(instant));
+  }
+  Errors rods;
+  Table rod{.suffix = "rod",
+            .columns = {{"angle_deg", "degrees", "above the ground"},
+                        {"friction", "-", "coefficient"},
+                        {"spin_rad_s", "rad/s", "angular velocity"},
+                        {"solved", "-", "1 if so"},
+                        {"normal_impulse_N_s", "N s", "of the ground"},
+                        {"slip_m_s", "m/s", "of the lower end, after the step"}}};
+  for (int degrees = 5; degrees <= 85; degrees += 5)
+    for (int tenths = 0; tenths <= 30; tenths += 2)
+      for (const double spin : {-5.0, 0.0, 2.0, 5.0}) {
+        Instant instant = rod_on_end(degrees * std::numbers::pi / 180.0, 0.1 * tenths, spin);
+        const VelocityStepResult result = step(instant);
+        rods.add(result);
+        const Vec3 u = relative_velocity(instant.bodies[0], instant.bodies[1], Vec3::Zero());
+        rod.rows.push_back({static_cast<double>(degrees), 0.1 * tenths, spin,
+                            result.solved ? 1.0 : 0.0, instant.contacts[0].points[0].normal_impulse,
+                            u.x()});
+      }
+
+  Table errors{.suffix = "",
+               .columns = {{"power", "-", "errors up to ten to this power"},
+                           {"points_percent", "%", "share of the random points"},
+                           {"bricks_percent", "%", "share of the bricks"},
+                           {"rods_percent", "%", "share of the rods"}}};
+  for (int k = 0; k < Errors::kClasses; ++k) {
+    const auto share = [k](const Errors& e) {
+      return 100.0 * e.classes[static_cast<std::size_t>(k)] / std::max(e.count, 1);
+    };
+    errors.rows.push_back({k - 16.0, share(points), share(bricks), share(rods)});
+  }
+  const double all = points.count + bricks.count + rods.count;
+  const double unsolved = points.unsolved + bricks.unsolved + rods.unsolved;
+  return Result{
+      .tables = {errors, rod},
+      .quantities = {{"problems that were not solved over all problems", "-", unsolved / all},
+                     {"problems", "-", all},
+                     {"random points not solved", "-", static_cast<double>(points.unsolved)},
+                     {"bricks not solved", "-", static_cast<double>(bricks.unsolved)},
+                     {"rods not solved", "-", static_cast<double>(rods.unsolved)}}};
+}
+
+}  // namespace tumble::chapters

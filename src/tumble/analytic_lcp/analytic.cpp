@@ -1,0 +1,254 @@
+/// \file
+/// \brief The loop that joins collisions and contact forces.
+#include "tumble/analytic_lcp/analytic.hpp"
+
+#include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace tumble {
+namespace {
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+std::int64_t movable_bodies(const World& world) {
+  return std::count_if(world.bodies().begin(), world.bodies().end(),
+                       [](const BodyProperties& body) { return body.movable(); });
+}
+
+ContactForceOptions force_options(const AnalyticOptions& options) {
+  return {.solver = options.solver,
+          .friction = options.friction == AnalyticFriction::coulomb,
+          .directions = options.directions};
+}
+
+}  // namespace
+
+Analytic::Analytic(const AnalyticOptions& options)
+    : options_(options),
+      broad_phase_(make_broad_phase("bounding_tree")),
+      forces_(force_options(options)) {
+  require::positive(options.resolution, "resolution");
+  require::that(options.event_cap >= 1,
+                "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
+  require::not_negative(options.sticky.threshold, "sticky.threshold");
+  require::within(options.damping.velocity, 0.0, 1.0, "damping.velocity");
+  require::within(options.damping.spin, 0.0, 1.0, "damping.spin");
+}
+
+Analytic::Analytic(const Analytic& other)
+    : Technique(other),
+      options_(other.options_),
+      broad_phase_(other.broad_phase_->clone()),
+      forces_(force_options(other.options_)),
+      resting_(other.resting_),
+      records_(other.records_) {}
+
+std::unique_ptr<Technique> Analytic::clone() const { return std::make_unique<Analytic>(*this); }
+
+std::vector<std::string> Analytic::ignores(const World& world) const {
+  const bool rough = std::any_of(world.bodies().begin(), world.bodies().end(),
+                                 [](const BodyProperties& b) { return b.friction > 0.0; });
+  if (!rough || options_.friction == AnalyticFriction::coulomb) return {};
+  if (options_.friction == AnalyticFriction::none) return {"friction"};
+  return {"friction (bodies in contact are damped instead)"};
+}
+
+StepReport Analytic::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  records_.clear();
+  unsolved_ = false;
+  Progress progress{dt, 0.0};
+  for (int flight = 0; progress.left() > 0.0; ++flight) {
+    const bool capped = flight == options_.event_cap;
+    // [S3.3.1:join]
+    // Collisions of this instant first, so that afterwards no point
+    // that touches approaches. Then the forces that keep it so.
+    find_candidates(world, progress.left());
+    find_near(world, report);
+    if (!capped) collide(world, progress, report);
+    Plan plan;
+    if (!find_forces(world, progress, plan, report)) {
+      unsolved_ = true;
+      report.status = StepStatus::unsolved;
+      break;
+    }
+    // Then a flight: to the next collision, to the end of a slide,
+    // or to the end of the step.
+    fly(world, plan, capped, progress, report);
+    // [S3.3.1:join]
+    if (capped) report.status = StepStatus::event_cap;
+  }
+  finish(world, progress, report);
+  return report;
+}
+
+// Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
+// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would.
+void Analytic::find_candidates(const World& world, double left) {
+  const double sag = world.gravity_w.norm() * left * left / 8.0;
+  bounds_.resize(place(world.count()));
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    const BodyState& start = world.states()[k];
+    if (!body.movable()) {
+      bounds_[k] = bounds_of(body, start);
+      continue;
+    }
+    const Vec3 end_w =
+        start.position_w + left * velocity(body, start) + 0.5 * left * left * world.gravity_w;
+    const double half = (0.5 + tolerance::contact_margin) * body.size.norm();
+    const Vec3 wide = Vec3::Constant(half + sag);
+    bounds_[k] =
+        Bounds{start.position_w.cwiseMin(end_w) - wide, start.position_w.cwiseMax(end_w) + wide};
+  }
+  broad_phase_->find_pairs(bounds_, candidates_);
+}
+
+void Analytic::find_near(const World& world, StepReport& report) {
+  load_moving_bodies(world, moving_);
+  const GatherReport gathered = gather_near(world, moving_, candidates_, resting_, near_);
+  report.pair_tests += gathered.pair_tests;
+  report.deepest_overlap = std::max(report.deepest_overlap, gathered.deepest_overlap);
+}
+
+// The forces of the flight that begins, and how long it may be.
+bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, StepReport& report) {
+  resting_.assign(near_.begin(), near_.end());
+  keep_points(resting_, [&](const Contact& contact, const ContactPoint& point) {
+    const PointMotion motion =
+        motion_of(point, touch_scale(world, contact.first, contact.second, progress.dt));
+    return motion == PointMotion::rests || motion == PointMotion::collides;
+  });
+  const ForceAim aim{.dt = progress.dt, .relaxation = progress.dt, .duration = progress.left()};
+  const ForceReport found = forces_.solve(world, moving_, resting_, aim);
+  report.pivots += found.pivots;
+  if (found.status != LcpStatus::solved) return false;
+  report.fallbacks += found.without_solution;
+  flight_.begin(world);
+  flight_.set_wrenches(forces_.wrenches());
+  plan.time = std::min(progress.left(), found.slip_ends);
+  if (resting_.empty() || found.without_solution > 0 || hardly_moves(world, plan.time)) return true;
+  return improve_forces(world, progress, plan, report);
+}
+
+// [S3.3.1:midpoint]
+// Where do these forces lead to in half of the time? What holds the
+// bodies there is used for all of the flight.
+bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan,
+                              StepReport& report) {
+  plan.forces_at = 0.5 * plan.time;
+  flight_.put(world, plan.forces_at, options_.rotation);
+  load_moving_bodies(world, moving_);
+  resting_pairs_.clear();
+  for (const Contact& c : resting_) resting_pairs_.push_back({c.first, c.second});
+  report.pair_tests += gather_near(world, moving_, resting_pairs_, resting_, midway_).pair_tests;
+  keep_points(midway_, [&](const Contact& contact, const ContactPoint& point) {
+    if (point.normal_impulse > 0.0) return true;  // it was pushed at the start
+    const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
+    return motion_of(point, scale) == PointMotion::rests;
+  });
+  const ForceAim aim{.dt = progress.dt,
+                     .relaxation = progress.dt - plan.forces_at,
+                     .duration = plan.time,
+                     .midway = true};
+  const ForceReport there = forces_.solve(world, moving_, midway_, aim);
+  flight_.put(world, 0.0, options_.rotation);
+  // [S3.3.1:midpoint]
+  report.pivots += there.pivots;
+  if (there.status != LcpStatus::solved) return false;
+  if (there.without_solution > 0) {  // those of the start are used, which is of order 1
+    report.fallbacks += there.without_solution;
+    plan.forces_at = 0.0;
+    load_moving_bodies(world, moving_);
+    return true;
+  }
+  flight_.set_wrenches(forces_.wrenches());
+  resting_.swap(midway_);
+  return true;
+}
+
+// Whether no point of a body in contact moves far enough for forces to change.
+bool Analytic::hardly_moves(const World& world, double time) const {
+  const auto still = [&](int b) {
+    const BodyProperties& body = world.bodies()[place(b)];
+    if (!body.movable()) return true;
+    const MovingBody& m = moving_[place(b)];
+    const Acceleration& a = forces_.accelerations()[place(b)];
+    const double reach = 0.5 * body.size.norm();
+    const double speed = m.velocity_w.norm() + reach * m.angular_velocity_w.norm();
+    const double change = a.linear_w.norm() + reach * a.angular_w.norm();
+    return time * (speed + 0.5 * time * change) <= tolerance::motionless * body.size.minCoeff();
+  };
+  return std::all_of(resting_.begin(), resting_.end(), [&](const Contact& contact) {
+    return still(contact.first) && still(contact.second);
+  });
+}
+
+void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& progress,
+                   StepReport& report) {
+  double time = to_the_end ? progress.left() : plan.time;
+  if (!to_the_end) {
+    const ImpactSearchTask task{.candidates = candidates_,
+                                .near = near_,
+                                .end = time,
+                                .resolution = options_.resolution,
+                                .dt = progress.dt,
+                                .rule = options_.rotation};
+    const FirstImpact impact = search_.find(flight_, task, world);
+    report.searches += impact.evaluations;
+    report.pair_tests += impact.pair_tests;
+    if (impact.found) report.rewinds += movable_bodies(world);
+    if (impact.found) time = impact.time;
+  }
+  flight_.put(world, time, options_.rotation);
+  report.integrations += movable_bodies(world);
+  recorded_at_ = world.time() + progress.passed + plan.forces_at;
+  recorded_for_ = plan.forces_at > 0.0 ? plan.time : progress.left();
+  progress.passed = time < progress.left() ? progress.passed + time : progress.dt;
+
+  book_work(world, time, report);
+}
+
+// The work of the contact forces: impulse times mean velocity, exact where bodies do not turn.
+void Analytic::book_work(const World& world, double time, StepReport& report) {
+  // Points and bodies at the pose for which the forces were found; velocities from both ends.
+  load_moving_bodies(world, ended_);
+  const double share = time / recorded_for_;
+  const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
+    const BodyProperties& b = world.bodies()[place(body)];
+    const BodyState& start = flight_.start()[place(body)];
+    const Vec3 turning =
+        0.5 * (angular_velocity(b, start) + ended_[place(body)].angular_velocity_w);
+    return 0.5 * (velocity(b, start) + ended_[place(body)].velocity_w) +
+           turning.cross(point_w - moving_[place(body)].position_w);
+  };
+  for (const Contact& contact : resting_) {
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactPoint& point = contact.points[place(k)];
+      const Vec3 slip_w = mean_velocity(contact.second, point.position_w) -
+                          mean_velocity(contact.first, point.position_w);
+      report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
+      report.energy.friction += share * point.friction_impulse_w.dot(slip_w);
+    }
+  }
+}
+
+void Analytic::finish(World& world, const Progress& progress, StepReport& report) {
+  record_forces(recorded_at_, recorded_for_, report);
+  world.finish_step(progress.passed);
+  if (report.status == StepStatus::unsolved) return;
+  if (options_.friction == AnalyticFriction::damping)
+    report.energy.damping += damping_.run(resting_, options_.damping, progress.dt, world);
+  for (std::size_t k = 0; k < bounds_.size(); ++k)
+    bounds_[k] = bounds_of(world.bodies()[k], world.states()[k],
+                           tolerance::repair_slop * world.bodies()[k].size.maxCoeff());
+  broad_phase_->find_pairs(bounds_, candidates_);
+  hold_.run(world, candidates_, report);
+}
+
+}  // namespace tumble

@@ -1,0 +1,114 @@
+/// \file
+/// \brief The analytic technique's collisions, and what it tells about its contacts.
+#include "tumble/analytic_lcp/analytic.hpp"
+#include "tumble/analytic_lcp/touch.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+// The fastest approach decides for the whole contact.
+double fastest_point(const Contact& contact) {
+  double least = contact.points[0].approach_speed;
+  for (int k = 1; k < contact.count; ++k)
+    least = std::min(least, contact.points[place(k)].approach_speed);
+  return least;
+}
+
+}  // namespace
+
+void Analytic::collide(World& world, const Progress& progress, StepReport& report) {
+  islands_.build(world.bodies(), near_);
+  bool any = false;
+  for (int i = 0; i < islands_.count(); ++i) {
+    const std::span<const int> which = islands_.contacts(i);
+    const bool collision = std::any_of(which.begin(), which.end(), [&](int c) {
+      const Contact& contact = near_[place(c)];
+      const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
+      const auto end = contact.points.begin() + contact.count;
+      return std::any_of(contact.points.begin(), end, [&](const ContactPoint& point) {
+        return motion_of(point, scale) == PointMotion::collides;
+      });
+    });
+    if (!collision) continue;
+    resolve(which, world, progress, report);
+    any = true;
+  }
+  if (!any) return;
+  store_moving_bodies(moving_, world);
+  load_moving_bodies(world, moving_);
+  stamp_approach_speeds(moving_, near_);
+}
+
+// All contacts of an island together; points that are still to meet are left out.
+void Analytic::resolve(std::span<const int> which, const World& world, const Progress& progress,
+                       StepReport& report) {
+  island_.clear();
+  for (const int c : which) island_.push_back(near_[place(c)]);
+  keep_points(island_, [&](const Contact& contact, const ContactPoint& point) {
+    const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
+    return motion_of(point, scale) != PointMotion::waits;
+  });
+  // [S4.3:sticky]
+  // Slow ones stick. Each contact is judged by its fastest point.
+  for (Contact& contact : island_) {
+    const TouchScale touch = touch_scale(world, contact.first, contact.second, progress.dt);
+    const StickyScale scale{world.gravity_w.norm(), touch.size, progress.dt};
+    contact.restitution =
+        sticky_restitution(contact.restitution, fastest_point(contact), scale, options_.sticky);
+    if (options_.friction != AnalyticFriction::coulomb) contact.friction = 0.0;
+  }
+  // [S4.3:sticky]
+  ImpactOptions how;
+  how.order = options_.impacts;
+  const ImpactResult impact = impacts_.resolve(island_, moving_, how);
+  if (impact.status != ImpactStatus::done)
+    report.status = std::max(report.status, StepStatus::event_cap);
+  report.events += impact.collisions;
+  report.impulses += impact.impulses;
+  report.iterations += impact.passes;
+  report.pivots += impact.pivots;
+  report.energy.restitution += impact.restitution_energy;
+  report.energy.friction += impact.friction_energy;
+  for (const Contact& contact : island_) record_impact(contact, world.time() + progress.passed);
+}
+
+void Analytic::record_impact(const Contact& contact, double time) {
+  Event event;
+  event.time = time;
+  event.first = contact.first_id;
+  event.second = contact.second_id;
+  event.normal_w = contact.normal_w;
+  double weight = 0.0;
+  for (int k = 0; k < contact.count; ++k) {
+    const ContactPoint& point = contact.points[place(k)];
+    const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
+    event.impulse_w += push_w;
+    event.point_w += point.normal_impulse * point.position_w;
+    weight += point.normal_impulse;
+    records_.push_back(ContactRecord{time, contact.first_id, contact.second_id, point.position_w,
+                                     contact.normal_w, push_w, true, state_of(contact, k)});
+  }
+  if (!(weight > 0.0)) return;  // they were parting already
+  event.point_w /= weight;
+  if (observer() != nullptr) observer()->on_event(event);
+}
+
+// The forces of the last flight: impulses over its length.
+void Analytic::record_forces(double time, double duration, StepReport& report) {
+  for (const Contact& contact : resting_) {
+    report.contacts += contact.count;
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactPoint& point = contact.points[place(k)];
+      const Vec3 push_w =
+          (point.normal_impulse * contact.normal_w + point.friction_impulse_w) / duration;
+      records_.push_back(ContactRecord{time, contact.first_id, contact.second_id, point.position_w,
+                                       contact.normal_w, push_w, false, state_of(contact, k)});
+    }
+  }
+}
+
+}  // namespace tumble

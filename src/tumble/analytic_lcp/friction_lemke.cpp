@@ -1,0 +1,69 @@
+/// \file
+/// \brief Lemke's method for contacts with friction whose rows nearly depend on each other.
+#include "tumble/analytic_lcp/friction_lemke.hpp"
+
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+bool holds(const LcpResult& result) {
+  return result.status == LcpStatus::solved && result.residual <= tolerance::step_residual;
+}
+
+}  // namespace
+
+FrictionLemkeSolver::FrictionLemkeSolver()
+    : slack_solvers_{LemkeSolver({.pivot_cap = kSlackPivots, .slack = tolerance::slack}),
+                     LemkeSolver({.pivot_cap = kSlackPivots, .slack = 100.0 * tolerance::slack})} {}
+
+void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
+                                std::span<const int> start) {
+  int pivots = 0;
+  std::int64_t multiplications = 0;
+  const auto tried = [&](bool solved) {
+    pivots += result.pivots;
+    multiplications += result.multiplications;
+    return solved;
+  };
+  const auto solves = [&](LcpSolver& solver) {
+    solver.solve(problem, result, start);
+    return tried(holds(result));
+  };
+  bool solved = solves(slack_solvers_[0]) || solves(slack_solvers_[1]);
+  for (const double share : {1.0, 0.1, 10.0, 0.01, 100.0})
+    for (LemkeSolver& solver : slack_solvers_)
+      solved = solved || tried(approach(problem, share * tolerance::compliance, solver, result));
+  solved = solved || solves(exact_solver_);
+  if (!solved && result.status == LcpStatus::solved) result.status = LcpStatus::singular;
+  result.pivots = pivots;
+  result.multiplications = multiplications;
+}
+
+// Rounds of the proximal point method. Leaves the count of all of them in the result.
+bool FrictionLemkeSolver::approach(const LcpProblem& problem, double compliance, LcpSolver& solver,
+                                   LcpResult& result) {
+  yielding_.A = problem.A;
+  yielding_.A.diagonal() *= 1.0 + compliance;
+  yielding_.b = problem.b;
+  yielding_.equality = problem.equality;
+  int pivots = 0;
+  std::int64_t multiplications = 0;
+  bool solved = false;
+  for (int round = 0; round < kMostRounds && !solved; ++round) {
+    solver.solve(yielding_, result);
+    pivots += result.pivots;
+    multiplications += result.multiplications;
+    if (result.status != LcpStatus::solved || !std::isfinite(result.residual)) break;
+    for (int i = 0; i < problem.size(); ++i)
+      yielding_.b[i] =
+          problem.b[i] - compliance * problem.A(i, i) * result.f[static_cast<std::size_t>(i)];
+    complete(problem, result);
+    solved = holds(result);
+  }
+  result.pivots = pivots;
+  result.multiplications = multiplications;
+  return solved;
+}
+
+}  // namespace tumble

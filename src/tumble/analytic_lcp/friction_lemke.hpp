@@ -1,0 +1,56 @@
+/// \file
+/// \brief Lemke's method for contacts with friction whose rows nearly depend on each other (thesis
+///        2.6.3).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/base/tolerance.hpp"
+
+#include <array>
+
+namespace tumble {
+
+/// Lemke's method in several ways, until an answer holds.
+///
+/// Corners of boxes that have turned by 1e-8 since they lay flat have rows that depend on each other to
+/// as much. A path through such bases loses its digits, and then its way. In turn:
+/// 1. with a little slack (LemkeOptions::slack): fast, and exact where it succeeds;
+/// 2. with points that yield by the part ε more to their own push, A + ε D with the diagonal D, which
+///    makes rows independent, and again with \f$b - \varepsilon D f\f$ for the f just found. This is the
+///    proximal point method: f stays where \f$A f + b\f$ solves the problem itself, and the error falls,
+///    by about ε each time where rows do not depend on each other; with four more ε if need be;
+/// 3. with the lexicographic rule and no slack.
+/// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14,
+///      1976.
+class FrictionLemkeSolver : public LcpSolver {
+ public:
+  /// Makes its three solvers.
+  FrictionLemkeSolver();
+
+  /// \return "friction_lemke"
+  [[nodiscard]] std::string_view name() const override { return "friction_lemke"; }
+
+  /// Solves one problem.
+  /// \param problem  any square matrix
+  /// \param result   the answer; `solved` only if its residual is at most `tolerance::step_residual`.
+  ///                 Unless solved, it is that of the last way
+  /// \param start    is ignored
+  /// \throws std::invalid_argument as require_valid() and require_valid_start()
+  void solve(const LcpProblem& problem, LcpResult& result,
+             std::span<const int> start = {}) override;
+
+ private:
+  bool approach(const LcpProblem& problem, double compliance, LcpSolver& solver, LcpResult& result);
+
+  // Slack lets the method run in circles: ten pivots for a row are more than it ever needs.
+  static constexpr int kSlackPivots = 1000;
+  static constexpr int kMostRounds = 8;
+
+  std::array<LemkeSolver, 2> slack_solvers_;
+  LemkeSolver exact_solver_;
+  LcpProblem yielding_;  // A + eps D, b - eps D f
+};
+
+}  // namespace tumble

@@ -1,0 +1,121 @@
+/// \file
+/// \brief When the next collision is, among bodies that fly and bodies that rest.
+#include "tumble/analytic_lcp/impact_search.hpp"
+
+#include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/dynamics/flight.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Whether a point is below the surface and still goes down.
+bool sinks(const Contact& contact, const TouchScale& scale) {
+  const auto end = contact.points.begin() + contact.count;
+  return std::any_of(contact.points.begin(), end, [&](const ContactPoint& point) {
+    return point.distance < 0.0 && point.approach_speed < -scale.resting_speed;
+  });
+}
+
+}  // namespace
+
+FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTask& task,
+                               World& world) {
+  FirstImpact result;
+  near_.clear();
+  for (const Contact& contact : task.near) near_.push_back({contact.first, contact.second});
+  far_.clear();
+  std::set_difference(task.candidates.begin(), task.candidates.end(), near_.begin(), near_.end(),
+                      std::back_inserter(far_));
+
+  // [S3.3.1:halving]
+  // Which pairs have met by the end? Then halve the interval between
+  // a time when none had and one when some had. All that may be the
+  // first are looked at each time, so no third body is missed.
+  double before = 0.0;
+  double after = task.end;
+  involve_all(world);
+  result.found = look(flight, task, after, world, result) && narrow(flight, task, world, result);
+  while (result.found && after - before > task.resolution) {
+    const double middle = 0.5 * (before + after);
+    if (middle == before || middle == after) break;  // no number in between
+    const bool met = look(flight, task, middle, world, result);
+    (met ? after : before) = middle;
+    if (met) keep_those_that_met();
+  }
+  // [S3.3.1:halving]
+  result.time = after;
+  std::copy(flight.start().begin(), flight.start().end(), world.states().begin());
+  return result;
+}
+
+void ImpactSearch::involve_all(const World& world) {
+  involved_.clear();
+  for (int b = 0; b < world.count(); ++b) involved_.push_back(b);
+  load_moving_bodies(world, moving_);
+}
+
+// Finds the pairs that have met at a time; whether there are any.
+bool ImpactSearch::look(const ForcedFlight& flight, const ImpactSearchTask& task, double time,
+                        World& world, FirstImpact& result) {
+  ++result.evaluations;
+  for (const int b : involved_) {
+    flight.put(world, b, time, task.rule);
+    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyState& state = world.states()[at(b)];
+    moving_[at(b)].velocity_w = velocity(body, state);
+    moving_[at(b)].angular_velocity_w = angular_velocity(body, state);
+    moving_[at(b)].position_w = state.position_w;
+  }
+  near_met_.clear();
+  result.pair_tests += gather_contacts(world, moving_, near_, 0.0, task.near, overlaps_).pair_tests;
+  for (const Contact& contact : overlaps_)
+    if (sinks(contact, touch_scale(world, contact.first, contact.second, task.dt)))
+      near_met_.push_back({contact.first, contact.second});
+  far_met_.clear();
+  for (const IndexPair& pair : far_) {
+    const std::size_t i = at(pair.first);
+    const std::size_t j = at(pair.second);
+    if (!world.bodies()[i].movable() && !world.bodies()[j].movable()) continue;
+    ++result.pair_tests;
+    const Separation gap =
+        gap_between(world.bodies()[i], world.states()[i], world.bodies()[j], world.states()[j]);
+    if (gap.distance < 0.0) far_met_.push_back(pair);
+  }
+  return !near_met_.empty() || !far_met_.empty();
+}
+
+// From here on only these can be the first.
+void ImpactSearch::keep_those_that_met() {
+  near_.swap(near_met_);
+  far_.swap(far_met_);
+  involved_.clear();
+  for (const std::vector<IndexPair>* pairs : {&near_, &far_})
+    for (const IndexPair& pair : *pairs)
+      involved_.insert(involved_.end(), {pair.first, pair.second});
+  std::sort(involved_.begin(), involved_.end());
+  involved_.erase(std::unique(involved_.begin(), involved_.end()), involved_.end());
+}
+
+// Keeps the pairs that have met by the end. Those that go down at the start already, as an impact
+// left them whose friction has not settled, are not among them: contact forces will stop them.
+bool ImpactSearch::narrow(const ForcedFlight& flight, const ImpactSearchTask& task, World& world,
+                          FirstImpact& result) {
+  keep_those_that_met();
+  if (!look(flight, task, 0.0, world, result)) return true;
+  const auto take_out = [](std::vector<IndexPair>& pairs, const std::vector<IndexPair>& met) {
+    const auto is_met = [&](const IndexPair& pair) {
+      return std::find(met.begin(), met.end(), pair) != met.end();
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_met), pairs.end());
+  };
+  take_out(near_, near_met_);
+  take_out(far_, far_met_);
+  return !near_.empty() || !far_.empty();
+}
+
+}  // namespace tumble

@@ -1,0 +1,124 @@
+/// \file
+/// \brief The technique of Stewart and Trinkle, and of Anitescu and Potra.
+#include "tumble/analytic_lcp/time_stepping.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/contact/gather.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace tumble {
+namespace {
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+TimeStepping::TimeStepping(const TimeSteppingOptions& options)
+    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+  const int directions = options.velocities.directions;
+  require::that(directions == 4 || directions == 8,
+                "directions = " + std::to_string(directions) + ": expected 4 or 8");
+}
+
+// The broad phase is all there is of memory; everything else is storage.
+TimeStepping::TimeStepping(const TimeStepping& other)
+    : Technique(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
+
+std::unique_ptr<Technique> TimeStepping::clone() const {
+  return std::make_unique<TimeStepping>(*this);
+}
+
+StepReport TimeStepping::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  records_.clear();
+  load_moving_bodies(world, moving_);
+  gather(world, dt, report);
+
+  // [S2.6.3]
+  // The velocities at the end of the step: what gravity and all contacts, old and new, leave.
+  // An angular momentum changes by impulses only, so that free bodies tumble as they should.
+  free_.assign(moving_.size(), Acceleration{});
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    if (world.bodies()[k].movable()) free_[k].linear_w = world.gravity_w;
+  velocities_ = velocity_step_.solve(world, free_, contacts_, dt, options_.velocities, moving_);
+  const VelocityStepResult& result = velocities_;
+  report.pivots = result.pivots;
+  if (!result.solved) {
+    report.status = StepStatus::unsolved;
+    return report;
+  }
+  record(world);
+  store_moving_bodies(moving_, world);
+
+  // Then all bodies move with these.
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    advance_pose(world.bodies()[k], world.states()[k], dt, options_.rotation);
+    ++report.integrations;
+  }
+  // [S2.6.3]
+
+  find_pairs(world, 0.0);
+  const RepairReport repaired = repair_.run(world, pairs_);
+  report.pair_tests += repaired.pair_tests;
+  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  report.impulses = result.impulses;
+  report.fallbacks = result.fallbacks;
+  report.contacts = static_cast<std::int64_t>(records_.size());
+  report.energy.restitution = result.restitution_energy;
+  report.energy.friction = result.friction_energy;
+  report.energy.repair = repaired.energy;
+  world.finish_step(dt);
+  return report;
+}
+
+// Contacts of all bodies that can meet in this step: up to as far apart as the two fastest come.
+void TimeStepping::gather(const World& world, double dt, StepReport& report) {
+  double fastest = 0.0;
+  double second = 0.0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable()) continue;
+    const double speed = moving_[k].velocity_w.norm() + dt * world.gravity_w.norm() +
+                         0.5 * body.size.norm() * moving_[k].angular_velocity_w.norm();
+    second = std::max(second, std::min(fastest, speed));
+    fastest = std::max(fastest, speed);
+    largest = std::max(largest, body.size.minCoeff());
+  }
+  const double margin = tolerance::repair_slop * largest + dt * (fastest + second);
+  find_pairs(world, margin);
+  const GatherReport gathered = gather_contacts(world, moving_, pairs_, margin, {}, contacts_);
+  report.pair_tests += gathered.pair_tests;
+  report.deepest_overlap = gathered.deepest_overlap;
+}
+
+// Pairs of bodies up to a margin apart.
+void TimeStepping::find_pairs(const World& world, double margin) {
+  bounds_.resize(moving_.size());
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    bounds_[k] = bounds_of(body, world.states()[k],
+                           0.5 * margin + tolerance::repair_slop * body.size.maxCoeff());
+  }
+  broad_phase_->find_pairs(bounds_, pairs_);
+}
+
+// What touches or pushes, at the poses of the step's start. Points that are merely near say nothing.
+void TimeStepping::record(const World& world) {
+  for (const Contact& contact : contacts_) {
+    for (int p = 0; p < contact.count; ++p) {
+      const ContactPoint& point = contact.points[place(p)];
+      if (point.distance > 0.0 && !(point.normal_impulse > 0.0)) continue;
+      const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
+      records_.push_back(ContactRecord{world.time(), contact.first_id, contact.second_id,
+                                       point.position_w, contact.normal_w, push_w, true,
+                                       state_of(contact, p)});
+    }
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,60 @@
+/// \file
+/// \brief What a contact point is about to do: collide, part, rest, or not yet.
+#include "tumble/analytic_lcp/touch.hpp"
+
+#include "tumble/base/tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+// The ground has no size: it is never the smaller one.
+double shortest_edge(const World& world, int body) {
+  const BodyProperties& b = world.bodies()[static_cast<std::size_t>(body)];
+  return b.shape == Shape::ground ? std::numeric_limits<double>::infinity() : b.size.minCoeff();
+}
+
+double pair_size(const World& world, int first, int second) {
+  return std::min(shortest_edge(world, first), shortest_edge(world, second));
+}
+
+}  // namespace
+
+TouchScale touch_scale(const World& world, int first, int second, double dt) {
+  TouchScale scale;
+  scale.size = pair_size(world, first, second);
+  const double g = world.gravity_w.norm();
+  scale.resting_speed = g > 0.0 ? tolerance::resting_speed * std::sqrt(g * scale.size)
+                                : tolerance::resting_speed_weightless * (scale.size / dt);
+  return scale;
+}
+
+PointMotion motion_of(const ContactPoint& point, const TouchScale& scale) {
+  if (point.approach_speed > scale.resting_speed) return PointMotion::parts;
+  if (point.approach_speed >= -scale.resting_speed) return PointMotion::rests;
+  return point.distance > tolerance::contact_gap * scale.size ? PointMotion::waits
+                                                              : PointMotion::collides;
+}
+
+GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
+                         std::span<const IndexPair> candidates, std::span<const Contact> previous,
+                         ContactList& out) {
+  // One margin for all, that of the largest body; then each pair's own.
+  double largest = 0.0;
+  for (int b = 0; b < world.count(); ++b)
+    if (world.bodies()[static_cast<std::size_t>(b)].movable())
+      largest = std::max(largest, shortest_edge(world, b));
+  const GatherReport report = gather_contacts(world, bodies, candidates,
+                                              tolerance::contact_margin * largest, previous, out);
+  keep_points(out, [&](const Contact& contact, const ContactPoint& point) {
+    return point.distance <=
+           tolerance::contact_margin * pair_size(world, contact.first, contact.second);
+  });
+  carry_over_impulses(previous, out);
+  return report;
+}
+
+}  // namespace tumble

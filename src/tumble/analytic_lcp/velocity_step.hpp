@@ -1,0 +1,169 @@
+/// \file
+/// \brief One step from velocities to velocities with contact and friction (thesis 2.6.3).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/analytic_lcp/baraff.hpp"
+#include "tumble/analytic_lcp/friction_lemke.hpp"
+#include "tumble/analytic_lcp/friction_pyramid.hpp"
+#include "tumble/contact/islands.hpp"
+#include "tumble/contact/sticky.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// What keeps points apart during a step.
+enum class SteppingForm : std::uint8_t {
+  /// A point may close its gap g within the step, and no more: n·u >= -g/h. It may be taken up before
+  /// it touches, so that nothing is passed.
+  stewart_trinkle,
+  /// A point that touches may not approach: n·u >= 0. Points apart are not looked at, and a body
+  /// that arrives during the step overlaps in its end.
+  anitescu_potra
+};
+
+/// How a step is made.
+struct VelocityStepOptions {
+  int directions = 4;                                 ///< of the pyramid of friction: 4 or 8
+  SteppingForm form = SteppingForm::stewart_trinkle;  ///< what keeps points apart
+  StickyOptions sticky;                               ///< which impacts do not bounce
+};
+
+/// What a step did.
+struct VelocityStepResult {
+  bool solved = true;     ///< if not, nothing was changed; see VelocityStep::problem()
+  int points = 0;         ///< taken up in a problem
+  int impulses = 0;       ///< points that push
+  int pivots = 0;         ///< of all solvers
+  int fallbacks = 0;      ///< groups of bodies whose restitution was left out or reduced
+  double residual = 0.0;  ///< [-] largest error of an accepted answer over the speeds of its island
+  double restitution_energy = 0.0;  ///< [J] work of the normal impulses, p·(u⁻ + u⁺)/2
+  double friction_energy = 0.0;     ///< [J] the same of the tangential impulses
+};
+
+/// Takes forces and impacts of a step together, as impulses (thesis 2.6.3).
+///
+/// With h the step, v⁻ the velocities at its start and a the accelerations without contact, look for
+/// impulses p at the points such that
+/// \f[ v^+ = v^- + h\,a + W J^{\mathsf T} p, \qquad
+///     0 \le p_n \perp n\cdot u^+ + \max(g, 0)/h \ge 0 \f]
+/// and p_t is within the pyramid of friction and against the sliding of u⁺ (FrictionPyramid). A
+/// collision is a point with a large impulse; nothing tells it from a resting contact. What overlaps
+/// (g < 0) is not pushed apart: that would give it speed. Move it, see OverlapRepair.
+///
+/// **There is always a solution** with e = 0, Painlevé's rod included: the impulse that no finite
+/// force could be is finite. Friction makes A copositive, v⁺ = 0 satisfies all conditions on normals,
+/// and this is what Lemke's method needs to arrive, in exact numbers. In ours about one in ten thousand
+/// groups of cubes that have turned by a millionth is left without an answer; the result says so.
+///
+/// **Energy.** With e = 0 the impulses only take: their work after the accelerations have acted is
+/// \f$p\cdot u^+ - \tfrac12 p\,A\,p\f$, and no term of \f$p\cdot u^+\f$ is above 0. If a = 0 the
+/// kinetic energy does not rise.
+///
+/// **Restitution** is not part of the method. Newton's is added: a point that approaches with
+/// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge -e\,u_n^-\f$ instead,
+/// unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
+/// collide together can ask for what no motion gives, and friction with Newton's law may add energy.
+/// Then (`fallbacks`) the group of bodies is solved with e = 0 as well, and what is taken is the last
+/// of the way from there to the other solution at which the work is not above 0, or e = 0 if there is
+/// no other. Every convex combination of two answers holds points apart and friction in its pyramid.
+/// \par How it is solved
+/// Each island by itself, with no more of it than matters. Points that are apart and would not meet are
+/// left out, and so is friction; BaraffSolver solves that. If points then meet they are taken up, and if
+/// any rough point slides that pushes, all that push get friction and FrictionLemkeSolver goes on, until
+/// nothing is missing: a point that does not push rubs neither, and one that does not slide needs no
+/// friction, so the last answer is one of the whole problem.
+///
+/// An answer counts if it holds to `tolerance::step_residual`, whatever the solver says.
+/// \par Cost and determinism
+/// O(N³) for an island with N unknowns, 2 + d for each point that rubs, 1 for others. No allocation as long as islands have the
+/// sizes that they had.
+/// \see Stewart, Trinkle 1996; Anitescu, Potra 1997 (see FrictionPyramid).
+/// \algorithm{A time step with impacts and contact alike: section 2.6.3}
+/// \deviation{Stewart and Trinkle push overlapping bodies apart by velocities; here bodies are moved.}
+/// \verified{Without restitution and forces no step raises the kinetic energy of 1000 random states}
+class VelocityStep {
+ public:
+  /// Finds the velocities at the end of a step.
+  /// \param world     constant parts and gravity, as scales and to tell who is immovable
+  /// \param free      how bodies accelerate without contact, one for each body index
+  /// \param contacts  what touches or may, gathered with the velocities of the start: approach speeds
+  ///                  are read, impulses are overwritten
+  /// \param dt        [s] h
+  /// \param options   see there
+  /// \param bodies    how they move and how easily they are moved, one for each body index; unless
+  ///                  solved they stay as they are
+  /// \return what was done
+  /// \throws std::invalid_argument if there is not one entry of `free` and of `bodies` for each body, a
+  ///         contact names a body that there is not, dt is not above 0, or an option is out of range
+  VelocityStepResult solve(const World& world, std::span<const Acceleration> free,
+                           std::span<Contact> contacts, double dt,
+                           const VelocityStepOptions& options, std::span<MovingBody> bodies);
+
+  /// The problem that the last step has not solved.
+  /// \return valid until the next step; nullptr if it has solved all
+  [[nodiscard]] const LcpProblem* problem() const { return problem_; }
+
+ private:
+  // A point that may push.
+  struct Candidate {
+    int contact = 0;
+    int point = 0;
+    bool taken_up = false;         // in the problem
+    bool rubs = false;             // with friction
+    double floor = 0.0;            // [m/s] n·u must not end below this with e = 0
+    double bounce_floor = 0.0;     // [m/s] nor below this with restitution
+    Vec3 push_w = Vec3::Zero();    // [N s] on the second body
+    Vec3 bounce_w = Vec3::Zero();  // [N s] the same with restitution
+  };
+  // One call's arguments.
+  struct Task {
+    const World* world = nullptr;
+    std::span<Contact> contacts;
+    double dt = 0.0;
+    VelocityStepOptions options;
+  };
+
+  bool solve_island(const Task& task, int island, VelocityStepResult& result);
+  bool list_candidates(const Task& task, std::span<const int> contacts);
+  bool find_pushes(const Task& task, int island, bool bounce, VelocityStepResult& result);
+  void list_points(std::span<const Contact> contacts, bool bounce);
+  bool solve_points(const Task& task, int island, VelocityStepResult& result);
+  [[nodiscard]] double error_of(const LcpProblem& problem) const;
+  void apply_pushes(const Task& task, int island);
+  bool take_up_friction(std::span<const Contact> contacts);
+  bool take_up_missed(std::span<const Contact> contacts, bool bounce);
+  void go_towards_bounce(std::span<const Contact> contacts, double bounce_work);
+  [[nodiscard]] double work(std::span<const Contact> contacts) const;
+  void store(std::span<Contact> contacts, std::span<MovingBody> bodies,
+             VelocityStepResult& result) const;
+
+  // The points of the present island.
+  [[nodiscard]] std::span<Candidate> candidates() {
+    return std::span<Candidate>(candidates_).subspan(first_);
+  }
+  [[nodiscard]] std::span<const Candidate> candidates() const {
+    return std::span<const Candidate>(candidates_).subspan(first_);
+  }
+
+  Islands islands_;
+  std::vector<MovingBody> free_;   // at the end of the step if nothing pushes
+  std::vector<MovingBody> ended_;  // with the pushes found so far
+  std::vector<Candidate> candidates_;
+  std::size_t first_ = 0;  // where those of the present island begin
+  std::vector<FrictionPoint> points_;
+  std::vector<Vec3> pushes_;
+  std::vector<FrictionPyramid> pyramids_;  // one for each island, for their storage
+  const LcpProblem* problem_ = nullptr;
+  double speed_ = 0.0;  // [m/s] the fastest point of the island, as a scale
+  BaraffSolver smooth_solver_;
+  FrictionLemkeSolver rough_solver_;
+  LcpResult answer_;
+};
+
+}  // namespace tumble

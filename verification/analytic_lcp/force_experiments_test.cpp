@@ -1,0 +1,271 @@
+/// \file
+/// \brief The figures that show contact forces: pyramids, the steps of Baraff's algorithm, Painlevé's
+///        rod.
+#include "tumble/analytic_lcp/baraff.hpp"
+#include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include "analytic_lcp/brick_pyramid.hpp"
+#include "analytic_lcp/experiments.hpp"
+#include "analytic_lcp/force_range.hpp"
+#include "analytic_lcp/lcp_cases.hpp"
+#include "analytic_lcp/painleve_rod.hpp"
+#include "analytic_lcp/pivot_trace.hpp"
+#include "analytic_lcp/planks.hpp"
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+using namespace tumble::test;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Result small_run(const char* name) {
+  std::vector<Figure> figures;
+  add_force_figures(figures);
+  return run_quickly(figures, name);
+}
+
+double number(const Result& result, const char* name) { return quantity_of(result, name).value; }
+
+std::vector<double> forces(const LcpProblem& problem) {
+  BaraffSolver solver;
+  LcpResult result;
+  solver.solve(problem, result);
+  REQUIRE(result.status == LcpStatus::solved);
+  return result.f;
+}
+
+}  // namespace
+
+// --- pyramids -----------------------------------------------------------------------------------
+
+TEST_CASE("On feet, loads go straight down a pyramid and arrive as 3/2, 7/2, 5, 7/2, 3/2 weights",
+          "[exact][analytic_lcp]") {
+  const std::array<std::vector<double>, 4> written_down{std::vector<double>{1.5, 1.5},
+                                                        {1.5, 3.0, 1.5},
+                                                        {1.5, 3.5, 3.5, 1.5},
+                                                        {1.5, 3.5, 5.0, 3.5, 1.5}};
+  for (int rows = 2; rows <= 5; ++rows) {
+    CHECK(loads_on_feet(rows) == written_down[static_cast<std::size_t>(rows - 2)]);
+    const BrickPyramid pyramid = make_brick_pyramid(rows, 1.05, Stand::feet);
+    const std::vector<double> f = forces(pyramid.problem.lcp());
+    const std::vector<Resultant> got = resultants(pyramid, f);
+    const std::vector<double> want = loads_on_feet(rows);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < want.size(); ++k)
+      worst = std::max(worst, std::abs(got[k].force / weight_of_brick(pyramid) - want[k]));
+    CHECK(worst < 1e-12);  // [weights] rounding of 30 rows: measured 2e-15
+    if (rows != 3) continue;
+    // The ground's contacts come first, two feet each.
+    const std::array<double, 6> feet{0.5, 1.0, 1.5, 1.5, 1.0, 0.5};
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(f[i] / weight_of_brick(pyramid) == Approx(feet[i]).epsilon(1e-12));
+    CHECK(got[0].place == Approx(-1.05 + 1.05 / 12.0).epsilon(1e-12));  // nearer to the inner foot
+  }
+}
+
+TEST_CASE("A cube loaded near a corner leaves each corner a range of forces 0.981 N long",
+          "[exact][analytic_lcp]") {
+  // The load at (0.4, 0.3): least squares plus t (1, -1, 1, -1) with t from 0.981 to 1.962.
+  const LcpProblem cube = cube_on_ground(9.81, 0.4, 0.3);
+  const ForceRange range(cube.A, cube.b);
+  const std::array<double, 4> least{0.0, 0.981, 6.867, 0.0};
+  for (int i = 0; i < 4; ++i) {
+    const ForceInterval got = range.of(std::vector<int>{i});
+    // Rounding of a few pivots: measured 1e-15.
+    CHECK(got.least == Approx(least[static_cast<std::size_t>(i)]).margin(1e-13));
+    CHECK(got.most == Approx(least[static_cast<std::size_t>(i)] + 0.981).epsilon(1e-13));
+  }
+  const ForceInterval all = range.of(std::vector<int>{0, 1, 2, 3});
+  CHECK(all.least == Approx(9.81).epsilon(1e-14));
+  CHECK(all.most == Approx(9.81).epsilon(1e-14));
+
+  const LcpProblem tips = cube_on_ground(9.81, 0.6, 0.0);
+  CHECK_THROWS_AS(ForceRange(tips.A, tips.b), std::runtime_error);
+  // Two bodies squeezed against each other: the same force on both sides may be any.
+  const LcpProblem squeezed = lcp({1, -1, -1, 1}, {0, 0});
+  const ForceRange any(squeezed.A, squeezed.b);
+  CHECK_THROWS_AS(any.of(std::vector<int>{0}), std::runtime_error);
+}
+
+TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weight",
+          "[exact][analytic_lcp]") {
+  // It touches from 1/40 to 1/2 m on either side of its middle, so forces are as 20 to 1 at most.
+  const Result result = small_run("pyramid_forces");
+  CHECK(
+      number(result,
+             "two rows on faces: smallest force under an end of the top brick, over its weight") ==
+      Approx(1.0 / 21.0)
+          .epsilon(1e-9));  // faces are widened by 1e-12 to be clipped: measured 1e-12
+  CHECK(number(result, "two rows on faces: largest force there, over its weight") ==
+        Approx(20.0 / 21.0).epsilon(1e-9));
+  const Table& pairs = result.tables.front();
+  REQUIRE(pairs.rows.size() == 4);
+  for (std::size_t k = 0; k < 2; ++k) {  // on the ground, with their own weight
+    CHECK(pairs.rows[k][4] == Approx(22.0 / 21.0).epsilon(1e-9));
+    CHECK(pairs.rows[k][5] == Approx(41.0 / 21.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("All solvers' forces in a pyramid lie within what is possible, and they differ",
+          "[claims][analytic_lcp]") {
+  std::vector<Figure> figures;
+  add_force_figures(figures);
+  const Result result = run_quickly(figures, "pyramid_forces", {"rows=3"});
+  // [weights] Gauss-Seidel stops at 1e-9 of g.
+  CHECK(number(result,
+               "on faces: how far an answer is outside of its bar, over the weight of a brick") <
+        1e-7);  // measured 1e-14
+  CHECK(number(result,
+               "on faces: how far two answers for a pair of faces are apart, over the "
+               "weight of a brick") > 1.0);  // measured 1.49
+  CHECK(number(result, "on faces: load of the lowest row, over the weight of a brick") ==
+        Approx(6.0).epsilon(1e-12));
+  for (const std::vector<double>& row : result.tables.front().rows) CHECK(row[4] < row[5]);
+}
+
+// --- Baraff's steps -----------------------------------------------------------------------------
+
+TEST_CASE("On two planks, contact 1 comes to rest, parts and returns", "[exact][analytic_lcp]") {
+  const Planks planks = make_planks(1.625, 1.5);
+  LcpResult result;
+  const std::vector<TracedStep> steps = trace_baraff(planks.problem.lcp(), result);
+  struct Expected {
+    int driven;
+    int ended_by;
+    StepEnd end;
+    const char* during;  // the sets; a dash for contacts not looked at, or driven
+  };
+  const std::array<Expected, 9> expected{{{0, 0, StepEnd::rests, "-----"},
+                                          {1, 1, StepEnd::rests, "C----"},
+                                          {2, 2, StepEnd::rests, "CC---"},
+                                          {3, 0, StepEnd::lets_go, "CCC--"},
+                                          {3, 2, StepEnd::lets_go, "NCC--"},
+                                          {3, 3, StepEnd::rests, "NCN--"},
+                                          {4, 0, StepEnd::returns, "NCNC-"},
+                                          {4, 3, StepEnd::lets_go, "CCNC-"},
+                                          {4, 4, StepEnd::rests, "CCNN-"}}};
+  REQUIRE(steps.size() == expected.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    CHECK(steps[k].driven == expected[k].driven);
+    CHECK(steps[k].ended_by == expected[k].ended_by);
+    CHECK(steps[k].end == expected[k].end);
+    std::string during;
+    for (const BaraffSet set : steps[k].during)
+      during += set == BaraffSet::C ? 'C' : set == BaraffSet::NC ? 'N' : '-';
+    CHECK(during == expected[k].during);
+    // The sets hold their conditions: measured 2e-15.
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (steps[k].during[i] == BaraffSet::C) CHECK(std::abs(steps[k].a[i]) < 1e-13);
+      if (steps[k].during[i] == BaraffSet::NC) CHECK(std::abs(steps[k].f[i]) < 1e-13);
+      CHECK(steps[k].f[i] > -1e-13);  // [N] measured 0
+    }
+  }
+  // The lower plank on its own, and the upper one tipping over the post 1/8 m beside its middle.
+  const double g = 9.81;
+  const double tipping = 1.25 * g / (1.0 + 12.0 * 0.125 * 0.125 / (2.5 * 2.5 + 0.1 * 0.1));
+  CHECK(near(result.f, {0.25 * g, 0.75 * g, 0.0, 0.0, tipping}, 1e-13));
+  CHECK(result.pivots == 9);
+}
+
+TEST_CASE("A contact that a later one relieves enters the set C and leaves it again",
+          "[exact][analytic_lcp]") {
+  LcpResult result;
+  const std::vector<TracedStep> steps = trace_baraff(lcp({4, 3, 3, 4}, {-1, -4}), result);
+  REQUIRE(steps.size() == 3);
+  CHECK(steps[0].end == StepEnd::rests);
+  CHECK(steps[0].f == std::vector<double>{0.25, 0.0});
+  CHECK(steps[1].driven == 1);
+  CHECK(steps[1].ended_by == 0);
+  CHECK(steps[1].end == StepEnd::lets_go);
+  CHECK(steps[2].end == StepEnd::rests);
+  CHECK(near(result.f, {0.0, 1.0}, 1e-15));
+  CHECK(near(result.a, {2.0, 0.0}, 1e-15));
+}
+
+TEST_CASE("A loop that ends as soon as a contact sinks leaves planks in free fall",
+          "[exact][analytic_lcp]") {
+  const Result result = small_run("index_sets");
+  CHECK(number(result, "P4: fastest sinking that is left, loop until a contact sinks") == 9.81);
+  CHECK(number(result, "P4: fastest sinking that is left, loop while a contact sinks") <
+        1e-5);  // [m/s²] the thesis's own eps: measured 2e-15
+}
+
+// --- Painlevé's rod -----------------------------------------------------------------------------
+
+TEST_CASE("Painlevé's rod has one force below a friction of 4/3, and none or two above the curve",
+          "[exact][analytic_lcp]") {
+  const auto critical = [](double degrees) { return critical_friction(degrees * kDegree); };
+  // Twelve digits were written down.
+  CHECK(critical(30.0) == Approx(2.50185116649).epsilon(1e-11));
+  CHECK(critical(45.0) == Approx(1.66666666667).epsilon(1e-11));
+  CHECK(critical(60.0) == Approx(1.34715062811).epsilon(1e-11));
+  CHECK(critical(75.0) == Approx(1.60128252576).epsilon(1e-11));
+  CHECK(critical(63.4349488229) == Approx(4.0 / 3.0).epsilon(1e-11));
+
+  const double angle = 60.0 * kDegree;
+  CHECK(push_response({angle, 1.0, 0.0}) == Approx(0.450961894323).epsilon(1e-11));
+  REQUIRE(possible_forces({angle, 1.0, 0.0}).size() == 1);
+  CHECK(possible_forces({angle, 1.0, 0.0})[0] == Approx(21.7535009576).epsilon(1e-11));
+
+  CHECK(push_response({angle, 1.5, 0.0}) == Approx(-0.198557158515).epsilon(1e-11));
+  CHECK(free_acceleration({angle, 1.5, 0.0}) == -9.81);
+  CHECK(possible_forces({angle, 1.5, 0.0}).empty());
+
+  CHECK(free_acceleration({angle, 1.5, 5.0}) == Approx(11.8406350946).epsilon(1e-11));
+  const std::vector<double> two = possible_forces({angle, 1.5, 5.0});
+  REQUIRE(two.size() == 2);
+  CHECK(two[0] == 0.0);
+  CHECK(two[1] == Approx(59.633383068).epsilon(1e-11));
+  CHECK(std::abs(free_acceleration({angle, 1.5, 3.36565183605})) < 1e-10);  // [m/s²] measured 5e-12
+}
+
+TEST_CASE("A time step of Painlevé's rod has an answer where no force exists",
+          "[exact][analytic_lcp]") {
+  const double angle = 60.0 * kDegree;
+  LemkeSolver lemke;
+  // Nine digits were written down.
+  const RodStep jams = step_rod({angle, 1.5, 0.0}, 1.0 / 60.0, lemke);
+  CHECK(jams.status == LcpStatus::solved);
+  CHECK(jams.normal_impulse == Approx(0.457603276).epsilon(2e-9));
+  CHECK(jams.friction_impulse == Approx(0.490598183).epsilon(2e-9));
+  CHECK(std::abs(jams.slip) < 1e-14);
+  CHECK(std::abs(jams.lift) < 1e-14);
+  CHECK(jams.spin == Approx(0.588206553).epsilon(2e-9));
+
+  const RodStep slides = step_rod({angle, 1.0, 0.0}, 1.0 / 60.0, lemke);
+  CHECK(slides.normal_impulse == Approx(0.362558349).epsilon(2e-9));
+  CHECK(slides.friction_impulse == Approx(0.362558349).epsilon(2e-9));
+  CHECK(slides.slip == Approx(-0.292662476).epsilon(2e-9));
+
+  // However short the step, the impulse stays: 3 sin cos / 4 and 7/16.
+  const RodStep limit = step_rod({angle, 1.5, 0.0}, 1e-12, lemke);
+  CHECK(limit.normal_impulse == Approx(3.0 * std::sqrt(3.0) / 16.0).epsilon(1e-10));
+  CHECK(limit.friction_impulse == Approx(0.4375).epsilon(1e-10));
+}
+
+TEST_CASE("The map of Painlevé's rod has its edge on the closed form, and every step is solved",
+          "[claims][analytic_lcp]") {
+  const Result result = small_run("painleve_map");
+  // Half a cell of 3/30: measured 0.049.
+  CHECK(number(result, "largest distance of the map's edge from the closed form") < 0.05);
+  CHECK(number(result, "steps tried") == 224.0);
+  CHECK(number(result, "of these, the end lifts off") == 0.0);
+  // Rods that a step leaves sliding are all below the curve.
+  int beyond = 0;
+  for (const std::vector<double>& row : result.tables.front().rows)
+    if (row[2] == 1.0 && row[1] > critical_friction(row[0] * kDegree)) ++beyond;
+  CHECK(beyond == 0);
+}

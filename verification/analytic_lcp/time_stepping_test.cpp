@@ -1,0 +1,390 @@
+/// \file
+/// \brief Time stepping: sliding, inclines, stacks and impacts, without a search for events.
+#include "tumble/analytic_lcp/time_stepping.hpp"
+
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/techniques.hpp"
+
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+using namespace tumble;
+using Catch::Matchers::Contains;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kG = 9.81;
+constexpr double kStep = 1.0 / 60.0;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
+                double friction = 0.5, double restitution = 0.0) {
+  const BodyProperties body = box_properties(Vec3::Ones(), 1.0, friction, restitution);
+  return world.add(body, make_state(body, position_w, Quat::Identity(), velocity_w));
+}
+
+// A flat box on a plane that is tilted by an angle, seen from a camera that is tilted with it:
+// gravity has a part along x. A sliding box of this shape stays flat.
+World tilted_plane(double degrees, double friction, double speed) {
+  World world;
+  world.add_ground(friction);
+  const double angle = degrees * kPi / 180.0;
+  world.gravity_w = kG * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
+  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+  return world;
+}
+
+double place_x(const World& world) { return world.states()[1].position_w.x(); }
+double speed_x(const World& world) { return velocity(world.bodies()[1], world.states()[1]).x(); }
+
+// Runs a second and returns the steps that did not end as done.
+int run(World& world, Technique& technique, int steps, double dt = kStep) {
+  int failed = 0;
+  for (int k = 0; k < steps; ++k)
+    if (technique.step(world, dt).status != StepStatus::done) ++failed;
+  return failed;
+}
+
+TimeSteppingOptions with_directions(int directions) {
+  TimeSteppingOptions options;
+  options.velocities.directions = directions;
+  return options;
+}
+
+double fastest(const World& world) {
+  double speed = 0.0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    speed = std::max({speed, velocity(world.bodies()[k], world.states()[k]).norm(),
+                      angular_velocity(world.bodies()[k], world.states()[k]).norm()});
+  return speed;
+}
+
+World stack_of(int count) {
+  World world;
+  world.add_ground();
+  for (int k = 0; k < count; ++k) add_cube(world, Vec3(0.0, k + 0.5, 0.0));
+  return world;
+}
+
+// Rows of cubes, each row shifted by half a cube.
+World pyramid_of(int rows, double friction = 0.5) {
+  World world;
+  world.add_ground(friction);
+  for (int row = 0; row < rows; ++row)
+    for (int k = 0; k < rows - row; ++k)
+      add_cube(world, Vec3(1.05 * (k - 0.5 * (rows - row - 1)), row + 0.5, 0.0), Vec3::Zero(),
+               friction);
+  return world;
+}
+
+}  // namespace
+
+// --- sliding ------------------------------------------------------------------------------------
+
+TEST_CASE("A box that slides stops after 62 steps and 1.5041075 m", "[exact][time_stepping]") {
+  for (const int directions : {4, 8}) {
+    World world = tilted_plane(0.0, 0.3, 3.0);
+    TimeStepping technique(with_directions(directions));
+    CHECK(run(world, technique, 61) == 0);
+    CHECK(speed_x(world) > 0.001);  // 3 - 61 mu g h = 0.00795 m/s
+    CHECK(run(world, technique, 1) == 0);
+    CHECK(std::abs(speed_x(world)) < 1e-12);  // [m/s] rounding: measured 1e-17
+    const double stop = place_x(world);
+    CHECK(std::abs(stop - 1.5041075) < 1e-12);  // [m] sums of 61 terms: measured 1e-15
+    CHECK(run(world, technique, 600) == 0);
+    CHECK(std::abs(place_x(world) - stop) < 1e-12);  // [m] ten seconds of rest
+  }
+}
+
+TEST_CASE("A box slides down an incline as the semi-implicit rule says", "[exact][time_stepping]") {
+  struct Case {
+    double degrees, friction, acceleration;
+  };
+  for (const Case& c : {Case{30.0, 0.3, 2.35628723666}, Case{20.0, 0.3, 0.589702223}}) {
+    World world = tilted_plane(c.degrees, c.friction, 0.0);
+    TimeStepping technique;
+    CHECK(run(world, technique, 60) == 0);
+    // v = a t and x = a h² N(N+1)/2: 1.19777934517 m at 30 degrees. The accelerations are given
+    // to 1e-9 m/s².
+    CHECK(std::abs(speed_x(world) - c.acceleration) < 2e-9);
+    CHECK(std::abs(place_x(world) - c.acceleration * kStep * kStep * 1830.0) < 2e-9);
+  }
+}
+
+TEST_CASE("A box goes up an incline, and slides back or stays", "[exact][time_stepping]") {
+  // 30 degrees, mu = 0.3: up at 3 m/s it stops after 0.4025 s and 0.6037 m, then goes down with
+  // 2.3563 m/s². 15 degrees: it stops after 0.5574 s and 0.8362 m and stays. A step is off by at most
+  // half a step at 3 m/s.
+  World steep = tilted_plane(30.0, 0.3, -3.0);
+  TimeStepping technique;
+  CHECK(run(steep, technique, 24) == 0);
+  CHECK(std::abs(-place_x(steep) - 0.603725974273) < 0.5 * kStep * 3.0);
+  const double top = place_x(steep);
+  CHECK(run(steep, technique, 60) == 0);
+  CHECK(place_x(steep) > top + 1.0);
+  World gentle = tilted_plane(15.0, 0.3, -3.0);
+  TimeStepping other;
+  CHECK(run(gentle, other, 34) == 0);
+  const double stop = place_x(gentle);
+  CHECK(std::abs(-stop - 0.836161644021) < 0.5 * kStep * 3.0);
+  CHECK(run(gentle, other, 600) == 0);
+  CHECK(std::abs(place_x(gentle) - stop) < 1e-12);  // [m] ten seconds
+}
+
+TEST_CASE("A box on an incline below the angle of friction does not creep",
+          "[exact][time_stepping]") {
+  for (const int directions : {4, 8}) {
+    World world = tilted_plane(30.0, 0.6, 0.0);
+    TimeStepping technique(with_directions(directions));
+    double worst = 0.0;
+    for (int k = 0; k < 600; ++k) {
+      technique.step(world, kStep);
+      worst = std::max(worst, fastest(world));
+    }
+    CHECK(worst < 1e-12);                     // [m/s], [rad/s] rounding: measured 1e-16
+    CHECK(std::abs(place_x(world)) < 1e-12);  // [m]
+  }
+}
+
+TEST_CASE("A slider in any direction is slowed by at least the pyramid's weakest friction",
+          "[exact][time_stepping]") {
+  for (const int directions : {4, 8}) {
+    double weakest = 2.0;
+    double strongest = 0.0;
+    for (int k = 0; k < 24; ++k) {
+      World world;
+      world.add_ground(0.3);
+      const Vec3 heading(std::cos(k * kPi / 12.0), 0.0, std::sin(k * kPi / 12.0));
+      const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
+      world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), 3.0 * heading));
+      TimeStepping technique(with_directions(directions));
+      REQUIRE(run(world, technique, 1) == 0);
+      const double lost = 3.0 - heading.dot(velocity(world.bodies()[1], world.states()[1]));
+      const double strength = lost / (0.3 * kG * kStep);
+      weakest = std::min(weakest, strength);
+      strongest = std::max(strongest, strength);
+    }
+    // [-] cos 45 = 0.7071 between two edges of four, cos 22.5 = 0.9239 of eight; the steps of
+    // 15 degrees meet the former and miss the latter: cos 15 = 0.9659.
+    CHECK(weakest > std::cos(kPi / directions) - 1e-12);
+    CHECK(strongest < 1.0 + 1e-12);
+    CHECK(weakest == Approx(directions == 4 ? std::sqrt(0.5) : std::cos(kPi / 12.0)));
+  }
+}
+
+// --- rest ---------------------------------------------------------------------------------------
+
+TEST_CASE("A stack of ten and a small pyramid stand", "[unit][time_stepping]") {
+  for (World world : {stack_of(10), pyramid_of(4)}) {
+    const World start = world;
+    TimeStepping technique;
+    double worst = 0.0;
+    double booked = 0.0;
+    for (int k = 0; k < 300; ++k) {
+      const StepReport report = technique.step(world, kStep);
+      REQUIRE(report.status == StepStatus::done);
+      worst = std::max(worst, fastest(world));
+      booked = std::max(booked, std::abs(report.energy.total()));
+    }
+    CHECK(worst < 1e-9);    // [m/s], [rad/s] below what friction answers to: measured 1e-10
+    CHECK(booked < 1e-10);  // [J] what rests does no work
+    double moved = 0.0;
+    for (std::size_t k = 0; k < world.states().size(); ++k)
+      moved = std::max(moved, (world.states()[k].position_w - start.states()[k].position_w).norm());
+    CHECK(moved < 1e-8);  // [m] measured 2e-10
+  }
+}
+
+TEST_CASE("Contacts at rest carry the weight above them", "[exact][time_stepping]") {
+  World world = stack_of(5);
+  TimeStepping technique;
+  technique.step(world, kStep);
+  std::array<double, 6> carried{};
+  for (const ContactRecord& record : technique.contacts())
+    carried[number_of(record.second)] += record.push_w.y();
+  for (int level = 1; level <= 5; ++level)
+    CHECK(carried[at(level)] == Approx((6 - level) * kG * kStep));  // [N s]
+}
+
+// --- impacts ------------------------------------------------------------------------------------
+
+TEST_CASE("A falling box closes its gap exactly and then rests", "[exact][time_stepping]") {
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 1.5, 0.0));
+  TimeStepping technique;
+  double lowest = 1.0;
+  for (int k = 0; k < 120; ++k) {
+    technique.step(world, kStep);
+    lowest = std::min(lowest, world.states()[1].position_w.y() - 0.5);
+  }
+  CHECK(std::abs(lowest) < 1e-12);  // [m] neither a gap nor an overlap
+  CHECK(fastest(world) < 1e-12);    // [m/s]
+}
+
+TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping]") {
+  World world;
+  world.gravity_w.setZero();
+  const BodyProperties wall = fixed_box_properties(Vec3(0.01, 2.0, 2.0));
+  world.add(wall, make_state(wall, Vec3::Zero()));
+  const BodyProperties bullet = box_properties(Vec3::Constant(0.1), 1.0);
+  for (const double speed : {10.0, 100.0, 1000.0}) {
+    World shot = world;
+    shot.add(bullet,
+             make_state(bullet, Vec3(-5.0, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    TimeStepping technique;
+    CHECK(run(shot, technique, 60) == 0);
+    CHECK(shot.states()[1].position_w.x() == Approx(-0.055));  // [m] at the wall
+  }
+}
+
+TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stopped",
+          "[unit][time_stepping]") {
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 0.55, 0.0), Vec3(0.0, -6.0, 0.0));
+  TimeSteppingOptions options;
+  options.velocities.form = SteppingForm::anitescu_potra;
+  TimeStepping technique(options);
+  const StepReport report = technique.step(world, kStep);
+  // h (6 + g h) - 0.05 m, and then it is moved out again.
+  CHECK(report.deepest_overlap == Approx((6.0 + kG * kStep) * kStep - 0.05));
+  CHECK(report.energy.repair > 0.0);
+  run(world, technique, 10);
+  CHECK(fastest(world) < 1e-12);  // [m/s]
+}
+
+TEST_CASE("A box bounces with Newton's restitution and comes to rest", "[exact][time_stepping]") {
+  for (const double e : {0.5, 1.0}) {
+    World world;
+    world.add_ground(0.5, e);
+    add_cube(world, Vec3(0.0, 1.5, 0.0), Vec3::Zero(), 0.5, e);
+    TimeStepping technique;
+    double before = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      technique.step(world, kStep);
+      const double after = velocity(world.bodies()[1], world.states()[1]).y();
+      if (after > 0.0) {
+        CHECK(after == Approx(-e * before));
+        break;
+      }
+      before = after;
+    }
+    run(world, technique, 600);
+    if (e < 1.0) CHECK(fastest(world) < 1e-12);  // [m/s] slow impacts stick
+  }
+}
+
+TEST_CASE("Two cubes that collide keep their momentum and part with Newton's speed",
+          "[exact][time_stepping]") {
+  World world;
+  world.gravity_w.setZero();
+  add_cube(world, Vec3(-1.0, 0.0, 0.0), Vec3(2.0, 0.0, 0.0), 0.0, 0.5);
+  add_cube(world, Vec3(0.02, 0.0, 0.0), Vec3::Zero(), 0.0, 0.5);
+  TimeStepping technique;
+  const StepReport report = technique.step(world, kStep);
+  const double first = velocity(world.bodies()[0], world.states()[0]).x();
+  const double second = velocity(world.bodies()[1], world.states()[1]).x();
+  CHECK(first + second == Approx(2.0));
+  CHECK(second - first == Approx(1.0));
+  // Half of (1 - e²) m_red v²: 0.5 · 0.75 · 0.5 · 4 J.
+  CHECK(report.energy.restitution == Approx(-0.75));
+  CHECK(report.energy.friction == Approx(0.0).margin(1e-15));
+}
+
+TEST_CASE("What a step books is what the energy does", "[exact][time_stepping]") {
+  // Beside it there is only the error of the semi-implicit rule: gravity's impulse m g h acts at v+ in
+  // the positions and at (v- + v+)/2 in the velocities.
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 0.8, 0.0), Vec3(2.0, -3.0, 0.0));
+  TimeStepping technique;
+  double worst = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const Energy before = energy_of(world);
+    const double v_before = velocity(world.bodies()[1], world.states()[1]).y();
+    const StepReport report = technique.step(world, kStep);
+    const double v_after = velocity(world.bodies()[1], world.states()[1]).y();
+    const double rule = -0.5 * kG * kStep * (v_before - v_after);
+    worst = std::max(
+        worst, std::abs(energy_of(world).total() - before.total() - report.energy.total() - rule));
+  }
+  CHECK(worst < 1e-12);  // [J] rounding of 13 J: measured below
+}
+
+// --- what holds for all scenes ------------------------------------------------------------------
+
+TEST_CASE("Without friction a scene, its mirror image and its bodies in another order do the same",
+          "[unit][time_stepping]") {
+  // With friction what redundant points share is not determined, and neither is what they do next.
+  const Vec3 mirror(-1.0, 1.0, 1.0);
+  World world = pyramid_of(3, 0.0);
+  add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0), 0.0);
+  World image;
+  image.add_ground(0.0);
+  World other_order;
+  other_order.add_ground(0.0);
+  const std::size_t count = world.bodies().size();
+  for (std::size_t k = 1; k < count; ++k) {
+    BodyState state = world.states()[k];
+    state.position_w = state.position_w.cwiseProduct(mirror);
+    state.linear_momentum_w = state.linear_momentum_w.cwiseProduct(mirror);
+    image.add(world.bodies()[k], state);
+    other_order.add(world.bodies()[count - k], world.states()[count - k]);
+  }
+  TimeStepping first;
+  TimeStepping second;
+  TimeStepping third;
+  double worst = 0.0;
+  for (int k = 0; k < 15; ++k) {
+    first.step(world, kStep);
+    second.step(image, kStep);
+    third.step(other_order, kStep);
+    for (std::size_t b = 1; b < count; ++b) {
+      const Vec3& place = world.states()[b].position_w;
+      worst = std::max({worst, (image.states()[b].position_w.cwiseProduct(mirror) - place).norm(),
+                        (other_order.states()[count - b].position_w - place).norm()});
+    }
+  }
+  CHECK(worst < 1e-9);  // [m] rounding, grown by impacts
+}
+
+TEST_CASE("A copy of the technique goes on with the same bits", "[determinism][time_stepping]") {
+  World world = pyramid_of(3);
+  add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0));
+  TimeStepping technique;
+  run(world, technique, 8);
+  World copy = world;
+  const std::unique_ptr<Technique> clone = technique.clone();
+  run(world, technique, 4);
+  run(copy, *clone, 4);
+  CHECK(world.hash().value() == copy.hash().value());
+}
+
+TEST_CASE("Time stepping can be made by name", "[unit][time_stepping]") {
+  const TechniqueRecipe& recipe = technique_recipe("time_stepping");
+  CHECK(recipe.name == "time_stepping");
+  CHECK_THROWS_WITH(TimeStepping(with_directions(6)), Contains("directions = 6"));
+  World world = stack_of(1);
+  TimeStepping technique;
+  CHECK_THROWS_WITH(technique.step(world, 0.0), Contains("dt"));
+  CHECK(technique.unsolved_problem() == nullptr);
+}
+
+TEST_CASE("A warm time step at the level of velocities asks for no memory", "[unit][time_stepping]") {
+  World world = tilted_plane(30.0, 0.3, 0.0);
+  TimeStepping technique;
+  run(world, technique, 5);
+  const AllocationCount count;
+  run(world, technique, 5);
+  CHECK(count.value() == 0);
+}

@@ -1,0 +1,249 @@
+/// \file
+/// \brief One velocity-level step: energy, momentum, Painlevé's rod, redundant points.
+#include "tumble/analytic_lcp/velocity_step.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/effective_mass.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+using namespace tumble;
+using Catch::Matchers::Contains;
+
+constexpr double kG = 9.81;
+constexpr double kStep = 1.0 / 60.0;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Contact touching(int first, int second, const Vec3& place_w, const Vec3& normal_w,
+                 double friction) {
+  Contact contact;
+  contact.first = first;
+  contact.second = second;
+  contact.normal_w = normal_w;
+  contact.friction = friction;
+  contact.count = 1;
+  contact.points[0].position_w = place_w;
+  return contact;
+}
+
+// A world with velocities that can be stepped, without geometry: contacts are put down by hand.
+struct Scene {
+  World world;
+  std::vector<MovingBody> bodies;
+  std::vector<Contact> contacts;
+  std::vector<Acceleration> free;
+  VelocityStep step;
+  VelocityStepOptions options;
+
+  void load() {
+    load_moving_bodies(world, bodies);
+    free.assign(bodies.size(), Acceleration{});
+    for (Contact& contact : contacts)
+      contact.points[0].approach_speed = contact.normal_w.dot(motion_at(contact));
+  }
+  Vec3 motion_at(const Contact& contact) const {
+    return relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
+                             contact.points[0].position_w);
+  }
+  VelocityStepResult solve() { return step.solve(world, free, contacts, kStep, options, bodies); }
+  double kinetic() const {
+    World copy = world;
+    store_moving_bodies(bodies, copy);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < copy.bodies().size(); ++k)
+      sum += kinetic_energy(copy.bodies()[k], copy.states()[k]);
+    return sum;
+  }
+};
+
+// Four boxes, the first of them fixed or not, and random points between them.
+Scene random_scene(Random& random, bool with_fixed) {
+  Scene scene;
+  scene.world.gravity_w.setZero();
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 size = Vec3::Constant(1.0) + random.in_cube(0.5);
+    const double mass = random.uniform(0.5, 2.0);
+    const bool fixed = with_fixed && k == 0;
+    const BodyProperties body = fixed ? fixed_box_properties(size) : box_properties(size, mass);
+    const Vec3 place_w = random.in_cube(1.0);
+    const Quat turned = random.orientation();
+    const Vec3 velocity_w = fixed ? Vec3(Vec3::Zero()) : random.in_cube(2.0);
+    const Vec3 spin_w = fixed ? Vec3(Vec3::Zero()) : random.in_cube(2.0);
+    scene.world.add(body, make_state(body, place_w, turned, velocity_w, spin_w));
+  }
+  const int count = 1 + static_cast<int>(random.below(6));
+  for (int k = 0; k < count; ++k) {
+    const int first = static_cast<int>(random.below(3));
+    const int second =
+        first + 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(3 - first)));
+    const Vec3 place_w = random.in_cube(1.0);
+    const Vec3 normal_w = random.direction();
+    scene.contacts.push_back(
+        touching(first, second, place_w, normal_w, k % 3 == 0 ? 0.0 : random.uniform(0.0, 1.5)));
+    scene.contacts.back().points[0].distance = k % 2 == 0 ? 0.0 : random.uniform(0.0, 0.05);
+  }
+  scene.load();
+  return scene;
+}
+
+// Painlevé's rod: half length 1, 1 kg, at an angle to the ground, its lower end sliding at a speed
+// towards the side away from the centre of mass, and turning.
+Scene painleve(double degrees, double friction, double sliding, double omega) {
+  Scene scene;
+  scene.world.add_ground(friction);
+  const double angle = degrees * std::numbers::pi / 180.0;
+  const Vec3 to_end(-std::cos(angle), -std::sin(angle), 0.0);
+  const Vec3 spin_w(0.0, 0.0, omega);
+  const BodyProperties rod = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, friction);
+  const Vec3 velocity_w = Vec3(sliding, 0.0, 0.0) - spin_w.cross(to_end);
+  const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+  scene.world.add(rod, make_state(rod, -to_end, turned, velocity_w, spin_w));
+  scene.contacts.push_back(touching(0, 1, Vec3::Zero(), Vec3::UnitY(), friction));
+  scene.load();
+  scene.free[1].linear_w = scene.world.gravity_w;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1000 random states",
+          "[unit][velocity_step]") {
+  Random random(71);
+  int unsolved = 0;
+  double worst_gain = 0.0;
+  double worst_sinking = 0.0;
+  double worst_drag = 0.0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    Scene scene = random_scene(random, true);
+    scene.options.directions = trial % 2 == 0 ? 4 : 8;
+    const double before = scene.kinetic();
+    if (!scene.solve().solved) {
+      ++unsolved;
+      continue;
+    }
+    worst_gain = std::max(worst_gain, (scene.kinetic() - before) / before);
+    for (const Contact& contact : scene.contacts) {
+      const ContactPoint& point = contact.points[0];
+      const Vec3 u = scene.motion_at(contact);
+      worst_sinking = std::max(worst_sinking, -(contact.normal_w.dot(u) + point.distance / kStep));
+      worst_drag = std::max(
+          worst_drag, point.friction_impulse_w.norm() - contact.friction * point.normal_impulse);
+    }
+  }
+  CHECK(unsolved == 0);
+  CHECK(worst_gain < 1e-12);    // [-] rounding
+  CHECK(worst_sinking < 1e-9);  // [m/s] of a few
+  CHECK(worst_drag < 1e-9);     // [N s] the pyramid is inside the cone
+}
+
+TEST_CASE("Bodies that touch each other only keep their momenta", "[unit][velocity_step]") {
+  Random random(73);
+  double worst = 0.0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Scene scene = random_scene(random, false);
+    const auto momenta = [&] {
+      World copy = scene.world;
+      store_moving_bodies(scene.bodies, copy);
+      Vec3 linear = Vec3::Zero();
+      Vec3 angular = Vec3::Zero();
+      for (const BodyState& state : copy.states()) {
+        linear += state.linear_momentum_w;
+        angular += state.position_w.cross(state.linear_momentum_w) + state.angular_momentum_w;
+      }
+      return std::pair<Vec3, Vec3>(linear, angular);
+    };
+    const auto before = momenta();
+    REQUIRE(scene.solve().solved);
+    const auto after = momenta();
+    worst = std::max(
+        {worst, (after.first - before.first).norm(), (after.second - before.second).norm()});
+  }
+  CHECK(worst < 1e-11);  // [kg m/s], [kg m²/s] rounding of sums up to 50
+}
+
+TEST_CASE("The step of Painlevé's rod is solved where no force could be",
+          "[exact][velocity_step]") {
+  // The thickness of the rod changes its moment of inertia by 2.5e-11.
+  for (const int directions : {4, 8}) {
+    Scene rod = painleve(60.0, 1.5, -1.0, 0.0);
+    rod.options.directions = directions;
+    REQUIRE(rod.solve().solved);
+    const ContactPoint& stuck = rod.contacts[0].points[0];
+    CHECK(std::abs(stuck.normal_impulse - 0.457603276) < 1e-9);  // [N s]
+    CHECK(std::abs(stuck.friction_impulse_w.x() - 0.490598183) < 1e-9);
+    CHECK(rod.motion_at(rod.contacts[0]).norm() < 1e-12);  // [m/s]
+    CHECK(std::abs(std::abs(rod.bodies[1].angular_velocity_w.z()) - 0.588206553) < 1e-9);
+
+    Scene slips = painleve(60.0, 1.0, -1.0, 0.0);
+    slips.options.directions = directions;
+    REQUIRE(slips.solve().solved);
+    const ContactPoint& sliding = slips.contacts[0].points[0];
+    CHECK(std::abs(sliding.normal_impulse - 0.362558349) < 1e-9);
+    CHECK(std::abs(sliding.friction_impulse_w.x() - 0.362558349) < 1e-9);
+    CHECK(std::abs(slips.motion_at(slips.contacts[0]).x() + 0.292662476) < 1e-9);
+  }
+}
+
+TEST_CASE("A contact that is there twice changes nothing but the shares of its points",
+          "[unit][velocity_step]") {
+  Random random(79);
+  double worst = 0.0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Scene once = random_scene(random, true);
+    once.contacts.resize(1);  // one point: the answer is unique
+    Scene twice = once;
+    twice.contacts.push_back(twice.contacts[0]);
+    REQUIRE(once.solve().solved);
+    REQUIRE(twice.solve().solved);
+    for (std::size_t k = 0; k < once.bodies.size(); ++k)
+      worst = std::max(worst, (once.bodies[k].velocity_w - twice.bodies[k].velocity_w).norm());
+  }
+  CHECK(worst < 1e-9);  // [m/s]
+}
+
+TEST_CASE("Restitution that would raise the energy is reduced, and that is counted",
+          "[unit][velocity_step]") {
+  Random random(83);
+  int fallbacks = 0;
+  double worst_gain = 0.0;
+  int unsolved = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    Scene scene = random_scene(random, true);
+    for (Contact& contact : scene.contacts) {
+      contact.restitution = random.uniform(0.0, 1.0);
+      contact.points[0].distance = 0.0;
+    }
+    const double before = scene.kinetic();
+    const VelocityStepResult result = scene.solve();
+    if (!result.solved) {
+      ++unsolved;
+      continue;
+    }
+    fallbacks += result.fallbacks;
+    worst_gain = std::max(worst_gain, (scene.kinetic() - before) / before);
+  }
+  CHECK(unsolved == 0);
+  CHECK(worst_gain < 1e-12);  // [-] rounding
+  CHECK(fallbacks > 0);
+}
+
+TEST_CASE("A step leaves the bodies alone when it is refused", "[unit][velocity_step]") {
+  Random random(89);
+  Scene scene = random_scene(random, true);
+  scene.options.directions = 5;
+  CHECK_THROWS_WITH(scene.solve(), Contains("directions"));
+  scene.options.directions = 4;
+  CHECK_THROWS_WITH(
+      scene.step.solve(scene.world, scene.free, scene.contacts, -1.0, scene.options, scene.bodies),
+      Contains("dt"));
+  scene.free.pop_back();
+  CHECK_THROWS_WITH(scene.solve(), Contains("one entry for each body"));
+}
