@@ -23,7 +23,7 @@ Figure least_constraint_figure() {
       "counted as work of contact forces, and with ten boxes it is part of the last "
       "stretch. Setting up the matrix is not counted.";
   figure.parameters.add_whole("most", 24, 8, 64, "contacts on a box with the one before, at most")
-      .add_whole("seeds", 10, 2, 1000, "random chains for each number of contacts");
+      .add_whole("seeds", 20, 2, 1000, "random chains for each number of contacts");
   figure.quick = {"most=16", "seeds=3"};
   figure.experiment = measure_least_constraint;
   return figure;
@@ -86,7 +86,7 @@ Figure friction_cost_figure() {
       "that are not zero (marks): six times as many and 23 times as many. New factors alone "
       "would be a factor of 2.3.";
   figure.parameters.add_number("friction", 0.5, 0.01, 2.0, "-", "coefficient")
-      .add_whole("seeds", 8, 2, 100, "random velocities");
+      .add_whole("seeds", 20, 2, 100, "random velocities");
   figure.quick = {"seeds=2"};
   figure.experiment = measure_friction_cost;
   return figure;

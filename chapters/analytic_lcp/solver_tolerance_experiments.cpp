@@ -278,7 +278,6 @@ Result measure_negative_forces(const Parameters& settings) {
       {table},
       {{"exponent of the depth against time, negative forces being left", "-", exponent(table, 1)},
        {"the same, negative forces being set to 0", "-", exponent(table, 2)},
-       {"the same, one cube, negative forces being left", "-", exponent(table, 3)},
        {"the same, a load below the tolerance", "-", exponent(table, 4)},
        {"depth at the end, negative forces left", "m", last[1]},
        {"depth at the end, negative forces set to 0", "m", last[2]},

@@ -10,20 +10,21 @@
 /// Writes `ledger.md`, `errata.md`, `tolerances.md` and `gallery.md`.
 /// \param argc  at least 4
 /// \param argv  the program, the folder to write into, the folder of the figures (which need not
-///              exist), the header of tolerances, and the files that figures_index takes
+///              exist), the folder of
+///              the headers of tolerances, and the files that figures_index takes
 /// \return exit code: 0 done, 2 bad input, 4 cannot read or write
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 4) {
     std::fprintf(stderr,
-                 "usage: site_pages OUT FIGURES TOLERANCE.hpp FILE...\n"
+                 "usage: site_pages OUT FIGURES src/tumble/base FILE...\n"
                  "FILE: expected.csv, claims.toml, errata.toml, page.md, open_claims.toml\n");
     return 2;
   }
   try {
     const std::filesystem::path out = argv[1];
     const Findings findings = read_findings(argv[2], {argv + 4, argv + argc});
-    const std::vector<Tolerance> tolerances = read_tolerances(argv[3]);
+    const std::vector<Tolerance> tolerances = read_all_tolerances(argv[3]);
     write_file(out / "ledger.md", ledger_page(findings));
     write_file(out / "errata.md", errata_page(findings));
     write_file(out / "tolerances.md", tolerances_page(tolerances));

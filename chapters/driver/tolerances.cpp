@@ -87,4 +87,11 @@ std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
   return reader.found;
 }
 
+std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& folder) {
+  std::vector<Tolerance> all = read_tolerances(folder / "tolerance.hpp");
+  const std::vector<Tolerance> more = read_tolerances(folder / "chapter_tolerance.hpp");
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 }  // namespace tumble::chapters

@@ -8,7 +8,7 @@
 
 namespace tumble::chapters {
 
-/// One constant of `src/tumble/base/tolerance.hpp`.
+/// One constant of `src/tumble/base/tolerance.hpp` or `chapter_tolerance.hpp`.
 struct Tolerance {
   std::string layer;    ///< of the library
   std::string name;     ///< of the constant
@@ -29,5 +29,11 @@ struct Tolerance {
 /// \throws FileError for a file that cannot be read, std::invalid_argument naming file and line of
 ///         what is not of this form
 std::vector<Tolerance> read_tolerances(const std::filesystem::path& path);
+
+/// Reads all constants of the library, `tolerance.hpp` and `chapter_tolerance.hpp`.
+/// \param folder  `src/tumble/base`
+/// \return those of the layers, then those of the chapters
+/// \throws FileError and std::invalid_argument as read_tolerances() does
+std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& folder);
 
 }  // namespace tumble::chapters

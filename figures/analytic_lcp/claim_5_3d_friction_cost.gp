@@ -15,6 +15,8 @@ unset key
 set tmargin at screen 0.43; set bmargin at screen 0.1
 set xlabel 'contacts'
 side = 'unknowns, entries'; @SIDE
+set label 1 'marks: entries of the matrix' at graph 0.03,0.93 textcolor rgb soft
+set label 2 'lines: unknowns' at graph 0.03,0.85 textcolor rgb soft
 plot stem.'.csv' using 'contacts':'unknowns_friction' with lines lt 2, '' using 'contacts':'unknowns' with lines lt 1, \
   '' using 'contacts':'entries_friction' with points lt 2, '' using 'contacts':'entries' with points lt 1
 unset multiplot

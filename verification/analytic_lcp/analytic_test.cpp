@@ -100,7 +100,7 @@ AnalyticOptions sticks_below(double speed) {
 }  // namespace
 
 TEST_CASE("A box dropped from 1 m sticks at its 7th impact with e = 0.5, at its 37th with 0.9",
-          "[exact][analytic]") {
+          "[exact][analytic][analytic_lcp]") {
   for (const auto& [e, impacts] : {std::pair(0.5, 7), std::pair(0.9, 37)}) {
     World world;
     world.add_ground(0.5, e);
@@ -130,7 +130,7 @@ TEST_CASE("A box dropped from 1 m sticks at its 7th impact with e = 0.5, at its 
   }
 }
 
-TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic]") {
+TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic][analytic_lcp]") {
   World world = tower(10);
   Analytic analytic;
   const Course course = run(analytic, world, 2.0);
@@ -145,7 +145,7 @@ TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic]") {
   CHECK(course.total.status == StepStatus::done);
 }
 
-TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic]") {
+TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic][analytic_lcp]") {
   World world = tower(10);
   Analytic analytic;
   const Course course = run(analytic, world, 60.0);
@@ -160,7 +160,7 @@ TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic]"
   CHECK(course.total.status == StepStatus::done);
 }
 
-TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic]") {
+TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic][analytic_lcp]") {
   World world;
   world.add_ground(0.3);
   const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
@@ -175,7 +175,7 @@ TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic]") {
 }
 
 TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0.6",
-          "[exact][analytic]") {
+          "[exact][analytic][analytic_lcp]") {
   const double angle = std::asin(0.5);
   Analytic slides;
   World slippery = slope(angle, 0.3, 0.0);
@@ -190,7 +190,8 @@ TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0
   CHECK(velocity(rough.bodies()[1], rough.states()[1]).norm() < 1e-14);  // [m/s] measured 5e-17
 }
 
-TEST_CASE("A box thrown up a slope turns round where it should", "[exact][analytic]") {
+TEST_CASE("A box thrown up a slope turns round where it should",
+          "[exact][analytic][analytic_lcp]") {
   const double angle = std::asin(0.5);
   World world = slope(angle, 0.3, -3.0);
   Analytic analytic;
@@ -201,7 +202,8 @@ TEST_CASE("A box thrown up a slope turns round where it should", "[exact][analyt
   CHECK(way_down(world, angle) == near(0.5 * down * left * left - 4.5 / up).margin(1e-9));
 }
 
-TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below", "[exact][analytic]") {
+TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below",
+          "[exact][analytic][analytic_lcp]") {
   for (const auto& [degrees, tips] : {std::pair(26.0, false), std::pair(27.2, true)}) {
     World world;
     const double angle = degrees * std::acos(-1.0) / 180.0;
@@ -220,7 +222,7 @@ TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below", "[exact][
 }
 
 TEST_CASE("A rocking block comes down after a quarter period, and loses Housner's share",
-          "[exact][analytic]") {
+          "[exact][analytic][analytic_lcp]") {
   World world = rocking(0.4, 2.0, 0.5 * std::atan(0.2));
   Analytic analytic;
   Collector seen;
@@ -242,7 +244,8 @@ TEST_CASE("A rocking block comes down after a quarter period, and loses Housner'
         near(b * 0.458239851116 * (1.0 + 0.942307692308)).margin(2e-4));
 }
 
-TEST_CASE("A box bounces, sticks, rests, slides and topples in one run", "[unit][analytic]") {
+TEST_CASE("A box bounces, sticks, rests, slides and topples in one run",
+          "[unit][analytic][analytic_lcp]") {
   // Dropped with restitution onto a slope that is steep enough to slide on, over its end onto the
   // ground.
   World world;
@@ -266,7 +269,8 @@ TEST_CASE("A box bounces, sticks, rests, slides and topples in one run", "[unit]
   CHECK(velocity(box, world.states()[2]).norm() < 1e-6);
 }
 
-TEST_CASE("Painleve's rod takes a velocity step, which is counted", "[exact][analytic]") {
+TEST_CASE("Painleve's rod takes a velocity step, which is counted",
+          "[exact][analytic][analytic_lcp]") {
   World world;
   world.add_ground(1.5);
   const BodyProperties rod = box_properties(Vec3(2.0, 0.02, 0.5), 1.0, 1.5);
@@ -292,7 +296,7 @@ TEST_CASE("Painleve's rod takes a velocity step, which is counted", "[exact][ana
 }
 
 TEST_CASE("A run of the analytic technique is the same to the bit, and a clone goes on equally",
-          "[determinism][analytic]") {
+          "[determinism][analytic][analytic_lcp]") {
   const SceneRecipe& recipe = scene_recipe("crate_off_table");
   const World start = build_world(recipe.build(recipe.parameters(), Random(1)));
   World one = start;
@@ -311,7 +315,8 @@ TEST_CASE("A run of the analytic technique is the same to the bit, and a clone g
   CHECK(one.hash().text() == copy.hash().text());
 }
 
-TEST_CASE("Small built-in scenes run a second with the analytic technique", "[unit][analytic]") {
+TEST_CASE("Small built-in scenes run a second with the analytic technique",
+          "[unit][analytic][analytic_lcp]") {
   for (const char* name : {"box_drop", "bouncing_box", "tumbling_box", "two_boxes",
                            "crate_off_table", "cradle", "stack", "dice"}) {
     CAPTURE(name);
@@ -326,7 +331,8 @@ TEST_CASE("Small built-in scenes run a second with the analytic technique", "[un
   }
 }
 
-TEST_CASE("Damping keeps what rests on the other, and brakes what slides", "[exact][analytic]") {
+TEST_CASE("Damping keeps what rests on the other, and brakes what slides",
+          "[exact][analytic][analytic_lcp]") {
   World world;
   world.add_ground(0.3);
   const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
@@ -350,7 +356,7 @@ TEST_CASE("Damping keeps what rests on the other, and brakes what slides", "[exa
   CHECK(velocity(box, finer.states()[1]).x() == near(v).margin(1e-12));
 }
 
-TEST_CASE("Contact forces of a box at rest carry its weight", "[exact][analytic]") {
+TEST_CASE("Contact forces of a box at rest carry its weight", "[exact][analytic][analytic_lcp]") {
   World world = tower(1);
   Analytic analytic;
   analytic.step(world, kDt);
@@ -361,12 +367,13 @@ TEST_CASE("Contact forces of a box at rest carry its weight", "[exact][analytic]
     sum += record.push_w;
   }
   CHECK(analytic.contacts().size() == 4);
-  CHECK((sum - Vec3(0.0, kG, 0.0)).norm() < 1e-12);
+  // The solver stops at a residual of 1e-12, of 9.81 m/s²: measured 9.8e-12 N.
+  CHECK((sum - Vec3(0.0, kG, 0.0)).norm() < 1e-11);
 }
 
 TEST_CASE(
     "A problem that its solver cannot solve ends the run, and is the same when read from files",
-    "[unit][analytic]") {
+    "[unit][analytic][analytic_lcp]") {
   // The thesis's own form of the method goes astray on a tower of ten, whose forces are not unique.
   World world = tower(10);
   AnalyticOptions options;
@@ -397,7 +404,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The analytic technique refuses options and steps that make no sense",
-          "[unit][analytic]") {
+          "[unit][analytic][analytic_lcp]") {
   AnalyticOptions options;
   options.resolution = 0.0;
   CHECK_THROWS_AS(Analytic(options), std::invalid_argument);

@@ -121,7 +121,8 @@ double residual_per_load(const LcpProblem& problem, const LcpResult& result) {
 
 }  // namespace
 
-TEST_CASE("The method of multipliers solves problems that are known by hand", "[exact][lcp]") {
+TEST_CASE("The method of multipliers solves problems that are known by hand",
+          "[exact][lcp][analytic_lcp]") {
   check_answer(lcp({2}, {-4}), {2}, {0});
   check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
   check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
@@ -135,7 +136,7 @@ TEST_CASE("The method of multipliers solves problems that are known by hand", "[
   check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
 }
 
-TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp]") {
+TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp][analytic_lcp]") {
   for (const bool factors : {true, false}) {
     const LcpProblem centred = cube_on_ground(9.81, 0, 0);
     const LcpResult result = solved(factors ? centred : without_factors(centred));
@@ -147,7 +148,7 @@ TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp]"
 }
 
 TEST_CASE("The method of multipliers agrees with Baraff's on 10000 contact problems",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(1);
   BaraffSolver baraff;
   LeastConstraintSolver gauss;
@@ -180,7 +181,7 @@ TEST_CASE("The method of multipliers agrees with Baraff's on 10000 contact probl
   CHECK(factorisations <= 30000);  // measured 26 900
 }
 
-TEST_CASE("A matrix without its factors has the same accelerations", "[unit][lcp]") {
+TEST_CASE("A matrix without its factors has the same accelerations", "[unit][lcp][analytic_lcp]") {
   Random random(2);
   AugmentedLagrangianSolver solver;
   LcpResult with;
@@ -199,7 +200,7 @@ TEST_CASE("A matrix without its factors has the same accelerations", "[unit][lcp
 }
 
 TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their masses and shapes",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   AugmentedLagrangianSolver solver;
   LcpResult result;
   int problems = 0;
@@ -227,7 +228,7 @@ TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their
 }
 
 TEST_CASE("The method of multipliers solves pyramids of singular contacts to rounding",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   AugmentedLagrangianSolver solver;
   LcpResult result;
   for (const int n : {16, 64, 256, 512, 1024})
@@ -248,7 +249,8 @@ TEST_CASE("The method of multipliers solves pyramids of singular contacts to rou
     }
 }
 
-TEST_CASE("Glue pulls as well as pushes, and axes may be locked, for springs too", "[exact][lcp]") {
+TEST_CASE("Glue pulls as well as pushes, and axes may be locked, for springs too",
+          "[exact][lcp][analytic_lcp]") {
   LcpProblem hanging = cube_on_ground(-9.81, 0, 0);
   hanging.factors.bodies[0].inverse_inertia_w.setZero();
   multiply_out(hanging.factors, hanging.A);
@@ -265,7 +267,7 @@ TEST_CASE("Glue pulls as well as pushes, and axes may be locked, for springs too
 }
 
 TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with glue",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(3);
   BaraffSolver baraff;
   AugmentedLagrangianSolver solver;
@@ -289,7 +291,7 @@ TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with 
 }
 
 TEST_CASE("Springs whose forces grow for ever prove that contacts contradict each other",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   LcpProblem walls = stack(1);
   walls.factors.rows.push_back(walls.factors.rows[0]);
   walls.factors.rows[1].linear_second_w = -Vec3::UnitY();
@@ -333,7 +335,8 @@ TEST_CASE("Springs whose forces grow for ever prove that contacts contradict eac
   CHECK(factorisations <= 30);  // measured 13
 }
 
-TEST_CASE("The method of multipliers notices a matrix that is not semidefinite", "[unit][lcp]") {
+TEST_CASE("The method of multipliers notices a matrix that is not semidefinite",
+          "[unit][lcp][analytic_lcp]") {
   const auto not_semidefinite = LcpStatus::not_positive_semidefinite;
   CHECK(solved(lcp({1, 2, 2, 1}, {-1, -1})).status == not_semidefinite);
   CHECK(solved(lcp({-1}, {-1})).status == not_semidefinite);
@@ -343,7 +346,7 @@ TEST_CASE("The method of multipliers notices a matrix that is not semidefinite",
 }
 
 TEST_CASE("Published problems with semidefinite matrices are solved by multipliers",
-          "[reference][lcp]") {
+          "[reference][lcp][analytic_lcp]") {
   if (const auto folder = shared_data("siconos-lcp"))
     for (const SiconosProblem& one : siconos_problems(*folder)) {
       if (!one.semidefinite) continue;
@@ -361,7 +364,7 @@ TEST_CASE("Published problems with semidefinite matrices are solved by multiplie
 }
 
 TEST_CASE("The rows that push save all factorisations but one, and their forces that one too",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   const auto pyramid = chapters::pyramid_problem(256, 0.1, 1);
   AugmentedLagrangianSolver solver;
   LcpResult result;
@@ -384,7 +387,7 @@ TEST_CASE("The rows that push save all factorisations but one, and their forces 
   CHECK(near(result.f, {0, 5.4936, 5.4936, 0}, rounding));
 }
 
-TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp]") {
+TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp][analytic_lcp]") {
   const LcpProblem problem = chapters::pyramid_problem(64, 0.1, 1).problem;
   CHECK(solved(problem, {.factorisations = 0}).status == LcpStatus::cap_reached);
   const LcpResult capped = solved(problem, {.factorisations = 1});
@@ -395,7 +398,7 @@ TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp]") {
   CHECK(solved(stack(2), {.factorisations = 1}).status == LcpStatus::solved);
 }
 
-TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp]") {
+TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp][analytic_lcp]") {
   const LcpProblem problem = stack(10);
   const LcpResult hard = solved(problem, {.softness = 1e-8});
   const LcpResult soft = solved(problem, {.softness = 1e-3});
@@ -404,7 +407,7 @@ TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp]") {
 }
 
 TEST_CASE("The method of multipliers gives the same bits whatever it solved before",
-          "[determinism][lcp]") {
+          "[determinism][lcp][analytic_lcp]") {
   const LcpProblem problem = chapters::pyramid_problem(256, 0.1, 1).problem;
   AugmentedLagrangianSolver solver;
   LcpResult first;
@@ -417,7 +420,7 @@ TEST_CASE("The method of multipliers gives the same bits whatever it solved befo
 }
 
 TEST_CASE("The method of multipliers asks for no memory when rows touch the same bodies",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   const auto pyramid = chapters::pyramid_problem(64, 0.1, 1);
   AugmentedLagrangianSolver solver;
   LcpResult result;
@@ -434,7 +437,7 @@ TEST_CASE("The method of multipliers asks for no memory when rows touch the same
   CHECK(count.value() == 0);
 }
 
-TEST_CASE("The method of multipliers refuses what it cannot take", "[unit][lcp]") {
+TEST_CASE("The method of multipliers refuses what it cannot take", "[unit][lcp][analytic_lcp]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(solved(lcp({2, 1, 0, 2}, {-1, -1})), Contains("give a symmetric matrix"));
   CHECK_THROWS_AS(solved(lcp({nan}, {-1})), std::invalid_argument);

@@ -81,7 +81,8 @@ Tally tally_of(const BaraffAsPrintedOptions& options) {
 
 }  // namespace
 
-TEST_CASE("The thesis's form solves problems that are known by hand", "[exact][lcp]") {
+TEST_CASE("The thesis's form solves problems that are known by hand",
+          "[exact][lcp][analytic_lcp]") {
   check_answer(lcp({2}, {-4}), {2}, {0});
   check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
   check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
@@ -94,7 +95,7 @@ TEST_CASE("The thesis's form solves problems that are known by hand", "[exact][l
 }
 
 TEST_CASE("The thesis's form counts a contact that pushed at first and then parts",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   const LcpResult result = solved(lcp({4, 3, 3, 4}, {-1, -4}));
   CHECK(result.pivots == 3);  // 0 pushes, 0 parts again, 1 pushes
   CHECK(result.pushing == std::vector<int>{1});
@@ -102,7 +103,7 @@ TEST_CASE("The thesis's form counts a contact that pushed at first and then part
   CHECK(result.multiplications == 3 * 4 + 1 + 3 * 4);
 }
 
-TEST_CASE("The thesis's form holds a cube by its four corners", "[exact][lcp]") {
+TEST_CASE("The thesis's form holds a cube by its four corners", "[exact][lcp][analytic_lcp]") {
   for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
     const LcpResult result = solved(cube_on_ground(9.81, x, z));
     CHECK(result.status == LcpStatus::solved);
@@ -123,7 +124,7 @@ TEST_CASE("The thesis's form holds a cube by its four corners", "[exact][lcp]") 
 }
 
 TEST_CASE("The thesis's form tells bodies that are squeezed and systems without solution",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   CHECK(solved(lcp({1, -1, -1, 1}, {-1, -1})).status == LcpStatus::infeasible);
   CHECK(solved(lcp({0}, {-1})).status == LcpStatus::infeasible);
   // Not semidefinite: both contacts of C get the same row.
@@ -135,7 +136,7 @@ TEST_CASE("The thesis's form tells bodies that are squeezed and systems without 
 TEST_CASE(
     "With a tolerance of 0 one redundant contact problem in five is not solved, with 1e-5 "
     "one in twenty",
-    "[claims][lcp]") {
+    "[claims][lcp][analytic_lcp]") {
   // 2000 boxes with up to 24 contacts, a third of them twice; every problem has a solution. Counts
   // depend on rounding, so they are the same everywhere; bounds leave room for other tie rules.
   const Tally thesis = tally_of({});
@@ -153,7 +154,8 @@ TEST_CASE(
   CHECK(exact.wrong == 0);          // what it does solve it solves well: measured 2e-12
 }
 
-TEST_CASE("Negative forces come from rounding and not from the tolerance", "[claims][lcp]") {
+TEST_CASE("Negative forces come from rounding and not from the tolerance",
+          "[claims][lcp][analytic_lcp]") {
   // Without the clamp, the same problems: as often and as weak with a tolerance of 0.
   const Tally thesis = tally_of({.clamp = false});
   CHECK(thesis.pulling >= 30);       // measured 64 of 1917
@@ -167,7 +169,8 @@ TEST_CASE("Negative forces come from rounding and not from the tolerance", "[cla
   CHECK(tally_of({}).wrong == 1);
 }
 
-TEST_CASE("An absolute tolerance overlooks a problem that is small", "[claims][lcp]") {
+TEST_CASE("An absolute tolerance overlooks a problem that is small",
+          "[claims][lcp][analytic_lcp]") {
   LcpProblem problem = cube_on_ground(9.81, 0, 0);
   problem.b *= 1e-6;  // a millionth of the weight: 9.81e-6 m/s² is below the tolerance
   const LcpResult result = solved(problem);
@@ -178,7 +181,7 @@ TEST_CASE("An absolute tolerance overlooks a problem that is small", "[claims][l
 }
 
 TEST_CASE("The thesis's form solves the normal parts of published friction problems",
-          "[reference][lcp]") {
+          "[reference][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-friction");
   if (!folder) return;
   int compared = 0;
@@ -193,7 +196,7 @@ TEST_CASE("The thesis's form solves the normal parts of published friction probl
   CHECK(compared == 9);
 }
 
-TEST_CASE("The thesis's form refuses what it cannot take", "[unit][lcp]") {
+TEST_CASE("The thesis's form refuses what it cannot take", "[unit][lcp][analytic_lcp]") {
   LcpProblem problem = lcp({2, 1, 1, 2}, {-5, -6});
   problem.equality = {0, 1};
   CHECK_THROWS_WITH(solved(problem), Catch::Contains("equality"));
@@ -215,7 +218,7 @@ TEST_CASE("The thesis's form refuses what it cannot take", "[unit][lcp]") {
 }
 
 TEST_CASE("The thesis's form asks for no memory once it has seen a problem as large",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   BaraffAsPrintedSolver solver;
   LcpResult result;
   const LcpProblem large = stack(12);

@@ -35,7 +35,7 @@ double left_over(const BlockRows& rows, const std::vector<char>& in_set, const s
 }  // namespace
 
 TEST_CASE("The sparse factor solves its equations for any heap and any set of rows",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(5);
   BlockRows rows;
   BlockCholesky cholesky;
@@ -61,7 +61,8 @@ TEST_CASE("The sparse factor solves its equations for any heap and any set of ro
   CHECK(worst <= 1e-11);
 }
 
-TEST_CASE("Elimination leaves a chain of bodies as sparse as it was", "[exact][lcp]") {
+TEST_CASE("Elimination leaves a chain of bodies as sparse as it was",
+          "[exact][lcp][analytic_lcp]") {
   // From the ends inwards each body has one neighbour left: one block below the diagonal.
   BlockRows rows;
   BlockCholesky cholesky;
@@ -76,7 +77,7 @@ TEST_CASE("Elimination leaves a chain of bodies as sparse as it was", "[exact][l
 }
 
 TEST_CASE("Rows are scaled to length 1, and their lengths are roots of the diagonal",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   BlockRows rows;
   LcpProblem problem = cube_on_ground(9.81, 0, 0);
   for (int form = 0; form < 2; ++form) {

@@ -113,7 +113,8 @@ double turn_between(const Tangents& a, const Tangents& b) {
 
 }  // namespace
 
-TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle", "[exact][pyramid]") {
+TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle",
+          "[exact][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
   const std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   const std::array<FrictionPoint, 1> points{
@@ -133,7 +134,8 @@ TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle", "[e
   CHECK(lcp.b[5] == 0.0);
 }
 
-TEST_CASE("One step of a sliding particle is Stewart and Trinkle's solution", "[exact][pyramid]") {
+TEST_CASE("One step of a sliding particle is Stewart and Trinkle's solution",
+          "[exact][pyramid][analytic_lcp]") {
   for (const int directions : {4, 8}) {
     const Solved fast = slide(Vec3(3, 0, 0), 0.3, directions);
     REQUIRE(fast.status == LcpStatus::solved);
@@ -146,7 +148,7 @@ TEST_CASE("One step of a sliding particle is Stewart and Trinkle's solution", "[
 }
 
 TEST_CASE("Friction of the pyramid is as strong as its cross section in the direction of sliding",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   // It acts along the edge most opposed to the sliding, so what slows the particle down is mu times
   // the cosine of the angle to the next edge: never below mu cos(180/d).
   const double limit = 0.3 * 9.81 / 60.0;  // [N s]
@@ -170,7 +172,7 @@ TEST_CASE("Friction of the pyramid is as strong as its cross section in the dire
 }
 
 TEST_CASE("Friction against a known sliding adds no unknown and has its direction",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
   const std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   const Vec3 sliding(0.6, 0, -0.8);
@@ -183,7 +185,7 @@ TEST_CASE("Friction against a known sliding adds no unknown and has its directio
 }
 
 TEST_CASE("The problem predicts the motion that its pushes cause in 200 random heaps",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   Random random(41);
   double worst = 0.0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -225,7 +227,8 @@ TEST_CASE("The problem predicts the motion that its pushes cause in 200 random h
   CHECK(worst < 1e-11);  // [m/s] sums of about 60 terms up to 100: measured 7e-15
 }
 
-TEST_CASE("The matrix is copositive unless points are known to slide", "[exact][pyramid]") {
+TEST_CASE("The matrix is copositive unless points are known to slide",
+          "[exact][pyramid][analytic_lcp]") {
   Random random(43);
   double least = 1.0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -244,7 +247,7 @@ TEST_CASE("The matrix is copositive unless points are known to slide", "[exact][
 }
 
 TEST_CASE("Without friction only the normals are left and the matrix is symmetric",
-          "[unit][pyramid]") {
+          "[unit][pyramid][analytic_lcp]") {
   Random random(47);
   Heap heap = random_heap(random, 6, true);
   FrictionPyramid pyramid;
@@ -262,7 +265,7 @@ TEST_CASE("Without friction only the normals are left and the matrix is symmetri
 // --- the cross of a normal ----------------------------------------------------------------------
 
 TEST_CASE("The cross of a normal is a frame, the world's axes for the world's axes",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0}) {
       const Tangents t = pyramid_axes(sign * Vec3::Unit(axis));
@@ -281,7 +284,7 @@ TEST_CASE("The cross of a normal is a frame, the world's axes for the world's ax
 }
 
 TEST_CASE("The cross of a normal turns smoothly except near the space diagonals",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   Random random(59);
   const double step = 1e-4;  // [rad]
   double fastest = 0.0;      // how much faster than the normal the cross turns
@@ -297,7 +300,7 @@ TEST_CASE("The cross of a normal turns smoothly except near the space diagonals"
 }
 
 TEST_CASE("The cross is the same for either sense of the normal and mirrors with it",
-          "[exact][pyramid]") {
+          "[exact][pyramid][analytic_lcp]") {
   Random random(61);
   double worst = 0.0;
   for (int trial = 0; trial < 1000; ++trial) {
@@ -316,7 +319,8 @@ TEST_CASE("The cross is the same for either sense of the normal and mirrors with
 
 // --- refusals -----------------------------------------------------------------------------------
 
-TEST_CASE("The problem with friction refuses what makes no sense", "[unit][pyramid]") {
+TEST_CASE("The problem with friction refuses what makes no sense",
+          "[unit][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
   std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   std::array<FrictionPoint, 1> points{};
@@ -348,7 +352,7 @@ TEST_CASE("The problem with friction refuses what makes no sense", "[unit][pyram
   CHECK_THROWS_WITH(pyramid.pushes(std::vector<double>(5), pushes), Contains("give 6"));
 }
 
-TEST_CASE("A warm problem with friction asks for no memory", "[unit][pyramid]") {
+TEST_CASE("A warm problem with friction asks for no memory", "[unit][pyramid][analytic_lcp]") {
   Random random(67);
   const Heap heap = random_heap(random, 6, true);
   FrictionPyramid pyramid;

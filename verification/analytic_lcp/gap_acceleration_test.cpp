@@ -15,7 +15,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("A free body tumbles as Euler's equations say", "[exact][assembly]") {
+TEST_CASE("A free body tumbles as Euler's equations say", "[exact][assembly][analytic_lcp]") {
   World world;
   add_box(world, Vec3(3, 2, 1), 12.0, Vec3::Zero(), Quat::Identity(), Vec3(1, 2, 3),
           Vec3(1, 0, 2));  // moments 5, 10, 13: the second one turns by (13 - 5) 2 / 10
@@ -40,7 +40,7 @@ TEST_CASE("A free body tumbles as Euler's equations say", "[exact][assembly]") {
 }
 
 TEST_CASE("A corner that slides along a plate that turns feels the plate come after it",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   // Seen from the plate, which turns with w, a free body that moves with u has the acceleration
   // -2 w u across it: the term with the turning normal. The rest is w² times the height of the
   // face over the plate's centre.
@@ -67,7 +67,7 @@ TEST_CASE("A corner that slides along a plate that turns feels the plate come af
 }
 
 TEST_CASE("Where two edges cross, both bodies turn the normal and neither by its own edge",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   // The lower cube's edge lies along x, the upper one's along z, half a diagonal r from its centre.
   // Spinning about its own edge an edge falls away in a circle, about the other's it comes nearer.
   const double quarter = 0.25 * std::numbers::pi, r = std::sqrt(0.5);
@@ -192,7 +192,7 @@ double gap_acceleration(const TouchingPair& pair, bool& same) {
 }  // namespace
 
 TEST_CASE("The constant part is the second derivative of the gap of 1000 pairs in free flight",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   Random random(20);
   std::array<int, 4> kinds{};  // the ground's normal, a face of the first, of the second, edges
   int done = 0, wrong_contacts = 0, term_matters = 0;

@@ -39,7 +39,7 @@ void check_answer(const LcpProblem& problem, const std::vector<double>& f,
 
 }  // namespace
 
-TEST_CASE("Sweeps solve problems that are known by hand", "[exact][lcp]") {
+TEST_CASE("Sweeps solve problems that are known by hand", "[exact][lcp][analytic_lcp]") {
   check_answer(lcp({2}, {-4}), {2}, {0});
   check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
   check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
@@ -49,7 +49,7 @@ TEST_CASE("Sweeps solve problems that are known by hand", "[exact][lcp]") {
   check_answer(lcp({}, {}), {}, {});
 }
 
-TEST_CASE("Sweeps hold a cube by its four corners", "[exact][lcp]") {
+TEST_CASE("Sweeps hold a cube by its four corners", "[exact][lcp][analytic_lcp]") {
   for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
     const LcpResult result = solved(cube_on_ground(9.81, x, z));
     CHECK(result.status == LcpStatus::solved);
@@ -66,7 +66,7 @@ TEST_CASE("Sweeps hold a cube by its four corners", "[exact][lcp]") {
   }
 }
 
-TEST_CASE("A row that is an equality may pull", "[exact][lcp]") {
+TEST_CASE("A row that is an equality may pull", "[exact][lcp][analytic_lcp]") {
   // The second contact is glue: a_2 = 0 whatever its force.
   LcpProblem problem = lcp({2, 1, 1, 2}, {-1, 4});
   CHECK(near(solved(problem).f, {0.5, 0}, 1e-8));
@@ -78,7 +78,7 @@ TEST_CASE("A row that is an equality may pull", "[exact][lcp]") {
 }
 
 TEST_CASE("A sweep takes the error of a stack to the square of the cosine of pi over 2 n",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   // Passes until all forces are right to a millionth of the weight: as theory has it.
   const int passes[] = {20, 136, 550, 2204};
   int stacks = 0;
@@ -105,7 +105,7 @@ TEST_CASE("A sweep takes the error of a stack to the square of the cosine of pi 
 }
 
 TEST_CASE("Sweeps that begin with the former forces need none for the same problem",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   GaussSeidelSolver solver({.warm = true});
   LcpResult result;
   LcpProblem problem = stack(10);
@@ -126,7 +126,8 @@ TEST_CASE("Sweeps that begin with the former forces need none for the same probl
   CHECK_THROWS_WITH(solver.solve(problem, result), Catch::Contains("result.f"));
 }
 
-TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow", "[unit][lcp]") {
+TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow",
+          "[unit][lcp][analytic_lcp]") {
   const LcpResult squeezed = solved(lcp({1, -1, -1, 1}, {-1, -1}), {.sweeps = 100});
   CHECK(squeezed.status == LcpStatus::cap_reached);
   CHECK(squeezed.pivots == 100);
@@ -142,7 +143,8 @@ TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow", "[u
   CHECK(wild.residual == 1.0);
 }
 
-TEST_CASE("Sweeps find the accelerations of 2000 singular contact problems", "[unit][lcp]") {
+TEST_CASE("Sweeps find the accelerations of 2000 singular contact problems",
+          "[unit][lcp][analytic_lcp]") {
   Random random(1);
   ComplementaritySolver reference;
   ComplementarityResult want;
@@ -166,7 +168,8 @@ TEST_CASE("Sweeps find the accelerations of 2000 singular contact problems", "[u
   CHECK(solved_ones >= 1980);  // measured 1994; in the others contacts are nearly parallel
 }
 
-TEST_CASE("Sweeps solve the normal parts of published friction problems", "[reference][lcp]") {
+TEST_CASE("Sweeps solve the normal parts of published friction problems",
+          "[reference][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-friction");
   if (!folder) return;
   int compared = 0;
@@ -181,7 +184,7 @@ TEST_CASE("Sweeps solve the normal parts of published friction problems", "[refe
   CHECK(compared == 10);
 }
 
-TEST_CASE("Sweeps refuse what they cannot take", "[unit][lcp]") {
+TEST_CASE("Sweeps refuse what they cannot take", "[unit][lcp][analytic_lcp]") {
   CHECK_THROWS_AS(solved(lcp({0}, {-1})), std::invalid_argument);
   CHECK_THROWS_AS(solved(lcp({-1}, {-1})), std::invalid_argument);
   LcpProblem problem = lcp({2, 1, 0, 2}, {-5, -6});
@@ -197,7 +200,8 @@ TEST_CASE("Sweeps refuse what they cannot take", "[unit][lcp]") {
                   std::invalid_argument);
 }
 
-TEST_CASE("Sweeps ask for no memory once they have seen a problem as large", "[unit][lcp]") {
+TEST_CASE("Sweeps ask for no memory once they have seen a problem as large",
+          "[unit][lcp][analytic_lcp]") {
   GaussSeidelSolver solver;
   LcpResult result;
   const LcpProblem large = stack(6);

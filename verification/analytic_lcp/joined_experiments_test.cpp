@@ -48,15 +48,18 @@ TEST_CASE("A box bounces, sticks, rests, slides and topples in one run of the jo
   }
 }
 
-TEST_CASE("Exact impact times cost less than time stepping for few bodies and more for many",
-          "[claims][analytic_lcp]") {
+TEST_CASE(
+    "Exact impact times cost less than time stepping, and their price grows faster with the number "
+    "of bodies",
+    "[claims][analytic_lcp]") {
   const FigureUnderTest few("claim_3_3_1e_exact_times");
   CHECK(few.number("the same ratio for one cube") < 0.5);  // [-] measured 0.17
-  CHECK(few.number("separations and integrations with exact impact times over those of time "
-                   "stepping, at equal error") < 1.0);  // [-] measured 0.38, ten cubes
-  // [-] measured 1.97. Only short: the work of both is in proportion to the time.
-  const FigureUnderTest many("claim_3_3_1e_exact_times", {"cubes=64", "duration=1"});
-  CHECK(many.number("the same ratio for the most cubes") > 1.0);
+  const double ten = few.number(
+      "separations and integrations with exact impact times over those of "
+      "time stepping, at equal error");
+  CHECK(ten < 0.5);  // [-] measured 0.13
+  const FigureUnderTest many("claim_3_3_1e_exact_times", {"cubes=64"});
+  CHECK(many.number("the same ratio for the most cubes") > 2.0 * ten);  // [-] measured 0.51
 }
 
 TEST_CASE("Sticky collisions spare about half of the collisions of a die",

@@ -79,7 +79,7 @@ LcpProblem with_equalities(LcpProblem problem, std::vector<char> equality) {
 }  // namespace
 
 TEST_CASE("Problems of one to three rows come out as by hand with each exact solver",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   check(all_exact, lcp({2}, {-4}), {2}, {0});
   check(all_exact, lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
   check(all_exact, lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
@@ -97,7 +97,8 @@ TEST_CASE("Problems of one to three rows come out as by hand with each exact sol
   check(any_matrix, lcp({-1}, {1}), {0}, {1});  // f = 1, a = 0 is another solution
 }
 
-TEST_CASE("Equal contacts carry the load together, however it is shared", "[exact][lcp]") {
+TEST_CASE("Equal contacts carry the load together, however it is shared",
+          "[exact][lcp][analytic_lcp]") {
   check_accelerations(lcp({1, 1, 1, 1}, {-1, -1}), {0, 0});
   for (const std::string_view name : all_exact) {
     const std::vector<double> f = solved_by(name, lcp({1, 1, 1, 1}, {-1, -1})).f;
@@ -105,7 +106,7 @@ TEST_CASE("Equal contacts carry the load together, however it is shared", "[exac
   }
 }
 
-TEST_CASE("Any of several solutions will do", "[exact][lcp]") {
+TEST_CASE("Any of several solutions will do", "[exact][lcp][analytic_lcp]") {
   for (const std::string_view name : any_matrix) {
     const LcpResult result = solved_by(name, lcp({1, 2, 2, 1}, {-1, -1}));
     CHECK(result.status == LcpStatus::solved);
@@ -116,7 +117,7 @@ TEST_CASE("Any of several solutions will do", "[exact][lcp]") {
   }
 }
 
-TEST_CASE("Problems without a solution are called infeasible", "[exact][lcp]") {
+TEST_CASE("Problems without a solution are called infeasible", "[exact][lcp][analytic_lcp]") {
   check_infeasible(all_exact, lcp({0}, {-1}));
   check_infeasible(all_exact, lcp({1, -1, -1, 1}, {-1, -1}));  // squeezed by two walls
   check_infeasible(all_exact, lcp({2, 0, 0, 0, 1, -1, 0, -1, 1}, {-1, -1, -1}));
@@ -125,7 +126,7 @@ TEST_CASE("Problems without a solution are called infeasible", "[exact][lcp]") {
 }
 
 TEST_CASE("A stack of five carries at each level the weight above it with each exact solver",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   check(all_exact,
         lcp({1, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2},
             {-9.81, 0, 0, 0, 0}),
@@ -133,7 +134,7 @@ TEST_CASE("A stack of five carries at each level the weight above it with each e
 }
 
 TEST_CASE("The corners of a cube carry its load and the moments of its load with each exact solver",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   // Unit cube of 1 kg; corners at (-,-), (+,-), (+,+), (-,+) in x and z; weight w at (px, pz).
   LcpProblem cube = lcp({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4}, {0, 0, 0, 0});
   const double x[4] = {-0.5, 0.5, 0.5, -0.5};
@@ -165,7 +166,7 @@ TEST_CASE("The corners of a cube carry its load and the moments of its load with
   check(all_exact, cube, {0, 5.562, 5.562, 0}, {2.628, 0, 0, 2.628});
 }
 
-TEST_CASE("An equality holds with a force of either sign", "[exact][lcp]") {
+TEST_CASE("An equality holds with a force of either sign", "[exact][lcp][analytic_lcp]") {
   const LcpProblem pull = with_equalities(lcp({2}, {4}), {1});
   check(all_exact, pull, {-2}, {0});
   check(all_exact, with_equalities(lcp({2}, {-4}), {1}), {2}, {0});
@@ -179,14 +180,14 @@ TEST_CASE("An equality holds with a force of either sign", "[exact][lcp]") {
 }
 
 TEST_CASE("Equalities may depend on each other, but must not contradict each other",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   check_accelerations(with_equalities(lcp({1, 1, 1, 1}, {-1, -1}), {1, 1}), {0, 0});
   check_infeasible(all_exact, with_equalities(lcp({1, 1, 1, 1}, {-1, -2}), {1, 1}));
   check_infeasible(all_exact, with_equalities(lcp({0}, {1}), {1}));
   check(all_exact, with_equalities(lcp({0}, {0}), {1}), {0}, {0});
 }
 
-TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp]") {
+TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp][analytic_lcp]") {
   for (const LcpRecipe& recipe : lcp_solvers()) {
     INFO(recipe.name);
     LcpResult result;
@@ -203,7 +204,8 @@ TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp]
   }
 }
 
-TEST_CASE("The residual is 0 at a solution and tells each way of being wrong", "[exact][lcp]") {
+TEST_CASE("The residual is 0 at a solution and tells each way of being wrong",
+          "[exact][lcp][analytic_lcp]") {
   const LcpProblem problem = lcp({4, 0, 0, 4}, {-8, 2});
   CHECK(lcp_residual(problem, std::vector<double>{2, 0}) == 0.0);
   CHECK(lcp_residual(problem, std::vector<double>{1, 0}) == 0.5);      // a_0 = -4 sinks
@@ -221,7 +223,7 @@ TEST_CASE("The residual is 0 at a solution and tells each way of being wrong", "
                     Contains("f has 1 entries: give 2"));
 }
 
-TEST_CASE("Every solver refuses what is no problem, and says where", "[unit][lcp]") {
+TEST_CASE("Every solver refuses what is no problem, and says where", "[unit][lcp][analytic_lcp]") {
   for (const LcpRecipe& recipe : lcp_solvers()) {
     INFO(recipe.name);
     const std::unique_ptr<LcpSolver> solver = recipe.make();
@@ -259,7 +261,7 @@ TEST_CASE("Every solver refuses what is no problem, and says where", "[unit][lcp
   }
 }
 
-TEST_CASE("What a solver needs of the matrix is checked", "[unit][lcp]") {
+TEST_CASE("What a solver needs of the matrix is checked", "[unit][lcp][analytic_lcp]") {
   const LcpProblem problem = lcp({1, 2, 0, 1}, {-1, -1});
   CHECK_NOTHROW(require_valid(problem, LcpMatrix::any));
   CHECK_NOTHROW(require_valid(problem, LcpMatrix::positive_diagonal));
@@ -277,7 +279,7 @@ TEST_CASE("What a solver needs of the matrix is checked", "[unit][lcp]") {
       Contains("n = 5 with 4 equalities"));
 }
 
-TEST_CASE("Solvers are found by name, and statuses have one each", "[unit][lcp]") {
+TEST_CASE("Solvers are found by name, and statuses have one each", "[unit][lcp][analytic_lcp]") {
   std::set<std::string_view> names;
   for (const LcpRecipe& recipe : lcp_solvers()) {
     CHECK(recipe.make()->name() == recipe.name);
@@ -297,7 +299,8 @@ TEST_CASE("Solvers are found by name, and statuses have one each", "[unit][lcp]"
   CHECK_THROWS_WITH(name_of(static_cast<LcpStatus>(99)), Contains("99"));
 }
 
-TEST_CASE("A start costs or saves pivots and changes no acceleration", "[unit][lcp]") {
+TEST_CASE("A start costs or saves pivots and changes no acceleration",
+          "[unit][lcp][analytic_lcp]") {
   const LcpProblem problem = with_equalities(
       lcp({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4}, {3, -9, -5, -9}), {1, 0, 0, 0});
   const LcpResult want = solved_by("enumeration", problem);
@@ -323,7 +326,7 @@ TEST_CASE("A start costs or saves pivots and changes no acceleration", "[unit][l
 // --- problems that others collected -----------------------------------------------------------
 
 TEST_CASE("Lemke's method solves the problems of Siconos, and Baraff's those of contacts",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-lcp");
   if (!folder) return;
   for (const SiconosProblem& one : siconos_problems(*folder)) {
@@ -406,20 +409,21 @@ void check_tally(const Tally& tally) {
 }  // namespace
 
 TEST_CASE("Lemke's method, Baraff's and trying everything agree on 10000 contact problems",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   const Tally tally = compare(10000, 8, 0, 1);
   check_tally(tally);
   CHECK(tally.equalities == 0);
 }
 
-TEST_CASE("They also agree on 3000 problems with up to two equalities", "[unit][lcp]") {
+TEST_CASE("They also agree on 3000 problems with up to two equalities",
+          "[unit][lcp][analytic_lcp]") {
   const Tally tally = compare(3000, 6, 2, 2);
   check_tally(tally);
   CHECK(tally.equalities > 3000);
 }
 
 TEST_CASE("With thirty rows, a third of them equalities, Lemke's method and Baraff's agree",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(3);
   BaraffSolver baraff;
   LemkeSolver lemke;

@@ -65,7 +65,7 @@ LcpProblem with_factors(LcpProblem problem) {
 
 }  // namespace
 
-TEST_CASE("Least constraint solves problems that are known by hand", "[exact][lcp]") {
+TEST_CASE("Least constraint solves problems that are known by hand", "[exact][lcp][analytic_lcp]") {
   check_answer(with_factors(lcp({2}, {-4})), {2}, {0});
   check_answer(with_factors(lcp({2, 1, 1, 2}, {-5, -6})), {4.0 / 3, 7.0 / 3}, {0, 0});
   check_answer(with_factors(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1})), {0.5, 0, 0.5},
@@ -77,7 +77,7 @@ TEST_CASE("Least constraint solves problems that are known by hand", "[exact][lc
   check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
 }
 
-TEST_CASE("Least constraint holds a cube by its four corners", "[exact][lcp]") {
+TEST_CASE("Least constraint holds a cube by its four corners", "[exact][lcp][analytic_lcp]") {
   for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
     LeastConstraintSolver solver;
     LcpResult result;
@@ -106,7 +106,7 @@ TEST_CASE("Least constraint holds a cube by its four corners", "[exact][lcp]") {
 }
 
 TEST_CASE("Least constraint finds the accelerations of 2000 singular contact problems",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(1);
   ComplementaritySolver reference;
   ComplementarityResult want;
@@ -151,7 +151,7 @@ TEST_CASE("Least constraint finds the accelerations of 2000 singular contact pro
 }
 
 TEST_CASE("Least constraint solves published friction problems without friction",
-          "[reference][lcp]") {
+          "[reference][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-friction");
   if (!folder) return;
   int compared = 0;
@@ -166,7 +166,8 @@ TEST_CASE("Least constraint solves published friction problems without friction"
   CHECK(compared == 9);
 }
 
-TEST_CASE("Least constraint keeps its digits on a box of a ton on one of a gram", "[exact][lcp]") {
+TEST_CASE("Least constraint keeps its digits on a box of a ton on one of a gram",
+          "[exact][lcp][analytic_lcp]") {
   LcpProblem problem = stack(2);
   problem.factors.bodies[0].inverse_mass.setConstant(1e3);
   problem.factors.bodies[1].inverse_mass.setConstant(1e-3);
@@ -178,7 +179,8 @@ TEST_CASE("Least constraint keeps its digits on a box of a ton on one of a gram"
   CHECK(std::abs(result.f[0] / (9.81 * 1000.001) - 1.0) <= 1e-12);
 }
 
-TEST_CASE("Least constraint tells constraints that contradict each other", "[unit][lcp]") {
+TEST_CASE("Least constraint tells constraints that contradict each other",
+          "[unit][lcp][analytic_lcp]") {
   // Two walls that close on a body, and a row in which nothing can move.
   LcpProblem walls = stack(1);
   walls.factors.rows.push_back(walls.factors.rows[0]);
@@ -199,7 +201,7 @@ TEST_CASE("Least constraint tells constraints that contradict each other", "[uni
   CHECK(near(solved(fixed).f, {0, 9.81}, rounding));
 }
 
-TEST_CASE("Equalities pull as well as push, and axes may be locked", "[exact][lcp]") {
+TEST_CASE("Equalities pull as well as push, and axes may be locked", "[exact][lcp][analytic_lcp]") {
   // The cube hangs from one glued corner and may not turn: the glue carries all of it.
   LcpProblem hanging = cube_on_ground(-9.81, 0, 0);
   hanging.factors.bodies[0].inverse_inertia_w.setZero();
@@ -222,7 +224,7 @@ TEST_CASE("Equalities pull as well as push, and axes may be locked", "[exact][lc
   CHECK(std::abs(turning.f[2] + turning.f[3] - 0.9 * 9.81) <= rounding);
 }
 
-TEST_CASE("Least constraint begins with the rows that it is given", "[unit][lcp]") {
+TEST_CASE("Least constraint begins with the rows that it is given", "[unit][lcp][analytic_lcp]") {
   LeastConstraintSolver solver;
   LcpResult result;
   const LcpProblem problem = stack(8);
@@ -236,7 +238,8 @@ TEST_CASE("Least constraint begins with the rows that it is given", "[unit][lcp]
   CHECK(near(result.f, {0, 5.4936, 5.4936, 0}, rounding));
 }
 
-TEST_CASE("Least constraint refuses a problem without factors, or with others", "[unit][lcp]") {
+TEST_CASE("Least constraint refuses a problem without factors, or with others",
+          "[unit][lcp][analytic_lcp]") {
   CHECK_THROWS_WITH(solved(lcp({2}, {-4})), Catch::Contains("needs the factors"));
   LcpProblem problem = stack(2);
   problem.A(0, 0) = 3.0;
@@ -259,7 +262,7 @@ TEST_CASE("Least constraint refuses a problem without factors, or with others", 
   CHECK_THROWS_AS(solver.solve(problem, result, outside), std::invalid_argument);
 }
 
-TEST_CASE("The product of the factors is the matrix known by hand", "[exact][lcp]") {
+TEST_CASE("The product of the factors is the matrix known by hand", "[exact][lcp][analytic_lcp]") {
   LcpProblem problem = cube_on_ground(9.81, 0, 0);
   const MatX by_hand = problem.A;
   multiply_out(problem.factors, problem.A);
@@ -269,7 +272,7 @@ TEST_CASE("The product of the factors is the matrix known by hand", "[exact][lcp
 }
 
 TEST_CASE("Least constraint asks for no memory once it has seen a problem as large",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   LeastConstraintSolver solver;
   LcpResult result;
   const LcpProblem problem = stack(12);

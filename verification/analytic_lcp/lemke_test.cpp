@@ -86,7 +86,7 @@ double whole(Random& random, std::uint32_t range) {
 // --- how many pivots --------------------------------------------------------------------------------
 
 TEST_CASE("Murty's problems take Lemke's method 2^n pivots, that of the lift included",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   // A pivot is an exchange of two unknowns: the lift comes in with the first and goes with the last.
   for (int n = 1; n <= 12; ++n) {
     INFO(n);
@@ -107,7 +107,8 @@ TEST_CASE("Murty's problems take Lemke's method 2^n pivots, that of the lift inc
   }
 }
 
-TEST_CASE("With its rows in the opposite order Murty's problem takes two pivots", "[exact][lcp]") {
+TEST_CASE("With its rows in the opposite order Murty's problem takes two pivots",
+          "[exact][lcp][analytic_lcp]") {
   LcpProblem problem = murty(8);
   problem.A.transposeInPlace();
   const LcpResult result = solved(problem);
@@ -117,7 +118,7 @@ TEST_CASE("With its rows in the opposite order Murty's problem takes two pivots"
 }
 
 TEST_CASE("Fathi's symmetric problems take 2^n pivots too, and Baraff's method one",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   for (int n = 1; n <= 8; ++n) {
     LcpProblem problem{MatX(n, n), VecX::Constant(n, -1.0), {}};
     for (int i = 0; i < n; ++i)
@@ -133,7 +134,7 @@ TEST_CASE("Fathi's symmetric problems take 2^n pivots too, and Baraff's method o
   }
 }
 
-TEST_CASE("The cap of pivots ends the path with the state reached", "[unit][lcp]") {
+TEST_CASE("The cap of pivots ends the path with the state reached", "[unit][lcp][analytic_lcp]") {
   const LcpProblem problem = murty(8);
   const LcpResult capped = solved(problem, {255});
   CHECK(capped.status == LcpStatus::cap_reached);
@@ -146,7 +147,7 @@ TEST_CASE("The cap of pivots ends the path with the state reached", "[unit][lcp]
 }
 
 TEST_CASE("Contacts that part anyway take no pivot and no multiplication to speak of",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   const LcpResult result = solved(lcp({2, 1, 1, 2}, {1, 0}));
   CHECK(result.status == LcpStatus::solved);
   CHECK(result.pivots == 0);
@@ -156,14 +157,15 @@ TEST_CASE("Contacts that part anyway take no pivot and no multiplication to spea
 // --- ties -----------------------------------------------------------------------------------------
 
 TEST_CASE("Of a cube's equal corners the lexicographic rule takes the last and the second",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   const LcpResult result = solved(cube_on_ground(9.81, 0.0, 0.0));
   CHECK(result.status == LcpStatus::solved);
   CHECK(result.pushing == std::vector<int>{1, 3});
   CHECK(near(result.f, {0, 4.905, 0, 4.905}, 1e-14));
 }
 
-TEST_CASE("A problem full of ties takes the path of exact arithmetic", "[exact][lcp]") {
+TEST_CASE("A problem full of ties takes the path of exact arithmetic",
+          "[exact][lcp][analytic_lcp]") {
   // 40 rows, most of b equal; with fractions of whole numbers the path has 127 pivots. Once rounding
   // breaks a tie the wrong way it runs in circles.
   const auto folder = shared_data("siconos-lcp");
@@ -175,7 +177,7 @@ TEST_CASE("A problem full of ties takes the path of exact arithmetic", "[exact][
 }
 
 TEST_CASE("Towers on four redundant corners each are solved at any ratio of masses",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(5);
   for (const double ratio : {1.0, 2.0, 0.3}) {
     for (const double push : {0.0, 1.0}) {
@@ -197,7 +199,7 @@ TEST_CASE("Towers on four redundant corners each are solved at any ratio of mass
 
 TEST_CASE(
     "For positive semidefinite matrices without symmetry a ray means that there is no solution",
-    "[unit][lcp]") {
+    "[unit][lcp][analytic_lcp]") {
   // A = J Jᵀ + K - Kᵀ is copositive-plus. Whole numbers, so that rows depend and tie.
   Random random(6);
   LemkeSolver solver;
@@ -229,7 +231,7 @@ TEST_CASE(
   CHECK(counts[1] > 100);
 }
 
-TEST_CASE("For other matrices what is called solved is solved", "[unit][lcp]") {
+TEST_CASE("For other matrices what is called solved is solved", "[unit][lcp][analytic_lcp]") {
   Random random(7);
   int failed = 0;
   int wrong = 0;
@@ -253,7 +255,7 @@ TEST_CASE("For other matrices what is called solved is solved", "[unit][lcp]") {
   CHECK(failed > 0);  // a ray proves nothing here: measured 289 of 3000
 }
 
-TEST_CASE("Contacts with friction are solved from any velocities", "[unit][lcp]") {
+TEST_CASE("Contacts with friction are solved from any velocities", "[unit][lcp][analytic_lcp]") {
   // The velocity form of Anitescu and Potra: one rod-like body in the plane, up to three contacts,
   // each with an impulse c >= 0 along the normal, two along the tangents and one unknown that is 0
   // where it sticks. Copositive for any friction, and b is such that no ray can occur.
@@ -297,7 +299,7 @@ TEST_CASE("Contacts with friction are solved from any velocities", "[unit][lcp]"
 
 // --- equalities -----------------------------------------------------------------------------------
 
-TEST_CASE("Equalities are solved for whatever the matrix", "[exact][lcp]") {
+TEST_CASE("Equalities are solved for whatever the matrix", "[exact][lcp][analytic_lcp]") {
   LcpProblem problem = lcp({-1}, {3});
   problem.equality = {1};
   LcpResult result = solved(problem);
@@ -324,7 +326,7 @@ TEST_CASE("Equalities are solved for whatever the matrix", "[exact][lcp]") {
 
 // --- edges ----------------------------------------------------------------------------------------
 
-TEST_CASE("Units of rows do not matter to Lemke's method", "[unit][lcp]") {
+TEST_CASE("Units of rows do not matter to Lemke's method", "[unit][lcp][analytic_lcp]") {
   // Scaling row and column i by powers of two, b alike, changes no digit but those of the lift, so
   // it may lead to another f; a stays.
   Random random(9);
@@ -350,7 +352,7 @@ TEST_CASE("Units of rows do not matter to Lemke's method", "[unit][lcp]") {
   }
 }
 
-TEST_CASE("A warm solver asks for no memory and gives the same bits", "[unit][lcp]") {
+TEST_CASE("A warm solver asks for no memory and gives the same bits", "[unit][lcp][analytic_lcp]") {
   Random random(10);
   const LcpProblem large = tower(4, 1.0, 1.0, random);
   LcpProblem small = cube_on_ground(9.81, 0.1, 0.0);

@@ -130,7 +130,7 @@ LcpProblem chain(Random& random, int bodies, int contacts) {
 }  // namespace
 
 TEST_CASE("All exact solvers find one motion in 10000 contact problems with redundant contacts",
-          "[unit][lcp]") {
+          "[unit][lcp][analytic_lcp]") {
   Random random(11);
   Comparison comparison;
   for (int k = 0; k < 10000; ++k)
@@ -156,7 +156,8 @@ TEST_CASE("All exact solvers find one motion in 10000 contact problems with redu
   }
 }
 
-TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved", "[unit][lcp]") {
+TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
+          "[unit][lcp][analytic_lcp]") {
   // On the way to the answer rows depend on each other up to 1e-12 of their lengths: more than A can
   // tell, which holds the squares.
   Random random(12);
@@ -204,7 +205,8 @@ TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved", "
   CHECK(worst <= 1e-9);
 }
 
-TEST_CASE("A solver that has seen a larger problem gives the bits of a new one", "[unit][lcp]") {
+TEST_CASE("A solver that has seen a larger problem gives the bits of a new one",
+          "[unit][lcp][analytic_lcp]") {
   Random random(13);
   for (const LcpRecipe& recipe : lcp_solvers()) {
     INFO(recipe.name);
@@ -225,7 +227,7 @@ TEST_CASE("A solver that has seen a larger problem gives the bits of a new one",
   }
 }
 
-TEST_CASE("No problem that others published is left out", "[unit][lcp]") {
+TEST_CASE("No problem that others published is left out", "[unit][lcp][analytic_lcp]") {
   const auto count = [](const std::filesystem::path& folder) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -250,7 +252,7 @@ TEST_CASE("No problem that others published is left out", "[unit][lcp]") {
 }
 
 TEST_CASE("Published friction problems without friction are solved by Baraff, Lemke and by trying",
-          "[reference][lcp]") {
+          "[reference][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-friction");
   if (!folder) return;
   for (const NormalProblem& one : siconos_normal_problems(*folder)) {

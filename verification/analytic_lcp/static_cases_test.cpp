@@ -98,7 +98,7 @@ LcpResult solved_by(const char* name, const LcpProblem& problem) {
 // --- tipping ------------------------------------------------------------------------------------
 
 TEST_CASE("A block that cannot slide tips on a slope from the angle atan(w/h) on",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   // Written down in degrees; a millionth of its tangent is what differs.
   CHECK(std::atan2(1.0, 2.0) * 180.0 / std::numbers::pi == Approx(26.5650511771).epsilon(1e-11));
   CHECK(std::atan2(0.5, 2.0) * 180.0 / std::numbers::pi == Approx(14.0362434679).epsilon(1e-11));
@@ -115,7 +115,7 @@ TEST_CASE("A block that cannot slide tips on a slope from the angle atan(w/h) on
 }
 
 TEST_CASE("A push at the top edge tips a block that cannot slide from m g w / 2h on",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   check_threshold([](double width, double height, double share) {
     Instant block = block_on_ground(width, height);
     const Vec3 push(share * 2.0 * kG * width / (2.0 * height), 0, 0);
@@ -126,7 +126,7 @@ TEST_CASE("A push at the top edge tips a block that cannot slide from m g w / 2h
 }
 
 TEST_CASE("A block that is taken along by the floor tips from the acceleration g w / h on",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   check_threshold([](double width, double height, double share) {
     Instant block = block_on_ground(width, height);
     pull(block, 1, Vec3(share * 2.0 * kG * width / height, 0, 0), Vec3::Zero());
@@ -151,7 +151,7 @@ Contact touch(int first, int second, const Vec3& position_w, const Vec3& normal_
 }  // namespace
 
 TEST_CASE("A ladder on a smooth wall needs friction of 1 / (2 tan θ) at its foot",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   for (const auto& [degrees, friction] :
        {std::pair(59.0362434679, 0.3), std::pair(45.0, 0.5), std::pair(75.0, 0.133974596215561)}) {
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -177,7 +177,7 @@ TEST_CASE("A ladder on a smooth wall needs friction of 1 / (2 tan θ) at its foo
 }
 
 TEST_CASE("Two cards that lean on each other by 15 degrees need a friction of tan 15° / 2",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   const double lean = std::numbers::pi / 12.0;
   const Vec3 half(std::sin(lean), std::cos(lean), 0.0);  // of 2 m
   World world;
@@ -207,7 +207,7 @@ TEST_CASE("Two cards that lean on each other by 15 degrees need a friction of ta
 // --- impacts ------------------------------------------------------------------------------------
 
 TEST_CASE("A rocking block keeps 1 - 3/2 sin² α of its turning when it lands on its other edge",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   struct Case {
     double width, height;
     double kept;      // [-] of the angular velocity
@@ -246,7 +246,7 @@ TEST_CASE("A rocking block keeps 1 - 3/2 sin² α of its turning when it lands o
 }
 
 TEST_CASE("Cubes in a row, all impulses at once, share the speed of those that come in",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   struct Case {
     int moving;
     std::vector<double> after;  // [m/s]
@@ -280,7 +280,7 @@ TEST_CASE("Cubes in a row, all impulses at once, share the speed of those that c
 // --- sweeps -------------------------------------------------------------------------------------
 
 TEST_CASE("Sweeps take 20, 136, 550, 2204 rounds to know the forces under 2, 5, 10, 20 cubes",
-          "[exact][assembly]") {
+          "[exact][assembly][analytic_lcp]") {
   for (const auto& [count, sweeps] :
        {std::pair(2, 20), std::pair(5, 136), std::pair(10, 550), std::pair(20, 2204)}) {
     World world;

@@ -115,7 +115,7 @@ Scene painleve(double degrees, double friction, double sliding, double omega) {
 }  // namespace
 
 TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1000 random states",
-          "[unit][velocity_step]") {
+          "[unit][velocity_step][analytic_lcp]") {
   Random random(71);
   int unsolved = 0;
   double worst_gain = 0.0;
@@ -144,7 +144,8 @@ TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1
   CHECK(worst_drag < 1e-9);     // [N s] the pyramid is inside the cone
 }
 
-TEST_CASE("Bodies that touch each other only keep their momenta", "[unit][velocity_step]") {
+TEST_CASE("Bodies that touch each other only keep their momenta",
+          "[unit][velocity_step][analytic_lcp]") {
   Random random(73);
   double worst = 0.0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -170,7 +171,7 @@ TEST_CASE("Bodies that touch each other only keep their momenta", "[unit][veloci
 }
 
 TEST_CASE("The step of Painlevé's rod is solved where no force could be",
-          "[exact][velocity_step]") {
+          "[exact][velocity_step][analytic_lcp]") {
   // The thickness of the rod changes its moment of inertia by 2.5e-11.
   for (const int directions : {4, 8}) {
     Scene rod = painleve(60.0, 1.5, -1.0, 0.0);
@@ -193,7 +194,7 @@ TEST_CASE("The step of Painlevé's rod is solved where no force could be",
 }
 
 TEST_CASE("A contact that is there twice changes nothing but the shares of its points",
-          "[unit][velocity_step]") {
+          "[unit][velocity_step][analytic_lcp]") {
   Random random(79);
   double worst = 0.0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -210,7 +211,7 @@ TEST_CASE("A contact that is there twice changes nothing but the shares of its p
 }
 
 TEST_CASE("Restitution that would raise the energy is reduced, and that is counted",
-          "[unit][velocity_step]") {
+          "[unit][velocity_step][analytic_lcp]") {
   Random random(83);
   int fallbacks = 0;
   double worst_gain = 0.0;
@@ -235,7 +236,8 @@ TEST_CASE("Restitution that would raise the energy is reduced, and that is count
   CHECK(fallbacks > 0);
 }
 
-TEST_CASE("A step leaves the bodies alone when it is refused", "[unit][velocity_step]") {
+TEST_CASE("A step leaves the bodies alone when it is refused",
+          "[unit][velocity_step][analytic_lcp]") {
   Random random(89);
   Scene scene = random_scene(random, true);
   scene.options.directions = 5;

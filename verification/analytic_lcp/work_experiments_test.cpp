@@ -13,7 +13,7 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
-          "[claims][lcp]") {
+          "[claims][lcp][analytic_lcp]") {
   std::vector<Figure> figures;
   add_work_figures(figures);
   const Result result = run_quickly(figures, "lcp_work");
@@ -25,7 +25,8 @@ TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than 
   CHECK(value("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
 }
 
-TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says", "[exact][lcp]") {
+TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
+          "[exact][lcp][analytic_lcp]") {
   // Two cubes and one on top: two pairs of faces on the ground, two above.
   const PyramidProblem pyramid = pyramid_problem(16, 0.0, 1);
   CHECK(pyramid.problem.factors.bodies.size() == 3);
@@ -48,7 +49,7 @@ TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says", 
 }
 
 TEST_CASE("After the right impulses the next step begins with contacts that do not part or sink",
-          "[exact][lcp]") {
+          "[exact][lcp][analytic_lcp]") {
   // b of the next step is a of this one plus gravity's share, which is b at rest.
   const PyramidProblem rest = pyramid_problem(36, 0.0, 1);
   const PyramidProblem pyramid = pyramid_problem(36, 0.1, 1);

@@ -19,7 +19,7 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
           "[unit][command]") {
   const Folder one("compare_one");
   const Folder two("compare_two");
-  const std::string rest = "compare bouncing_box --duration 0.5 --out ";
+  const std::string rest = "compare bouncing_box --techniques basic --duration 0.5 --out ";
   const Outcome outcome = run_tumble(rest + one.text());
   INFO(outcome.text);
   CHECK(outcome.code == 0);

@@ -96,6 +96,7 @@ bool AugmentedLagrangianSolver::immovable_rows_hold(const LcpProblem& problem) c
   return true;
 }
 
+// [S2.6.2:multipliers]
 // Round after round. One that gains less than a digit meets contacts that hardly differ: their springs
 // have to be harder.
 LcpStatus AugmentedLagrangianSolver::raise_preloads(const LcpProblem& problem,
@@ -119,6 +120,7 @@ LcpStatus AugmentedLagrangianSolver::raise_preloads(const LcpProblem& problem,
       return LcpStatus::cap_reached;
   }
 }
+// [S2.6.2:multipliers]
 
 // a = Gᵀ G f + b
 void AugmentedLagrangianSolver::find_accelerations() {

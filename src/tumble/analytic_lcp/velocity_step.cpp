@@ -41,7 +41,7 @@ VelocityStepResult VelocityStep::solve(const World& world, std::span<const Accel
                 "bodies, free: one entry for each body of the world is needed");
   problem_ = nullptr;
   islands_.build(world.bodies(), contacts);
-  if (pyramids_.size() < at(islands_.count())) pyramids_.resize(at(islands_.count()));
+  used_pyramids_ = 0;
   candidates_.clear();
 
   // What bodies do by themselves.
@@ -132,7 +132,7 @@ bool VelocityStep::find_pushes(const Task& task, int island, bool bounce,
                                VelocityStepResult& result) {
   while (true) {
     list_points(task.contacts, bounce);
-    if (!solve_points(task, island, result)) return false;
+    if (!solve_points(task, result)) return false;
     apply_pushes(task, island);
     const bool missed = take_up_missed(task.contacts, bounce);
     const bool slides = take_up_friction(task.contacts);
@@ -156,8 +156,11 @@ void VelocityStep::list_points(std::span<const Contact> contacts, bool bounce) {
   }
 }
 
-bool VelocityStep::solve_points(const Task& task, int island, VelocityStepResult& result) {
-  FrictionPyramid& pyramid = pyramids_[at(island)];
+bool VelocityStep::solve_points(const Task& task, VelocityStepResult& result) {
+  // Each problem of a step has a place of its own: where the next step has one of the same size it
+  // asks for no memory.
+  if (used_pyramids_ == pyramids_.size()) pyramids_.emplace_back();
+  FrictionPyramid& pyramid = pyramids_[used_pyramids_++];
   pyramid.assemble(free_, task.contacts, points_, task.options.directions);
   problem_ = &pyramid.lcp();
   double error = 0.0;

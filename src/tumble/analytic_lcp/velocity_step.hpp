@@ -133,7 +133,7 @@ class VelocityStep {
   bool list_candidates(const Task& task, std::span<const int> contacts);
   bool find_pushes(const Task& task, int island, bool bounce, VelocityStepResult& result);
   void list_points(std::span<const Contact> contacts, bool bounce);
-  bool solve_points(const Task& task, int island, VelocityStepResult& result);
+  bool solve_points(const Task& task, VelocityStepResult& result);
   [[nodiscard]] double error_of(const LcpProblem& problem) const;
   void apply_pushes(const Task& task, int island);
   bool take_up_friction(std::span<const Contact> contacts);
@@ -158,7 +158,8 @@ class VelocityStep {
   std::size_t first_ = 0;  // where those of the present island begin
   std::vector<FrictionPoint> points_;
   std::vector<Vec3> pushes_;
-  std::vector<FrictionPyramid> pyramids_;  // one for each island, for their storage
+  std::vector<FrictionPyramid> pyramids_;  // one for each problem of a step, for their storage
+  std::size_t used_pyramids_ = 0;          // of them, in this step
   const LcpProblem* problem_ = nullptr;
   double speed_ = 0.0;  // [m/s] the fastest point of the island, as a scale
   BaraffSolver smooth_solver_;
