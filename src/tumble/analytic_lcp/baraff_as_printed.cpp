@@ -15,10 +15,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-// How far the force at d may grow, and at which contact that ends; -1: at none.
+/// How far the force at d may grow, and at which contact that ends; -1: at none.
 struct BaraffAsPrintedSolver::Step {
-  double length = std::numeric_limits<double>::infinity();
-  int contact = -1;
+  double length = std::numeric_limits<double>::infinity();  ///< [N] of that force
+  int contact = -1;                                         ///< that ends it
 };
 
 BaraffAsPrintedSolver::BaraffAsPrintedSolver(const BaraffAsPrintedOptions& options)

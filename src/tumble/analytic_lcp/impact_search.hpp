@@ -26,7 +26,7 @@ struct ImpactSearchTask {
 
 /// What was found.
 struct FirstImpact {
-  bool found = false;
+  bool found = false;            ///< whether there is one
   double time = 0.0;             ///< [s] found: by now a pair has met, one resolution ago none had
   std::int64_t evaluations = 0;  ///< times at which pairs were looked at
   std::int64_t pair_tests = 0;   ///< of two bodies
