@@ -17,7 +17,6 @@ namespace {
 using namespace tumble;
 using Catch::Matchers::Contains;
 
-constexpr double kG = 9.81;
 constexpr double kStep = 1.0 / 60.0;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
