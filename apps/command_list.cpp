@@ -16,7 +16,7 @@ namespace {
 int width(std::string_view text) { return static_cast<int>(text.size()); }
 
 void print_line(std::string_view name, std::string_view section, std::string_view summary) {
-  std::printf("%-18.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
+  std::printf("%-21.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
               width(summary), summary.data());
 }
 

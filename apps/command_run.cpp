@@ -61,8 +61,7 @@ int run(const Request& request) {
     files.finish(result);
     if (const LcpProblem* problem = r.technique->unsolved_problem()) {
       files.write_unsolved(*problem);
-      std::fprintf(stderr,
-                   "a problem of %d contact forces was not solved: see %s and unsolved_b.mtx\n",
+      std::fprintf(stderr, "a problem with %d unknowns was not solved: see %s and unsolved_b.mtx\n",
                    problem->size(), (r.folder / "unsolved_A.mtx").c_str());
     }
   } catch (const std::invalid_argument&) {

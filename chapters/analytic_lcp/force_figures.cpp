@@ -34,8 +34,8 @@ Figure index_sets_figure() {
   figure.section = "3.3.1";
   figure.title = "Baraff's algorithm, step by step: contacts enter, leave and return";
   figure.caption =
-      "Two planks on three posts touch in five contacts. The middle of the upper one (cross) is "
-      "beyond the third post, so it will tip. The algorithm takes up one contact after the "
+      "Two planks on three posts touch in five contacts. The middle of the upper one (cross) "
+      "is beyond the third post, so it will tip. The algorithm takes up one contact after the "
       "other and lets its force grow (triangle) until it no longer sinks. Meanwhile contacts "
       "that push (full circle, set C) stay at rest, and those that part (ring, set NC) stay "
       "without force. Whoever would break this rule ends the step and changes sets. The force "
@@ -54,14 +54,15 @@ Figure painleve_map_figure() {
   figure.section = "2.6.3";
   figure.title = "Painlevé's rod: friction leaves no force or two, and a time step one impulse";
   figure.caption =
-      "A rod slides on its lower end, away from its lean. Above the curve, friction turns the "
-      "end into the ground faster than the push lifts it. Without spin no force at all then "
-      "obeys Coulomb's law; with spin two do, none and a large one. Each dot is a time step "
-      "with unknown impulses instead of forces: it has a solution everywhere. Full dots: the "
-      "end sticks within the step; rings: it slides on. A step knows velocities only, and is "
-      "the same for both maps. At the bottom, its impulse against its length, at 60 degrees. "
-      "Below the curve it is a force times the step. Above, it stays however short the step is: "
-      "an impulse without a collision that stops the sliding at once.";
+      "A rod of 1 kg and 2 m slides on its lower end at 1 m/s, away from its lean. Above the "
+      "curve, friction turns the end into the ground faster than the push lifts it. Without "
+      "spin no force at all then obeys Coulomb's law; with spin two do, none and a large one. "
+      "Each dot is a time step with unknown impulses instead of forces: it has a solution "
+      "everywhere. Full dots: the end sticks within the step; rings: it slides on. A step "
+      "knows velocities only, and is the same for both maps. At the bottom, its impulse "
+      "against its length, at 60 degrees. Below the curve it is a force times the step. Above, "
+      "it stays however short the step is: an impulse without a collision that stops the "
+      "sliding at once.";
   figure.parameters.add_number("spin", 5.0, 0.1, 100.0, "rad/s", "of the rods in the second map")
       .add_number("step", 1.0 / 60.0, 1e-6, 1.0, "s", "time step of the dots")
       .add_whole("friction_steps", 120, 10, 2000, "rows of the grid of either map");

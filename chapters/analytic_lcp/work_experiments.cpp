@@ -144,18 +144,15 @@ void add_work_figures(std::vector<Figure>& figures) {
   figure.title = "Where contact forces cost less than one factorisation of their matrix";
   figure.caption =
       "Flat pyramids of cubes without friction, four contact points for each pair of faces, so "
-      "that "
-      "forces are not unique and the matrix is singular; above at rest, below with random "
-      "velocities up to 0.1 m/s. Shown are multiplications until the forces are found, counted and "
-      "not timed; a cross is work that led to no answer, the grey line one Cholesky factorisation "
-      "of a matrix of all contacts. Methods that look at contacts one by one have to do more than "
-      "that, and the more so the closer the contacts are to a tie. Seen from the bodies (the "
-      "method "
-      "of multipliers, blue) the matrix is small and mostly empty, and from some hundred contacts "
-      "on "
-      "the forces cost less than the factorisation. Gauss-Seidel stops at a residual of 1e-9, the "
-      "others at rounding. A solver is followed as far as a limit on its "
-      "work allows, the thesis's form to 256 contacts.";
+      "that forces are not unique and the matrix is singular; above at rest, below with random "
+      "velocities up to 0.1 m/s. Shown are multiplications until the forces are found, counted "
+      "and not timed; a cross is work that led to no answer, the grey line one Cholesky "
+      "factorisation of a matrix of all contacts. Methods that look at contacts one by one "
+      "have to do more than that, and the more so the closer the contacts are to a tie. Seen "
+      "from the bodies (the method of multipliers, blue) the matrix is small and mostly empty, "
+      "and from some hundred contacts on the forces cost less than the factorisation. "
+      "Gauss-Seidel stops at a residual of 1e-9, the others at rounding. A solver is followed "
+      "as far as a limit on its work allows, the thesis's form to 256 contacts.";
   figure.parameters.add_number("noise", 0.1, 1e-6, 10.0, "m/s", "velocities of the noisy case")
       .add_whole("seed", 1, 0, 1000000000, "of these velocities")
       .add_number("limit", 5e8, 1e4, 1e12, "-",

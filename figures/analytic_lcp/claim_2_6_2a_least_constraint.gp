@@ -2,7 +2,7 @@
 tall = 560
 @PAGE
 set lmargin at screen 0.17; set rmargin at screen 0.93
-set tmargin at screen 0.84; set bmargin at screen 0.13
+set tmargin at screen 0.84; set bmargin at screen 0.17
 set logscale y; set format y powers; set ytics 10,10
 set yrange [10:1e9]
 set xlabel 'contacts on a box'

@@ -33,7 +33,7 @@ plot path using 'time_s':'post_deg' with lines lt 1
 
 set tmargin at screen 0.375; set bmargin at screen 0.235
 side = 'moved [m]'; @SIDE
-set label 1 'a stack of three rests' at graph 0.97,0.8
+set label 1 'a stack of three rests (0 is drawn as 10^{-17})' at graph 0.97,0.8
 set logscale y
 set yrange [1e-18:1e-2]; set ytics 1e-18,1e4; set format y powers
 plot path using 'time_s':(column('stack_m') > 1e-17 ? column('stack_m') : 1e-17) with lines lt 1

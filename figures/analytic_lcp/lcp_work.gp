@@ -17,12 +17,12 @@ colours = '2 5 4 3 1 6 8'
 do for [panel = 1:2] {
   numbers = panel == 1 ? stem.'.csv' : stem.'_noisy.csv'
   if (panel == 1) {
-    set tmargin at screen 0.89; set bmargin at screen 0.515
+    set tmargin at screen 0.86; set bmargin at screen 0.50
     set key at screen 0.56,0.99 center top vertical maxrows 4 width -1
     set format x ''
     unset xlabel
   } else {
-    set tmargin at screen 0.48; set bmargin at screen 0.09
+    set tmargin at screen 0.46; set bmargin at screen 0.09
     unset key
     set format x '%g'
     set xlabel 'contacts'

@@ -356,6 +356,22 @@ TEST_CASE("Damping keeps what rests on the other, and brakes what slides",
   CHECK(velocity(box, finer.states()[1]).x() == near(v).margin(1e-12));
 }
 
+TEST_CASE("A box that an impact sets going meets the next one in the same step",
+          "[exact][analytic][analytic_lcp]") {
+  // Three small cubes in a row without gravity: the first hits the second, and that the third, which
+  // was too far away from everybody before.
+  World world;
+  world.gravity_w = Vec3::Zero();
+  const BodyProperties cube = box_properties(Vec3::Constant(0.1), 1.0, 0.0, 1.0);
+  for (const auto& [x, speed] : {std::pair(0.0, 10.0), std::pair(0.11, 0.0), std::pair(0.33, 0.0)})
+    world.add(cube, make_state(cube, Vec3(x, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+  Analytic analytic;
+  const StepReport report = analytic.step(world, kDt);
+  CHECK(report.events == 2);
+  // It has flown what is left of the step with all of the speed; times are found to a microsecond.
+  CHECK(std::abs(world.states()[2].position_w.x() - (0.33 + 10.0 * (kDt - 0.013))) < 1e-4);  // [m]
+}
+
 TEST_CASE("Contact forces of a box at rest carry its weight", "[exact][analytic][analytic_lcp]") {
   World world = tower(1);
   Analytic analytic;

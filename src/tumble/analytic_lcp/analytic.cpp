@@ -31,6 +31,8 @@ Analytic::Analytic(const AnalyticOptions& options)
     : options_(options),
       broad_phase_(make_broad_phase("bounding_tree")),
       forces_(force_options(options)) {
+  require::that(options.solver != "enumeration",
+                "solver = enumeration: it is for eight contacts at most, choose another one");
   require::positive(options.resolution, "resolution");
   require::that(options.event_cap >= 1,
                 "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
@@ -61,6 +63,7 @@ StepReport Analytic::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;
   records_.clear();
+  rewound_ = 0;
   unsolved_ = false;
   Progress progress{dt, 0.0};
   for (int flight = 0; progress.left() > 0.0; ++flight) {
@@ -70,7 +73,8 @@ StepReport Analytic::step(World& world, double dt) {
     // that touches approaches. Then the forces that keep it so.
     find_candidates(world, progress.left());
     find_near(world, report);
-    if (!capped) collide(world, progress, report);
+    if (!capped && collide(world, progress, report))
+      find_candidates(world, progress.left());  // who moves otherwise may meet others
     Plan plan;
     if (!find_forces(world, progress, plan, report)) {
       unsolved_ = true;
@@ -156,7 +160,13 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
                      .relaxation = progress.dt - plan.forces_at,
                      .duration = plan.time,
                      .midway = true};
-  const ForceReport there = forces_.solve(world, moving_, midway_, aim);
+  ForceReport there;
+  try {
+    there = forces_.solve(world, moving_, midway_, aim);
+  } catch (...) {
+    flight_.put(world, 0.0, options_.rotation);
+    throw;
+  }
   flight_.put(world, 0.0, options_.rotation);
   // [S3.3.1:midpoint]
   report.pivots += there.pivots;
@@ -202,8 +212,11 @@ void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& pr
     const FirstImpact impact = search_.find(flight_, task, world);
     report.searches += impact.evaluations;
     report.pair_tests += impact.pair_tests;
-    if (impact.found) report.rewinds += movable_bodies(world);
-    if (impact.found) time = impact.time;
+    if (impact.found) {
+      rewound_ = static_cast<int>(movable_bodies(world));
+      report.rewinds += rewound_;
+      time = impact.time;
+    }
   }
   flight_.put(world, time, options_.rotation);
   report.integrations += movable_bodies(world);
@@ -239,9 +252,9 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
 }
 
 void Analytic::finish(World& world, const Progress& progress, StepReport& report) {
-  record_forces(recorded_at_, recorded_for_, report);
   world.finish_step(progress.passed);
   if (report.status == StepStatus::unsolved) return;
+  record_forces(recorded_at_, recorded_for_, report);
   if (options_.friction == AnalyticFriction::damping)
     report.energy.damping += damping_.run(resting_, options_.damping, progress.dt, world);
   for (std::size_t k = 0; k < bounds_.size(); ++k)

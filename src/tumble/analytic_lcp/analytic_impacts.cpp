@@ -20,7 +20,8 @@ double fastest_point(const Contact& contact) {
 
 }  // namespace
 
-void Analytic::collide(World& world, const Progress& progress, StepReport& report) {
+// Returns whether there was a collision.
+bool Analytic::collide(World& world, const Progress& progress, StepReport& report) {
   islands_.build(world.bodies(), near_);
   bool any = false;
   for (int i = 0; i < islands_.count(); ++i) {
@@ -37,10 +38,11 @@ void Analytic::collide(World& world, const Progress& progress, StepReport& repor
     resolve(which, world, progress, report);
     any = true;
   }
-  if (!any) return;
+  if (!any) return false;
   store_moving_bodies(moving_, world);
   load_moving_bodies(world, moving_);
   stamp_approach_speeds(moving_, near_);
+  return true;
 }
 
 // All contacts of an island together; points that are still to meet are left out.
@@ -82,6 +84,7 @@ void Analytic::record_impact(const Contact& contact, double time) {
   event.first = contact.first_id;
   event.second = contact.second_id;
   event.normal_w = contact.normal_w;
+  event.rewinds = rewound_;
   double weight = 0.0;
   for (int k = 0; k < contact.count; ++k) {
     const ContactPoint& point = contact.points[place(k)];
@@ -94,6 +97,7 @@ void Analytic::record_impact(const Contact& contact, double time) {
   }
   if (!(weight > 0.0)) return;  // they were parting already
   event.point_w /= weight;
+  rewound_ = 0;  // they are told with the first of the collisions
   if (observer() != nullptr) observer()->on_event(event);
 }
 

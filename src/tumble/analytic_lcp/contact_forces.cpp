@@ -46,7 +46,7 @@ ForceReport ContactForces::solve(const World& world, std::span<const MovingBody>
     // [S5.3:without_friction]
     // The symmetric problem first. Its answer is right with friction
     // too if no point that is pushed slides, or would begin to.
-    if (!solve_normals(task, report)) break;
+    if (!solve_normals(report)) break;
     apply_pushes(task, islands_.bodies(i));
     if (options_.friction && needs_friction(task)) {
       if (!solve_friction(task, report)) break;
@@ -100,11 +100,11 @@ void ContactForces::load(const Task& task, std::span<const Contact> contacts,
   problem_.add_to_b(terms_);
 }
 
-bool ContactForces::solve_normals(const Task&, ForceReport& report) {
+bool ContactForces::solve_normals(ForceReport& report) {
   solver_->solve(problem_.lcp(), result_, start_);
   report.pivots += result_.pivots;
-  if (!holds(
-          result_)) {  // once more, without what was known: this one can be solved again elsewhere
+  // Once more, without what was known: that problem can be solved again elsewhere.
+  if (!holds(result_)) {
     solver_->solve(problem_.lcp(), result_);
     report.pivots += result_.pivots;
   }

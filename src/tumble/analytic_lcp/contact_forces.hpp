@@ -13,16 +13,16 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace tumble {
 
 /// How contact forces are found.
 struct ContactForceOptions {
-  std::string_view solver = "augmented_lagrangian";  ///< of problems without friction, by name
-  bool friction = true;                              ///< Coulomb's, or none
-  int directions = 8;                                ///< of the pyramid of friction: 4 or 8
+  std::string solver = "augmented_lagrangian";  ///< of problems without friction, by name
+  bool friction = true;                         ///< Coulomb's, or none
+  int directions = 8;                           ///< of the pyramid of friction: 4 or 8
 };
 
 /// What the forces are to bring about, and for how long they will act.
@@ -107,7 +107,7 @@ class ContactForces {
   };
 
   void load(const Task& task, std::span<const Contact> contacts, std::span<const int> which);
-  bool solve_normals(const Task& task, ForceReport& report);
+  bool solve_normals(ForceReport& report);
   [[nodiscard]] bool needs_friction(const Task& task) const;
   bool solve_friction(const Task& task, ForceReport& report);
   bool take_velocity_step(const Task& task, ForceReport& report);

@@ -44,7 +44,8 @@ class FrictionLemkeSolver : public LcpSolver {
  private:
   bool approach(const LcpProblem& problem, double compliance, LcpSolver& solver, LcpResult& result);
 
-  // Slack lets the method run in circles: ten pivots for a row are more than it ever needs.
+  // Slack lets the method run in circles. A problem takes about half as many pivots as it has unknowns,
+  // and one of a thousand unknowns is too large for a dense method anyway.
   static constexpr int kSlackPivots = 1000;
   static constexpr int kMostRounds = 8;
 

@@ -22,9 +22,13 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options)
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-// The broad phase is all there is of memory; everything else is storage.
+// The broad phase and what was told of the last step are all there is of memory; everything else is
+// storage.
 TimeStepping::TimeStepping(const TimeStepping& other)
-    : Technique(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
+    : Technique(other),
+      options_(other.options_),
+      broad_phase_(other.broad_phase_->clone()),
+      records_(other.records_) {}
 
 std::unique_ptr<Technique> TimeStepping::clone() const {
   return std::make_unique<TimeStepping>(*this);
@@ -48,6 +52,7 @@ StepReport TimeStepping::step(World& world, double dt) {
   report.pivots = result.pivots;
   if (!result.solved) {
     report.status = StepStatus::unsolved;
+    world.finish_step(0.0);  // no time has passed
     return report;
   }
   record(world);
