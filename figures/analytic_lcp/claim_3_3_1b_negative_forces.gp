@@ -10,5 +10,5 @@ set key at screen 0.55,0.985 center top vertical maxcols 1
 plot stem.'.csv' using 'time_s':(column('zeroed_m') > 0 ? column('zeroed_m') : 1/0) with points lt 4 ps 0.7 title 'stack, negative forces set to 0', \
   '' using 'time_s':(column('left_m') > 0 ? column('left_m') : 1/0) with lines lt 1 title 'stack, negative forces left', \
   '' using 'time_s':'light_m' with lines lt 2 title 'load below the tolerance', \
-  '' using 'time_s':(column('relative_m') > 0 ? column('relative_m') : 1/0) with lines lt 3 title 'stack, tolerance relative to its load', \
+  '' using 'time_s':(column('relative_m') > 0 ? column('relative_m') : 1/0) with lines lt 3 title 'stack, library''s solver', \
   1e-9*x**2 with lines lt 8 dt (2,4) title 'slope 2'

@@ -20,9 +20,9 @@ set label 1 'a cube slides to a stop'
 set arrow 1 from graph 0,first 1.529051988 to graph 1,first 1.529051988 nohead lt 8 dt (6,4)
 set label 2 'closed form' at graph 0.97,first 1.529 right offset 0,-0.7 textcolor rgb soft
 set label 1 at graph 0.97,0.45
-set yrange [0:1.8]
+set yrange [0:1.8]; set ytics 0,0.5
 plot path using 'time_s':'slider_m' with lines lt 1
-unset arrow 1; unset label 2
+unset arrow 1; unset label 2; set ytics autofreq
 set autoscale y
 
 set tmargin at screen 0.575; set bmargin at screen 0.40
@@ -42,7 +42,7 @@ set tmargin at screen 0.21; set bmargin at screen 0.09
 unset logscale y
 set format y '%g'; set format x '%g'
 set xlabel 'time [s]'
-set yrange [0:*]; set ytics autofreq
+set yrange [0:*]; set ytics 0,20
 side = 'energy [J]'; @SIDE
 set label 1 'all of them together' at graph 0.97,0.8
 plot path using 'time_s':'energy_J' with lines lt 1
