@@ -48,7 +48,8 @@ void BaraffAsPrintedSolver::solve(const LcpProblem& problem, LcpResult& result,
   result.a.assign(problem.b.data(), problem.b.data() + n);
   set_.assign(at(n), Set::none);
 
-  // While there is a contact d that sinks, a_d < -eps, drive it to zero. (The paper: a_d < 0.)
+  // While there is a contact d that sinks, a_d < -eps,
+  // drive it to zero. (The paper: a_d < 0.)
   while (result.status == LcpStatus::solved) {
     int d = 0;
     while (d < n && !(result.a[at(d)] < -options_.eps)) ++d;
@@ -56,7 +57,8 @@ void BaraffAsPrintedSolver::solve(const LcpProblem& problem, LcpResult& result,
     result.status = drive_to_zero(problem.A, d, result);
   }
 
-  // After the loop, negative forces are set to zero. (The paper: nothing.)
+  // After the loop, negative forces are set to zero.
+  // (The paper: nothing.)
   if (options_.clamp && result.status == LcpStatus::solved)
     for (double& f : result.f) f = std::max(f, 0.0);
   // [S3.3.1:compute_forces]
