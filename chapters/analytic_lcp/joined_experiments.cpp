@@ -8,6 +8,7 @@
 #include "tumble/techniques.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,7 @@ std::unique_ptr<Technique> technique_with(const std::string& name,
                                           const std::vector<std::string>& settings) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   Parameters options = recipe.options();
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    options.set(setting.substr(0, equals), setting.substr(equals + 1));
-  }
+  set_all(options, settings);
   return recipe.make(options, 1);
 }
 

@@ -45,7 +45,7 @@ struct Shot {
   std::array<double, 3> view;  // from the boxes to the eye
 };
 
-constexpr std::array<Shot, 14> kShots = {{
+constexpr std::array<Shot, 22> kShots = {{
     {"box_drop", "A cube falls on an edge", "", 0.4, {0.4, 0.4, 1.0}},
     {"bouncing_box", "A cube that was dropped flat rebounds", "", 0.8, {0.6, 0.4, 1.0}},
     {"tumbling_box", "A free box turns over", "", 2.8, {0.5, 0.6, 1.0}},
@@ -63,6 +63,14 @@ constexpr std::array<Shot, 14> kShots = {{
      0.7,
      {0.7, 0.4, -1.0}},
     {"dice", "Five dice are thrown", "", 0.35, {0.3, 0.5, 1.0}},
+    {"slide", "A box slides on the ground", "", 0.0, {0.6, 0.5, 1.0}},
+    {"slope", "A box on a slope", "", 0.0, {0.3, 0.4, 1.0}},
+    {"sled", "A stack on a sled", "", 0.0, {0.5, 0.5, 1.0}},
+    {"rocking_block", "A block rocks from edge to edge", "", 0.0, {0.4, 0.3, 1.0}},
+    {"seesaw", "A loaded see-saw", "", 0.0, {0.4, 0.4, 1.0}},
+    {"leaning", "Planks lean on blocks", "", 0.0, {0.8, 0.5, 1.0}},
+    {"table", "A table on free legs", "", 0.0, {0.5, 0.4, 1.0}},
+    {"toss", "A cube is tossed like measured ones", "", 0.0, {0.5, 0.5, 1.0}},
     {"cage", "Cubes in a cage without gravity, opened for the view", "", 2.0, {0.6, 0.5, 1.0}},
 }};
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "driver/figure.hpp"
+#include "driver/settings.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -22,12 +23,8 @@ inline Result run_quickly(const std::vector<Figure>& figures, std::string_view n
   for (const Figure& figure : figures) {
     if (figure.name != name) continue;
     Parameters settings = figure.parameters;
-    for (const std::vector<std::string>* list : {&figure.quick, &set}) {
-      for (const std::string_view setting : *list) {
-        const std::size_t equals = setting.find('=');
-        settings.set(setting.substr(0, equals), setting.substr(equals + 1));
-      }
-    }
+    set_all(settings, figure.quick);
+    set_all(settings, set);
     return figure.experiment(settings);
   }
   throw std::invalid_argument("no figure " + std::string(name));

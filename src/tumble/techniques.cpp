@@ -7,6 +7,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/basic_colliding/basic.hpp"
+#include "tumble/techniques/options.hpp"
 
 #include <string>
 
@@ -117,6 +118,8 @@ std::unique_ptr<Technique> make_time_stepping(const Parameters& p, std::uint64_t
 
 const std::vector<TechniqueRecipe>& technique_library() {
   static const std::vector<TechniqueRecipe> library = {
+      {"contact_damped", "6.3.1", "contact areas that stick, slide or let go, solved stiff",
+       contact_damped_options, make_contact_damped},
       {"basic", "2.1", "advance, find an overlap, search back for the impact, resolve, go on",
        basic_options, make_basic},
       {"analytic", "3.3.1, 4.3, 5.3",
@@ -124,6 +127,11 @@ const std::vector<TechniqueRecipe>& technique_library() {
        make_analytic},
       {"time_stepping", "2.6.3", "impacts and contacts of a step at one stroke, with friction",
        time_stepping_options, make_time_stepping},
+      {"impulse", "2.5.2", "collisions, gravity, contacts and shock propagation by impulses",
+       impulse_options, make_impulse},
+      {"damped", "5.2, 5.3, 5.4, A.2",
+       "impulses, damping in place of friction, pushes out of overlap", damped_options,
+       make_damped},
   };
   return library;
 }

@@ -23,7 +23,7 @@ struct TechniqueRecipe {
 };
 
 /// The technique of a run that names none.
-inline constexpr std::string_view kDefaultTechnique = "basic";
+inline constexpr std::string_view kDefaultTechnique = "contact_damped";
 
 /// All techniques.
 /// \return in the order in which `tumble techniques` lists them

@@ -18,8 +18,9 @@ TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[
   const Folder two("two");
   const Folder three("three");
   const std::string rest = " --duration 1.005 --quiet --contacts --out ";
-  REQUIRE(run_tumble("run two_boxes --set speed=3 --set technique.impacts=sequential" + rest +
-                     one.text())
+  REQUIRE(run_tumble(
+              "run two_boxes --technique basic --set speed=3 --set technique.impacts=sequential" +
+              rest + one.text())
               .code == 0);
   for (const char* name : {"trajectory.csv", "metrics.csv", "events.csv", "contacts.csv",
                            "scene.toml", "summary.json", "timing.csv"}) {
@@ -31,12 +32,13 @@ TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[
   // 61 steps (the last one cut) and the start, two bodies each, and the header.
   const std::string trajectory = content(one.path / "trajectory.csv");
   CHECK(std::count(trajectory.begin(), trajectory.end(), '\n') == 1 + 2 * 62);
-  REQUIRE(
-      run_tumble("run " + one.text() + "/scene.toml --set impacts=sequential" + rest + two.text())
-          .code == 0);
+  REQUIRE(run_tumble("run " + one.text() +
+                     "/scene.toml --technique basic --set impacts=sequential" + rest + two.text())
+              .code == 0);
   CHECK(hash_of(two.path) == hash_of(one.path));
   REQUIRE(
-      run_tumble("run two_boxes --set scene.speed=3 --set impacts=sequential" + rest + three.text())
+      run_tumble("run two_boxes --technique basic --set scene.speed=3 --set impacts=sequential" +
+                 rest + three.text())
           .code == 0);
   for (const char* name : {"trajectory.csv", "metrics.csv", "events.csv", "contacts.csv",
                            "scene.toml", "summary.json"}) {
@@ -47,8 +49,8 @@ TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[
 
 TEST_CASE("Every built-in scene runs again from its own scene.toml to the same hash",
           "[determinism][command]") {
-  // Three steps and a cut one; the cap keeps the piles short.
-  const std::string rest = " --duration 0.06 --set technique.event_cap=3 --quiet --out ";
+  // Three steps and a cut one.
+  const std::string rest = " --duration 0.06 --quiet --out ";
   std::istringstream names(run_tumble("scenes").text);
   int count = 0;
   for (std::string line; std::getline(names, line); ++count) {
@@ -131,11 +133,13 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run stack --set cuont=3",
        "--set cuont=3: unknown key; did you mean count? Expected one of"},
       {"run stack --set scene.cuont=3", "unknown setting cuont: did you mean count?"},
-      {"run stack --set technique.count=3", "unknown setting count: expected one of: resolution"},
+      {"run stack --technique basic --set technique.count=3",
+       "unknown setting count: expected one of: resolution"},
       {"run stack --set count=0", "count = 0: expected a whole number from 1"},
       {"run stack --set count=2.5", "count = 2.5: expected a whole number"},
       {"run stack --set friction=nan", "friction = nan: expected a number from 0"},
-      {"run stack --set technique.impacts=both", "impacts = both: expected one of: simultaneous"},
+      {"run stack --technique basic --set technique.impacts=both",
+       "impacts = both: expected one of: simultaneous"},
       {"run stack --set count", "--set count: expected key=value"},
       {"run stack --set =3", "--set =3: expected key=value"},
       {"run stack --dt 0", "dt = 0: expected a finite number above 0"},

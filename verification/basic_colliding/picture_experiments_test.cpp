@@ -73,7 +73,7 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
   const std::vector<Figure> figures = picture_figures();
   std::size_t scenes = 0;
   for (const SceneRecipe& recipe : scene_library()) {
-    if (recipe.name.substr(0, 3) == "fig") continue;  // another name of one of the others
+    if (recipe.name.substr(0, 3) == "fig") continue;  // a figure of the thesis, or another name of one of the others
     ++scenes;
     const std::string name = "gallery_" + std::string(recipe.name);
     INFO(name);
@@ -99,6 +99,8 @@ TEST_CASE("Each picture of the gallery shows all its boxes that are not hidden b
     CHECK(number_of(result, "rings of boxes drawn wrongly") == 0.0);
     const double fixed = figure.name == "gallery_cage"              ? 6.0
                          : figure.name == "gallery_crate_off_table" ? 1.0
+                         : figure.name == "gallery_seesaw"          ? 1.0
+                         : figure.name == "gallery_slope"           ? 1.0
                                                                     : 0.0;
     CHECK(static_cast<double>(result.tables.front().rows.size()) ==
           number_of(result, "movable boxes") + fixed);

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
+#include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
 #include <string>
@@ -94,21 +95,11 @@ StepReport Analytic::step(World& world, double dt) {
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
 // diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would.
 void Analytic::find_candidates(const World& world, double left) {
-  const double sag = world.gravity_w.norm() * left * left / 8.0;
   bounds_.resize(place(world.count()));
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    const BodyState& start = world.states()[k];
-    if (!body.movable()) {
-      bounds_[k] = bounds_of(body, start);
-      continue;
-    }
-    const Vec3 end_w =
-        start.position_w + left * velocity(body, start) + 0.5 * left * left * world.gravity_w;
-    const double half = (0.5 + tolerance::contact_margin) * body.size.norm();
-    const Vec3 wide = Vec3::Constant(half + sag);
-    bounds_[k] =
-        Bounds{start.position_w.cwiseMin(end_w) - wide, start.position_w.cwiseMax(end_w) + wide};
+    bounds_[k] = bounds_of_flight(body, world.states()[k], world.gravity_w, left,
+                                  (0.5 + tolerance::contact_margin) * body.size.norm());
   }
   broad_phase_->find_pairs(bounds_, candidates_);
 }
@@ -257,9 +248,7 @@ void Analytic::finish(World& world, const Progress& progress, StepReport& report
   record_forces(recorded_at_, recorded_for_, report);
   if (options_.friction == AnalyticFriction::damping)
     report.energy.damping += damping_.run(resting_, options_.damping, progress.dt, world);
-  for (std::size_t k = 0; k < bounds_.size(); ++k)
-    bounds_[k] = bounds_of(world.bodies()[k], world.states()[k],
-                           tolerance::repair_slop * world.bodies()[k].size.maxCoeff());
+  repair_bounds(world, 0.0, bounds_);
   broad_phase_->find_pairs(bounds_, candidates_);
   hold_.run(world, candidates_, report);
 }

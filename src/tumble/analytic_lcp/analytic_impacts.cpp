@@ -2,6 +2,7 @@
 /// \brief The analytic technique's collisions, and what it tells about its contacts.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 
@@ -79,26 +80,14 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
 }
 
 void Analytic::record_impact(const Contact& contact, double time) {
-  Event event;
-  event.time = time;
-  event.first = contact.first_id;
-  event.second = contact.second_id;
-  event.normal_w = contact.normal_w;
-  event.rewinds = rewound_;
-  double weight = 0.0;
-  for (int k = 0; k < contact.count; ++k) {
-    const ContactPoint& point = contact.points[place(k)];
-    const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
-    event.impulse_w += push_w;
-    event.point_w += point.normal_impulse * point.position_w;
-    weight += point.normal_impulse;
-    records_.push_back(ContactRecord{time, contact.first_id, contact.second_id, point.position_w,
-                                     contact.normal_w, push_w, true, state_of(contact, k)});
-  }
-  if (!(weight > 0.0)) return;  // they were parting already
-  event.point_w /= weight;
+  for (int k = 0; k < contact.count; ++k) records_.push_back(record_of(contact, k, time));
+  Event moment;
+  moment.time = time;
+  moment.rewinds = rewound_;
+  const std::optional<Event> event = event_of(contact, moment);
+  if (!event) return;
   rewound_ = 0;  // they are told with the first of the collisions
-  if (observer() != nullptr) observer()->on_event(event);
+  if (observer() != nullptr) observer()->on_event(*event);
 }
 
 // The forces of the last flight: impulses over its length.
@@ -106,11 +95,9 @@ void Analytic::record_forces(double time, double duration, StepReport& report) {
   for (const Contact& contact : resting_) {
     report.contacts += contact.count;
     for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& point = contact.points[place(k)];
-      const Vec3 push_w =
-          (point.normal_impulse * contact.normal_w + point.friction_impulse_w) / duration;
-      records_.push_back(ContactRecord{time, contact.first_id, contact.second_id, point.position_w,
-                                       contact.normal_w, push_w, false, state_of(contact, k)});
+      ContactRecord& record = records_.emplace_back(record_of(contact, k, time));
+      record.push_w /= duration;
+      record.is_impulse = false;
     }
   }
 }

@@ -26,14 +26,6 @@ void require_body(int body, std::size_t count) {
                              std::to_string(count) + " is needed");
 }
 
-// The material of a body at a point that it carries along: v' + w' x r + w x (w x r).
-Vec3 acceleration_at(const MovingBody& body, const Acceleration& acceleration,
-                     const Vec3& point_w) {
-  const Vec3 r = point_w - body.position_w;
-  const Vec3& omega_w = body.angular_velocity_w;
-  return acceleration.linear_w + acceleration.angular_w.cross(r) + omega_w.cross(omega_w.cross(r));
-}
-
 // The axes are numbered as in AxisIndex: three faces of the first body, three of the second, then
 // the edges.
 bool is_edge_axis(AxisIndex axis) { return axis >= 6; }
@@ -57,6 +49,13 @@ Vec3 rate_of_edge_normal(const World& world, const Vec3& omega_first_w, const Ve
 }
 
 }  // namespace
+
+Vec3 acceleration_at(const MovingBody& body, const Acceleration& acceleration,
+                     const Vec3& point_w) {
+  const Vec3 r = point_w - body.position_w;
+  const Vec3& omega_w = body.angular_velocity_w;
+  return acceleration.linear_w + acceleration.angular_w.cross(r) + omega_w.cross(omega_w.cross(r));
+}
 
 void free_accelerations(const World& world, std::span<const MovingBody> bodies,
                         std::vector<Acceleration>& out) {

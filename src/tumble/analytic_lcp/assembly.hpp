@@ -31,6 +31,14 @@ struct ContactRow {
   int point = 0;    ///< which of its points
 };
 
+/// The acceleration of a body's material at a point that it carries along,
+/// \f$\dot v + \dot\omega \times r + \omega \times (\omega \times r)\f$.
+/// \param body          how it moves
+/// \param acceleration  how that changes
+/// \param point_w       [m] world frame
+/// \return [m/s²] world frame
+Vec3 acceleration_at(const MovingBody& body, const Acceleration& acceleration, const Vec3& point_w);
+
 /// How bodies accelerate while nothing touches them: gravity, and the tumbling of a free body.
 ///
 /// \f[ \dot v = g, \qquad \dot\omega = I_w^{-1}\,(L \times \omega), \quad L = I_w\,\omega . \f]

@@ -5,14 +5,13 @@
 #pragma once
 
 #include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/math/sparse_blocks.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tumble {
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< one body's share of a row
 
 /// The rows g_i of a matrix G with A_ij = |g_i| |g_j| g_i·g_j, where each g_i has length 1.
 ///

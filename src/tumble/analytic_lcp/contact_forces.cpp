@@ -124,11 +124,8 @@ Vec3 ContactForces::drift_w(const Task& task, int row, std::span<const Accelerat
   const ContactRow& place = problem_.rows()[at(row)];
   const Contact& contact = island_[at(place.contact)];
   const Vec3& p = contact.points[at(place.point)].position_w;
-  const auto acceleration_of = [&](int body) -> Vec3 {
-    const MovingBody& m = task.bodies[at(body)];
-    const Vec3 r = p - m.position_w;
-    return of[at(body)].linear_w + of[at(body)].angular_w.cross(r) +
-           m.angular_velocity_w.cross(m.angular_velocity_w.cross(r));
+  const auto acceleration_of = [&](int body) {
+    return acceleration_at(task.bodies[at(body)], of[at(body)], p);
   };
   Vec3 drift = acceleration_of(contact.second) - acceleration_of(contact.first);
   const Point& point = points_[at(row)];

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <string>
@@ -103,12 +104,7 @@ void TimeStepping::gather(const World& world, double dt, StepReport& report) {
 
 // Pairs of bodies up to a margin apart.
 void TimeStepping::find_pairs(const World& world, double margin) {
-  bounds_.resize(moving_.size());
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    bounds_[k] = bounds_of(body, world.states()[k],
-                           0.5 * margin + tolerance::repair_slop * body.size.maxCoeff());
-  }
+  repair_bounds(world, margin, bounds_);
   broad_phase_->find_pairs(bounds_, pairs_);
 }
 
@@ -118,10 +114,7 @@ void TimeStepping::record(const World& world) {
     for (int p = 0; p < contact.count; ++p) {
       const ContactPoint& point = contact.points[place(p)];
       if (point.distance > 0.0 && !(point.normal_impulse > 0.0)) continue;
-      const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
-      records_.push_back(ContactRecord{world.time(), contact.first_id, contact.second_id,
-                                       point.position_w, contact.normal_w, push_w, true,
-                                       state_of(contact, p)});
+      records_.push_back(record_of(contact, p, world.time()));
     }
   }
 }

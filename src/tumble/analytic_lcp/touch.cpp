@@ -17,11 +17,11 @@ double shortest_edge(const World& world, int body) {
   return b.shape == Shape::ground ? std::numeric_limits<double>::infinity() : b.size.minCoeff();
 }
 
+}  // namespace
+
 double pair_size(const World& world, int first, int second) {
   return std::min(shortest_edge(world, first), shortest_edge(world, second));
 }
-
-}  // namespace
 
 TouchScale touch_scale(const World& world, int first, int second, double dt) {
   TouchScale scale;

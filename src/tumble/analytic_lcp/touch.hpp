@@ -18,6 +18,13 @@ enum class PointMotion : std::uint8_t {
   parts      ///< moves apart
 };
 
+/// The size of a pair.
+/// \param world   the bodies
+/// \param first   index of a body
+/// \param second  index of another one
+/// \return [m] the shortest edge of the smaller one; the ground has none
+double pair_size(const World& world, int first, int second);
+
 /// What lengths and speeds of a pair of bodies are compared with.
 struct TouchScale {
   double size = 1.0;           ///< [m] the shortest edge of the smaller body

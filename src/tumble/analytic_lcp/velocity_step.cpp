@@ -2,6 +2,7 @@
 /// \brief One step from velocities to velocities with contact and friction.
 #include "tumble/analytic_lcp/velocity_step.hpp"
 
+#include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/contact/collision_law.hpp"
 
@@ -19,16 +20,6 @@ Vec3 motion(std::span<const MovingBody> bodies, const Contact& contact, const Ve
   return relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)], place_w);
 }
 
-// [m] the shortest edge of the smaller box of a pair; the ground has none.
-double size_of(const World& world, const Contact& contact) {
-  double size = std::numeric_limits<double>::infinity();
-  for (const int body : {contact.first, contact.second}) {
-    const BodyProperties& constant = world.bodies()[at(body)];
-    if (constant.shape == Shape::box) size = std::min(size, constant.size.minCoeff());
-  }
-  return size;
-}
-
 }  // namespace
 
 VelocityStepResult VelocityStep::solve(const World& world, std::span<const Acceleration> free,
@@ -39,7 +30,7 @@ VelocityStepResult VelocityStep::solve(const World& world, std::span<const Accel
   require::that(options.directions == 4 || options.directions == 8, "directions: expected 4 or 8");
   require::that(bodies.size() == world.bodies().size() && free.size() == bodies.size(),
                 "bodies, free: one entry for each body of the world is needed");
-  problem_ = nullptr;
+  failed_ = false;
   islands_.build(world.bodies(), contacts);
   used_pyramids_ = 0;
   candidates_.clear();
@@ -59,6 +50,7 @@ VelocityStepResult VelocityStep::solve(const World& world, std::span<const Accel
   for (int island = 0; island < islands_.count(); ++island) {
     if (islands_.contacts(island).empty()) continue;
     if (solve_island(task, island, result)) continue;
+    failed_ = true;
     result.solved = false;
     return result;
   }
@@ -97,7 +89,8 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
   speed_ = 0.0;
   for (const int c : contacts) {
     const Contact& contact = task.contacts[at(c)];
-    const double near = tolerance::repair_slop * size_of(*task.world, contact);
+    const double near =
+        tolerance::repair_slop * pair_size(*task.world, contact.first, contact.second);
     for (int k = 0; k < contact.count; ++k) {
       const ContactPoint& point = contact.points[at(k)];
       const bool touches = point.distance <= near;
@@ -112,8 +105,8 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
       candidate.floor = task.options.form == SteppingForm::stewart_trinkle ? -gap / task.dt : 0.0;
       candidate.bounce_floor = candidate.floor;
       if (candidate.taken_up && point.approach_speed < 0.0) {
-        const StickyScale scale{task.world->gravity_w.norm(), size_of(*task.world, contact),
-                                task.dt};
+        const StickyScale scale{task.world->gravity_w.norm(),
+                                pair_size(*task.world, contact.first, contact.second), task.dt};
         const double e = sticky_restitution(contact.restitution, point.approach_speed, scale,
                                             task.options.sticky);
         if (e > 0.0) candidate.bounce_floor = -e * point.approach_speed;
@@ -162,19 +155,18 @@ bool VelocityStep::solve_points(const Task& task, VelocityStepResult& result) {
   if (used_pyramids_ == pyramids_.size()) pyramids_.emplace_back();
   FrictionPyramid& pyramid = pyramids_[used_pyramids_++];
   pyramid.assemble(free_, task.contacts, points_, task.options.directions);
-  problem_ = &pyramid.lcp();
+  const LcpProblem& problem = pyramid.lcp();
   double error = 0.0;
   const auto solves = [&](LcpSolver& solver) {
-    solver.solve(*problem_, answer_);
+    solver.solve(problem, answer_);
     result.pivots += answer_.pivots;
-    error = error_of(*problem_);
+    error = error_of(problem);
     return error <= tolerance::step_residual;
   };
   const bool solved = (!pyramid.has_friction() && solves(smooth_solver_)) || solves(rough_solver_);
   if (!solved) return false;
 
   result.residual = std::max(result.residual, error);
-  problem_ = nullptr;
   pyramid.pushes(answer_.f, pushes_);
   std::size_t next = 0;
   for (Candidate& candidate : candidates())

@@ -107,7 +107,9 @@ class VelocityStep {
 
   /// The problem that the last step has not solved.
   /// \return valid until the next step; nullptr if it has solved all
-  [[nodiscard]] const LcpProblem* problem() const { return problem_; }
+  [[nodiscard]] const LcpProblem* problem() const {
+    return failed_ ? &pyramids_[used_pyramids_ - 1].lcp() : nullptr;
+  }
 
  private:
   // A point that may push.
@@ -160,8 +162,8 @@ class VelocityStep {
   std::vector<Vec3> pushes_;
   std::vector<FrictionPyramid> pyramids_;  // one for each problem of a step, for their storage
   std::size_t used_pyramids_ = 0;          // of them, in this step
-  const LcpProblem* problem_ = nullptr;
-  double speed_ = 0.0;  // [m/s] the fastest point of the island, as a scale
+  bool failed_ = false;                    // at the last of these
+  double speed_ = 0.0;                     // [m/s] the fastest point of the island, as a scale
   BaraffSolver smooth_solver_;
   FrictionLemkeSolver rough_solver_;
   LcpResult answer_;

@@ -117,4 +117,163 @@ inline constexpr double step_sliding = 1e-9;
 /// as the error. (2.6.3)
 inline constexpr double compliance = 1e-6;
 
+// --- impulse_damped -----------------------------------------------------------------------
+
+/// [-] ε1: a push out of another body, as a share of L. Reason: 1 mm for a box of 1 m is not seen,
+/// and the deepest overlap of a fall through one step, 3 mm, takes three. (4.4)
+inline constexpr double damped_push = 1e-3;
+
+/// [rad] ε2: a face counts as across gravity. Reason: 2 degrees; what leans on a neighbour leans by
+/// more, what lies on three corners by less. (5.3)
+inline constexpr double damped_aligned = 0.035;
+
+/// [-] ε3: vertical momentum that an aligned box loses, as a share of m sqrt(gL). Reason: 6 cm/s
+/// for 1 m, which contacts in a heap leave of the 16 cm/s that gravity gives in a step; far enough
+/// below that nothing hangs on a wall, with twice as much too. (5.3)
+inline constexpr double damped_settled = 0.02;
+
+/// [rad] ε4: by how much an aligned box is turned upright in a step. Reason: turning about the
+/// centre lifts a corner of a cube by 0.7 of it, which must stay below the millimetre of a push.
+/// (5.3)
+inline constexpr double damped_tilt = 1e-3;
+
+/// [-] ε5: a slow component of momentum, as a share of m sqrt(gL). Reason: 30 cm/s for 1 m, what
+/// two steps of gravity give; boxes of an unsettled heap jump at this speed. (5.3)
+inline constexpr double damped_slow = 0.1;
+
+/// [-] ε6: one that is none. Reason: as for ε3. (5.3)
+inline constexpr double damped_still = 0.02;
+
+/// [-] ε7: a slow component of angular momentum, as a share of m L sqrt(gL). Reason: corners of a
+/// cube then move at a quarter of sqrt(gL), and of an unsettled heap about as fast. (5.3)
+inline constexpr double damped_slow_spin = 0.05;
+
+/// [-] ε8: one that is none. Reason: gravity gives a cube as much in a step if its centre is 4 % of
+/// L beyond the edge that it stands on: below that it balances. (5.3)
+inline constexpr double damped_still_spin = 2e-3;
+
+/// [-] ε9: upward momentum that is none, as a share of m sqrt(gL). Reason: as for ε3; a hop of that
+/// speed ends within half a step. (5.3)
+inline constexpr double damped_rising = 0.02;
+
+/// [-] ε10: a move in a step that is undone, as a share of L. Reason: 3 cm/s for 1 m; a box let go
+/// falls five times as far in its first step. (5.3)
+inline constexpr double damped_frozen = 5e-4;
+
+/// [rad] ε11: a turn in a step that is undone with it. Reason: moves a corner as far as ε10. (5.3)
+inline constexpr double damped_frozen_angle = 5e-4;
+
+/// [-] k1: what a step in contact leaves of momentum. Reason: slows 1 m/s by 4.8 m/s², as a
+/// coefficient of friction of 0.5 would. (5.3)
+inline constexpr double damped_momentum_factor = 0.92;
+
+/// [-] k2: ditto of angular momentum. Reason: equal to k1, so that a box that turns about an edge
+/// keeps it. (5.3)
+inline constexpr double damped_spin_factor = 0.92;
+
+/// [-] k3: ditto of angular momentum of an aligned box that has settled. Reason: a tenth is left
+/// after 0.06 s, before a viewer sees it rock twice. (5.3)
+inline constexpr double damped_settled_spin_factor = 0.5;
+
+/// [-] k5: ditto of slow components of momentum. Reason: a heap of 125 cubes that falls together
+/// does not come to rest with 0.8 in ten seconds. (5.3)
+inline constexpr double damped_slow_factor = 0.5;
+
+/// [-] k7: ditto of slow components of angular momentum. Reason: as for k5. (5.3)
+inline constexpr double damped_slow_spin_factor = 0.5;
+
+/// [-] How far surfaces may be apart and still hold up a body, as a share of the shortest edge of
+/// the two, when it is asked who stands firm. Reason: repair leaves gaps of up to ε1. (5.4)
+inline constexpr double stability_margin = 2e-3;
+
+/// [-] Largest sine between a contact normal and the vertical at which the contact counts as
+/// vertical. Reason: upright boxes of a pile lean by less than 1e-3; at 3e-3 a load of 300 pushes
+/// aside with a weight of one. (5.4)
+inline constexpr double vertical_normal = 3e-3;
+
+/// [-] How far a support may miss a corner sideways and still hold it, as a share of the body's
+/// shortest edge. Reason: the lever of what is held then is shorter by a hundredth; boxes that
+/// stand edge on edge differ by as much after they have been put upright. (5.4)
+inline constexpr double corner_support = 1e-2;
+
+/// [-] Collisions faster than this share of sqrt(gL) are varied at random. Reason: 1.6 m/s for a
+/// box of 1 m, the fall from an eighth of its height; a box that rocks to rest is slower. (4.2)
+inline constexpr double noisy_speed = 0.5;
+
+/// [rad] Standard deviation of the angle by which the normal of a fast collision is turned. Reason:
+/// 3 degrees, the roughness of real dice and tables; a bounce straight up ends a tenth of its
+/// height to the side. (4.2)
+inline constexpr double noisy_normal = 0.05;
+
+/// [-] Half the range by which the restitution of a fast collision is varied. Reason: measured
+/// bounces of one die vary by about a tenth. (4.2)
+inline constexpr double noisy_restitution = 0.1;
+
+/// [-] An approach slower than this share of a pair's shortest edge in a step is none. Reason: rounding
+/// of velocities of metres per second is 1e-16, and at 1 m and 1/60 s a body goes on at 6e-13 m/s, two
+/// centimetres in a thousand years. (2.5.2)
+inline constexpr double impulse_approach = 1e-16;
+
+/// [-] What each point of a contact area weighs in its centre besides its depth, as a share of the
+/// pair's shortest edge. Reason: an area that just touches has the plain centre, whatever rounding makes
+/// of its depths; against a depth that is seen it counts for nothing. (2.5.2)
+inline constexpr double impulse_even = 1e-9;
+
+/// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10
+/// micrometres for a metre is seen by nobody and far above rounding, so that a contact stays one. (6.3.1)
+inline constexpr double contact_damped_slop = 1e-5;
+
+/// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
+/// corner that hangs a millimetre over its support belongs to the area that carries the box. (6.3.1)
+inline constexpr double kept_margin = 1e-3;
+
+/// [-] A contact area is kept while neither body has moved by more than this share of an edge, or
+/// turned by as many radians. Reason: lever arms are wrong by as much, and gaps by its square. (6.3.1)
+inline constexpr double kept_motion = 1e-6;
+
+/// [-] A heap is left as it is if the impulses of the step before leave no velocity wrong by more than this
+/// share of g dt. Reason: 1.6e-6 m/s at 60 Hz is a tenth of a millimetre in a minute, if it always went
+/// the same way. (6.3.1)
+inline constexpr double contact_settled = 1e-5;
+
+/// [-] A heap with a point faster than this share of sqrt(g L) moves too fast to be solved as a whole. Reason:
+/// at 1.6 m/s and 1 m a step is 3 cm, and nobody sees micrometres; boxes of a wall that lands from
+/// a millimetre are slower. (6.3.1)
+inline constexpr double calm_speed = 0.5;
+
+/// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
+inline constexpr double weightless_unit = 0.05;
+
+/// [-] A heap slower than this share of sqrt(g L) hardly moves. Reason: sweeps alone do not hold a wall that
+/// lands at 0.3 m/s; at a tenth of it they do for a step. (6.3.1)
+inline constexpr double quiet_speed = 0.01;
+
+/// [-] The same where there is no gravity: the speed scale as a share of L / dt. Reason: gravity moves a
+/// metre's box at 60 Hz by about as much, 0.3 % of it in a step. (6.3.1)
+inline constexpr double weightless_speed = 3e-3;
+
+/// [-] Springs of the direct solver, as a multiple of the mass that a point resists with. Reason: of 10,
+/// 30, 100, 300 and 1000 the one with the fewest rounds for stacks, pyramids and walls that land. (6.3.1)
+inline constexpr double heap_stiffness = 100.0;
+
+/// [-] Springs that stand for equations, as a multiple of the mass that a point resists with. Reason: three
+/// rounds leave less than rounding, and half of the digits are left for it. (6.3.1)
+inline constexpr double heap_hardness = 1e6;
+
+/// [-] How much further than its spring a point goes in a round. Reason: 1.5 to 1.8 save a third of the
+/// rounds; 2 would never end. (6.3.1)
+inline constexpr double heap_relaxation = 1.6;
+
+/// [-] Multiplications for each body up to which a heap's matrix is factored. Reason: a pyramid of 204
+/// boxes in space needs a quarter of it; a pile of a thousand more, and sweeps have to do. (6.3.1)
+inline constexpr double heap_work = 2e5;
+
+/// [-] Overlap that repair leaves, as a share of the shortest edge. Reason: below the slop, so that a
+/// repaired area is not looked at again for a rounding. (4.4)
+inline constexpr double repair_rest = 0.9e-5;
+
+/// [-] Share of the overlap that goes in a step. Reason: a millimetre is gone in half a second without
+/// being seen to go. (4.4)
+inline constexpr double repair_share = 0.2;
+
 }  // namespace tumble::tolerance

@@ -29,6 +29,7 @@ std::string list_of(const std::vector<std::string>& words) {
 
 // What is wrong with a value, empty if nothing is.
 std::string complaint(const Parameter& p, std::string_view value) {
+  if (p.kind == ParameterKind::text) return value.empty() ? "expected a text" : "";
   if (p.kind == ParameterKind::flag) {
     return value == "on" || value == "off" ? "" : "expected on or off";
   }
@@ -89,6 +90,18 @@ Parameters& Parameters::add_word(std::string key, std::vector<std::string> choic
   std::string initial = choices.front();
   items_.push_back({std::move(key), ParameterKind::word, std::move(initial), "-",
                     std::move(meaning), 0.0, 0.0, std::move(choices)});
+  return *this;
+}
+
+Parameters& Parameters::add_text(std::string key, std::string initial, std::string meaning) {
+  items_.push_back({std::move(key),
+                    ParameterKind::text,
+                    std::move(initial),
+                    "-",
+                    std::move(meaning),
+                    0.0,
+                    0.0,
+                    {}});
   return *this;
 }
 

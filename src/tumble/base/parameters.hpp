@@ -15,7 +15,8 @@ enum class ParameterKind : std::uint8_t {
   number,  ///< a finite number
   whole,   ///< a whole number
   flag,    ///< `on` or `off`
-  word     ///< one of a list of words
+  word,    ///< one of a list of words
+  text     ///< any text; whoever uses it checks it
 };
 
 /// One setting: its name, what it may be, and what it is now.
@@ -72,6 +73,13 @@ class Parameters {
   /// \return this, for the next declaration
   Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
 
+  /// Declares a text. What it may be is checked by whoever uses it.
+  /// \param key      its name
+  /// \param initial  the default, not empty
+  /// \param meaning  one line
+  /// \return this, for the next declaration
+  Parameters& add_text(std::string key, std::string initial, std::string meaning);
+
   /// Changes a setting.
   /// \param key    its name
   /// \param value  as a user writes it
@@ -108,6 +116,11 @@ class Parameters {
   /// \param key its name, declared as a word
   /// \return one of its words
   [[nodiscard]] const std::string& word(std::string_view key) const;
+
+  /// The value of a text.
+  /// \param key  its name, declared as a text
+  /// \return as it was written
+  [[nodiscard]] const std::string& text(std::string_view key) const { return word(key); }
 
   /// All settings.
   /// \return in the order of declaration

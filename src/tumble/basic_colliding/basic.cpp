@@ -3,6 +3,7 @@
 #include "tumble/basic_colliding/basic.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <string>
@@ -87,20 +88,11 @@ StepReport Basic::step(World& world, double dt) {
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
 // diagonal, overlap. A parabola stays within g t²/8 of its chord.
 void Basic::find_candidates(const World& world, double left) {
-  const double sag = world.gravity_w.norm() * left * left / 8.0;
   bounds_.resize(place(world.count()));
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    const BodyState& start = world.states()[k];
-    if (body.shape == Shape::ground || !body.movable()) {
-      bounds_[k] = bounds_of(body, start);
-      continue;
-    }
-    const Vec3 end_w =
-        start.position_w + left * velocity(body, start) + 0.5 * left * left * world.gravity_w;
-    const Vec3 wide = Vec3::Constant(0.5 * body.size.norm() + sag);
     bounds_[k] =
-        Bounds{start.position_w.cwiseMin(end_w) - wide, start.position_w.cwiseMax(end_w) + wide};
+        bounds_of_flight(body, world.states()[k], world.gravity_w, left, 0.5 * body.size.norm());
   }
   broad_phase_->find_pairs(bounds_, candidates_);
 }
@@ -202,33 +194,16 @@ void Basic::let_go_of_rounding(const World& world, double push, double left) {
 // Tells about the collisions of one moment.
 void Basic::record(const Event& moment) {
   for (const Contact& contact : contacts_) {
-    Event event = moment;
-    event.first = contact.first_id;
-    event.second = contact.second_id;
-    event.normal_w = contact.normal_w;
-    double weight = 0.0;
-    for (int p = 0; p < contact.count; ++p) {
-      const ContactPoint& point = contact.points[place(p)];
-      const Vec3 push_w = point.normal_impulse * contact.normal_w + point.friction_impulse_w;
-      event.impulse_w += push_w;
-      event.point_w += point.normal_impulse * point.position_w;
-      weight += point.normal_impulse;
-      records_.push_back(ContactRecord{moment.time, contact.first_id, contact.second_id,
-                                       point.position_w, contact.normal_w, push_w, true,
-                                       state_of(contact, p)});
-    }
-    if (!(weight > 0.0)) continue;  // they were parting already
-    event.point_w /= weight;
-    if (observer() != nullptr) observer()->on_event(event);
+    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
+    const std::optional<Event> event = event_of(contact, moment);
+    if (event && observer() != nullptr) observer()->on_event(*event);
   }
 }
 
 // What is left of overlap (rounding, a capped step, a missed collision) is repaired by moving
 // bodies (thesis 4.4).
 void Basic::repair_overlap(World& world, StepReport& report) {
-  for (std::size_t k = 0; k < bounds_.size(); ++k)
-    bounds_[k] = bounds_of(world.bodies()[k], world.states()[k],
-                           tolerance::repair_slop * world.bodies()[k].size.maxCoeff());
+  repair_bounds(world, 0.0, bounds_);
   broad_phase_->find_pairs(bounds_, candidates_);
   const RepairReport repaired = repair_.run(world, candidates_);
   report.pair_tests += repaired.pair_tests;

@@ -13,7 +13,7 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Refuses a contact of a body that there is not.
-void check(const Contact& contact, int count) {
+void check(const IndexPair& contact, int count) {
   const auto in_range = [&](int body) { return body >= 0 && body < count; };
   if (in_range(contact.first) && in_range(contact.second)) return;
   require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
@@ -41,11 +41,18 @@ void sort_by_island(std::span<const int> island, int islands, std::vector<int>& 
 }  // namespace
 
 void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts) {
+  pairs_.clear();
+  for (const Contact& contact : contacts) pairs_.push_back({contact.first, contact.second});
+  build_from_pairs(bodies, pairs_);
+}
+
+void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
+                               std::span<const IndexPair> contacts) {
   // Join the two sets of every contact under the smaller root: the root of an island is then its
   // smallest index, whatever the order of the contacts.
   parent_.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) parent_[b] = static_cast<int>(b);
-  for (const Contact& contact : contacts) {
+  for (const IndexPair& contact : contacts) {
     check(contact, static_cast<int>(bodies.size()));
     if (!bodies[at(contact.first)].movable() || !bodies[at(contact.second)].movable()) continue;
     int lower = root_of(contact.first);
@@ -64,7 +71,7 @@ void Islands::build(std::span<const BodyProperties> bodies, std::span<const Cont
     island_[b] = root == static_cast<int>(b) ? islands++ : island_[at(root)];
   }
   contact_island_.clear();
-  for (const Contact& contact : contacts) {
+  for (const IndexPair& contact : contacts) {
     const int first = island_[at(contact.first)];
     contact_island_.push_back(first != kNone ? first : island_[at(contact.second)]);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
+#include "tumble/geometry/broad_phase.hpp"
 
 #include <cstddef>
 #include <span>
@@ -29,6 +30,12 @@ class Islands {
   /// \param contacts  bodies that touch; only their indices `first` and `second` are read
   /// \throws std::invalid_argument for an index out of range
   void build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts);
+
+  /// Finds the islands from pairs of bodies that touch; their places count as those of contacts.
+  /// \param bodies  the constant parts, for who is immovable
+  /// \param pairs   indices of bodies that touch, each pair in either order
+  /// \throws std::invalid_argument for an index out of range
+  void build_from_pairs(std::span<const BodyProperties> bodies, std::span<const IndexPair> pairs);
 
   /// How many islands there are.
   /// \return from 0
@@ -64,7 +71,8 @@ class Islands {
     return all.subspan(begin, end - begin);
   }
 
-  std::vector<int> parent_;  // towards a smaller index of the same island; a root is its own
+  std::vector<IndexPair> pairs_;  // of the contacts
+  std::vector<int> parent_;       // towards a smaller index of the same island; a root is its own
   std::vector<int> island_;
   std::vector<int> contact_island_;
   std::vector<int> bodies_;

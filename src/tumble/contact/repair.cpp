@@ -196,4 +196,13 @@ void OverlapRepair::store(World& world, RepairReport& report) const {
   }
 }
 
+void repair_bounds(const World& world, double margin, std::vector<Bounds>& out) {
+  out.resize(world.bodies().size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    out[k] = bounds_of(body, world.states()[k],
+                       0.5 * margin + tolerance::repair_slop * body.size.maxCoeff());
+  }
+}
+
 }  // namespace tumble

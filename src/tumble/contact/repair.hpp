@@ -40,6 +40,12 @@ struct RepairReport {
   double energy = 0.0;                        ///< [J] potential energy added, for booking
 };
 
+/// Bounds in which bodies that overlap are found, and those that may once they are moved apart.
+/// \param world   the bodies
+/// \param margin  [m] pairs up to this far apart are found as well, at least 0
+/// \param out     is overwritten, one for each body index; its capacity is kept
+void repair_bounds(const World& world, double margin, std::vector<Bounds>& out);
+
 /// Ends overlaps by moving bodies, with positions as the only thing that changes.
 ///
 /// The method of the thesis's listing FIXCONTACTCONSTRAINTS, which goes up from the ground and moves

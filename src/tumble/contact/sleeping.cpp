@@ -12,6 +12,11 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+void list_pairs(std::span<const Contact> contacts, std::vector<IndexPair>& pairs) {
+  pairs.clear();
+  for (const Contact& contact : contacts) pairs.push_back({contact.first, contact.second});
+}
+
 }  // namespace
 
 SleepingRule::SleepingRule(const SleepingOptions& options) : options_(options) {
@@ -79,11 +84,20 @@ bool SleepingRule::needs_test(int first, int second) const {
   return (a == Role::asleep && b == Role::changed) || (a == Role::changed && b == Role::asleep);
 }
 
+bool SleepingRule::nobody_awake() const {
+  return std::find(role_.begin(), role_.end(), Role::awake) == role_.end();
+}
+
 int SleepingRule::wake_touched(World& world, std::span<const Contact> contacts) {
+  list_pairs(contacts, pairs_);
+  return wake_touched_pairs(world, pairs_);
+}
+
+int SleepingRule::wake_touched_pairs(World& world, std::span<const IndexPair> contacts) {
   require::that(role_.size() == world.states().size(),
                 "sleeping: bodies were added or removed: call wake_disturbed() first");
   disturbed_.clear();
-  for (const Contact& contact : contacts) {
+  for (const IndexPair& contact : contacts) {
     if (!needs_test(contact.first, contact.second)) continue;  // an old contact of a sleeper
     for (const int body : {contact.first, contact.second})
       if (role_[at(body)] == Role::asleep) disturbed_.push_back(group_[at(body)]);
@@ -111,8 +125,14 @@ int SleepingRule::wake_groups(World& world, bool all) {
 
 SleepReport SleepingRule::update(World& world, std::span<const Contact> contacts,
                                  const Islands& islands, double dt) {
+  list_pairs(contacts, pairs_);
+  return update_with_pairs(world, pairs_, islands, dt);
+}
+
+SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexPair> contacts,
+                                            const Islands& islands, double dt) {
   require::positive(dt, "dt");
-  wake_touched(world, contacts);  // in case that the technique has not: then one step late
+  wake_touched_pairs(world, contacts);  // in case that the technique has not: then one step late
 
   for (std::size_t b = 0; b < role_.size(); ++b) {
     if (role_[b] != Role::awake) continue;
@@ -145,7 +165,7 @@ bool SleepingRule::slow(const World& world, int body, double dt) const {
 
 // Whether all bodies of an island have been slow for long enough. Under gravity nothing rests
 // unless something immovable holds it: without this a heap thrown upwards could stop at the top.
-bool SleepingRule::can_sleep(const World& world, std::span<const Contact> contacts,
+bool SleepingRule::can_sleep(const World& world, std::span<const IndexPair> contacts,
                              const Islands& islands, int island) const {
   for (const int body : islands.bodies(island))
     if (role_[at(body)] != Role::awake || world.rests()[at(body)].quiet_time < options_.time)
@@ -159,7 +179,7 @@ bool SleepingRule::can_sleep(const World& world, std::span<const Contact> contac
   return false;
 }
 
-void SleepingRule::put_to_sleep(World& world, std::span<const Contact> contacts,
+void SleepingRule::put_to_sleep(World& world, std::span<const IndexPair> contacts,
                                 const Islands& islands, int island, SleepReport& report) {
   const BodyId group = world.ids()[at(islands.bodies(island).front())];
   for (const int body : islands.bodies(island)) {

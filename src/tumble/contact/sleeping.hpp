@@ -82,6 +82,10 @@ class SleepingRule {
   /// \return false if the pair needs no test; true before wake_disturbed() was called
   [[nodiscard]] bool needs_test(int first, int second) const;
 
+  /// Whether all movable bodies sleep.
+  /// \return after wake_disturbed(): whether nothing is left to do in a step
+  [[nodiscard]] bool nobody_awake() const;
+
   /// Wakes the groups that are touched by an awake body, or by an immovable one that is new there.
   ///
   /// Contacts within the woken groups were not looked for: gather again if this returns more than 0.
@@ -90,6 +94,13 @@ class SleepingRule {
   /// \return how many bodies it woke
   /// \throws std::invalid_argument if wake_disturbed() has not seen these bodies
   int wake_touched(World& world, std::span<const Contact> contacts);
+
+  /// The same for pairs of bodies that touch.
+  /// \param world  the bodies; changes rests() only
+  /// \param pairs  by index; all that were found
+  /// \return how many bodies it woke
+  /// \throws std::invalid_argument if wake_disturbed() has not seen these bodies
+  int wake_touched_pairs(World& world, std::span<const IndexPair> pairs);
 
   /// Counts how long bodies have been slow, and puts islands to sleep. Last thing in a step.
   /// \param world     the bodies; changes rests(), and the momenta of those that fall asleep
@@ -101,6 +112,17 @@ class SleepingRule {
   ///         has not seen these bodies
   SleepReport update(World& world, std::span<const Contact> contacts, const Islands& islands,
                      double dt);
+
+  /// The same for pairs of bodies that touch.
+  /// \param world    the bodies; changes rests(), and the momenta of those that fall asleep
+  /// \param pairs    by index; those that the step worked with
+  /// \param islands  of these pairs
+  /// \param dt       [s] above 0
+  /// \return what it did
+  /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
+  ///         has not seen these bodies
+  SleepReport update_with_pairs(World& world, std::span<const IndexPair> pairs,
+                                const Islands& islands, double dt);
 
  private:
   /// What a body is to the pair filter.
@@ -122,13 +144,14 @@ class SleepingRule {
   void disturb(const Seen& before);
   int wake_groups(World& world, bool all);
   [[nodiscard]] bool slow(const World& world, int body, double dt) const;
-  [[nodiscard]] bool can_sleep(const World& world, std::span<const Contact> contacts,
+  [[nodiscard]] bool can_sleep(const World& world, std::span<const IndexPair> contacts,
                                const Islands& islands, int island) const;
-  void put_to_sleep(World& world, std::span<const Contact> contacts, const Islands& islands,
+  void put_to_sleep(World& world, std::span<const IndexPair> contacts, const Islands& islands,
                     int island, SleepReport& report);
   void remember(const World& world);
 
   SleepingOptions options_;
+  std::vector<IndexPair> pairs_;  // of contacts, while they are looked at
 
   // Memory from step to step.
   std::vector<Seen> seen_;  // all bodies, ascending by id

@@ -105,4 +105,15 @@ ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Ve
   return bound;
 }
 
+// The parabola stays within g t²/8 of its chord.
+Bounds bounds_of_flight(const BodyProperties& body, const BodyState& start, const Vec3& gravity_w,
+                        double time, double reach) {
+  if (!body.movable()) return bounds_of(body, start);
+  const double sag = gravity_w.norm() * time * time / 8.0;
+  const Vec3 end_w =
+      start.position_w + time * velocity(body, start) + 0.5 * time * time * gravity_w;
+  const Vec3 wide = Vec3::Constant(reach + sag);
+  return Bounds{start.position_w.cwiseMin(end_w) - wide, start.position_w.cwiseMax(end_w) + wide};
+}
+
 }  // namespace tumble

@@ -70,6 +70,18 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
 /// \throws std::invalid_argument if an angular momentum is not finite
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
+/// Bounds of all of a body's way in flight, for finding pairs that may meet.
+/// \param body       its constant part
+/// \param start      its state now
+/// \param gravity_w  [m/s²] world frame
+/// \param time       [s] of the flight
+/// \param reach      [m] of the body from its centre, whichever way it turns; at least half its
+///                   diagonal
+/// \return bounds of the parabola's chord, widened by the reach and by how far a parabola leaves its
+///         chord; those of the body alone if it is immovable
+Bounds bounds_of_flight(const BodyProperties& body, const BodyState& start, const Vec3& gravity_w,
+                        double time, double reach);
+
 /// How fast the gap of two bodies along a fixed direction can close from a time to an end.
 ///
 /// Centres close along n by \f$n\cdot(v_1-v_2)\,\tau + \tfrac12 n\cdot(a_1-a_2)\,\tau^2\f$ exactly.

@@ -15,6 +15,8 @@ const std::vector<SceneRecipe>& scene_library() {
     std::vector<SceneRecipe> list;
     recipes::add_single(list);
     recipes::add_structures(list);
+    recipes::add_sliding(list);
+    recipes::add_balanced(list);
     recipes::add_thrown(list);
     return list;
   }();
@@ -29,6 +31,16 @@ const SceneRecipe& scene_recipe(std::string_view name) {
   }
   require::that(false, "unknown scene " + std::string(name) + ": " + expected_names(name, names));
   return scene_library().front();  // not reached
+}
+
+SceneBox recipes::box_at(std::string_view name, const Vec3& size, const Vec3& position_w,
+                         double mass) {
+  SceneBox box;
+  box.name = name;
+  box.size = size;
+  box.position_w = position_w;
+  box.mass = mass;
+  return box;
 }
 
 std::string recipes::numbered(std::string_view stem, std::initializer_list<int> places) {

@@ -20,9 +20,34 @@ void add_structures(std::vector<SceneRecipe>& list);
 /// \param list gets the recipes
 void add_single(std::vector<SceneRecipe>& list);
 
-/// Many boxes in motion: clump, projectile, dice, cage; fig6_6, fig6_7.
+/// Boxes that slide, or carry others along: slide, slope, fig5_2, sled.
+/// \param list gets the recipes
+void add_sliding(std::vector<SceneRecipe>& list);
+
+/// Boxes near the limit of balance: rocking_block, seesaw, fig6_5, leaning, table.
+/// \param list gets the recipes
+void add_balanced(std::vector<SceneRecipe>& list);
+
+/// Many boxes in motion: clump, projectile, dice, cage, toss; fig6_6, fig6_7.
 /// \param list gets the recipes
 void add_thrown(std::vector<SceneRecipe>& list);
+
+/// Declares how far the boxes of a pile are from their places: `scatter` and `scatter_angle`.
+/// \param p gets the two settings, 0 by default
+void add_scatter(Parameters& p);
+
+/// Builds a pile anew, less exactly: each box in turn is shifted sideways by up to `scatter` along
+/// x and z and turned by up to `scatter_angle` about any axis, is then lowered until it touches the
+/// ground or a box before it, and is lifted by up to `scatter`.
+///
+/// Nothing overlaps whatever the settings are: a box that has become too wide for its place lies on
+/// its neighbours. With both settings 0 not a bit of the scene changes.
+/// \param p       has the settings of add_scatter()
+/// \param random  one stream for each box is taken from it
+/// \param scene   boxes above a ground, each after those that it stands on
+/// \par Cost
+/// O(n²) comparisons of bounds, and a sweep for each pair that is one above the other.
+void scatter(const Parameters& p, const Random& random, Scene& scene);
 
 /// Puts the bricks of the pyramid of pyramid() into a scene; projectile() shoots at it.
 /// \param rows     boxes in the lowest row
@@ -36,6 +61,14 @@ void build_pyramid(int rows, double spacing, Scene& scene);
 /// \param random    orientations
 /// \param scene     gets the boxes
 void build_clump(int per_edge, double spacing, Random random, Scene& scene);
+
+/// A movable box that is at rest and upright.
+/// \param name        its name; may be empty
+/// \param size        [m] full edge lengths
+/// \param position_w  [m] its centre
+/// \param mass        [kg]
+/// \return the box, with the friction and restitution of SceneBox
+SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass);
 
 /// A box's name: a stem and its place, such as "level3" or "l2_1_4".
 /// \param stem    letters

@@ -32,10 +32,11 @@ Parameters stack_parameters() {
   p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of a cube");
   p.add_number("mass", 1.0, 1e-6, 1e6, "kg", "mass of a cube");
   p.add_number("top_mass", 1.0, 1e-6, 1e6, "kg", "mass of the uppermost cube");
+  add_scatter(p);
   return p;
 }
 
-Scene stack(const Parameters& p, Random) {
+Scene stack(const Parameters& p, Random random) {
   Scene scene;
   scene.title = "a stack of " + std::to_string(p.count("count")) + " cubes";
   const double size = p.number("size");
@@ -46,6 +47,7 @@ Scene stack(const Parameters& p, Random) {
     scene.boxes.push_back(box);
   }
   set_surface(p, scene);
+  scatter(p, random, scene);
   return scene;
 }
 
@@ -53,14 +55,16 @@ Parameters pyramid_parameters() {
   Parameters p = with_friction();
   p.add_whole("rows", 10, 1, 100, "boxes in the lowest row");
   p.add_number("spacing", 1.05, 1.0, 1.9, "-", "centre to centre in a row, in edges");
+  add_scatter(p);
   return p;
 }
 
-Scene pyramid(const Parameters& p, Random) {
+Scene pyramid(const Parameters& p, Random random) {
   Scene scene;
   scene.title = "a flat pyramid of " + std::to_string(p.count("rows")) + " rows";
   build_pyramid(p.count("rows"), p.number("spacing"), scene);
   set_surface(p, scene);
+  scatter(p, random, scene);
   return scene;
 }
 
@@ -68,11 +72,12 @@ Parameters pyramid3d_parameters() {
   Parameters p = with_friction();
   p.add_whole("rows", 10, 1, 30, "layers, and boxes along each edge of the lowest one");
   p.add_number("spacing", 1.05, 1.0, 1.9, "-", "centre to centre in a layer, in edges");
+  add_scatter(p);
   return p;
 }
 
 // Square layers, each box over the middle of the four below it.
-Scene pyramid3d(const Parameters& p, Random) {
+Scene pyramid3d(const Parameters& p, Random random) {
   Scene scene;
   const int layers = p.count("rows");
   const double spacing = p.number("spacing");
@@ -89,6 +94,7 @@ Scene pyramid3d(const Parameters& p, Random) {
     }
   }
   set_surface(p, scene);
+  scatter(p, random, scene);
   return scene;
 }
 
@@ -97,12 +103,13 @@ Parameters wall_parameters() {
   p.add_whole("courses", 20, 1, 200, "rows of bricks");
   p.add_whole("bricks", 20, 1, 200, "bricks in a row");
   p.add_number("gap", 0.01, 0.0, 0.2, "m", "between neighbours in a row");
+  add_scatter(p);
   return p;
 }
 
 // Quarter bond: every other course is shifted by a quarter of a brick. With half bond the free
 // bricks at the ends would overhang by more than half, and the wall would fall by itself.
-Scene wall(const Parameters& p, Random) {
+Scene wall(const Parameters& p, Random random) {
   Scene scene;
   scene.title = "a wall in quarter bond";
   const Vec3 size(1.0, 0.5, 0.5);
@@ -118,6 +125,7 @@ Scene wall(const Parameters& p, Random) {
     }
   }
   set_surface(p, scene);
+  scatter(p, random, scene);
   return scene;
 }
 

@@ -166,6 +166,38 @@ Scene cage(const Parameters& p, Random random) {
   return scene;
 }
 
+Parameters toss_parameters() {
+  Parameters p;
+  p.add_number("size", 0.1048, 1e-3, 100.0, "m", "edge of the cube");
+  p.add_number("mass", 0.37, 1e-6, 1e6, "kg", "of the cube");
+  p.add_number("friction", 0.18, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("restitution", 0.125, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return p;
+}
+
+// Drawn from the ranges of the first twenty measured tosses of a cube (ContactNets: Pfrommer, Halm
+// and Posa, CoRL 2020), with its size, mass, friction and restitution. Another size gets heights in
+// edges; speeds stay.
+Scene toss(const Parameters& p, Random random) {
+  Scene scene;
+  scene.title = "a cube tossed onto a table";
+  SceneBox cube;
+  cube.name = "cube";
+  cube.size = Vec3::Constant(p.number("size"));
+  cube.mass = p.number("mass");
+  cube.position_w.y() = p.number("size") * random.uniform(1.18, 1.57);  // 0.124 to 0.165 m
+  cube.orientation_wb = random.orientation();
+  const double speed = random.uniform(1.03, 1.35);
+  cube.velocity_w = Vec3(speed, random.uniform(-0.18, 0.26), 0.0);
+  const double spin = random.uniform(0.6, 6.7);
+  cube.angular_velocity_w = spin * random.direction();
+  cube.friction = p.number("friction");
+  cube.restitution = p.number("restitution");
+  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  scene.boxes.push_back(cube);
+  return scene;
+}
+
 }  // namespace
 
 void build_clump(int per_edge, double spacing, Random random, Scene& scene) {
@@ -190,6 +222,8 @@ void add_thrown(std::vector<SceneRecipe>& list) {
   list.push_back({"fig6_7", "6.1", "figure 6.7: cubes fly towards the origin and settle",
                   fig6_7_parameters, clump});
   list.push_back({"dice", "4.2", "thrown dice", dice_parameters, dice});
+  list.push_back(
+      {"toss", "4.2", "a cube tossed onto a table, like measured ones", toss_parameters, toss});
   list.push_back({"cage", "3.3.1", "cubes in a cage without gravity", cage_parameters, cage});
 }
 

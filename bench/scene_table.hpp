@@ -1,0 +1,35 @@
+/// \file
+/// \brief What scenes.cpp prints.
+#pragma once
+
+#include "scene_list.hpp"
+#include "scene_run.hpp"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace scene_bench {
+
+/// What the columns of the tables mean.
+/// \return lines of at most 100 characters
+std::string legend();
+
+/// Prints a scene's table, at most 100 characters wide.
+/// \param scene      the scene
+/// \param runs       one for each engine
+/// \param reference  name of the engine that ratios are to; may not be among the runs
+void print_table(const SceneChoice& scene, const std::vector<Outcome>& runs,
+                 const std::string& reference);
+
+/// Writes the names of the columns of write_csv().
+/// \param file an open file
+void write_csv_head(std::FILE* file);
+
+/// Writes a line for each run, with all digits.
+/// \param file   an open file
+/// \param scene  the scene
+/// \param runs   one for each engine
+void write_csv(std::FILE* file, const SceneChoice& scene, const std::vector<Outcome>& runs);
+
+}  // namespace scene_bench

@@ -1,0 +1,24 @@
+/// \file
+/// \brief Settings as a command line has them, for experiments and tests.
+#pragma once
+
+#include "tumble/base/parameters.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Changes several parameters.
+/// \param parameters  in and out
+/// \param settings    each as key=value
+/// \throws std::invalid_argument as Parameters::set()
+inline void set_all(Parameters& parameters, const std::vector<std::string>& settings) {
+  for (const std::string_view setting : settings) {
+    const std::size_t equals = setting.find('=');
+    parameters.set(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+}
+
+}  // namespace tumble::chapters

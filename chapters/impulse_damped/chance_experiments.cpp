@@ -1,0 +1,153 @@
+/// \file
+/// \brief The time until dice rest, with randomness in some collisions (thesis 4.2).
+#include "impulse_damped/chance_experiments.hpp"
+
+#include "tumble/scenes/library.hpp"
+
+#include "driver/statistics.hpp"
+#include "impulse_damped/settled_boxes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+
+// Whether collisions are left to chance, in the order of the figure.
+struct Rule {
+  const char* name;
+  Randomness where;
+};
+constexpr std::array<Rule, 4> kRules{{{"nowhere", Randomness::off},
+                                      {"in fast collisions", Randomness::fast},
+                                      {"in slow collisions", Randomness::slow},
+                                      {"in all collisions", Randomness::all}}};
+
+// What is thrown and how it is damped.
+struct Setting {
+  std::string scene = "dice";
+  std::string parts = "all";
+  double eps = 1.0;
+  double k = 1.0;
+  double chance = 1.0;  // how much is left to it, over the usual
+};
+
+DampedOptions options_of(const Setting& setting, const Rule& rule, int seed) {
+  DampedOptions options;
+  options.damping = damping_parts_from(setting.parts);
+  options.numbers.eps_scale = setting.eps;
+  options.numbers.k_scale = setting.k;
+  options.noise.where = rule.where;
+  options.noise.normal *= setting.chance;
+  options.noise.restitution *= setting.chance;
+  options.seed = static_cast<std::uint64_t>(seed);
+  return options;
+}
+
+World thrown(const std::string& scene, int seed) {
+  if (scene == "clump") return clump(3, seed);
+  const SceneRecipe& recipe = scene_recipe(scene);
+  return build_world(recipe.build(recipe.parameters(), Random(static_cast<std::uint64_t>(seed))));
+}
+
+// By seed: the time to rest, mean over the dice of a throw.
+using Times = std::vector<double>;
+
+Times rest_times(const Setting& setting, const Rule& rule, int seeds, double duration) {
+  Times times;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const std::vector<BoxEnd> ends =
+        settle(thrown(setting.scene, seed), options_of(setting, rule, seed), duration);
+    double sum = 0.0;
+    for (const BoxEnd& end : ends) sum += end.rest_time;
+    times.push_back(sum / static_cast<double>(ends.size()));
+  }
+  return times;
+}
+
+Quantity ratio(const std::string& name, const Times& top, const Times& bottom) {
+  return over_seeds(name, "-", static_cast<int>(top.size()), [&](int left_out) {
+    return sum_without(top, left_out) / sum_without(bottom, left_out);
+  });
+}
+
+// [m] height of the lowest corner of the first die after each step.
+std::vector<double> lowest_corner(const Setting& setting, const Rule& rule, double duration) {
+  World world = thrown(setting.scene, 1);
+  Damped technique(options_of(setting, rule, 1));
+  std::vector<double> heights;
+  while (world.time() < duration - 0.5 * kStep) {
+    technique.step(world, kStep);
+    const Box die = box_of(world.bodies()[1], world.states()[1]);
+    heights.push_back(die.center_w.y() - reach(die, Vec3::UnitY()));
+  }
+  return heights;
+}
+
+}  // namespace
+
+Result measure_chance(const Parameters& settings) {
+  const int seeds = settings.count("seeds");
+  const double duration = settings.number("duration");
+  const auto times = [&](const Setting& setting, const Rule& rule) {
+    return rest_times(setting, rule, seeds, duration);
+  };
+  Result result;
+  const Setting usual;
+  const Setting scaling{"dice", "scale"};
+  Table table{"",
+              {{"rule", "-", "chance 1 nowhere, 2 in fast collisions, 3 in slow ones, 4 in all"},
+               {"rest_s", "s", "mean time to rest of dice, with the damping"},
+               {"rest_scaled_s", "s", "the same with the scaling of velocities only"}}};
+  std::array<Times, 4> damped;
+  std::array<Times, 4> scaled;
+  const auto mean = [&](const Times& all) { return sum_without(all, -1) / seeds; };
+  for (std::size_t r = 0; r < kRules.size(); ++r) {
+    damped[r] = times(usual, kRules[r]);
+    scaled[r] = times(scaling, kRules[r]);
+    table.rows.push_back({static_cast<double>(r + 1), mean(damped[r]), mean(scaled[r])});
+  }
+
+  const std::string same = "the same, ";
+  std::vector<Quantity>& out = result.quantities;
+  out.push_back(
+      ratio("time to rest with randomness in slow collisions too, over the time with "
+            "randomness in fast ones only",
+            damped[3], damped[1]));
+  const auto variant = [&](const std::string& name, const Setting& setting) {
+    out.push_back(ratio(same + name, times(setting, kRules[3]), times(setting, kRules[1])));
+  };
+  variant("thresholds halved", {"dice", "all", 0.5, 1.0});
+  variant("thresholds doubled", {"dice", "all", 2.0, 1.0});
+  variant("damping half as fast", {"dice", "all", 1.0, 0.5});
+  variant("damping twice as fast", {"dice", "all", 1.0, 2.0});
+  variant("tossed cubes", {"toss", "all", 1.0, 1.0});
+  variant("27 cubes that fly together", {"clump", "all", 1.0, 1.0});
+  variant("three times as much chance", {"dice", "all", 1.0, 1.0, 3.0});
+  out.push_back(ratio(same + "scaling of velocities only", scaled[3], scaled[1]));
+  out.push_back(ratio("time to rest with randomness in fast collisions, over the time without any",
+                      damped[1], damped[0]));
+  for (std::size_t r = 0; r < kRules.size(); ++r)
+    out.push_back(over_seeds(std::string("mean time to rest, randomness ") + kRules[r].name, "s",
+                             seeds, [&](int left_out) {
+                               return sum_without(damped[r], left_out) /
+                                      (seeds - (left_out < 0 ? 0 : 1));
+                             }));
+
+  Table path{"path",
+             {{"time_s", "s", "time"},
+              {"fast_mm", "mm", "height of a die's lowest corner, chance in fast collisions"},
+              {"all_mm", "mm", "the same, chance in all collisions"}}};
+  const std::vector<double> fast = lowest_corner(usual, kRules[1], duration);
+  const std::vector<double> all = lowest_corner(usual, kRules[3], duration);
+  for (std::size_t n = 0; n < fast.size(); ++n)
+    path.rows.push_back({static_cast<double>(n + 1) * kStep, 1e3 * fast[n], 1e3 * all[n]});
+  result.tables = {table, path};
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,240 @@
+/// \file
+/// \brief How much a stack chatters that is held up by impulses without damping.
+#include "impulse_damped/chatter_experiments.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/damped.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/record/chatter.hpp"
+
+#include "driver/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr int kCoarsest = 30;  // [1/s] steps
+constexpr std::array<NormalRule, 3> kNormals = {NormalRule::last_face, NormalRule::separation,
+                                                NormalRule::signed_distance};
+using Shock = decltype(DampedOptions::shock);
+
+// A way to run the stack.
+struct Method {
+  Shock shock = Shock::position;
+  PointRule points = PointRule::one;
+  NormalRule normals = NormalRule::last_face;
+  int rate = 60;  // [1/s] steps
+};
+
+struct Stack {
+  int boxes = 5;
+  double restitution = 0.9;  // [-]
+  double aside = 0.0;        // [m] by how much a box is moved along x and z, at most
+  double turn = 0.0;         // [rad] by how much it is turned about the vertical, at most
+  double duration = 2.0;     // [s]
+};
+
+World build(const Stack& stack, int seed) {
+  Random random(static_cast<std::uint64_t>(seed));
+  World world;
+  world.add_ground(0.5, stack.restitution);
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, stack.restitution);
+  for (int k = 0; k < stack.boxes; ++k) {
+    const double x = stack.aside * random.uniform(-1.0, 1.0);
+    const double z = stack.aside * random.uniform(-1.0, 1.0);
+    const Vec3 turn_w(0.0, stack.turn * random.uniform(-1.0, 1.0), 0.0);
+    world.add(cube, make_state(cube, Vec3(x, k + 0.5, z), rotation_from_vector(turn_w)));
+  }
+  return world;
+}
+
+Damped undamped(const Method& method) {
+  DampedOptions options;
+  options.damping = damping_parts_from("none");
+  options.stable_boxes = StableRule::off;
+  options.noise.where = Randomness::off;
+  options.shock = method.shock;
+  options.points = method.points;
+  options.normals = method.normals;
+  return Damped(options);
+}
+
+// What the windows of one run or of several showed.
+struct Shaking {
+  double amplitude = 0.0;  // [m] sum over the windows in which a box rests
+  double boxes = 0.0;      // that rest, sum over the same
+  double windows = 0.0;    // how many these are
+  double restless = 0.0;   // windows in which no box rests
+
+  [[nodiscard]] double mean() const {
+    return windows > 0.0 ? amplitude / windows : std::numeric_limits<double>::quiet_NaN();
+  }
+  void add(const Shaking& other) {
+    amplitude += other.amplitude;
+    boxes += other.boxes;
+    windows += other.windows;
+    restless += other.restless;
+  }
+};
+
+// A body is in contact if another surface is within the distance that a body at rest may move.
+class Watch {
+ public:
+  void look(const World& world) {
+    near_.gather(world, world.states(), world.states(), nullptr, tolerance::resting_movement,
+                 contacts_);
+    touching_.assign(world.bodies().size(), 0);
+    for (const Contact& contact : contacts_)
+      for (const int body : {contact.first, contact.second})
+        touching_[static_cast<std::size_t>(body)] = 1;
+    meter_.add(world, touching_);
+  }
+  [[nodiscard]] Chatter measure(double gravity) const { return meter_.measure(gravity); }
+
+ private:
+  PairGatherer near_{NormalRule::separation, PointRule::one};
+  ContactList contacts_;
+  std::vector<char> touching_;
+  ChatterMeter meter_;
+};
+
+Shaking shake(const Stack& stack, const Method& method, int seed) {
+  World world = build(stack, seed);
+  Damped technique = undamped(method);
+  Watch watch;
+  watch.look(world);
+  Shaking out;
+  const int steps = static_cast<int>(stack.duration * method.rate + 0.5);
+  for (int step = 1; step <= steps; ++step) {
+    if (technique.step(world, 1.0 / method.rate).status != StepStatus::done)
+      throw std::runtime_error("a step of the stack failed");
+    watch.look(world);
+    if (step < method.rate || 2 * step % method.rate != 0) continue;
+    const Chatter chatter = watch.measure(world.gravity_w.norm());
+    Shaking window;
+    if (chatter.bodies > 0) {
+      window = {chatter.amplitude, static_cast<double>(chatter.bodies), 1.0, 0.0};
+    } else {
+      window.restless = 1.0;
+    }
+    out.add(window);
+  }
+  return out;
+}
+
+std::vector<Shaking> shake_all(const Stack& stack, const Method& method, int seeds) {
+  std::vector<Shaking> out;
+  for (int seed = 1; seed <= seeds; ++seed) out.push_back(shake(stack, method, seed));
+  return out;
+}
+
+double mean_without(const std::vector<Shaking>& runs, int left_out) {
+  Shaking all;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (static_cast<int>(k) != left_out) all.add(runs[k]);
+  return all.mean();
+}
+
+// How much of the chatter of the first method the second one does not have.
+Quantity gone(const std::string& name, const std::vector<Shaking>& before,
+              const std::vector<Shaking>& after) {
+  return over_seeds(name, "-", static_cast<int>(before.size()), [&](int left_out) {
+    return 1.0 - mean_without(after, left_out) / mean_without(before, left_out);
+  });
+}
+
+Table all_rules(const Stack& stack, int finest, int seeds) {
+  Table table{"",
+              {{"shock", "-", "0: bodies are pushed out of overlap, 1: velocities are stopped"},
+               {"points", "-", "0: one of a pair, 1: the whole contact area"},
+               {"normals", "-", "0: closest face of the last step, 1: exact, 2: signed distance"},
+               {"dt_s", "s", "time step"},
+               {"amplitude_m", "m", "of chatter, mean over the windows in which a box rests"},
+               {"boxes", "-", "that rest in these, mean"},
+               {"windows", "-", "how many these are"},
+               {"restless", "-", "windows in which no box rests"}}};
+  for (const Shock shock : {Shock::position, Shock::velocity})
+    for (const PointRule points : {PointRule::one, PointRule::area})
+      for (std::size_t n = 0; n < kNormals.size(); ++n)
+        for (int rate = finest; rate >= kCoarsest; rate /= 2) {
+          Shaking all;
+          for (const Shaking& run : shake_all(stack, {shock, points, kNormals[n], rate}, seeds))
+            all.add(run);
+          table.rows.push_back(
+              {shock == Shock::velocity ? 1.0 : 0.0, points == PointRule::area ? 1.0 : 0.0,
+               static_cast<double>(n), 1.0 / rate, all.mean(),
+               all.windows > 0.0 ? all.boxes / all.windows : 0.0, all.windows, all.restless});
+        }
+  return table;
+}
+
+// The two causes that the text names, together and one at a time, and what else there may be.
+void add_shares(const Stack& stack, int seeds, std::vector<Quantity>& out) {
+  Method thesis;
+  Method small = thesis;
+  small.rate = 240;
+  Method exact = thesis;
+  exact.normals = NormalRule::separation;
+  Method both = small;
+  both.normals = NormalRule::separation;
+  const std::vector<Shaking> base = shake_all(stack, thesis, seeds);
+  out.push_back(
+      gone("share of the chatter of a stack on the ground that goes away with a quarter "
+           "of the step and true normals",
+           base, shake_all(stack, both, seeds)));
+  out.push_back(gone("share that goes away with a quarter of the step", base,
+                     shake_all(stack, small, seeds)));
+  out.push_back(
+      gone("share that goes away with true normals", base, shake_all(stack, exact, seeds)));
+  Method velocity = thesis;
+  velocity.shock = Shock::velocity;
+  const std::vector<Shaking> stopped = shake_all(stack, velocity, seeds);
+  out.push_back(
+      gone("share that goes away if velocities are stopped in place of pushes", base, stopped));
+  both.shock = Shock::velocity;
+  out.push_back(
+      gone("velocities stopped: share that goes away with a quarter of the step and true "
+           "normals",
+           stopped, shake_all(stack, both, seeds)));
+  out.push_back({"amplitude of chatter at 1/60 s with the normals of the thesis", "m",
+                 mean_without(base, -1)});
+  Stack dull = stack;
+  dull.restitution = 0.0;
+  out.push_back({"the same amplitude without restitution", "m",
+                 mean_without(shake_all(dull, thesis, seeds), -1)});
+}
+
+}  // namespace
+
+Result measure_oscillation(const Parameters& settings) {
+  Stack stack;
+  stack.boxes = settings.count("boxes");
+  stack.restitution = settings.number("restitution");
+  stack.aside = settings.number("aside");
+  stack.turn = settings.number("turn");
+  stack.duration = settings.number("duration");
+  Result result;
+  result.tables.push_back(all_rules(stack, settings.count("finest"), settings.count("seeds")));
+  add_shares(stack, settings.count("many"), result.quantities);
+
+  // All boxes upright and above each other: all rules of normals agree.
+  Stack upright = stack;
+  upright.aside = 0.0;
+  upright.turn = 0.0;
+  Method method;
+  const double before = shake(upright, method, 1).mean();
+  method.rate = 240;
+  method.normals = NormalRule::separation;
+  result.quantities.push_back({"upright stack: amplitude of chatter at 1/60 s", "m", before});
+  result.quantities.push_back({"upright stack: share that goes away with a quarter of the step",
+                               "-", 1.0 - shake(upright, method, 1).mean() / before});
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,207 @@
+/// \file
+/// \brief Whether the damping ever adds energy (thesis 5.3).
+#include "impulse_damped/damping_experiments.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/dampen_objects.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "driver/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+
+// The stages of the damping, in the order in which they are done.
+struct Stage {
+  const char* name;
+  const char* parts;
+};
+constexpr std::array<Stage, 5> kStages{{{"scaling", "scale"},
+                                        {"settling of aligned boxes", "align"},
+                                        {"turning upright", "tilt"},
+                                        {"slow components", "small"},
+                                        {"small moves undone", "freeze"}}};
+
+// [any] 10^x with x uniform between those of two numbers, and a random sign.
+double any_size(double low, double high, Random& random) {
+  const double size = low * elementary::pow(high / low, random.unit());
+  return random.unit() < 0.5 ? -size : size;
+}
+
+// A random state of a box. Sizes of momenta reach from well below the thresholds to well above.
+BodyState random_state(const BodyProperties& box, Random& random) {
+  const DampedThresholds eps = thresholds_of(DampedNumbers{}, box, 9.81, kStep);
+  BodyState state;
+  state.position_w = Vec3(0.0, 10.0, 0.0);
+  state.orientation_wb = random.orientation();
+  if (random.unit() < 0.5) {
+    // A face nearly level: put upright, then turned by a small angle.
+    const Quat upright = tilted_towards_y_axis(state.orientation_wb, 10.0);
+    state.orientation_wb =
+        normalised(rotation_from_vector(2.0 * eps.aligned * random.in_cube(1.0)) * upright);
+  }
+  for (int i = 0; i < 3; ++i) {
+    state.linear_momentum_w[i] = any_size(0.01 * eps.still, 10.0 * eps.slow, random);
+    state.angular_momentum_w[i] = any_size(0.01 * eps.still_spin, 10.0 * eps.slow_spin, random);
+  }
+  return state;
+}
+
+// One box in the air that has been touched, and the damping of one step.
+class Bench {
+ public:
+  Bench(const Vec3& size, const DampedNumbers& numbers) : numbers_(numbers) {
+    world_.add(box_properties(size, 1.0), BodyState{});
+  }
+  const BodyProperties& box() const { return world_.bodies()[0]; }
+
+  // [-] kinetic energy after a stage over that before.
+  double factor(const BodyState& state, const Stage& stage) {
+    const double before = kinetic_energy(box(), state);
+    world_.states()[0] = state;
+    if (std::string(stage.parts) != "freeze")
+      return (before + run(damping_parts_from(stage.parts)).energy) / before;
+    run(damping_parts_from("none"));
+    const double moved = kinetic_energy(box(), world_.states()[0]);
+    world_.states()[0] = state;
+    if (run(damping_parts_from("freeze")).frozen == 0) return 0.0;
+    return kinetic_energy(box(), world_.states()[0]) / moved;
+  }
+
+ private:
+  DampingReport run(const DampingParts& parts) {
+    const char touched = 1;
+    return damping_.run(world_, {&touched, 1}, numbers_, parts, kStep, RotationRule::splitting);
+  }
+
+  World world_;
+  DampedNumbers numbers_;
+  ObjectDamping damping_;
+};
+
+// The largest factor of a stage that each seed finds.
+std::vector<double> largest(const Vec3& size, const Stage& stage, const DampedNumbers& numbers,
+                            int states, int seeds) {
+  Bench bench(size, numbers);
+  std::vector<double> found;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    double most = 0.0;
+    for (int n = 0; n < states; ++n)
+      most = std::max(most, bench.factor(random_state(bench.box(), random), stage));
+    found.push_back(most);
+  }
+  return found;
+}
+
+double largest_without(const std::vector<double>& found, int left_out) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (static_cast<int>(k) != left_out) most = std::max(most, found[k]);
+  return most;
+}
+
+// Of each seed the largest of both.
+std::vector<double> larger(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] = std::max(a[k], b[k]);
+  return a;
+}
+
+Quantity most_over_seeds(const std::string& name, const std::vector<double>& found) {
+  return over_seeds(name, "-", static_cast<int>(found.size()),
+                    [&](int left_out) { return largest_without(found, left_out); });
+}
+
+}  // namespace
+
+Result measure_damping_energy(const Parameters& settings) {
+  const int states = settings.count("states");
+  const int seeds = settings.count("seeds");
+  const Vec3 cube = Vec3::Ones();
+  const Vec3 brick(2.0, 1.0, 1.0);
+  Result result;
+
+  // Each stage, cubes and bricks.
+  Table table{"",
+              {{"stage", "-",
+                "1 scaling, 2 settling, 3 turning upright, 4 slow components, 5 moves "
+                "undone"},
+               {"cube", "-", "largest factor of the kinetic energy of a cube"},
+               {"brick", "-", "the same, brick of 2 x 1 x 1"}}};
+  std::vector<Quantity> by_stage;
+  std::vector<double> most(static_cast<std::size_t>(seeds), 0.0);
+  for (std::size_t s = 0; s < kStages.size(); ++s) {
+    const auto of_cube = largest(cube, kStages[s], DampedNumbers{}, states, seeds);
+    const auto of_brick = largest(brick, kStages[s], DampedNumbers{}, states, seeds);
+    const std::string name = std::string("largest factor, ") + kStages[s].name;
+    by_stage.push_back(most_over_seeds(name + ", cube", of_cube));
+    by_stage.push_back(most_over_seeds(name + ", brick of 2 x 1 x 1", of_brick));
+    table.rows.push_back(
+        {static_cast<double>(s + 1), largest_without(of_cube, -1), largest_without(of_brick, -1)});
+    most = larger(larger(most, of_cube), of_brick);
+  }
+  result.quantities.push_back(most_over_seeds(
+      "largest factor by which a stage of the damping raises the kinetic energy of a body", most));
+
+  // Other constants: the stage that decides is the one of slow components.
+  const Stage& slow = kStages[3];
+  struct Constants {
+    const char* name;
+    double eps, k;
+  };
+  for (const Constants& constants :
+       {Constants{"thresholds halved", 0.5, 1.0}, Constants{"thresholds doubled", 2.0, 1.0},
+        Constants{"damping half as fast", 1.0, 0.5},
+        Constants{"damping twice as fast", 1.0, 2.0}}) {
+    DampedNumbers numbers;
+    numbers.eps_scale = constants.eps;
+    numbers.k_scale = constants.k;
+    result.quantities.push_back(
+        most_over_seeds(std::string("the same, slow components, ") + constants.name,
+                        largest(brick, slow, numbers, states, seeds)));
+  }
+  result.quantities.insert(result.quantities.end(), by_stage.begin(), by_stage.end());
+
+  // Bricks of several lengths. Of a spin in the plane of two axes with moments Ia and Ib, tilted by
+  // 45 degrees, one component is left as it is and the other one becomes k times as large. With
+  // c = (Ia + Ib)² / (4 Ia Ib) the energy grows by t + sqrt(t² - k²) at most, where
+  // t = (c (1 - k)² + 2 k) / 2.
+  Table shapes{"shape",
+               {{"length", "-", "of a brick, over its other edges"},
+                {"largest", "-", "largest factor found, slow components"},
+                {"shrunk", "-", "in closed form, one component of a plane spin shrunk"},
+                {"ended", "-", "in closed form, one component ended"}}};
+  for (int length = 1; length <= settings.count("longest"); ++length) {
+    const Vec3 size(length, 1.0, 1.0);
+    const auto found = largest(size, slow, DampedNumbers{}, states, seeds);
+    const Vec3 moments = box_properties(size, 1.0).inertia_b;
+    const double c = (moments.x() + moments.y()) * (moments.x() + moments.y()) /
+                     (4.0 * moments.x() * moments.y());
+    const double k = factors_of(DampedNumbers{}, kStep).slow_spin;
+    const double t = 0.5 * (c * (1.0 - k) * (1.0 - k) + 2.0 * k);
+    const double shrunk = t + std::sqrt(t * t - k * k);
+    shapes.rows.push_back({1.0 * length, largest_without(found, -1), shrunk, c});
+    if (length != 4) continue;
+    result.quantities.push_back(
+        most_over_seeds("largest factor, slow components, brick of 4 x 1 x 1", found));
+    result.quantities.push_back({"the same in closed form, one component shrunk", "-", shrunk});
+    result.quantities.push_back({"the same in closed form, one component ended", "-", c});
+  }
+  result.tables = {table, shapes};
+
+  add_push_energy(states, seeds, result);
+  add_heap_energy(seeds, settings.number("duration"), result);
+  return result;
+}
+
+}  // namespace tumble::chapters

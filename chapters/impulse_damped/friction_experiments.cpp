@@ -1,0 +1,249 @@
+/// \file
+/// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
+#include "impulse_damped/friction_experiments.hpp"
+
+#include "impulse_damped/played_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+// Speeds of bodies after each step, the first row being the start.
+struct Speeds {
+  std::vector<double> time;                // [s]
+  std::vector<std::vector<double>> speed;  // [m/s] along x, of each body
+  std::vector<double> momentum;            // [kg m/s] along x, of all bodies
+  std::vector<Vec3> end_w;                 // [m] where they end
+
+  // The largest speed that a body has had.
+  [[nodiscard]] double fastest(std::size_t body) const {
+    return *std::max_element(speed[body].begin(), speed[body].end());
+  }
+};
+
+Speeds speeds_of(const Scene& scene, const PlayedTechnique& technique,
+                 const std::vector<std::string>& names, double duration) {
+  PlayedScene played(scene, technique);
+  Speeds speeds;
+  speeds.speed.resize(names.size());
+  const auto note = [&](const StepReport&) {
+    speeds.time.push_back(played.world.time());
+    double momentum = 0.0;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      speeds.speed[k].push_back(played.speed(names[k]));
+      momentum += played.world.states()[played.index(names[k])].linear_momentum_w.x();
+    }
+    speeds.momentum.push_back(momentum);
+  };
+  note({});
+  played.advance(duration, note);
+  for (const std::string& name : names)
+    speeds.end_w.push_back(played.world.states()[played.index(name)].position_w);
+  return speeds;
+}
+
+Speeds blocks(const std::vector<std::string>& scene, const PlayedTechnique& technique,
+              double duration) {
+  return speeds_of(scene_with("fig5_2", scene), technique, {"A", "B"}, duration);
+}
+
+// When the upper block does not slide on the lower one any more.
+std::size_t end_of_slide(const Speeds& speeds) {
+  constexpr double still = 1e-6;  // [m/s] a micrometre in a second
+  std::size_t k = 0;
+  while (k + 1 < speeds.time.size() && speeds.speed[0][k] - speeds.speed[1][k] > still) ++k;
+  return k;
+}
+
+// Largest difference between the speeds of the upper block up to an entry, over that at the start.
+double largest_difference(const Speeds& damped, const Speeds& coulomb, std::size_t last) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k <= last; ++k)
+    largest = std::max(largest, std::abs(damped.speed[0][k] - coulomb.speed[0][k]));
+  return largest / damped.speed[0][0];
+}
+
+}  // namespace
+
+Result measure_sliding_blocks(const Parameters& settings) {
+  std::vector<std::string> scene;
+  for (const char* key : {"speed", "mass", "lower_mass", "friction", "ground_friction"})
+    scene.push_back(setting(key, settings.number(key)));
+  const double duration = settings.number("duration");
+  const Speeds damped = blocks(scene, {"damped"}, duration);
+  const Speeds coulomb = blocks(scene, coulomb_technique(), duration);
+
+  Table table{"",
+              {{"time_s", "s", "time"},
+               {"damped_a_m_s", "m/s", "speed of A, damped"},
+               {"damped_b_m_s", "m/s", "speed of B, damped"},
+               {"coulomb_a_m_s", "m/s", "speed of A, Coulomb's friction"},
+               {"coulomb_b_m_s", "m/s", "speed of B, Coulomb's friction"},
+               {"damped_momentum", "kg m/s", "of both, damped"},
+               {"coulomb_momentum", "kg m/s", "of both, Coulomb's friction"}}};
+  for (std::size_t k = 0; k < damped.time.size(); ++k)
+    table.rows.push_back({damped.time[k], damped.speed[0][k], damped.speed[1][k],
+                          coulomb.speed[0][k], coulomb.speed[1][k], damped.momentum[k],
+                          coulomb.momentum[k]});
+
+  // Forces are what momentum changes by, as a mean over the time in which A slides on B with
+  // Coulomb's friction: no technique has to be asked, and damping gives no forces by itself.
+  const std::size_t slide = end_of_slide(coulomb);
+  const auto force = [&](const Speeds& run, std::size_t body, const char* mass) {
+    const double change = run.speed[body][slide] - run.speed[body][0];
+    return settings.number(mass) * change / run.time[slide];
+  };
+  Table drawn{"blocks",
+              {{"x_m", "m", "centre at the start"},
+               {"y_m", "m", "centre at the start"},
+               {"width_m", "m", "along x"},
+               {"height_m", "m", "along y"},
+               {"damped_N", "N", "mean force along x while A slides, damped"},
+               {"coulomb_N", "N", "the same, Coulomb's friction"}}};
+  std::vector<std::vector<double>> forces;
+  const Scene layout = scene_with("fig5_2", scene);
+  for (const auto& [name, body, mass] :
+       {std::tuple("A", std::size_t{0}, "mass"), std::tuple("B", std::size_t{1}, "lower_mass")}) {
+    forces.push_back({force(damped, body, mass), force(coulomb, body, mass)});
+    for (const SceneBox& box : layout.boxes)
+      if (box.name == name)
+        drawn.rows.push_back({box.position_w.x(), box.position_w.y(), box.size.x(), box.size.y(),
+                              forces.back()[0], forces.back()[1]});
+  }
+  const double common = settings.number("mass") * settings.number("speed") /
+                        (settings.number("mass") + settings.number("lower_mass"));
+  return {{table, drawn},
+          {{"speed of A at the end, Coulomb", "m/s", coulomb.speed[0].back()},
+           {"common speed if momentum is kept", "m/s", common},
+           {"speed of A at the end, damped", "m/s", damped.speed[0].back()},
+           {"time at which A slides no more, Coulomb", "s", coulomb.time[slide]},
+           {"mean braking force on A until then, Coulomb", "N", -forces[0][1]},
+           {"mean braking force on A until then, damped", "N", -forces[0][0]},
+           {"mean force on B until then, Coulomb", "N", forces[1][1]},
+           {"mean force on B until then, damped", "N", forces[1][0]},
+           {"momentum at the end over that at the start, Coulomb", "-",
+            coulomb.momentum.back() / coulomb.momentum.front()},
+           {"momentum at the end over that at the start, damped", "-",
+            damped.momentum.back() / damped.momentum.front()}}};
+}
+
+Result measure_friction_on_upper(const Parameters& settings) {
+  const double duration = settings.number("duration");
+  const std::string speed = setting("speed", settings.number("speed"));
+  constexpr const char* held = "ground_friction=10";  // the lower block does not move
+  const Speeds coulomb = blocks({speed}, coulomb_technique(), duration);
+  const Speeds coulomb_held = blocks({speed, held}, coulomb_technique(), duration);
+  const std::size_t all = coulomb.time.size() - 1;
+  const std::string decides =
+      "largest difference between the speeds of the upper block, damped and with Coulomb's "
+      "friction, until it stops, over its speed at the start";
+
+  Table table{"",
+              {{"time_s", "s", "time"},
+               {"coulomb_m_s", "m/s", "speed of A, Coulomb's friction"},
+               {"held_m_s", "m/s", "the same, the lower block being held by the ground"},
+               {"damped_m_s", "m/s", "speed of A, damped"},
+               {"half_m_s", "m/s", "the same, half the damping"},
+               {"twice_m_s", "m/s", "the same, twice the damping"}}};
+  std::vector<Quantity> quantities;
+  std::vector<Speeds> runs;
+  for (const DampedVariant& variant : damped_variants()) {
+    runs.push_back(blocks({speed}, variant.technique, duration));
+    quantities.push_back({variant.words.empty() ? decides : "the same, " + variant.words, "-",
+                          largest_difference(runs.back(), coulomb, all)});
+  }
+  for (std::size_t k = 0; k <= all; ++k)
+    table.rows.push_back({coulomb.time[k], coulomb.speed[0][k], coulomb_held.speed[0][k],
+                          runs[0].speed[0][k], runs[3].speed[0][k], runs[4].speed[0][k]});
+
+  const std::size_t slide = end_of_slide(coulomb);
+  quantities.push_back({"the same, only while it slides on the lower block with Coulomb's friction",
+                        "-", largest_difference(runs[0], coulomb, slide)});
+  const Speeds damped_held = blocks({speed, held}, {"damped"}, duration);
+  quantities.push_back({"the same, the lower block being held by the ground", "-",
+                        largest_difference(damped_held, coulomb_held, all)});
+  quantities.push_back({"speed given to the lower block, damped over Coulomb", "-",
+                        runs[0].fastest(1) / coulomb.fastest(1)});
+
+  // Is there a friction that damping comes close to? It knows none.
+  Table friction{"friction",
+                 {{"friction", "-", "Coulomb's coefficient"},
+                  {"free", "-", "the number that decides"},
+                  {"held", "-", "the same, the lower block being held by the ground"}}};
+  const int steps = settings.count("steps");
+  double least = 1.0;
+  double least_at = 0.0;
+  for (int k = 1; k <= steps; ++k) {
+    const double mu = static_cast<double>(k) / steps;
+    const std::string with = setting("friction", mu);
+    const auto difference = [&](const std::vector<std::string>& scene) {
+      return largest_difference(blocks(scene, {"damped"}, duration),
+                                blocks(scene, coulomb_technique(), duration), all);
+    };
+    const double on_held = difference({speed, with, held});
+    friction.rows.push_back({mu, difference({speed, with}), on_held});
+    if (on_held < least) {
+      least = on_held;
+      least_at = mu;
+    }
+  }
+  quantities.push_back(
+      {"least difference over all frictions, the lower block being held", "-", least});
+  quantities.push_back({"friction at which it is least", "-", least_at});
+  return {{table, friction}, quantities};
+}
+
+Result measure_friction_chain(const Parameters& settings) {
+  const double duration = settings.number("duration");
+  const Scene scene = scene_with("sled", {setting("speed", settings.number("speed"))});
+  const std::vector<std::string> names = {"sled", "load1", "load2"};
+  const Speeds coulomb = speeds_of(scene, coulomb_technique(), names, duration);
+  const std::string decides =
+      "speed that friction gives to the upper box of a stack on a sled, damped, over that with "
+      "Coulomb's friction";
+  std::vector<Quantity> quantities;
+  Speeds damped;
+  for (const DampedVariant& variant : damped_variants()) {
+    Speeds run = speeds_of(scene, variant.technique, names, duration);
+    quantities.push_back({variant.words.empty() ? decides : "the same, " + variant.words, "-",
+                          run.fastest(2) / coulomb.fastest(2)});
+    if (variant.words.empty()) damped = std::move(run);
+  }
+  quantities.push_back({"the same of the lower box", "-", damped.fastest(1) / coulomb.fastest(1)});
+  quantities.push_back(
+      {"speed of the upper box at the end, Coulomb", "m/s", coulomb.speed[2].back()});
+  quantities.push_back({"speed of the sled at the end, damped", "m/s", damped.speed[0].back()});
+  quantities.push_back({"way of the sled, damped", "m", damped.end_w[0].x()});
+  quantities.push_back({"way of the sled, Coulomb", "m", coulomb.end_w[0].x()});
+
+  Table table{"", {{"time_s", "s", "time"}}};
+  Table boxes{"boxes",
+              {{"damped_x_m", "m", "centre at the end, damped"},
+               {"coulomb_x_m", "m", "centre at the end, Coulomb's friction"},
+               {"start_x_m", "m", "centre at the start"},
+               {"y_m", "m", "centre"},
+               {"width_m", "m", "along x"},
+               {"height_m", "m", "along y"}}};
+  for (const char* technique : {"damped", "coulomb"})
+    for (const std::string& name : names)
+      table.columns.push_back({std::string(technique) + "_" + name + "_m_s", "m/s", "its speed"});
+  for (std::size_t k = 0; k < damped.time.size(); ++k) {
+    table.rows.push_back({damped.time[k]});
+    for (const Speeds* run : std::initializer_list<const Speeds*>{&damped, &coulomb})
+      for (const auto& speed : run->speed) table.rows.back().push_back(speed[k]);
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const SceneBox& box = scene.boxes[k];
+    boxes.rows.push_back({damped.end_w[k].x(), coulomb.end_w[k].x(), box.position_w.x(),
+                          box.position_w.y(), box.size.x(), box.size.y()});
+  }
+  return {{table, boxes}, quantities};
+}
+
+}  // namespace tumble::chapters

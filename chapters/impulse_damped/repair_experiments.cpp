@@ -1,0 +1,191 @@
+/// \file
+/// \brief The pass that ends overlap by moving bodies: the energy that it adds.
+#include "impulse_damped/repair_experiments.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/repair.hpp"
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/damped.hpp"
+
+#include "driver/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+
+enum class Pass { none, listing, ours };
+
+World pressed_stack(int boxes, double restitution, double depth, int seed) {
+  Random random(static_cast<std::uint64_t>(seed));
+  World world;
+  world.add_ground(0.5, restitution);
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, restitution);
+  double height = 0.0;
+  for (int k = 0; k < boxes; ++k) {
+    height += 1.0 - depth * random.uniform(0.0, 1.0);
+    world.add(cube, make_state(cube, Vec3(0.0, height - 0.5, 0.0)));
+  }
+  return world;
+}
+
+void run_pass(Pass pass, World& world) {
+  if (pass == Pass::listing) {
+    PairGatherer areas(NormalRule::separation, PointRule::area);
+    ContactList contacts;
+    areas.gather(world, world.states(), world.states(), nullptr, 0.0, contacts);
+    FixContactConstraints fix;
+    fix.run(world, contacts, DampedNumbers{}, kStep);
+  } else if (pass == Pass::ours) {
+    std::vector<Bounds> bounds;
+    std::vector<IndexPair> pairs;
+    repair_bounds(world, 0.0, bounds);
+    make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+    OverlapRepair repair;
+    repair.run(world, pairs);
+  }
+}
+
+// Energies after each step of a second [J]; potential energy from that before the pass on.
+struct Second {
+  std::vector<double> kinetic;
+  std::vector<double> potential;
+  double added = 0.0;  // potential energy by the pass
+};
+
+// How the second goes on, without further passes: pushes of length 0 move nobody.
+DampedOptions thesis() {
+  DampedOptions options;
+  options.numbers.eps1 = 0.0;
+  options.noise.where = Randomness::off;
+  return options;
+}
+
+// Shock propagation by impulses, the method that the pass takes the place of.
+DampedOptions velocities_stopped() {
+  DampedOptions options = thesis();
+  options.damping = damping_parts_from("none");
+  options.stable_boxes = StableRule::off;
+  options.shock = decltype(options.shock)::velocity;
+  return options;
+}
+
+Second watch(World world, Pass pass, const DampedOptions& options) {
+  Damped technique(options);
+  const double before = energy_of(world).potential;
+  run_pass(pass, world);
+  Second out;
+  out.added = energy_of(world).potential - before;
+  for (int step = 0; step <= 60; ++step) {
+    const Energy energy = energy_of(world);
+    out.kinetic.push_back(energy.kinetic);
+    out.potential.push_back(energy.potential - before);
+    if (technique.step(world, kStep).status != StepStatus::done)
+      throw std::runtime_error("a step of the stack failed");
+  }
+  return out;
+}
+
+// Largest kinetic energy that the run without the pass does not have [J].
+double appeared(const Second& with, const Second& without) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < with.kinetic.size(); ++k)
+    most = std::max(most, with.kinetic[k] - without.kinetic[k]);
+  return most;
+}
+
+// Over stacks: what appears and what was added.
+struct Ratio {
+  std::vector<double> kinetic;    // [J] of each stack
+  std::vector<double> potential;  // [J]
+  double velocity = 0.0;          // [J] largest kinetic energy without a pass
+  double at_once = 0.0;           // [J] largest kinetic energy just after the pass
+};
+
+Ratio ratio_of(int boxes, double restitution, double depth, int seeds, Pass pass,
+               const DampedOptions& options) {
+  Ratio out;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const World world = pressed_stack(boxes, restitution, depth, seed);
+    const Second without = watch(world, Pass::none, options);
+    const Second with = watch(world, pass, options);
+    out.kinetic.push_back(appeared(with, without));
+    out.potential.push_back(with.added);
+    out.velocity =
+        std::max(out.velocity, *std::max_element(without.kinetic.begin(), without.kinetic.end()));
+    out.at_once = std::max(out.at_once, with.kinetic.front());
+  }
+  return out;
+}
+
+double over(const Ratio& ratio, int left_out) {
+  return sum_without(ratio.kinetic, left_out) / sum_without(ratio.potential, left_out);
+}
+
+}  // namespace
+
+Result measure_push_energy(const Parameters& settings) {
+  const int boxes = settings.count("boxes");
+  const double restitution = settings.number("restitution");
+  const double depth = settings.number("depth");
+  const int seeds = settings.count("seeds");
+
+  Table time{"",
+             {{"time_s", "s", "after the pass"},
+              {"kinetic_J", "J", "after the pass of the listing"},
+              {"potential_J", "J", "the same, above that before the pass"},
+              {"kinetic_ours_J", "J", "after OverlapRepair"},
+              {"potential_ours_J", "J", "the same, above that before it"},
+              {"kinetic_stopped_J", "J", "without a pass: velocities are stopped only"},
+              {"potential_stopped_J", "J", "the same, above that at the start"}}};
+  const World first = pressed_stack(boxes, restitution, depth, 1);
+  const std::array<Second, 3> runs = {watch(first, Pass::listing, thesis()),
+                                      watch(first, Pass::ours, thesis()),
+                                      watch(first, Pass::none, velocities_stopped())};
+  for (std::size_t k = 0; k < runs[0].kinetic.size(); ++k) {
+    time.rows.push_back({kStep * static_cast<double>(k)});
+    for (const Second& run : runs) {
+      time.rows.back().push_back(run.kinetic[k]);
+      time.rows.back().push_back(run.potential[k]);
+    }
+  }
+
+  Table sweep{"depth",
+              {{"depth_m", "m", "largest overlap of two cubes"},
+               {"ratio", "-", "kinetic energy that appears, over potential energy that is added"},
+               {"ratio_ours", "-", "the same with OverlapRepair"}}};
+  for (double d = 1e-4; d < 0.2; d *= std::sqrt(10.0)) {
+    const Ratio listing = ratio_of(boxes, restitution, d, seeds, Pass::listing, thesis());
+    const Ratio ours = ratio_of(boxes, restitution, d, seeds, Pass::ours, thesis());
+    sweep.rows.push_back({d, over(listing, -1), over(ours, -1)});
+  }
+
+  const Ratio listing = ratio_of(boxes, restitution, depth, seeds, Pass::listing, thesis());
+  const Ratio dull = ratio_of(boxes, 0.0, depth, seeds, Pass::listing, thesis());
+  const Ratio ours = ratio_of(boxes, restitution, depth, seeds, Pass::ours, thesis());
+  const Ratio stopped =
+      ratio_of(boxes, restitution, depth, seeds, Pass::listing, velocities_stopped());
+  const auto quantity = [seeds](const std::string& name, const Ratio& ratio) {
+    return over_seeds(name, "-", seeds, [&](int left_out) { return over(ratio, left_out); });
+  };
+  return {{time, sweep},
+          {quantity("kinetic energy that appears within a second because of the pass, over the "
+                    "potential energy that it adds",
+                    listing),
+           quantity("the same without restitution", dull),
+           quantity("the same with our repair, which leaves no gap", ours),
+           quantity("the same if velocities are stopped afterwards, without damping", stopped),
+           {"kinetic energy just after the pass", "J", listing.at_once},
+           {"kinetic energy if velocities are stopped in place of the pass", "J", stopped.velocity},
+           {"potential energy that the pass adds to a stack, mean", "J",
+            sum_without(listing.potential, -1) / seeds}}};
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,159 @@
+/// \file
+/// \brief Boxes that settle under damped integration, and who of them chatters (thesis 5.3).
+#include "impulse_damped/settled_boxes.hpp"
+
+#include "tumble/math/elementary.hpp"
+#include "tumble/record/chatter.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+constexpr double kShake = 0.1;        // [-] of free fall: a box that rests and shakes more chatters
+constexpr double kStill = 5e-4;       // [-] a corner that moves less in a step, in edges, rests
+constexpr double kPlay = 1e-3;        // [m] between a plank or block and what stops it
+constexpr int kWindow = ChatterMeter::kWindow;  // frames that are watched
+
+// One box by itself, seen by a meter of its own: the meter tells the worst body of a world.
+struct Watched {
+  World alone;
+  ChatterMeter meter;
+};
+
+// [m] Up to this distance two bodies touch: a share of the shortest edge of the two.
+double touching_distance(const BodyProperties& a, const BodyProperties& b) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const BodyProperties* body : {&a, &b})
+    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
+  return tolerance::touching * edge;
+}
+
+// Who touches, and who has a face on what is below: a normal within 45 degrees of up that is across
+// one of its own faces, within 10 degrees. This knows nothing of the alignment test.
+void mark(const World& world, const Contact& contact, std::vector<char>& touches,
+          std::vector<BoxEnd>& ends) {
+  const auto first = static_cast<std::size_t>(contact.first);
+  const auto second = static_cast<std::size_t>(contact.second);
+  double distance = std::numeric_limits<double>::infinity();
+  for (int p = 0; p < contact.count; ++p)
+    distance = std::min(distance, contact.points[static_cast<std::size_t>(p)].distance);
+  if (!(distance <= touching_distance(world.bodies()[first], world.bodies()[second]))) return;
+  touches[first] = 1;
+  touches[second] = 1;
+  if (!(std::abs(contact.normal_w.y()) > elementary::cos(std::numbers::pi / 4.0))) return;
+  const std::size_t upper = contact.normal_w.y() > 0.0 ? second : first;
+  const Mat3 axes_w = world.states()[upper].orientation_wb.toRotationMatrix();
+  const double nearest = (axes_w.transpose() * contact.normal_w).cwiseAbs().maxCoeff();
+  if (nearest > elementary::cos(std::numbers::pi / 18.0)) ends[upper].on_face = true;
+}
+
+// [m] how far a box's fastest corner gets.
+double way_of(const BodyProperties& body, const BodyState& from, const BodyState& to) {
+  const auto was = corners_of(box_of(body, from));
+  const auto is = corners_of(box_of(body, to));
+  double way = 0.0;
+  for (std::size_t c = 0; c < was.size(); ++c) way = std::max(way, (is[c] - was[c]).norm());
+  return way;
+}
+
+}  // namespace
+
+bool BoxEnd::chatters() const { return rests && shake > kShake; }
+
+std::vector<BoxEnd> settle(World world, const DampedOptions& options, double duration) {
+  Damped technique(options);
+  PairGatherer areas(NormalRule::separation, PointRule::area);
+  ContactList contacts;
+  const auto count = static_cast<std::size_t>(world.count());
+  std::vector<BoxEnd> ends(count);
+  std::vector<Watched> watched(count);
+  double margin = 0.0;  // [m] of the largest box
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) margin = std::max(margin, touching_distance(body, body));
+
+  const int steps = static_cast<int>(std::lround(duration / kStep));
+  for (int n = 1; n <= steps; ++n) {
+    const std::vector<BodyState> before(world.states().begin(), world.states().end());
+    technique.step(world, kStep);
+    const bool last = n > steps - kWindow;
+    std::vector<char> touches(count, 0);
+    if (last) {
+      areas.gather(world, world.states(), world.states(), nullptr, margin, contacts);
+      for (const Contact& contact : contacts) mark(world, contact, touches, ends);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const BodyProperties& body = world.bodies()[k];
+      if (!body.movable()) continue;
+      if (!(way_of(body, before[k], world.states()[k]) <= kStill * body.size.minCoeff()))
+        ends[k].rest_time = world.time();
+      if (!last) continue;
+      World& alone = watched[k].alone;
+      if (alone.count() == 0) alone.add(body, world.states()[k]);
+      alone.states()[0] = world.states()[k];
+      watched[k].meter.add(alone, {&touches[k], 1});
+      alone.finish_step(kStep);
+    }
+  }
+
+  std::vector<BoxEnd> movable;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    BoxEnd& end = ends[k];
+    const Chatter chatter = watched[k].meter.measure(world.gravity_w.norm());
+    end.rests = chatter.bodies > 0;
+    end.shake = chatter.acceleration;
+    const Quat& turned = world.states()[k].orientation_wb;
+    const double upright = turned.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
+    end.tilt = elementary::acos(std::min(1.0, upright));
+    const DampedThresholds eps =
+        thresholds_of(options.numbers, world.bodies()[k], world.gravity_w.norm(), kStep);
+    end.aligned = check_y_axis_alignment(turned, eps.aligned);
+    movable.push_back(end);
+  }
+  return movable;
+}
+
+World clump(int per_edge, int seed) {
+  const SceneRecipe& recipe = scene_recipe("fig6_7");
+  Parameters p = recipe.parameters();
+  p.set("per_edge", std::to_string(per_edge));
+  p.set("spacing", "1.75");
+  return build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+}
+
+World propped_planks(int seed) {
+  Random random(static_cast<std::uint64_t>(seed));
+  const double degrees = random.uniform(50.0, 75.0);
+  const SceneRecipe& recipe = scene_recipe("leaning");
+  Parameters p = recipe.parameters();
+  p.set("angle", std::to_string(degrees));
+  Scene scene = recipe.build(p, random);
+  const std::vector<SceneBox> boxes = scene.boxes;
+  for (const SceneBox& box : boxes) {
+    const auto corners = corners_of(make_box(box.position_w, box.orientation_wb, box.size));
+    double left = corners[0].x();
+    double right = left;
+    for (const Vec3& corner : corners) {
+      left = std::min(left, corner.x());
+      right = std::max(right, corner.x());
+    }
+    const bool plank = box.name.rfind("plank", 0) == 0;
+    SceneBox stop;
+    stop.name = "stop_" + box.name;
+    stop.fixed = true;
+    stop.size = Vec3(0.2, plank ? 0.2 : 1.0, 0.5);
+    const double x = plank ? right + kPlay + 0.1 : left - kPlay - 0.1;
+    stop.position_w = Vec3(x, 0.5 * stop.size.y(), box.position_w.z());
+    scene.boxes.push_back(stop);
+  }
+  return build_world(scene);
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,164 @@
+/// \file
+/// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
+#include "impulse_damped/toss_experiments.hpp"
+
+#include "driver/statistics.hpp"
+#include "impulse_damped/played_scene.hpp"
+#include "impulse_damped/tosses.hpp"
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kSeconds = 2.0;  // [s] the measured cubes rest after 0.7,
+constexpr double kQuiet = 0.5;    // [s] and one that has not moved for so long will not move again
+
+// By seed: the outcomes of its tosses.
+using Outcomes = std::vector<TossNumbers>;
+
+TossOutcome toss(const PlayedTechnique& technique, std::uint64_t seed) {
+  PlayedScene played(scene_with("toss", {}, seed), technique, seed);
+  const std::size_t cube = played.index("cube");
+  const Vec3 start_w = played.world.states()[cube].position_w;
+  TossOutcome outcome;
+  while (played.world.time() < kSeconds && played.world.time() < outcome.time_to_rest + kQuiet) {
+    played.step();
+    const BodyProperties& body = played.world.bodies()[cube];
+    const BodyState& state = played.world.states()[cube];
+    outcome.rests = velocity(body, state).norm() < toss_still &&
+                    angular_velocity(body, state).norm() < 10.0 * toss_still;
+    if (!outcome.rests) outcome.time_to_rest = played.world.time();
+  }
+  const Vec3 way_w = played.world.states()[cube].position_w - start_w;
+  outcome.travel = std::hypot(way_w.x(), way_w.z());
+  return outcome;
+}
+
+// A technique gets the same starts as every other.
+Outcomes tosses(const PlayedTechnique& technique, int seeds, int count) {
+  Outcomes all;
+  for (int seed = 0; seed < seeds; ++seed) {
+    all.emplace_back();
+    for (int k = 0; k < count; ++k)
+      add(toss(technique, static_cast<std::uint64_t>(1 + seed * count + k)), all.back());
+  }
+  return all;
+}
+
+using Numbers = std::vector<double> TossNumbers::*;
+
+std::vector<double> pooled(const Outcomes& outcomes, Numbers what, int left_out) {
+  std::vector<double> all;
+  for (int seed = 0; seed < static_cast<int>(outcomes.size()); ++seed) {
+    if (seed == left_out) continue;
+    const std::vector<double>& some = outcomes[static_cast<std::size_t>(seed)].*what;
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+// Mean over the three quartiles of how far they are from the measured ones, over the distance
+// between the measured outer two: 1 is as far as the measured tosses spread.
+double distance(const Outcomes& outcomes, Numbers what, const std::array<double, 3>& measured,
+                int left_out) {
+  const std::vector<double> all = pooled(outcomes, what, left_out);
+  double sum = 0.0;
+  for (std::size_t q = 0; q < 3; ++q)
+    sum += std::abs(quantile_of(all, 0.25 * static_cast<double>(q + 1)) - measured[q]);
+  return sum / 3.0 / (measured[2] - measured[0]);
+}
+
+double travel_distance(const Outcomes& outcomes, int left_out) {
+  return distance(outcomes, &TossNumbers::travel, measured_tosses.travel, left_out);
+}
+
+double time_distance(const Outcomes& outcomes, int left_out) {
+  return distance(outcomes, &TossNumbers::time_to_rest, measured_tosses.time_to_rest, left_out);
+}
+
+double both(const Outcomes& outcomes, int left_out) {
+  return 0.5 * (travel_distance(outcomes, left_out) + time_distance(outcomes, left_out));
+}
+
+PlayedTechnique damped(const char* randomness, const DampedVariant& variant = {"", {"damped"}}) {
+  PlayedTechnique technique = variant.technique;
+  technique.settings.push_back(std::string("randomness=") + randomness);
+  return technique;
+}
+
+}  // namespace
+
+Result measure_tosses(const Parameters& settings) {
+  const int seeds = settings.count("seeds");
+  const int count = settings.count("tosses");
+  const auto run = [&](const PlayedTechnique& technique) {
+    return tosses(technique, seeds, count);
+  };
+  struct Way {
+    std::string column;
+    std::string words;
+    Outcomes outcomes;
+  };
+  const std::vector<Way> ways = {
+      {"chance", "damped, chance in fast collisions", run(damped("fast"))},
+      {"damped", "damped, no chance", run(damped("off"))},
+      {"impulse", "impulses alone", run({"impulse"})},
+      {"coulomb", "contact_damped", run(coulomb_technique())}};
+
+  Result result;
+  const auto compared = [&](const std::string& name, const Outcomes& top, const Outcomes& bottom,
+                            const std::function<double(const Outcomes&, int)>& far) {
+    result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+      return far(top, left_out) / far(bottom, left_out);
+    }));
+  };
+  const Outcomes& with = ways[0].outcomes;
+  const Outcomes& without = ways[1].outcomes;
+  compared(
+      "distance of travel and time to rest from the measured quartiles, with randomness over "
+      "without",
+      with, without, both);
+  compared("the same, travel only", with, without, travel_distance);
+  compared("the same, time to rest only", with, without, time_distance);
+  for (const DampedVariant& variant : damped_variants())
+    if (!variant.words.empty())
+      compared("the same, " + variant.words, run(damped("fast", variant)),
+               run(damped("off", variant)), both);
+  for (const Way& way : ways) {
+    result.quantities.push_back(over_seeds(
+        "distance of travel from the measured quartiles, over their spread, " + way.words, "-",
+        seeds, [&](int left_out) { return travel_distance(way.outcomes, left_out); }));
+    result.quantities.push_back(over_seeds(
+        "distance of time to rest from the measured quartiles, over their spread, " + way.words,
+        "-", seeds, [&](int left_out) { return time_distance(way.outcomes, left_out); }));
+  }
+
+  Table shares{"", {{"share", "-", "of the tosses that get no farther, or rest no later"}}};
+  for (const Way& way : ways) {
+    shares.columns.push_back({"travel_" + way.column + "_m", "m", "travel, " + way.words});
+    shares.columns.push_back({"rest_" + way.column + "_s", "s", "time to rest, " + way.words});
+  }
+  constexpr int lines = 100;
+  for (int k = 0; k <= lines; ++k) {
+    const double share = static_cast<double>(k) / lines;
+    shares.rows.push_back({share});
+    for (const Way& way : ways)
+      for (const Numbers what : {&TossNumbers::travel, &TossNumbers::time_to_rest})
+        shares.rows.back().push_back(quantile_of(pooled(way.outcomes, what, -1), share));
+  }
+  Table quartiles{"quartiles",
+                  {{"share", "-", "of the measured tosses"},
+                   {"travel_m", "m", "no farther than this"},
+                   {"rest_s", "s", "rest no later than this"}}};
+  for (std::size_t q = 0; q < 3; ++q)
+    quartiles.rows.push_back({0.25 * static_cast<double>(q + 1), measured_tosses.travel[q],
+                              measured_tosses.time_to_rest[q]});
+  result.tables = {shares, quartiles};
+  return result;
+}
+
+}  // namespace tumble::chapters

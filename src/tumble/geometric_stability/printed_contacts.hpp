@@ -1,0 +1,32 @@
+/// \file
+/// \brief Contact points as the listings of the thesis's appendix speak of them (thesis 4.4, 5.4, A.2).
+#pragma once
+
+#include "tumble/contact/contact.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// One contact point with the names that FIXCONTACTCONSTRAINTS and SETGEOMETRICALLYSTABLE use.
+///
+/// The listings do not say which of two bodies is the upper one. Here it is the one with the
+/// higher centre (that of the ground is at height 0); of equals, the second.
+struct PrintedContact {
+  int upper = 0;                         ///< index of the upper body
+  int lower = 0;                         ///< index of the lower body
+  Vec3 lower_to_upper_w = Vec3::Zero();  ///< [-] the contact's normal, world frame
+  Vec3 point_w = Vec3::Zero();           ///< [m] world frame
+};
+
+/// All contact points, the lowest first; of equals, the one that comes first in the list.
+/// \param world     where the bodies are now: tells which of two is the upper one
+/// \param contacts  who touched whom when they were gathered
+/// \return one for each point
+/// \throws std::invalid_argument for a contact of a body that there is not
+[[nodiscard]] std::vector<PrintedContact> sort_contact_points_ascending(
+    const World& world, std::span<const Contact> contacts);
+
+}  // namespace tumble

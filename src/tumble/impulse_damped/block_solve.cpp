@@ -1,0 +1,275 @@
+/// \file
+/// \brief Impulses of one contact area.
+#include "tumble/impulse_damped/block_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+// Where the pressure of an area acts: its sum, its centre, and the lever of friction about it.
+struct Pressure {
+  double normal = 0.0;  // [N s]
+  double along = 0.0;   // [m] centre
+  double across = 0.0;  // [m]
+  double lever = 0.0;   // [N m s] sum of p |s - c|
+};
+
+Pressure pressure_of(const ContactBlock& block) {
+  Pressure total;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    total.normal += p.impulse;
+    total.along += p.impulse * p.along;
+    total.across += p.impulse * p.across;
+  }
+  if (!(total.normal > 0.0)) return Pressure{};
+  total.along /= total.normal;
+  total.across /= total.normal;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    const double a = p.along - total.along;
+    const double b = p.across - total.across;
+    total.lever += p.impulse * std::sqrt(a * a + b * b);
+  }
+  return total;
+}
+
+// Moment about the normal of friction that acts at the centre of pressure.
+double moment_of(const Pressure& at, double along, double across) {
+  return at.along * across - at.across * along;
+}
+
+// The area sticks: one product gives the impulse. Returns whether it is allowed.
+bool try_sticking(ContactBlock& block, const Six& motion, Six& change, double& corrected) {
+  Six wrong{};
+  for (std::size_t k = 0; k < 6; ++k) wrong[k] = block.goal[k] - motion[k];
+  const Six had = impulse_of(block);
+  Six impulse = had;
+  for (std::size_t k = 0; k < 6; ++k) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 6; ++j) sum += block.mass[k][j] * wrong[j];
+    change[k] = sum;
+    impulse[k] += sum;
+  }
+  const double normal = impulse[2];
+  if (!(normal > 0.0)) return false;
+  std::array<double, ContactBlock::kMostPoints> p;
+  if (!spread_evenly(impulse, block, p)) return false;
+  Pressure at;
+  at.normal = normal;
+  at.along = -impulse[4] / normal;
+  at.across = impulse[3] / normal;
+  const auto count = static_cast<std::size_t>(block.count);
+  const double limit = block.friction * normal;
+  double friction = impulse[0] * impulse[0] + impulse[1] * impulse[1];
+  const double moment = impulse[5] - moment_of(at, impulse[0], impulse[1]);
+  if (moment != 0.0) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double a = block.points[i].along - at.along;
+      const double b = block.points[i].across - at.across;
+      at.lever += p[i] * std::sqrt(a * a + b * b);
+    }
+    if (!(at.lever > 0.0)) return false;
+    const double turned = moment * normal / at.lever;
+    friction += turned * turned;
+  }
+  if (friction > limit * limit) return false;
+  for (std::size_t i = 0; i < count; ++i) block.points[i].impulse = p[i];
+  block.along_impulse = impulse[0];
+  block.across_impulse = impulse[1];
+  block.twist_impulse = impulse[5];
+  corrected = std::sqrt(wrong[0] * wrong[0] + wrong[1] * wrong[1] + wrong[2] * wrong[2]);
+  return true;
+}
+
+// Friction at the centre of pressure: what stops the area there, or else what the bound leaves, against the
+// motion. With the radius r = lever / N, force and moment / r share one bound, |(F, T/r)| <= mu N, and
+// the motion against which they act is (u, r omega).
+void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
+  const SixBySix& K = block.inverse_mass;
+  const Pressure at = pressure_of(block);
+  const bool nothing = at.normal == 0.0 && block.along_impulse == 0.0 &&
+                       block.across_impulse == 0.0 && block.twist_impulse == 0.0;
+  if (nothing) return;  // friction there is none
+  const double limit = block.friction * at.normal;
+  const double radius = at.normal > 0.0 ? at.lever / at.normal : 0.0;
+  // Motions of unit forces at the centre of pressure; of a unit moment it is a column of K.
+  Six a, b;
+  for (std::size_t k = 0; k < 6; ++k) {
+    a[k] = K[k][0] - at.across * K[k][5];
+    b[k] = K[k][1] + at.along * K[k][5];
+  }
+  const double aa = a[0] - at.across * a[5];
+  const double ab = a[1] + at.along * a[5];
+  const double bb = b[1] + at.along * b[5];
+  const double tt = K[5][5];
+  const double ua = motion[0] - at.across * motion[5];
+  const double ub = motion[1] + at.along * motion[5];
+  const double spin = motion[5];
+  const double had_moment =
+      block.twist_impulse - moment_of(at, block.along_impulse, block.across_impulse);
+  // Sticking: [aa ab at; . bb bt; . . tt] (da, db, dt) = -(ua, ub, spin), by elimination of dt, if
+  // there is a lever to twist with.
+  const double share_a = radius > 0.0 ? a[5] / tt : 0.0;
+  const double share_b = radius > 0.0 ? b[5] / tt : 0.0;
+  const double saa = aa - share_a * a[5];
+  const double sab = ab - share_a * b[5];
+  const double sbb = bb - share_b * b[5];
+  const double sa = ua - share_a * spin;
+  const double sb = ub - share_b * spin;
+  const double determinant = saa * sbb - sab * sab;
+  double da = -(sbb * sa - sab * sb) / determinant;
+  double db = -(saa * sb - sab * sa) / determinant;
+  double dt = radius > 0.0 ? -spin / tt - share_a * da - share_b * db : -had_moment;
+  const auto size_of = [&](double along, double across, double moment) {
+    const double turned = radius > 0.0 ? moment / radius : 0.0;
+    return std::sqrt(along * along + across * across + turned * turned);
+  };
+  if (size_of(block.along_impulse + da, block.across_impulse + db, had_moment + dt) > limit) {
+    // Slipping: a step against the motion, as large as the softest direction bears, and back to the
+    // bound.
+    const double yield = std::max({aa + std::abs(ab) + radius * std::abs(a[5]),
+                                   bb + std::abs(ab) + radius * std::abs(b[5]),
+                                   radius * (radius * tt + std::abs(a[5]) + std::abs(b[5]))});
+    double along = block.along_impulse - ua / yield;
+    double across = block.across_impulse - ub / yield;
+    double moment = radius > 0.0 ? had_moment - radius * radius * spin / yield : 0.0;
+    const double size = size_of(along, across, moment);
+    const double share = size > limit ? limit / size : 1.0;
+    da = share * along - block.along_impulse;
+    db = share * across - block.across_impulse;
+    dt = share * moment - had_moment;
+  }
+  const double twist = dt + moment_of(at, da, db);
+  for (std::size_t k = 0; k < 6; ++k) motion[k] += a[k] * da + b[k] * db + K[k][5] * dt;
+  change[0] += da;
+  change[1] += db;
+  change[5] += twist;
+  block.along_impulse += da;
+  block.across_impulse += db;
+  block.twist_impulse += twist;
+  corrected = std::max({corrected, std::abs(da) * aa, std::abs(db) * bb});
+}
+
+// Normal velocity of a point.
+double speed_at(const BlockPoint& p, const Six& motion) {
+  return motion[2] + p.across * motion[3] - p.along * motion[4];
+}
+
+// Motion of a unit impulse at a point along the normal.
+Six yields_at(const BlockPoint& p, const SixBySix& K) {
+  Six yields;
+  for (std::size_t k = 0; k < 6; ++k) yields[k] = K[k][2] + p.across * K[k][3] - p.along * K[k][4];
+  return yields;
+}
+
+// Brings one point's normal velocity to a value, with an impulse that is at least 0 in all.
+void press_point(const BlockPoint& p, double target, const SixBySix& K, double& impulse,
+                 Six& motion, Six& change, double& corrected) {
+  const double speed = speed_at(p, motion);
+  if (impulse == 0.0 && speed >= target) return;  // apart, and may stay so
+  const Six yields = yields_at(p, K);
+  const double yield = speed_at(p, yields);
+  const double wanted = std::max(0.0, impulse - (speed - target) / yield);
+  const double more = wanted - impulse;
+  if (more == 0.0) return;
+  for (std::size_t k = 0; k < 6; ++k) motion[k] += yields[k] * more;
+  change[2] += more;
+  change[3] += more * p.across;
+  change[4] -= more * p.along;
+  impulse = wanted;
+  corrected = std::max(corrected, std::abs(more) * yield);
+}
+
+// All points touch and none pulls: as for the whole area, but of normal velocities alone. Of the pressures
+// that do it the most even ones are taken; on them friction about the normal depends.
+bool press_evenly(ContactBlock& block, Six& motion, Six& change, double& corrected) {
+  const SixBySix& K = block.inverse_mass;
+  // [K22 K23 K24; . K33 K34; . . K44] d = goal - motion, by factors L D L'.
+  const double l32 = K[3][2] / K[2][2];
+  const double l42 = K[4][2] / K[2][2];
+  const double d3 = K[3][3] - l32 * K[3][2];
+  const double l43 = (K[4][3] - l42 * K[3][2]) / d3;
+  const double d4 = K[4][4] - l42 * K[4][2] - l43 * l43 * d3;
+  const double w2 = block.goal[2] - motion[2];
+  const double w3 = block.goal[3] - motion[3];
+  const double w4 = block.goal[4] - motion[4];
+  const double y3 = w3 - l32 * w2;
+  const double roll_across = (w4 - l42 * w2 - l43 * y3) / d4;
+  const double roll_along = y3 / d3 - l43 * roll_across;
+  const double normal = w2 / K[2][2] - l32 * roll_along - l42 * roll_across;
+  Six impulse = impulse_of(block);
+  impulse[2] += normal;
+  impulse[3] += roll_along;
+  impulse[4] += roll_across;
+  std::array<double, ContactBlock::kMostPoints> pressure;
+  if (!(impulse[2] > 0.0) || !spread_evenly(impulse, block, pressure)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    corrected = std::max(corrected, std::abs(w2 + p.across * w3 - p.along * w4));
+    block.points[i].impulse = pressure[i];
+  }
+  for (std::size_t k = 0; k < 6; ++k)
+    motion[k] += K[k][2] * normal + K[k][3] * roll_along + K[k][4] * roll_across;
+  change[2] += normal;
+  change[3] += roll_along;
+  change[4] += roll_across;
+  return true;
+}
+
+// Pressure, while friction stays: of all points at once, or of one after the other.
+void press(ContactBlock& block, Six& motion, Six& change, double& corrected) {
+  if (block.flat && press_evenly(block, motion, change, corrected)) return;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    BlockPoint& p = block.points[i];
+    press_point(p, p.target, block.inverse_mass, p.impulse, motion, change, corrected);
+  }
+}
+
+}  // namespace
+
+double solve_block(ContactBlock& block, MovingBody& first, MovingBody& second, int rounds) {
+  Six motion = motion_of(block, first, second);
+  Six change{};
+  double corrected = 0.0;
+  if (!block.flat || !try_sticking(block, motion, change, corrected)) {
+    change = {};
+    for (int round = 0; round < rounds; ++round) {
+      double most = 0.0;
+      rub(block, motion, change, most);
+      press(block, motion, change, most);
+      corrected = std::max(corrected, most);
+      if (most < 1e-4 * corrected) break;
+    }
+  }
+  if (corrected > 0.0) apply(change, block, first, second);
+  return corrected;
+}
+
+void ask_for_parting(double slowest, ContactBlock& block) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    BlockPoint& p = block.points[i];
+    if (!(p.impulse > 0.0)) continue;
+    p.target = p.approach < -slowest ? -block.restitution * p.approach : 0.0;
+  }
+  block.flat = false;
+}
+
+double lift_block(ContactBlock& block, double slop, double share, MovingBody& first,
+                  MovingBody& second) {
+  Six motion = motion_of(block, first, second);
+  Six change{};
+  double corrected = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    BlockPoint& p = block.points[i];
+    const double rest = -p.gap - slop;  // what is to be lifted; below 0 it may sink by as much
+    press_point(p, rest > 0.0 ? share * rest : rest, block.inverse_mass, p.lift, motion, change,
+                corrected);
+  }
+  if (corrected > 0.0) apply(change, block, first, second);
+  return corrected;
+}
+
+}  // namespace tumble

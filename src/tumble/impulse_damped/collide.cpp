@@ -1,0 +1,134 @@
+/// \file
+/// \brief The listing COLLIDE.
+#include "tumble/impulse_damped/collide.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// [m/s] of the point that approaches fastest; below 0: it does
+double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
+  double least = 0.0;
+  for (int p = 0; p < contact.count; ++p)
+    least = std::min(least, contact.normal_w.dot(relative_velocity(
+                                bodies[at(contact.first)], bodies[at(contact.second)],
+                                contact.points[at(p)].position_w)));
+  return least;
+}
+
+}  // namespace
+
+CollideResult Collide::run(const World& world, Contact& collision, double restitution,
+                           TemporaryGravity gravity, double dt, DampedBodies& bodies) {
+  // [COLLIDE:1-6]
+  // In a contact the bodies meet with the velocities that they
+  // are about to have: gravity's share of this step comes with
+  // it. Immovable bodies do not fall.
+  const bool plus_gravity = gravity == TemporaryGravity::velocity_plus_gravity;
+  const Vec3 delta_velocity_w = plus_gravity ? Vec3(dt * world.gravity_w) : Vec3::Zero();
+  const std::array<int, 2> pair{collision.first, collision.second};
+  const auto falls = [&](int body) {
+    return world.bodies()[at(body)].movable() && !world.rests()[at(body)].asleep;
+  };
+  for (const int body : pair)
+    if (falls(body)) bodies.moving[at(body)].velocity_w += delta_velocity_w;
+  // [COLLIDE:1-6]
+
+  // [COLLIDE:7-8]
+  // The point was found with the pair (PairGatherer). Whoever
+  // parts already gets no impulse.
+  CollideResult result;
+  const bool approaching = least_normal_speed(collision, bodies.moving) < 0.0;
+  if (approaching) {
+    result = apply_newtonian_impulse(world, collision, restitution, bodies);
+    if (plus_gravity)
+      for (const int body : pair) bodies.touched[at(body)] = 1;
+  }
+  // [COLLIDE:7-8]
+
+  // [COLLIDE:9-14]
+  // A stable body neither sinks nor tips. Its support stops it while
+  // gravity is still in its velocity, so that it stays so when
+  // gravity comes. Then the temporary gravity is taken back.
+  for (const int body : pair) {
+    if (!falls(body)) continue;
+    MovingBody& moving = bodies.moving[at(body)];
+    if (bodies.stable[at(body)] != 0) {
+      const double before = kinetic_energy_of(world, body, moving);
+      moving.velocity_w.y() = 0.0;
+      moving.angular_velocity_w.x() = 0.0;
+      moving.angular_velocity_w.z() = 0.0;
+      moving.changed = true;
+      result.restitution += kinetic_energy_of(world, body, moving) - before;
+    }
+    moving.velocity_w -= delta_velocity_w;
+  }
+  // [COLLIDE:9-14]
+  // [COLLIDE:15]
+  return result;
+  // [COLLIDE:15]
+}
+
+// j = -(1 + e) v_n / (n·K n) along the normal at the point.
+CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& collision,
+                                               double restitution, DampedBodies& bodies) {
+  MovingBody& first = bodies.moving[at(collision.first)];
+  MovingBody& second = bodies.moving[at(collision.second)];
+  const double before = kinetic_energy_of(world, collision.first, first) +
+                        kinetic_energy_of(world, collision.second, second);
+  CollideResult result;
+  if (collision.count == 1) {
+    ContactPoint& point = collision.points[0];
+    const Vec3& n_w = collision.normal_w;
+    const double yield = n_w.dot(inverse_mass_at(first, second, point.position_w) * n_w);
+    if (!(yield > 0.0)) return result;  // two bodies that nothing moves along the normal
+    const double approach = n_w.dot(relative_velocity(first, second, point.position_w));
+    result.impulse = -(1.0 + restitution) * approach / yield;
+    apply_impulse(first, second, point.position_w, result.impulse * n_w);
+    point.normal_impulse += result.impulse;
+  } else {
+    const double loaded = [&] {
+      double sum = 0.0;
+      for (int p = 0; p < collision.count; ++p) sum -= collision.points[at(p)].normal_impulse;
+      return sum;
+    }();
+    result.pivots = area_impulse(collision, restitution, bodies);
+    result.impulse = loaded;
+    for (int p = 0; p < collision.count; ++p)
+      result.impulse += collision.points[at(p)].normal_impulse;
+  }
+  result.pushed = result.impulse > 0.0;
+  result.restitution = kinetic_energy_of(world, collision.first, first) +
+                       kinetic_energy_of(world, collision.second, second) - before;
+  return result;
+}
+
+// All points of a contact area at once. With e below 0 the share 1 + e of the impulse that ends the
+// approach: velocities are linear in it.
+int Collide::area_impulse(Contact& collision, double restitution, DampedBodies& bodies) {
+  work_ = collision;
+  work_.friction = 0.0;
+  work_.restitution = std::max(0.0, restitution);
+  for (int p = 0; p < work_.count; ++p) work_.points[at(p)].normal_impulse = 0.0;
+  stamp_approach_speeds(bodies.moving, {&work_, 1});
+  const std::array<MovingBody, 2> before{bodies.moving[at(work_.first)],
+                                         bodies.moving[at(work_.second)]};
+  const BlockResult solved = block_.solve({&work_, 1}, bodies.moving);
+  const double share = std::min(1.0, 1.0 + restitution);
+  const std::array<int, 2> pair{work_.first, work_.second};
+  for (std::size_t i = 0; i < 2; ++i) {
+    MovingBody& body = bodies.moving[at(pair[i])];
+    const Vec3 spin_w = before[i].angular_velocity_w;
+    body.velocity_w = before[i].velocity_w + share * (body.velocity_w - before[i].velocity_w);
+    body.angular_velocity_w = spin_w + share * (body.angular_velocity_w - spin_w);
+  }
+  for (int p = 0; p < collision.count; ++p)
+    collision.points[at(p)].normal_impulse += share * work_.points[at(p)].normal_impulse;
+  return solved.pivots;
+}
+
+}  // namespace tumble

@@ -1,0 +1,178 @@
+/// \file
+/// \brief The default technique: bounces, repair and the books.
+#include "tumble/impulse_damped/block_solve.hpp"
+#include "tumble/impulse_damped/contact_damped.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+constexpr int kBouncePasses = 10;   // over all areas
+constexpr int kBounceRounds = 20;   // of friction and pressure in turn within an area
+constexpr double kRepaired = 0.05;  // share of a move, of the largest one, that is none
+
+// Approaches slower than this stick (thesis 4.3) [m/s].
+double sticky_speed(double gravity, double size, double dt) {
+  return gravity > 0.0 ? tolerance::sticky_speed * std::sqrt(gravity * size)
+                       : tolerance::sticky_speed_weightless * size / dt;
+}
+
+// Whether an area was hit: a point of it was pushed and had approached fast.
+bool was_hit(const ContactBlock& block, double gravity, double dt) {
+  const double slowest = sticky_speed(gravity, block.size, dt);
+  return std::any_of(block.points.begin(), block.points.begin() + block.count,
+                     [&](const BlockPoint& p) { return p.impulse > 0.0 && p.approach < -slowest; });
+}
+
+}  // namespace
+
+// Newton's restitution for impacts faster than the sticky speed (thesis 4.3), after the bodies have come
+// together. Should friction make it raise the energy, the bounce is drawn back.
+void ContactDamped::bounce(World& world, double dt, StepReport& report) {
+  const double g = world.gravity_w.norm();
+  bounced_ = false;
+  for (const ContactBlock& block : areas_.blocks()) {
+    if (!was_hit(block, g, dt)) continue;
+    ++report.events;
+    bounced_ = bounced_ || block.restitution > 0.0;
+    if (observer() != nullptr) tell(block, world.time() + dt);
+  }
+  if (!bounced_) return;
+  moved_ = bodies_;
+  for (ContactBlock& block : areas_.blocks())
+    ask_for_parting(sticky_speed(g, block.size, dt), block);
+  for (int pass = 0; pass < kBouncePasses; ++pass) {
+    double most = 0.0;
+    for (ContactBlock& block : areas_.blocks())
+      most = std::max(most, solve_block(block, bodies_[at(block.first)], bodies_[at(block.second)],
+                                        kBounceRounds));
+    if (most < tolerance::contact_settled * speed_scale(world, dt)) break;
+  }
+  for (int heap = 0; heap < islands_.count(); ++heap) guard_energy(world, heap, report);
+  store_moving_bodies(bodies_, world);
+}
+
+// Overlap beyond the slop goes by moves, from the ground up, over all areas in which some is left.
+void ContactDamped::repair(World& world, StepReport& report) {
+  const auto deep = [](const ContactBlock& block) {
+    return std::any_of(
+        block.points.begin(), block.points.begin() + block.count,
+        [&](const BlockPoint& p) { return -p.gap > tolerance::contact_damped_slop * block.size; });
+  };
+  if (std::none_of(areas_.blocks().begin(), areas_.blocks().end(), deep)) return;
+  moves_ = bodies_;
+  for (MovingBody& body : moves_) {
+    body.velocity_w.setZero();
+    body.angular_velocity_w.setZero();
+    body.changed = false;
+  }
+  for (ContactBlock& block : areas_.blocks())
+    for (std::size_t i = 0; i < at(block.count); ++i) block.points[i].lift = 0.0;
+  for (int heap = 0; heap < islands_.count(); ++heap) {
+    const std::span<const int> contacts = ordered(heap);
+    if (std::none_of(contacts.begin(), contacts.end(),
+                     [&](int c) { return deep(areas_.blocks()[at(c)]); }))
+      continue;
+    double first = 0.0;
+    for (int pass = 0; pass < options_.repair_passes; ++pass) {
+      double most = 0.0;  // [-] as a share of the size
+      for (const int contact : contacts) {
+        ContactBlock& block = areas_.blocks()[at(contact)];
+        most = std::max(
+            most, lift_block(block, tolerance::repair_rest * block.size, tolerance::repair_share,
+                             moves_[at(block.first)], moves_[at(block.second)]) /
+                      block.size);
+      }
+      if (pass == 0) first = most;
+      if (most < kRepaired * std::max(first, tolerance::contact_damped_slop)) break;
+    }
+  }
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (!moves_[k].changed || moves_[k].inverse_mass.x() == 0.0) continue;
+    const BodyProperties& body = world.bodies()[k];
+    BodyState& state = world.states()[k];
+    report.energy.repair -=
+        kinetic_energy(body, state) + body.mass * world.gravity_w.dot(moves_[k].velocity_w);
+    state.position_w += moves_[k].velocity_w;
+    state.orientation_wb =
+        (rotation_from_vector(moves_[k].angular_velocity_w) * state.orientation_wb).normalized();
+    report.energy.repair += kinetic_energy(body, state);
+  }
+}
+
+// The work of the impulses: each times the mean of the motions at the start, before gravity, and at the
+// end. What friction does not do is restitution's. A body that bounced has its new velocity where it hit, not
+// where gravity would have taken it meanwhile; that is restitution's too.
+void ContactDamped::account(const World& world, double dt, StepReport& report) {
+  double all = 0.0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k].inverse_mass.x() == 0.0 || flies_[k] != 0) continue;
+    const BodyProperties& body = world.bodies()[k];
+    const Vec3 change_w = bodies_[k].velocity_w - start_[k].velocity_w - dt * world.gravity_w;
+    all += 0.5 * body.mass * change_w.dot(bodies_[k].velocity_w + start_[k].velocity_w);
+    if (bounced_) {
+      const Vec3 mean_w = 0.5 * (bodies_[k].velocity_w + start_[k].velocity_w);
+      all += dt * body.mass * world.gravity_w.dot(mean_w - moved_[k].velocity_w);
+    }
+    // The inertia is that of the start of the step, for both.
+    const Vec3 turn_w = bodies_[k].angular_velocity_w - start_[k].angular_velocity_w;
+    const Mat3 inertia_w = bodies_[k].inverse_inertia_w.inverse();
+    all += 0.5 *
+           (inertia_w * turn_w).dot(bodies_[k].angular_velocity_w + start_[k].angular_velocity_w);
+  }
+  for (const ContactBlock& block : areas_.blocks()) {
+    const Six u = motion_of(block, start_[at(block.first)], start_[at(block.second)]);
+    const Six v = motion_of(block, bodies_[at(block.first)], bodies_[at(block.second)]);
+    report.energy.friction +=
+        0.5 * (block.along_impulse * (u[0] + v[0]) + block.across_impulse * (u[1] + v[1]) +
+               block.twist_impulse * (u[5] + v[5]));
+  }
+  report.energy.restitution = all - report.energy.friction;
+}
+
+void ContactDamped::tell(const ContactBlock& block, double time) const {
+  Event event;
+  event.time = time;
+  event.first = block.first_id;
+  event.second = block.second_id;
+  event.normal_w = block.frame_w.col(2);
+  event.point_w = start_[at(block.first)].position_w + block.first_arm_w;
+  const Six impulse = impulse_of(block);
+  event.impulse_w = block.frame_w * Vec3(impulse[0], impulse[1], impulse[2]);
+  observer()->on_event(event);
+}
+
+// Made when somebody asks. A point's friction is the area's, by its share of the pressure.
+std::span<const ContactRecord> ContactDamped::contacts() const {
+  if (recorded_) return records_;
+  records_.clear();
+  for (const ContactBlock& block : areas_.blocks()) {
+    const Six all = impulse_of(block);
+    const double friction = std::sqrt(all[0] * all[0] + all[1] * all[1]);
+    const bool slips = friction >= (1.0 - tolerance::friction_limit) * block.friction * all[2];
+    for (std::size_t i = 0; i < at(block.count); ++i) {
+      const BlockPoint& p = block.points[i];
+      const double share = all[2] > 0.0 ? p.impulse / all[2] : 0.0;
+      ContactRecord record;
+      record.time = contact_time_;
+      record.first = block.first_id;
+      record.second = block.second_id;
+      record.point_w = position_of(block, start_[at(block.first)], p);
+      record.normal_w = block.frame_w.col(2);
+      record.push_w = block.frame_w * Vec3(share * all[0], share * all[1], p.impulse);
+      record.state = !(p.impulse > 0.0) ? ContactState::open
+                     : slips            ? ContactState::slip
+                                        : ContactState::stick;
+      records_.push_back(record);
+    }
+  }
+  recorded_ = true;
+  return records_;
+}
+
+}  // namespace tumble

@@ -1,0 +1,179 @@
+/// \file
+/// \brief The default technique: the impulses of a heap.
+#include "tumble/impulse_damped/block_solve.hpp"
+#include "tumble/impulse_damped/contact_damped.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved however fast it moves
+constexpr double kSoon = 0.05;  // of what a sweep found is left after the next: they soon end
+constexpr double kWellSettled =
+    0.1;                          // solving goes on to this share of what is none, so that it lasts
+constexpr double kSlides = 4.0;   // steps that friction of a weight would need to stop what slides
+constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
+constexpr int kSmallPasses = 50;  // over a small heap
+constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area
+
+// Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
+double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
+  return 0.5 * body.mass * moving.velocity_w.squaredNorm() +
+         0.5 * moving.angular_velocity_w.dot(inertia_w * moving.angular_velocity_w);
+}
+
+// Velocities on the way from one state of motion to another.
+void go_back(const MovingBody& from, double share, MovingBody& to) {
+  to.velocity_w = from.velocity_w + share * (to.velocity_w - from.velocity_w);
+  to.angular_velocity_w =
+      from.angular_velocity_w + share * (to.angular_velocity_w - from.angular_velocity_w);
+}
+
+// The normal velocity with which a point hits, if it falls freely through its gap; 0 or above if it does not
+// approach before gravity has acted: what rests does not hit.
+double approach_of(const BlockPoint& p, const Six& before, const Six& after, double dt) {
+  const double start = before[2] + p.across * before[3] - p.along * before[4];
+  const double end = after[2] + p.across * after[3] - p.along * after[4];
+  if (start >= 0.0) return start;
+  const double gained = -2.0 * (end - start) / dt * std::max(p.gap, 0.0);
+  return -std::sqrt(std::max(start * start + gained, 0.0));
+}
+
+}  // namespace
+
+// What gravity does in a step; without it a share of a size in a step.
+double ContactDamped::speed_scale(const World& world, double dt) const {
+  const double g = world.gravity_w.norm();
+  if (g > 0.0) return g * dt;
+  double size = 0.0;
+  for (const ContactBlock& block : areas_.blocks())
+    size = size == 0.0 ? block.size : std::min(size, block.size);
+  return tolerance::weightless_speed * size / dt;
+}
+
+// Once down through an area's order, or once up. Returns the largest correction [m/s].
+double ContactDamped::sweep(std::span<const int> contacts, bool down, int rounds,
+                            StepReport& report) {
+  double most = 0.0;
+  const std::size_t count = contacts.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    ContactBlock& block = areas_.blocks()[at(contacts[down ? count - 1 - k : k])];
+    most = std::max(
+        most, solve_block(block, bodies_[at(block.first)], bodies_[at(block.second)], rounds));
+  }
+  ++report.iterations;
+  report.impulses += static_cast<std::int64_t>(count);
+  return most;
+}
+
+// How fast the fastest point of a heap moves, as a share of sqrt(g L).
+double ContactDamped::unrest(const World& world, int heap, double dt) const {
+  double most = 0.0;
+  const double g = world.gravity_w.norm();
+  for (const int k : islands_.bodies(heap)) {
+    const BodyProperties& body = world.bodies()[at(k)];
+    const double size = body.size.minCoeff();
+    const double limit = g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / dt;
+    const double fastest = bodies_[at(k)].velocity_w.norm() +
+                           0.5 * body.size.norm() * bodies_[at(k)].angular_velocity_w.norm();
+    most = std::max(most, fastest / limit);
+  }
+  return most;
+}
+
+// Whether an area slides so fast that friction cannot stop it in a few steps.
+bool ContactDamped::slides(std::span<const int> contacts, double unit) const {
+  return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
+    const ContactBlock& block = areas_.blocks()[at(contact)];
+    const Six u = motion_of(block, bodies_[at(block.first)], bodies_[at(block.second)]);
+    return impulse_of(block)[2] > 0.0 && block.friction > 0.0 &&
+           std::sqrt(u[0] * u[0] + u[1] * u[1]) > kSlides * block.friction * unit;
+  });
+}
+
+void ContactDamped::solve_heap(const World& world, int heap, double dt, StepReport& report) {
+  const std::span<const int> contacts = ordered(heap);
+  if (contacts.empty()) return;
+  const double enough = tolerance::contact_settled * speed_scale(world, dt);
+  // [S6.3.1:heap]
+  // Begin with the impulses of the step before.
+  for (const int contact : contacts) {
+    ContactBlock& block = areas_.blocks()[at(contact)];
+    const Six before = motion_of(block, start_[at(block.first)], start_[at(block.second)]);
+    const Six after = motion_of(block, free_[at(block.first)], free_[at(block.second)]);
+    for (std::size_t i = 0; i < at(block.count); ++i)
+      block.points[i].approach = approach_of(block.points[i], before, after, dt);
+    apply(impulse_of(block), block, bodies_[at(block.first)], bodies_[at(block.second)]);
+  }
+  // One sweep from the top down, as weight goes: at rest it finds nothing
+  // to do. Another one up, as support goes, shows whether sweeps soon end.
+  const bool small = islands_.bodies(heap).size() <= kSmallHeap;
+  const int rounds = small ? kSmallRounds : kBlockRounds;
+  const double found = sweep(contacts, true, rounds, report);
+  bool settled = found < enough;
+  double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
+  const bool soon = left < kSoon * found;
+  // Else all areas are solved together, unless a large heap moves too fast
+  // to care, or something slides, which sweeps do well. If that did not end
+  // in a heap that hardly moves, sweeps get the next step: they bring areas
+  // back to sticking as a whole.
+  const double speed = settled ? 0.0 : unrest(world, heap, dt);
+  const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
+  const bool pause =
+      speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
+  if (!settled && !soon && options_.rounds > 0 && (speed < tolerance::calm_speed || small) &&
+      !pause && !slides(contacts, enough / tolerance::contact_settled)) {
+    const HeapLimits limits{kWellSettled * enough, enough / tolerance::contact_settled,
+                            options_.rounds, tolerance::heap_work};
+    const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
+                                           free_, areas_.blocks(), bodies_);
+    report.iterations += solved.rounds;
+    report.pivots += solved.factorings;
+    settled = solved.tried;
+    if (solved.tried && !solved.solved) pausing_.push_back(name);
+  }
+  // Or sweeps have to do, down and up.
+  const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
+  for (int pass = 2; pass < passes && !settled; ++pass) {
+    left = sweep(contacts, pass % 2 == 0, rounds, report);
+    settled = left < kWellSettled * enough;
+  }
+  // [S6.3.1:heap]
+  guard_energy(world, heap, report);
+}
+
+// Impulses that are not quite solved could raise the kinetic energy. Then they are drawn back to where they
+// do not: the energy is a parabola in their share, and no share is none.
+void ContactDamped::guard_energy(const World& world, int heap, StepReport& report) {
+  double before = 0.0, after = 0.0, halfway = 0.0;
+  for (const int k : islands_.bodies(heap)) {
+    if (bodies_[at(k)].inverse_mass.x() == 0.0) continue;
+    const BodyProperties& body = world.bodies()[at(k)];
+    const Mat3 axes_w = world.states()[at(k)].orientation_wb.toRotationMatrix();
+    const Mat3 inertia_w = axes_w * body.inertia_b.asDiagonal() * axes_w.transpose();
+    before += energy_of(body, inertia_w, free_[at(k)]);
+    after += energy_of(body, inertia_w, bodies_[at(k)]);
+    MovingBody middle = bodies_[at(k)];
+    go_back(free_[at(k)], 0.5, middle);
+    halfway += energy_of(body, inertia_w, middle);
+  }
+  if (after <= before * (1.0 + tolerance::energy_rounding)) return;
+  // E(t) = before + b t + a t², E(1) = after, E(1/2) = halfway.
+  const double a = 2.0 * (before + after - 2.0 * halfway);
+  const double share = std::clamp(1.0 - (after - before) / a, 0.0, 1.0);
+  for (const int k : islands_.bodies(heap)) go_back(free_[at(k)], share, bodies_[at(k)]);
+  for (const int contact : islands_.contacts(heap)) {
+    ContactBlock& block = areas_.blocks()[at(contact)];
+    block.along_impulse *= share;
+    block.across_impulse *= share;
+    block.twist_impulse *= share;
+    for (std::size_t i = 0; i < at(block.count); ++i) block.points[i].impulse *= share;
+  }
+  ++report.fallbacks;
+}
+
+}  // namespace tumble

@@ -1,0 +1,162 @@
+/// \file
+/// \brief Damped integration: the listing DAMPEDINTEGRATION.
+#include "tumble/impulse_damped/damped.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/contact/told.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+
+Damped::Damped(const DampedOptions& options)
+    : options_(options),
+      gatherer_(options.normals, options.points),
+      areas_(NormalRule::separation, PointRule::area) {
+  require::not_negative(options.collision_passes, "collision_passes");
+  require::not_negative(options.contact_passes, "contact_passes");
+  require::not_negative(options.noise.speed, "noise.speed");
+  require::not_negative(options.noise.normal, "noise.normal");
+  require::not_negative(options.noise.restitution, "noise.restitution");
+  check(options.numbers);
+}
+
+Damped::Damped(const Damped& other)
+    : Technique(other),
+      options_(other.options_),
+      stable_ids_(other.stable_ids_),
+      sleeping_(other.sleeping_),
+      gatherer_(other.gatherer_),
+      areas_(other.areas_) {}
+
+std::unique_ptr<Technique> Damped::clone() const { return std::make_unique<Damped>(*this); }
+
+std::vector<std::string> Damped::ignores(const World& world) const {
+  const auto rubs = [](const BodyProperties& body) { return body.friction > 0.0; };
+  if (std::none_of(world.bodies().begin(), world.bodies().end(), rubs)) return {};
+  return {"friction"};
+}
+
+StepReport Damped::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  begin(world, dt, report);
+  DampedStage stage{world,   dt,        options_.rotation, options_.sleeping ? &sleeping_ : nullptr,
+                    bodies_, gatherer_, collide_,          collisions_,
+                    told_,   report};
+  const Random random = Random(options_.seed).fork(static_cast<std::uint64_t>(world.steps()));
+
+  // [DAMPEDINTEGRATION:1-2]
+  // Impulses: what is about to meet collides, and what gravity
+  // presses together is stopped.
+  resolve_collisions(stage, options_.collision_passes, options_.noise, random);
+  tell_collisions(world, dt, report);
+  resolve_contacts(stage, options_.contact_passes);
+  // [DAMPEDINTEGRATION:1-2]
+  if (options_.shock == ShockRule::velocity) shock_.run(stage, options_.contact_passes);
+  store_moving_bodies(bodies_.moving, world);
+
+  // [DAMPEDINTEGRATION:3-4]
+  // Gravity, then damping, within which all bodies move.
+  integrate_object_velocities(world, dt);
+  const DampingReport damped = damping_.run(world, bodies_.touched, options_.numbers,
+                                            options_.damping, dt, options_.rotation);
+  // [DAMPEDINTEGRATION:3-4]
+  report.energy.damping += damped.energy;
+  report.integrations += damped.moved;
+
+  // [DAMPEDINTEGRATION:5]
+  // What overlaps where the bodies are now is pushed apart.
+  const SleepingRule* sleeping = options_.sleeping ? &sleeping_ : nullptr;
+  const PairReport overlaps =
+      areas_.gather(world, world.states(), world.states(), sleeping, 0.0, collisions_);
+  report.pair_tests += overlaps.pair_tests;
+  report.deepest_overlap = std::max(report.deepest_overlap, overlaps.deepest_overlap);
+  if (options_.shock == ShockRule::position) {
+    const FixReport fixed = fix_.run(world, collisions_, options_.numbers, dt);
+    report.pair_tests += fixed.pair_tests;
+    report.energy.repair += fixed.energy;
+  }
+  // [DAMPEDINTEGRATION:5]
+  end(world, dt, report);
+  // [DAMPEDINTEGRATION:7]
+  return report;
+  // [DAMPEDINTEGRATION:7]
+}
+
+// Wakes whoever is touched, and reads velocities and marks.
+void Damped::begin(World& world, double dt, StepReport& report) {
+  told_.clear();
+  if (options_.sleeping) sleeping_.wake_disturbed(world);
+  stable_.assign(world.bodies().size(), 0);
+  for (std::size_t k = 0; k < stable_.size(); ++k)
+    stable_[k] = !world.bodies()[k].movable() ||
+                         std::binary_search(stable_ids_.begin(), stable_ids_.end(), world.ids()[k])
+                     ? 1
+                     : 0;
+  for (bool woken = options_.sleeping; woken;) {
+    bodies_.load(world, stable_);
+    report.integrations += bodies_.predict(world, dt, options_.rotation);
+    const PairReport found =
+        gatherer_.gather(world, world.states(), bodies_.predicted, &sleeping_, 0.0, collisions_);
+    report.pair_tests += found.pair_tests;
+    woken = sleeping_.wake_touched(world, collisions_) > 0;
+  }
+  bodies_.load(world, stable_);
+}
+
+// Line 3: gravity for all bodies that can fall. Stable ones have been stopped with it in mind.
+void Damped::integrate_object_velocities(World& world, double dt) const {
+  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+    if (!world.bodies()[k].movable() || world.rests()[k].asleep) continue;
+    world.states()[k].linear_momentum_w += dt * world.bodies()[k].mass * world.gravity_w;
+  }
+}
+
+// Who stands firm, who falls asleep, and what there is to tell.
+void Damped::end(World& world, double dt, StepReport& report) {
+  double margin = 0.0;  // [m] of the largest body
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable())
+      margin = std::max(margin, tolerance::stability_margin * body.size.minCoeff());
+  const SleepingRule* sleeping = options_.sleeping ? &sleeping_ : nullptr;
+  const PairReport near =
+      areas_.gather(world, world.states(), world.states(), sleeping, margin, collisions_);
+  report.pair_tests += near.pair_tests;
+  // [DAMPEDINTEGRATION:6]
+  stability_.run(world, collisions_, options_.stable_boxes, options_.numbers.eps9, stable_);
+  // [DAMPEDINTEGRATION:6]
+  stable_ids_.clear();
+  for (std::size_t k = 0; k < stable_.size(); ++k)
+    if (stable_[k] != 0 && world.bodies()[k].movable()) stable_ids_.push_back(world.ids()[k]);
+
+  if (options_.sleeping) {
+    islands_.build(world.bodies(), collisions_);
+    report.energy.damping += sleeping_.update(world, collisions_, islands_, dt).energy;
+  }
+  record(world, dt, report);
+  world.finish_step(dt);
+}
+
+// Collisions of the first stage, for observers.
+void Damped::tell_collisions(const World& world, double dt, StepReport& report) {
+  Event moment;
+  moment.time = world.time() + dt;
+  report.events += static_cast<std::int64_t>(told_.size());
+  if (observer() == nullptr) return;
+  for (const Contact& contact : told_) {
+    const std::optional<Event> event = event_of(contact, moment);
+    if (event) observer()->on_event(*event);
+  }
+}
+
+// The points of this step with their impulses, at the predicted poses where they were found.
+void Damped::record(const World& world, double dt, StepReport& report) {
+  records_.clear();
+  for (const Contact& contact : told_)
+    for (int p = 0; p < contact.count; ++p)
+      records_.push_back(record_of(contact, p, world.time() + dt));
+  report.contacts = static_cast<std::int64_t>(records_.size());
+}
+
+}  // namespace tumble

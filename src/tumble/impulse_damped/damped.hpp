@@ -1,0 +1,111 @@
+/// \file
+/// \brief Damped integration, the thesis's own technique (thesis 5.2 to 5.4, A.2).
+#pragma once
+
+#include "tumble/contact/islands.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/geometric_stability/geometrically_stable.hpp"
+#include "tumble/impulse_damped/dampen_objects.hpp"
+#include "tumble/impulse_damped/fix_contact_constraints.hpp"
+#include "tumble/impulse_damped/resolve_collisions.hpp"
+#include "tumble/impulse_damped/resolve_contacts.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// How what is left of overlap is answered.
+enum class ShockRule : std::uint8_t {
+  position,  ///< bodies are pushed up: the thesis's (4.4)
+  velocity   ///< velocities are stopped from the ground up: Guendelman's; nobody is pushed
+};
+
+/// Options of damped integration.
+struct DampedOptions {
+  int collision_passes = 5;                         ///< NUM_COLLISION_ITERATIONS
+  int contact_passes = 10;                          ///< NUM_CONTACT_ITERATIONS
+  NormalRule normals = NormalRule::last_face;       ///< which normal a pair has
+  PointRule points = PointRule::one;                ///< where it is pushed
+  ShockRule shock = ShockRule::position;            ///< see there
+  StableRule stable_boxes = StableRule::corners;    ///< who is geometrically stable
+  DampingParts damping;                             ///< which parts of the damping are used
+  DampedNumbers numbers;                            ///< ε and k
+  NoiseOptions noise;                               ///< what is left to chance
+  bool sleeping = false;                            ///< whether bodies at rest are left alone (4.5)
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  std::uint64_t seed = 1;                           ///< of chance
+};
+
+/// Damped integration: impulses, then damping, then pushes.
+///
+/// Built on the impulses of Guendelman, Bridson and Fedkiw. A step lets bodies that are about to
+/// overlap collide, stops those that gravity presses together, adds gravity, slows down what is in
+/// contact and moves all bodies, pushes apart what still overlaps, and marks the bodies that stand
+/// firm: for the next step these count as immovable downwards.
+///
+/// There is no friction but the damping.
+///
+/// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
+/// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
+/// damping gets the step; overlap is looked for again where bodies have come to, for the pushes
+/// and, within tolerance::stability_margin, for the marks. The list of the last pass would be of
+/// places that no body has taken.
+/// \par Cost
+/// A broad phase and a test of each near pair in each of the 15 passes, and twice at the end.
+/// \algorithm{DAMPEDINTEGRATION: section 5.2 and appendix A.2}
+/// \deviation{Overlap is looked for again after bodies have moved.}
+/// \verified{A cube at rest stays where it is to the last bit}
+class Damped : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a number of passes below 0, or constants out of range
+  explicit Damped(const DampedOptions& options = {});
+  /// A copy with all memory.
+  /// \param other the original
+  Damped(const Damped& other);
+  Damped& operator=(const Damped&) = delete;
+  ~Damped() override = default;
+
+  [[nodiscard]] std::string_view name() const override { return "damped"; }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
+
+  /// Who is geometrically stable since the last step.
+  /// \return ids of movable bodies, ascending
+  [[nodiscard]] std::span<const BodyId> stable_bodies() const { return stable_ids_; }
+
+ private:
+  void begin(World& world, double dt, StepReport& report);
+  void integrate_object_velocities(World& world, double dt) const;
+  void end(World& world, double dt, StepReport& report);
+  void tell_collisions(const World& world, double dt, StepReport& report);
+  void record(const World& world, double dt, StepReport& report);
+
+  DampedOptions options_;
+
+  // Memory from step to step.
+  std::vector<BodyId> stable_ids_;  // movable bodies that are stable, ascending
+  SleepingRule sleeping_;
+
+  // Storage of one step, kept so that a warm step asks for no memory.
+  PairGatherer gatherer_;  // by the rules of the options
+  PairGatherer areas_;     // exact, all points
+  DampedBodies bodies_;
+  Collide collide_;
+  ShockPropagation shock_;
+  ObjectDamping damping_;
+  FixContactConstraints fix_;
+  GeometricStability stability_;
+  Islands islands_;
+  ContactList collisions_;
+  ContactList told_;
+  std::vector<char> stable_;
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

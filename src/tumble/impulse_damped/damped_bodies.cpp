@@ -1,0 +1,90 @@
+/// \file
+/// \brief Velocities, predicted poses and marks of damped integration's bodies.
+#include "tumble/impulse_damped/damped_bodies.hpp"
+
+#include "tumble/base/tolerance.hpp"
+
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Vec3 angular_momentum_of(const World& world, std::size_t k, const Vec3& angular_velocity_w) {
+  const Mat3 r = world.states()[k].orientation_wb.toRotationMatrix();
+  return r * world.bodies()[k].inertia_b.cwiseProduct(r.transpose() * angular_velocity_w);
+}
+
+}  // namespace
+
+void DampedBodies::load(const World& world, std::span<const char> firmly) {
+  load_moving_bodies(world, moving);
+  predicted.assign(world.states().begin(), world.states().end());
+  stable.assign(firmly.begin(), firmly.end());
+  touched.assign(moving.size(), 0);
+  for (std::size_t k = 0; k < moving.size(); ++k) set_ease(world, static_cast<int>(k));
+}
+
+int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
+  int advanced = 0;
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable() || world.rests()[k].asleep) continue;
+    BodyState& state = predicted[k];
+    state = world.states()[k];
+    if (moving[k].changed) {
+      state.linear_momentum_w = body.mass * moving[k].velocity_w;
+      state.angular_momentum_w = angular_momentum_of(world, k, moving[k].angular_velocity_w);
+    }
+    state.linear_momentum_w += dt * body.mass * world.gravity_w;
+    advance_pose(body, state, dt, rule);
+    moving[k].position_w = state.position_w;
+    ++advanced;
+  }
+  return advanced;
+}
+
+void DampedBodies::clear_tilted(const World& world, std::span<const Contact> collisions) {
+  for (const Contact& contact : collisions) {
+    const double x = contact.normal_w.x();
+    const double z = contact.normal_w.z();
+    if (std::sqrt(x * x + z * z) <= tolerance::vertical_normal) continue;
+    for (const int body : {contact.first, contact.second}) {
+      if (stable[at(body)] == 0 || !world.bodies()[at(body)].movable()) continue;
+      stable[at(body)] = 0;
+      set_ease(world, body);
+    }
+  }
+}
+
+bool DampedBodies::holds_firm(const World& world, const Contact& contact) const {
+  for (const int body : {contact.first, contact.second})
+    if (stable[at(body)] != 0 && world.bodies()[at(body)].movable()) return true;
+  return false;
+}
+
+void DampedBodies::set_ease(const World& world, int body) {
+  const BodyProperties& properties = world.bodies()[at(body)];
+  MovingBody& m = moving[at(body)];
+  m.inverse_mass.setZero();
+  m.inverse_inertia_w.setZero();
+  if (!properties.movable() || world.rests()[at(body)].asleep) return;
+  m.inverse_mass.setConstant(properties.inverse_mass);
+  m.inverse_inertia_w = inverse_inertia_w(properties, world.states()[at(body)].orientation_wb);
+  if (stable[at(body)] == 0) return;
+  const double about_y = m.inverse_inertia_w(1, 1);
+  m.inverse_mass.y() = 0.0;
+  m.inverse_inertia_w.setZero();
+  m.inverse_inertia_w(1, 1) = about_y;
+}
+
+double kinetic_energy_of(const World& world, int body, const MovingBody& moving) {
+  const BodyProperties& properties = world.bodies()[at(body)];
+  if (!properties.movable()) return 0.0;
+  return 0.5 * properties.mass * moving.velocity_w.squaredNorm() +
+         0.5 * moving.angular_velocity_w.dot(
+                   angular_momentum_of(world, at(body), moving.angular_velocity_w));
+}
+
+}  // namespace tumble

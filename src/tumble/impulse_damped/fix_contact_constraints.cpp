@@ -1,0 +1,97 @@
+/// \file
+/// \brief The listing FIXCONTACTCONSTRAINTS.
+#include "tumble/impulse_damped/fix_contact_constraints.hpp"
+
+#include "tumble/geometry/separation.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// How deep two bodies overlap now, and the normal from the first to the second.
+Separation separation_of(const World& world, int first, int second) {
+  const auto box = [&](int b) { return box_of(world.bodies()[at(b)], world.states()[at(b)]); };
+  const auto above_ground = [&](int b) {
+    const Box it = box(b);
+    return Separation{it.center_w.y() - reach(it, Vec3::UnitY()), Vec3::UnitY(), kNoAxis};
+  };
+  if (world.bodies()[at(first)].shape == Shape::ground) return above_ground(second);
+  if (world.bodies()[at(second)].shape == Shape::ground) {
+    Separation found = above_ground(first);
+    found.normal_w = -found.normal_w;
+    return found;
+  }
+  return separation(box(first), box(second));
+}
+
+// [m] overlap below it is rounding
+double rounding_of(const World& world, int first, int second) {
+  double size = 0.0;
+  for (const int b : {first, second})
+    if (world.bodies()[at(b)].shape == Shape::box)
+      size = std::max(size, world.bodies()[at(b)].size.maxCoeff());
+  return tolerance::rounding_overlap * size;
+}
+
+}  // namespace
+
+FixReport FixContactConstraints::run(World& world, std::span<const Contact> contacts,
+                                     const DampedNumbers& numbers, double dt) {
+  FixReport report;
+  // [FIXCONTACTCONSTRAINTS:1]
+  // From the ground up: contact points by height, of equals the
+  // older pair first.
+  sorted_.clear();
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    for (int p = 0; p < contacts[c].count; ++p)
+      sorted_.push_back({contacts[c].points[at(p)].position_w.y(), static_cast<int>(c), p});
+  std::sort(sorted_.begin(), sorted_.end(), [](const Point& a, const Point& b) {
+    return std::tie(a.height, a.contact, a.point) < std::tie(b.height, b.contact, b.point);
+  });
+  // [FIXCONTACTCONSTRAINTS:1]
+
+  const auto can_move = [&](int b) {
+    return world.bodies()[at(b)].movable() && !world.rests()[at(b)].asleep;
+  };
+  for (const Point& visited : sorted_) {
+    // [FIXCONTACTCONSTRAINTS:2-5]
+    // The upper body is the one towards which the normal rises.
+    // If that one cannot move, the lower one does, downwards.
+    const Contact& contact = contacts[at(visited.contact)];
+    Separation found = separation_of(world, contact.first, contact.second);
+    ++report.pair_tests;
+    const bool second_is_upper = found.normal_w.y() >= 0.0;
+    int moving_object = second_is_upper ? contact.second : contact.first;
+    int stable_object = second_is_upper ? contact.first : contact.second;
+    if (!can_move(moving_object)) std::swap(moving_object, stable_object);
+    if (!can_move(moving_object)) continue;
+    const bool along = moving_object == contact.second;
+    const Vec3 offset_vector_w = along ? found.normal_w : Vec3(-found.normal_w);
+    // [FIXCONTACTCONSTRAINTS:2-5]
+    // [FIXCONTACTCONSTRAINTS:6-7]
+    // Small pushes until they are apart.
+    const BodyProperties& body = world.bodies()[at(moving_object)];
+    const double push = thresholds_of(numbers, body, world.gravity_w.norm(), dt).push;
+    const double rounding = rounding_of(world, moving_object, stable_object);
+    int pushes = 0;
+    while (found.distance < -rounding && pushes < kMostPushes) {
+      world.states()[at(moving_object)].position_w += push * offset_vector_w;
+      report.energy -= body.mass * push * world.gravity_w.dot(offset_vector_w);
+      found = separation_of(world, contact.first, contact.second);
+      ++report.pair_tests;
+      ++pushes;
+    }
+    // [FIXCONTACTCONSTRAINTS:6-7]
+    report.pushes += pushes;
+    report.given_up += found.distance < -rounding ? 1 : 0;
+  }
+  // [FIXCONTACTCONSTRAINTS:8]
+  return report;
+  // [FIXCONTACTCONSTRAINTS:8]
+}
+
+}  // namespace tumble

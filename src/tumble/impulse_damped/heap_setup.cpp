@@ -1,0 +1,191 @@
+/// \file
+/// \brief All contact areas of a heap together: what is solved, and its matrix.
+#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/heap_parts.hpp"
+#include "tumble/impulse_damped/heap_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::skew, heap::Spring,
+    heap::velocities_of, heap::wrench_of;
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+void HeapSolver::load(std::span<const int> members, std::span<const int> contacts,
+                      std::span<const MovingBody> free, std::span<const ContactBlock> blocks,
+                      std::span<const MovingBody> bodies) {
+  member_of_.assign(bodies.size(), -1);
+  members_.clear();
+  wanted_stamps_.clear();
+  for (const int body : members) {
+    member_of_[at(body)] = static_cast<int>(members_.size());
+    Member& member = members_.emplace_back();
+    member.mass = 1.0 / bodies[at(body)].inverse_mass.x();
+    member.inertia_w = bodies[at(body)].inverse_inertia_w.inverse();
+    member.free = velocities_of(free[at(body)]);
+    member.now = velocities_of(bodies[at(body)]);
+  }
+  areas_.clear();
+  points_.clear();
+  joined_.clear();
+  for (const int contact : contacts) {
+    const ContactBlock& block = blocks[at(contact)];
+    Area& area = areas_.emplace_back();
+    area.block = contact;
+    area.first = member_of_[at(block.first)];
+    area.second = member_of_[at(block.second)];
+    if (area.first >= 0 && area.second >= 0) {
+      area.pair = static_cast<int>(joined_.size());
+      joined_.push_back({area.first, area.second});
+    }
+    area.begin = static_cast<int>(points_.size());
+    load_points(block);
+    area.end = static_cast<int>(points_.size());
+    wanted_stamps_.push_back(block.stamp);
+  }
+  x_.resize(members_.size());
+  // Factoring takes roots. With masses of about 1, those times a power of two leave the same bits.
+  int power = 0;
+  std::frexp(members_.front().mass, &power);
+  unit_mass_ = std::ldexp(1.0, -power);
+}
+
+// The points of an area. Its friction is shared out: each point gets the share of its pressure, and what
+// turns the area about the centre of pressure in proportion to the lever too.
+void HeapSolver::load_points(const ContactBlock& block) {
+  const SixBySix& K = block.inverse_mass;
+  double normal = 0.0, along = 0.0, across = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < at(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    normal += p.impulse;
+    along += p.impulse * p.along;
+    across += p.impulse * p.across;
+  }
+  if (normal > 0.0) {
+    along /= normal;
+    across /= normal;
+  }
+  for (std::size_t i = 0; i < at(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    const double a = p.along - along;
+    const double c = p.across - across;
+    square += p.impulse * (a * a + c * c);
+  }
+  const double moment =
+      block.twist_impulse - (along * block.across_impulse - across * block.along_impulse);
+  const double turn = square > 0.0 ? moment / square : 0.0;
+  for (std::size_t i = 0; i < at(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    Point& point = points_.emplace_back();
+    point.along = p.along;
+    point.across = p.across;
+    point.target = p.target;
+    point.friction = block.friction;
+    point.yield = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
+                  p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
+                  p.along * p.along * K[4][4];
+    if (!(p.impulse > 0.0)) continue;
+    const double share = p.impulse / normal;
+    double f = share * block.along_impulse - turn * p.impulse * (p.across - across);
+    double g = share * block.across_impulse + turn * p.impulse * (p.along - along);
+    const double size = std::sqrt(f * f + g * g);
+    const double bound = block.friction * p.impulse;
+    if (size > bound) {
+      f *= bound / size;
+      g *= bound / size;
+    }
+    point.pushed = {f, g, p.impulse};
+  }
+}
+
+// Motion of an area at the present velocities.
+Six HeapSolver::motion_now(const Area& area, const ContactBlock& block) const {
+  Six motion{};
+  if (area.second >= 0)
+    motion = motion_of(block.frame_w, block.second_arm_w, members_[at(area.second)].now);
+  if (area.first >= 0) {
+    const Six other = motion_of(block.frame_w, block.first_arm_w, members_[at(area.first)].now);
+    for (std::size_t k = 0; k < 6; ++k) motion[k] -= other[k];
+  }
+  return motion;
+}
+
+// z of the velocities at the start, and which points slide.
+void HeapSolver::start_from(std::span<const ContactBlock> blocks, double unit) {
+  for (Area& area : areas_) {
+    const Six motion = motion_now(area, blocks[at(area.block)]);
+    for (int i = area.begin; i < area.end; ++i) {
+      Point& p = points_[at(i)];
+      const double rho = stiffness_ / p.yield;
+      Vec3 u = motion_at(p.along, p.across, motion);
+      u[2] -= p.target;
+      const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
+      p.slides = speed > 4.0 * p.friction * unit;
+      wanted_stamps_.push_back(p.slides ? 1 : 0);
+      if (p.slides) {
+        p.slip = {u[0] / speed, u[1] / speed, 0.0};
+        p.pushed.head<2>() = -p.friction * p.pushed[2] * p.slip.head<2>();
+        p.reached = {0.0, 0.0, std::max(0.0, u[2])};
+      } else {
+        p.reached = u + (into_cone(p.pushed - rho * u, p.friction) - p.pushed) / rho;
+      }
+    }
+  }
+}
+
+// M + J' D J and its factors, with the springs' stiffness across and along the normal of each point.
+void HeapSolver::factor(std::span<const ContactBlock> blocks, bool soft) {
+  matrix_.clear();
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    Mat6 own = Mat6::Zero();
+    own.topLeftCorner<3, 3>().diagonal().setConstant(unit_mass_ * members_[m].mass);
+    own.bottomRightCorner<3, 3>() = unit_mass_ * members_[m].inertia_w;
+    matrix_.add_to(static_cast<int>(m), own);
+  }
+  for (const Area& area : areas_) {
+    const ContactBlock& block = blocks[at(area.block)];
+    Spring spring{Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
+    const Mat3& f = block.frame_w;
+    for (int i = area.begin; i < area.end; ++i) {
+      const Point& p = points_[at(i)];
+      const double across = p.slides   ? 0.0
+                            : soft     ? stiffness_ / p.yield
+                            : p.sticks ? tolerance::heap_hardness / p.yield
+                                       : 0.0;
+      const double along = soft       ? stiffness_ / p.yield
+                           : p.pushes ? tolerance::heap_hardness / p.yield
+                                      : 0.0;
+      const Mat3 d = unit_mass_ * (across * Mat3::Identity() +
+                                   (along - across) * f.col(2) * f.col(2).transpose());
+      const Mat3 s = skew(p.along * f.col(0) + p.across * f.col(1));
+      const Mat3 ds = d * s;
+      spring.force_of_move += d;
+      spring.force_of_turn -= ds;
+      spring.moment_of_turn -= s * ds;
+    }
+    if (area.first >= 0)
+      matrix_.add_to(area.first, spring.between(block.first_arm_w, block.first_arm_w));
+    if (area.second >= 0)
+      matrix_.add_to(area.second, spring.between(block.second_arm_w, block.second_arm_w));
+    if (area.pair >= 0)
+      matrix_.add_to_pair(area.pair, -spring.between(block.first_arm_w, block.second_arm_w));
+  }
+  matrix_.factor();
+}
+
+void HeapSolver::factor_if_changed(std::span<const ContactBlock> blocks, HeapResult& result) {
+  if (factored_stiffness_ == stiffness_ && stamps_ == wanted_stamps_) return;
+  stamps_ = wanted_stamps_;
+  factored_stiffness_ = stiffness_;
+  ++result.factorings;
+  factor(blocks, true);
+}
+
+}  // namespace tumble

@@ -1,0 +1,152 @@
+/// \file
+/// \brief All contact areas of a heap together: the rounds.
+#include "tumble/impulse_damped/heap_solver.hpp"
+
+#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/heap_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::skew, heap::Spring,
+    heap::velocities_of, heap::wrench_of;
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+// All bodies give way to all springs.
+void HeapSolver::give_way(std::span<const ContactBlock> blocks) {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    x_[m].head<3>() = members_[m].mass * members_[m].free.head<3>();
+    x_[m].tail<3>() = members_[m].inertia_w * members_[m].free.tail<3>();
+  }
+  for (const Area& area : areas_) {
+    const ContactBlock& block = blocks[at(area.block)];
+    Six push{};
+    for (int i = area.begin; i < area.end; ++i) {
+      const Point& p = points_[at(i)];
+      Vec3 goal = p.reached;  // of a point that slides: along the normal only
+      goal[2] += p.target - p.shift;
+      add_push(p.along, p.across, p.pushed + stiffness_ / p.yield * goal, push);
+    }
+    if (area.first >= 0) x_[at(area.first)] -= wrench_of(block.frame_w, block.first_arm_w, push);
+    if (area.second >= 0) x_[at(area.second)] += wrench_of(block.frame_w, block.second_arm_w, push);
+  }
+  for (Vec6& x : x_) x *= unit_mass_;
+  matrix_.solve(x_);
+  for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = x_[m];
+}
+
+// Each point gets the impulse of its cone that is nearest to what its spring asks for.
+void HeapSolver::put_right(std::span<const ContactBlock> blocks, double& primal, double& dual) {
+  primal = dual = 0.0;
+  for (Area& area : areas_) {
+    const Six motion = motion_now(area, blocks[at(area.block)]);
+    for (int i = area.begin; i < area.end; ++i) {
+      Point& p = points_[at(i)];
+      const double rho = stiffness_ / p.yield;
+      Vec3 u = motion_at(p.along, p.across, motion);
+      if (p.slides) {
+        u[2] -= p.target;
+        const double further =
+            tolerance::heap_relaxation * u[2] + (1.0 - tolerance::heap_relaxation) * p.reached[2];
+        const double pushed = std::max(0.0, p.pushed[2] - rho * further);
+        const double reached = further + (pushed - p.pushed[2]) / rho;
+        primal = std::max(primal, std::abs(u[2] - reached));
+        dual = std::max(dual, std::abs(reached - p.reached[2]));
+        p.reached[2] = reached;
+        p.pushed = -p.friction * pushed * p.slip;
+        p.pushed[2] = pushed;
+        continue;
+      }
+      const double slide = std::sqrt(u[0] * u[0] + u[1] * u[1]);
+      u[2] += p.shift - p.target;
+      // Going a little further than the spring did saves a third of the rounds.
+      const Vec3 further =
+          tolerance::heap_relaxation * u + (1.0 - tolerance::heap_relaxation) * p.reached;
+      const Vec3 pushed = into_cone(p.pushed - rho * further, p.friction);
+      const Vec3 reached = further + (pushed - p.pushed) / rho;
+      primal = std::max(primal, (u - reached).cwiseAbs().maxCoeff());
+      dual = std::max(dual, (reached - p.reached).cwiseAbs().maxCoeff());
+      p.reached = reached;
+      p.pushed = pushed;
+      p.shift = p.friction * slide;
+    }
+  }
+}
+
+// Writes impulses back, and velocities: those that belong to the impulses if they are right, else those
+// of the springs, which keep the conditions better.
+void HeapSolver::store(std::span<const int> members, bool solved, std::span<const MovingBody> free,
+                       std::span<ContactBlock> blocks, std::span<MovingBody> bodies) const {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    MovingBody& body = bodies[at(members[m])];
+    body.velocity_w = solved ? free[at(members[m])].velocity_w : members_[m].now.head<3>();
+    body.angular_velocity_w =
+        solved ? free[at(members[m])].angular_velocity_w : members_[m].now.tail<3>();
+    body.changed = true;
+  }
+  for (const Area& area : areas_) {
+    ContactBlock& block = blocks[at(area.block)];
+    Six sum{};
+    for (int i = area.begin; i < area.end; ++i) {
+      const Point& p = points_[at(i)];
+      block.points[at(i - area.begin)].impulse = p.pushed[2];
+      add_push(p.along, p.across, p.pushed, sum);
+    }
+    block.along_impulse = sum[0];
+    block.across_impulse = sum[1];
+    block.twist_impulse = sum[5];
+    if (solved) apply(sum, block, bodies[at(block.first)], bodies[at(block.second)]);
+  }
+}
+
+HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> contacts,
+                             const HeapLimits& limits, std::span<const MovingBody> free,
+                             std::span<ContactBlock> blocks, std::span<MovingBody> bodies) {
+  HeapResult result;
+  load(members, contacts, free, blocks, bodies);
+  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) stamps_.clear();
+  if (static_cast<double>(matrix_.multiplications_of_factor()) >
+      limits.most_work * static_cast<double>(members.size()))
+    return result;
+  result.tried = true;
+  stiffness_ = tolerance::heap_stiffness;
+  start_from(blocks, limits.unit);
+  for (int round = 1; round <= limits.most_rounds; ++round) {
+    factor_if_changed(blocks, result);
+    give_way(blocks);
+    double primal = 0.0;
+    double dual = 0.0;
+    put_right(blocks, primal, dual);
+    ++result.rounds;
+    // The impulses alone leave velocities that are wrong by what springs still pull.
+    result.wrong = std::max(stiffness_ * primal, dual);
+    result.solved = result.wrong < limits.enough;
+    if (result.solved) break;
+    // Springs too soft: points are far from where they should be; too hard: nothing moves.
+    if (round % 8 != 0 || round + 4 > limits.most_rounds) continue;
+    const double ratio = std::sqrt(primal / dual);
+    if (!(ratio > 3.0 || ratio < 1.0 / 3.0)) continue;
+    stiffness_ =
+        std::clamp(stiffness_ * std::clamp(ratio, 0.1, 10.0), 0.1, tolerance::heap_hardness);
+  }
+  if (!result.solved && polish_wait_-- <= 0) {
+    for (std::size_t m = 0; m < members_.size(); ++m) x_[m] = members_[m].now;
+    spare_ = x_;
+    result.solved = polish(blocks, limits.enough, result);
+    polish_pause_ = result.solved ? 0 : std::min(2 * polish_pause_ + 1, 15);
+    polish_wait_ = polish_pause_;
+    if (!result.solved)
+      for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = spare_[m];
+  }
+  store(members, result.solved, free, blocks, bodies);
+  return result;
+}
+
+}  // namespace tumble

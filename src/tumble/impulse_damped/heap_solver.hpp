@@ -1,0 +1,145 @@
+/// \file
+/// \brief All contact areas of a heap together, by alternating directions (thesis 6.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/impulse_damped/contact_block.hpp"
+#include "tumble/math/sparse_blocks.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// When HeapSolver is to stop, and which heaps it takes on.
+struct HeapLimits {
+  double enough = 0.0;     ///< [m/s] wrong velocity at a point that is left alone
+  double unit = 0.0;       ///< [m/s] what gravity does in a step, or what stands for it
+  int most_rounds = 20;    ///< in one call, at least 1
+  double most_work = 0.0;  ///< [-] multiplications of a factorisation for each body
+};
+
+/// How HeapSolver ended.
+struct HeapResult {
+  bool tried = false;   ///< false: the factorisation would cost more than allowed
+  bool solved = false;  ///< what is wrong is below what was asked for
+  int factorings = 0;   ///< of the heap's matrix
+  int rounds = 0;       ///< solutions with its factors
+  double wrong = 0.0;   ///< [m/s] the largest velocity at a point that is not as it should be
+};
+
+/// Finds the velocities at the end of a step, and the impulses of all contact areas of a heap.
+///
+/// With u the motion of a point against its target w, \f$u = J v - w\f$, Coulomb's law with the cone
+/// \f$K: |\lambda_t| \le \mu \lambda_n\f$ and its dual \f$K^*\f$ is
+/// \f[ K \ni \lambda \perp u + \mu |u_t|\, n \in K^* . \f]
+/// With \f$s = \mu |u_t|\f$ of the round before (0 where nothing slides) it is the condition for
+/// \f[ \min_v\; \tfrac12 (v-\hat v)^{\mathsf T} M (v-\hat v)\quad\text{with}\quad
+///     z = J v - w + s\,n \in K^* , \f]
+/// convex, \f$\hat v\f$ being the velocities without contacts. **Alternating directions**: each point is a
+/// spring of stiffness \f$\rho\f$, always on, that pulls its motion to z; the bodies give way to all
+/// springs at once, then each spring is put right by itself,
+/// \f[ (M + J^{\mathsf T}\rho J)\, v = M \hat v + J^{\mathsf T}\bigl(\rho (z + w - s n) + \lambda\bigr),
+///     \quad \lambda \leftarrow P_K\bigl(\lambda - \rho (J v - w + s n)\bigr), \f]
+/// and z is what is left. The matrix is the same in every round: one factorisation, then a
+/// back-substitution a round. Unlike sweeps the rounds do not get more with the height of a stack, because
+/// the factors carry weight through all of it; where all areas stick two or three rounds do. The stiffness
+/// is raised or lowered when one of the two residuals, \f$|u - z|\f$ and \f$|\Delta z|\f$, runs ahead.
+///
+/// **Sliding.** A point that slides faster than friction could stop it in the step has no spring across
+/// the normal and no shift; its friction is \f$\mu\f$ times the pressure of the round before, against its
+/// way. So it is at its bound in every round.
+///
+/// Rounds that are broken off leave velocities that nearly keep all conditions, and impulses within the
+/// cones that nearly belong to them.
+/// \par Cost and determinism
+/// SparseBlocks::factor() when the heap or the place of an area in it has changed, and
+/// SparseBlocks::solve() in each round. No allocation once warm.
+/// \see Boyd et al., "Distributed optimization and statistical learning via the alternating direction
+///      method of multipliers", Found. Trends Mach. Learn. 3 (2011).
+/// \see De Saxcé, Feng, "The bipotential method", Math. Comput. Model. 28 (1998), for s.
+/// \see Acary, Cadoux, Lemaréchal, Malick, "A formulation of the linear discrete Coulomb friction
+///      problem via convex optimization", ZAMM 91 (2011).
+/// \see Carpentier, Montaut, Le Lidec, "From compliant to rigid contact simulation: a unified and
+///      efficient approach", RSS 2024.
+/// \algorithm{Contact areas of a heap together: section 6.3.1}
+class HeapSolver {
+ public:
+  /// Solves one heap.
+  /// \param members   indices of the heap's movable bodies
+  /// \param contacts  places of its areas in `blocks`
+  /// \param limits    when to stop
+  /// \param free      how the bodies would move without any contact, by index
+  /// \param blocks    areas with their targets; impulses in (a start) and out
+  /// \param bodies    by index: velocities in (a start) and out
+  /// \return how it ended; nothing is changed unless it was tried
+  HeapResult solve(std::span<const int> members, std::span<const int> contacts,
+                   const HeapLimits& limits, std::span<const MovingBody> free,
+                   std::span<ContactBlock> blocks, std::span<MovingBody> bodies);
+
+ private:
+  struct Member {
+    double mass = 0.0;              // [kg]
+    Mat3 inertia_w = Mat3::Zero();  // [kg m²]
+    Vec6 free = Vec6::Zero();       // velocity and angular velocity without contacts
+    Vec6 now = Vec6::Zero();        // the present ones
+  };
+  struct Point {
+    double along = 0.0, across = 0.0;  // [m] from the middle of the area
+    double target = 0.0;               // [m/s] w
+    double shift = 0.0;                // [m/s] s
+    double yield = 0.0;                // [1/kg] normal velocity of a unit impulse
+    double friction = 0.0;             // [-] mu
+    Vec3 pushed = Vec3::Zero();        // [N s] lambda: along, across, normal
+    Vec3 reached = Vec3::Zero();       // [m/s] z, ditto
+    Vec3 slip = Vec3::Zero();          // [-] direction in which it slides too fast to stop, or 0
+    bool slides = false;               // whether it does
+    bool pushes = false;               // in polish()
+    bool sticks = false;               // ditto
+  };
+  struct Area {
+    int block = 0;    // place in the list
+    int first = -1;   // member, or -1 for an immovable body
+    int second = -1;  // ditto
+    int pair = -1;    // in the matrix
+    int begin = 0;    // its points
+    int end = 0;      // ditto
+  };
+
+  void load(std::span<const int> members, std::span<const int> contacts,
+            std::span<const MovingBody> free, std::span<const ContactBlock> blocks,
+            std::span<const MovingBody> bodies);
+  void load_points(const ContactBlock& block);
+  void start_from(std::span<const ContactBlock> blocks, double unit);
+  void factor(std::span<const ContactBlock> blocks, bool soft);
+  bool polish(std::span<const ContactBlock> blocks, double enough, HeapResult& result);
+  [[nodiscard]] Six motion_now(const Area& area, const ContactBlock& block) const;
+  void factor_if_changed(std::span<const ContactBlock> blocks, HeapResult& result);
+  void give_way(std::span<const ContactBlock> blocks);
+  void put_right(std::span<const ContactBlock> blocks, double& primal, double& dual);
+  void store(std::span<const int> members, bool solved, std::span<const MovingBody> free,
+             std::span<ContactBlock> blocks, std::span<MovingBody> bodies) const;
+
+  std::vector<int> member_of_;  // by body index, -1 for others
+  std::vector<Member> members_;
+  std::vector<Area> areas_;
+  std::vector<Point> points_;
+  std::vector<BlockPair> joined_;
+  std::vector<Vec6> x_;
+  std::vector<Vec6> spare_;
+  std::vector<Point> before_;
+  int polish_wait_ = 0;     // steps until the next attempt
+  int polish_pause_ = 0;    // after the last one
+  double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
+  double stiffness_ = 0.0;  // [-] rho times yield, the same for all points
+
+  // What the factors belong to: memory from step to step.
+  SparseBlocks matrix_;
+  double factored_stiffness_ = 0.0;
+  std::vector<std::uint64_t> stamps_;
+  std::vector<std::uint64_t> wanted_stamps_;
+};
+
+}  // namespace tumble

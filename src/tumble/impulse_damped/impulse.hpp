@@ -1,0 +1,147 @@
+/// \file
+/// \brief The technique of Guendelman, Bridson and Fedkiw (thesis 2.5.2), which damped integration
+///        starts from.
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/contact/graph.hpp"
+#include "tumble/contact/repair.hpp"
+#include "tumble/contact/sticky.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/impulse_damped/impulse_push.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// What ends approaches that the contact passes have left.
+enum class ImpulseShock : std::uint8_t {
+  velocity,  ///< shock propagation: level by level, what is below being infinitely heavy
+  position,  ///< bodies that overlap after the step are moved apart: the thesis's choice (4.4)
+  off        ///< nothing
+};
+
+/// The restitution of the sweeps over a level in shock propagation.
+enum class ShockRestitution : std::uint8_t {
+  zero,  ///< 0 in each: the authors' choice. Of two supports the first one stops a body on its side
+         ///< alone, which turns it, and the turning that is left when the second has spoken stays
+  rising  ///< -1 + j/S in sweep j of S, as in the contact passes: both supports brake together
+};
+
+/// Options of the impulse technique.
+struct ImpulseOptions {
+  int collision_passes = 5;                     ///< over all pairs, at least 1
+  int contact_passes = 10;                      ///< N of the restitutions -1 + i/N, at least 1
+  int level_sweeps = 5;                         ///< over the pairs of a level in a pass
+  ImpulseShock shock = ImpulseShock::velocity;  ///< see there
+  ShockRestitution shock_restitution = ShockRestitution::zero;  ///< see there
+  bool repair = false;                              ///< whether ImpulseShock::position comes on top
+  ImpulsePoints points = ImpulsePoints::area;       ///< where impulses act
+  double sticky = 0.0;                              ///< [-] see StickyOptions; 0 as in the paper
+  bool sleeping = false;                            ///< whether what rests falls asleep
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+};
+
+/// Everything by impulses, decided where bodies are about to be: five stages in a step.
+///
+/// 1. *Collisions*. Pairs that overlap at the predicted poses \f$x' = x + h(v + h g)\f$ and
+///    approach with the velocities of the step's start collide, deepest first. A body at rest has
+///    the velocity 0, and so does not bounce: no threshold tells rest from flight, the order of
+///    the stages does.
+/// 2. *Velocities*. Gravity is added.
+/// 3. *Contacts*. With these velocities all supports are approached. The approach is taken away in
+///    passes with restitution \f$\varepsilon_i = -1 + i/N,\; i = 1 \dots N\f$, from the ground up:
+///    an early pass only slows down, so that no pair has the whole load before the others have
+///    spoken.
+/// 4. *Shock propagation*. One more pass with ε = 0 by levels of the ContactGraph; once a level is
+///    done its bodies are as heavy as the ground, so that what is above cannot press them down
+///    again.
+/// 5. *Positions*. Bodies move to where they were predicted to be.
+///
+/// After every impulse the two bodies are predicted anew, and each pair is looked at where its
+/// bodies are by then predicted to be.
+///
+/// **What holds.** Newton's approach speed is that of the event, once for each pair and step
+/// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept
+/// by each, and angular momentum with the predicted centres, so that it is off by the impulse
+/// times how far the pair moves in the step against each other. Impulses end what is decided at
+/// the predicted pose: bodies end touching, not with J v = 0 where the step began; and a body that
+/// falls is stopped above the support it would have met, to close the rest of the gap, below h² g,
+/// or never.
+///
+/// **What does not.** A level that is frozen feels nothing of what it carries: weight that the
+/// contact passes did not bring down is lost. Ten passes bring down some three boxes' worth: the
+/// foot of a stack of ten bears 3.3 of them, and on a see-saw such a stack is lifted by half its
+/// weight. Two levels, as in figure 6.5 of the thesis, are right. Frozen bodies take no momentum,
+/// in a heap in flight either. Overlap is kept from growing by the pairs' speeds alone and never
+/// taken away; in heaps it does grow (`repair`). Results depend on the order of bodies at equal
+/// depth.
+/// \par Energy
+/// Collisions are booked at the velocities that they change, contacts at velocities of half a step
+/// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
+/// collisions and \f$v'\f$ at the end of the step, what is not booked is for each body
+/// \f$\tfrac12 m h\,g\cdot(v_c - v')\f$: nothing for what rests or slides along, and the error of
+/// the semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$, for what flies.
+/// \par Cost
+/// A test for each near pair of which a body has moved, in each pass and sweep; with
+/// ImpulsePoints::area a complementarity problem of up to eight points for each impulse, unless one
+/// impulse at the middle of the area stops it all, as where a box stands on the ground or on one
+/// other. As each contact pass goes over a level up to five times, a pair gets up to 50 impulses in
+/// a step: a wall of 55 cubes, each on two, takes some ten times as long with areas as with one
+/// point.
+/// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", SIGGRAPH 2003.
+/// \algorithm{Impulses with contact levels and shock propagation: section 2.5.2}
+/// \deviation{All points of a contact area are solved together, and the graph of who holds up whom is told from normals, where the authors take one point after the other and let each body fall alone.}
+/// \verified{A stack of ten rests under shock propagation}
+class Impulse : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a count below 1 or a negative threshold
+  explicit Impulse(const ImpulseOptions& options = {});
+  /// A copy with all memory.
+  /// \param other the original
+  Impulse(const Impulse& other);
+  Impulse& operator=(const Impulse&) = delete;
+  ~Impulse() override = default;
+
+  [[nodiscard]] std::string_view name() const override { return "impulse"; }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+
+ private:
+  void begin(World& world, double dt, StepReport& report);
+  [[nodiscard]] const SleepingRule* sleeping() const;
+  bool collide_deepest_first(const World& world, double dt, StepReport& report);
+  void tell_collisions(const World& world, StepReport& report);
+  void build_graph(const World& world);
+  bool hold_by_level(const World& world, double share, bool freeze, double dt, StepReport& report);
+  bool hold_level(const World& world, std::span<const int> pairs, double share, bool rising,
+                  double dt, StepReport& report);
+  void book(const PushResult& push, StepReport& report) const;
+  void repair_overlap(World& world, StepReport& report);
+  void finish(World& world, double dt, StepReport& report);
+
+  ImpulseOptions options_;
+  ImpulseBodies bodies_;
+  ImpulsePairs pairs_;
+  ImpulsePush push_;
+  ContactGraph graph_;
+  OverlapRepair repair_;
+  SleepingRule sleeping_;
+  std::unique_ptr<BroadPhase> repair_phase_;
+
+  // Storage of one step, kept so that a warm step asks for no memory.
+  ContactList contacts_;
+  std::vector<int> order_;  // pairs in the order of a pass
+  std::vector<SupportEdge> edges_;
+  Islands islands_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> near_;
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

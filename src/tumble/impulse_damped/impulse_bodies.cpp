@@ -1,0 +1,87 @@
+/// \file
+/// \brief Bodies of a step that is solved by impulses.
+#include "tumble/impulse_damped/impulse_bodies.hpp"
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+bool ImpulseBodies::moves(const World& world, std::size_t k) const {
+  return world.bodies()[k].movable() && !world.rests()[k].asleep;
+}
+
+void ImpulseBodies::begin(const World& world, double dt, RotationRule rule) {
+  dt_ = dt;
+  rule_ = rule;
+  ahead_w_ = dt * world.gravity_w;
+  predictions_ = 0;
+  load_moving_bodies(world, moving_);
+  predicted_.assign(world.states().begin(), world.states().end());
+  version_.assign(moving_.size(), 0);
+  for (int k = 0; k < world.count(); ++k) {
+    if (moves(world, at(k))) {
+      predict(world, k);
+    } else {
+      freeze(k);
+    }
+  }
+}
+
+void ImpulseBodies::predict(const World& world, int body) {
+  const std::size_t k = at(body);
+  if (!moves(world, k)) return;
+  const BodyProperties& constant = world.bodies()[k];
+  MovingBody& moving = moving_[k];
+  BodyState& state = predicted_[k];
+  state = world.states()[k];
+  if (moving.changed) {  // L = R I_b R' omega, at the pose of the start
+    const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
+    const Vec3 omega_b = axes_w.transpose() * moving.angular_velocity_w;
+    state.angular_momentum_w = axes_w * Vec3(constant.inertia_b.cwiseProduct(omega_b));
+  }
+  state.linear_momentum_w = constant.mass * (moving.velocity_w + ahead_w_);
+  advance_pose(constant, state, dt_, rule_);
+  moving.position_w = state.position_w;
+  ++version_[k];
+  ++predictions_;
+}
+
+void ImpulseBodies::add_gravity(World& world) {
+  // A body without an impulse keeps the bits of its angular momentum, so `changed` is left alone.
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    if (!moves(world, k)) continue;
+    world.states()[k].linear_momentum_w += world.bodies()[k].mass * ahead_w_;
+    moving_[k].velocity_w += ahead_w_;
+  }
+  ahead_w_.setZero();
+}
+
+void ImpulseBodies::freeze(int body) {
+  moving_[at(body)].inverse_mass.setZero();
+  moving_[at(body)].inverse_inertia_w.setZero();
+}
+
+void ImpulseBodies::thaw(const World& world) {
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    if (!moves(world, k)) continue;
+    moving_[k].inverse_mass.setConstant(world.bodies()[k].inverse_mass);
+    moving_[k].inverse_inertia_w =
+        inverse_inertia_w(world.bodies()[k], world.states()[k].orientation_wb);
+  }
+}
+
+int ImpulseBodies::move(World& world) {
+  store_moving_bodies(moving_, world);
+  int moved = 0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    if (!moves(world, k)) continue;
+    advance_pose(world.bodies()[k], world.states()[k], dt_, rule_);
+    ++moved;
+  }
+  return moved;
+}
+
+}  // namespace tumble

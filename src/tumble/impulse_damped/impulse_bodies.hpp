@@ -1,0 +1,80 @@
+/// \file
+/// \brief Bodies of a step that is solved by impulses: how they move, and where that takes them.
+#pragma once
+
+#include "tumble/contact/moving_body.hpp"
+#include "tumble/dynamics/advance_pose.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// The velocities of all bodies during a step, and the poses that they lead to at its end.
+///
+/// Impulses of Guendelman, Bridson and Fedkiw are decided at poses that the bodies would have at
+/// the end of the step,
+/// \f[ x' = x + h\,(v + h\,g), \qquad q' = \text{rule}(q, L, h), \f]
+/// while the velocities that they change are those of the step. The predicted centre stands in
+/// MovingBody::position_w, so lever arms are those of the predicted poses; inertia is that of the
+/// step's start, so that the energy of an impulse is exact. As h g is part of the prediction from
+/// the start, adding gravity to the velocities moves no prediction.
+///
+/// Sleeping bodies count as immovable.
+class ImpulseBodies {
+ public:
+  /// Reads all velocities and predicts all poses.
+  /// \param world  the bodies at the start of the step
+  /// \param dt     [s] h, above 0
+  /// \param rule   how bodies turn
+  void begin(const World& world, double dt, RotationRule rule);
+
+  /// Predicts where a body will be, after its velocity was changed.
+  /// \param world  as for begin(); poses are still those of the start
+  /// \param body   its index
+  void predict(const World& world, int body);
+
+  /// Adds h g to the velocity of every body that moves, and to its momentum in the world.
+  /// \param world the bodies; linear momenta in and out
+  void add_gravity(World& world);
+
+  /// Makes a body as heavy as the ground, until thaw().
+  /// \param body its index
+  void freeze(int body);
+
+  /// Gives all bodies their own mass and inertia back.
+  /// \param world the bodies
+  void thaw(const World& world);
+
+  /// Writes the velocities into the world and moves all bodies with them.
+  /// \param world the bodies; states in and out
+  /// \return how many bodies were moved
+  int move(World& world);
+
+  /// How bodies move, the predicted centre as position.
+  /// \return one for each body index; whoever changes a velocity calls predict()
+  [[nodiscard]] std::span<MovingBody> moving() { return moving_; }
+  /// Where bodies will be.
+  /// \return one for each body index
+  [[nodiscard]] std::span<const BodyState> predicted() const { return predicted_; }
+  /// How often a body was predicted in this step.
+  /// \param body its index
+  /// \return from 1; another number means another pose
+  [[nodiscard]] int version(int body) const { return version_[static_cast<std::size_t>(body)]; }
+  /// How often any body was predicted in this step.
+  /// \return the sum over all bodies
+  [[nodiscard]] int predictions() const { return predictions_; }
+
+ private:
+  [[nodiscard]] bool moves(const World& world, std::size_t k) const;
+
+  double dt_ = 0.0;  // [s]
+  RotationRule rule_ = RotationRule::splitting;
+  Vec3 ahead_w_ = Vec3::Zero();  // [m/s] of gravity, not yet in the velocities
+  int predictions_ = 0;
+  std::vector<MovingBody> moving_;
+  std::vector<BodyState> predicted_;
+  std::vector<int> version_;
+};
+
+}  // namespace tumble

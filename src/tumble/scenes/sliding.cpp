@@ -1,0 +1,136 @@
+/// \file
+/// \brief Scenes of boxes that slide.
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/scenes/recipes.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace tumble::recipes {
+namespace {
+
+Parameters slide_parameters() {
+  Parameters p;
+  p.add_number("speed", 3.0, 0.0, 1e3, "m/s", "of the box at the start");
+  p.add_number("heading", 0.0, -180.0, 180.0, "deg", "of the speed, from the x axis towards -z");
+  p.add_number("width", 1.0, 1e-3, 1e3, "m", "of the box, along x and z");
+  p.add_number("height", 0.2, 1e-3, 1e3, "m", "of the box");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  return p;
+}
+
+// It stops after v²/(2 μ g).
+Scene slide(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a box slides on the ground and stops";
+  const double heading = p.number("heading") * std::numbers::pi / 180.0;
+  SceneBox box = box_at("box", Vec3(p.number("width"), p.number("height"), p.number("width")),
+                        Vec3(0.0, 0.5 * p.number("height"), 0.0), 1.0);
+  box.velocity_w =
+      p.number("speed") * Vec3(elementary::cos(heading), 0.0, -elementary::sin(heading));
+  box.friction = p.number("friction");
+  scene.ground = SceneGround{p.number("friction"), 0.0};
+  scene.boxes.push_back(box);
+  return scene;
+}
+
+Parameters slope_parameters() {
+  Parameters p;
+  p.add_number("angle", 30.0, 0.0, 80.0, "deg", "of the slope, down along x");
+  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "of the box down the slope at the start");
+  p.add_number("width", 1.0, 1e-3, 5.0, "m", "of the box, along the slope");
+  p.add_number("height", 0.2, 1e-3, 1e3, "m", "of the box");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  return p;
+}
+
+// The middle of the slope's face is the origin. The box slides down above atan μ and tips over its
+// lower edge above atan(width/height).
+Scene slope(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a box on a slope";
+  const double angle = p.number("angle") * std::numbers::pi / 180.0;
+  const Vec3 along(elementary::cos(angle), -elementary::sin(angle), 0.0);
+  const Vec3 up(-along.y(), along.x(), 0.0);
+  const Vec3 board_size(40.0, 1.0, 4.0);
+  SceneBox board = box_at("slope", board_size, -0.5 * board_size.y() * up, 1.0);
+  board.fixed = true;
+  SceneBox box = box_at("box", Vec3(p.number("width"), p.number("height"), 1.0),
+                        0.5 * p.number("height") * up, 1.0);
+  box.velocity_w = p.number("speed") * along;
+  for (SceneBox* b : {&board, &box}) {
+    b->orientation_wb = rotation_from_degrees(Vec3(0.0, 0.0, -p.number("angle")));
+    b->friction = p.number("friction");
+  }
+  scene.boxes = {board, box};
+  return scene;
+}
+
+Parameters fig5_2_parameters() {
+  Parameters p;
+  p.add_number("speed", 2.0, 0.0, 3.0, "m/s", "of A at the start; B is at rest");
+  p.add_number("mass", 1.0, 1e-3, 1e3, "kg", "of A");
+  p.add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "of B");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of A and B");
+  p.add_number("ground_friction", 0.0, 0.0, 10.0, "-",
+               "of the ground; B on the ground has the root of the product of both");
+  return p;
+}
+
+// A slows down and B is dragged along: on ground without friction both end at the speed
+// m_A v/(m_A + m_B), which a friction that only slows bodies down cannot do.
+Scene fig5_2(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a block slides on a block that is free to move (figure 5.2)";
+  SceneBox lower = box_at("B", Vec3(4.0, 0.4, 1.0), Vec3(0.0, 0.2, 0.0), p.number("lower_mass"));
+  SceneBox upper = box_at("A", Vec3(0.6, 0.4, 0.6), Vec3(-1.5, 0.6, 0.0), p.number("mass"));
+  upper.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
+  for (SceneBox* box : {&lower, &upper}) box->friction = p.number("friction");
+  scene.ground = SceneGround{p.number("ground_friction"), 0.0};
+  scene.boxes = {lower, upper};
+  return scene;
+}
+
+Parameters sled_parameters() {
+  Parameters p;
+  p.add_number("speed", 1.0, 0.0, 100.0, "m/s", "of the sled at the start; its load is at rest");
+  p.add_whole("count", 2, 1, 100, "boxes on the sled, on top of each other");
+  p.add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "of the sled; a box has 1 kg");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of sled and boxes");
+  p.add_number("ground_friction", 0.0, 0.0, 10.0, "-",
+               "of the ground; the sled on the ground has the root of the product of both");
+  return p;
+}
+
+// Friction has to be handed on from box to box for the upper ones to come along. The boxes are
+// flat, so that they slide and do not topple.
+Scene sled(const Parameters& p, Random) {
+  Scene scene;
+  scene.title = "a stack on a sled";
+  SceneBox sledge = box_at("sled", Vec3(3.0, 0.2, 1.0), Vec3(0.0, 0.1, 0.0), p.number("sled_mass"));
+  sledge.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
+  scene.boxes.push_back(sledge);
+  for (int k = 0; k < p.count("count"); ++k) {
+    SceneBox box = box_at("", Vec3(1.0, 0.2, 0.8), Vec3(0.5, 0.3 + 0.2 * k, 0.0), 1.0);
+    box.name = numbered("load", {k + 1});
+    scene.boxes.push_back(box);
+  }
+  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
+  scene.ground = SceneGround{p.number("ground_friction"), 0.0};
+  return scene;
+}
+
+}  // namespace
+
+void add_sliding(std::vector<SceneRecipe>& list) {
+  list.push_back(
+      {"slide", "2.6, 5.3", "a box slides on the ground and stops", slide_parameters, slide});
+  list.push_back({"slope", "2.6, 5.3", "a box on a slope: it rests, slides or tips over",
+                  slope_parameters, slope});
+  list.push_back({"fig5_2", "5.3", "figure 5.2: a block slides on one that is free to move",
+                  fig5_2_parameters, fig5_2});
+  list.push_back({"sled", "5.3", "a sled is pulled away under a stack", sled_parameters, sled});
+}
+
+}  // namespace tumble::recipes

@@ -1,0 +1,34 @@
+/// \file
+/// \brief How the techniques of the larger chapters are set: for the list of techniques only.
+#pragma once
+
+#include "tumble/base/parameters.hpp"
+#include "tumble/dynamics/technique.hpp"
+
+#include <cstdint>
+#include <memory>
+
+namespace tumble {
+
+// Each technique has its options with their defaults, and a function that makes it of them. `seed` is used
+// by those with chance in them.
+
+Parameters impulse_options();         ///< \return options of `impulse`
+Parameters damped_options();          ///< \return options of `damped`
+Parameters contact_damped_options();  ///< \return options of `contact_damped`
+
+/// \param p     its options
+/// \param seed  not used
+/// \return `impulse`
+std::unique_ptr<Technique> make_impulse(const Parameters& p, std::uint64_t seed);
+/// \param p     its options
+/// \param seed  of chance in fast collisions
+/// \return `damped`
+/// \throws std::invalid_argument for options that do not go together
+std::unique_ptr<Technique> make_damped(const Parameters& p, std::uint64_t seed);
+/// \param p     its options
+/// \param seed  not used
+/// \return `contact_damped`
+std::unique_ptr<Technique> make_contact_damped(const Parameters& p, std::uint64_t seed);
+
+}  // namespace tumble

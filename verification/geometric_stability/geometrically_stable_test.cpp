@@ -1,0 +1,203 @@
+/// \file
+/// \brief Who is geometrically stable: the thesis's figures, orders, marks and both definitions.
+#include "tumble/geometric_stability/geometrically_stable.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace tumble;
+
+struct Pile {
+  World world;
+  ContactList contacts;
+
+  Pile() { world.add_ground(); }
+  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(),
+          const Quat& q = Quat::Identity()) {
+    const BodyProperties body = box_properties(size, 1.0);
+    world.add(body, make_state(body, position_w, q));
+    return world.count() - 1;
+  }
+  int add_fixed(const Vec3& position_w, const Vec3& size) {
+    const BodyProperties body = fixed_box_properties(size);
+    world.add(body, make_state(body, position_w));
+    return world.count() - 1;
+  }
+  void gather() {
+    std::vector<MovingBody> moving;
+    load_moving_bodies(world, moving);
+    std::vector<IndexPair> pairs;
+    for (int a = 0; a < world.count(); ++a)
+      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
+    gather_contacts(world, moving, pairs, tolerance::stability_margin, {}, contacts);
+  }
+  // As many characters as movable bodies: 1 stable, 0 not.
+  std::string verdict(StableRule rule) {
+    if (contacts.empty()) gather();
+    std::vector<char> stable;
+    GeometricStability stability;
+    stability.run(world, contacts, rule, 0.02, stable);
+    std::string text;
+    for (std::size_t k = 0; k < stable.size(); ++k)
+      if (world.bodies()[k].movable()) text += stable[k] != 0 ? '1' : '0';
+    return text;
+  }
+  std::string both() {
+    const std::string corners = verdict(StableRule::corners);
+    CHECK(corners == verdict(StableRule::hull));
+    return corners;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A box with one corner on another one is not stable, one within it is",
+          "[reference][geometric_stability]") {
+  Pile figure_5_3;
+  figure_5_3.add(Vec3(0.0, 0.5, 0.0));
+  figure_5_3.add(Vec3(0.6, 1.5, 0.6));
+  CHECK(figure_5_3.both() == "10");
+  Pile figure_5_4;
+  figure_5_4.add(Vec3(0.0, 0.5, 0.0));
+  figure_5_4.add(Vec3(0.1, 1.25, 0.0), Vec3(0.5, 0.5, 0.5));
+  CHECK(figure_5_4.both() == "11");
+}
+
+TEST_CASE("A box over two stable ones is stable, as in figure 5.5",
+          "[reference][geometric_stability]") {
+  Pile pile;
+  pile.add(Vec3(-0.6, 0.5, 0.0));
+  pile.add(Vec3(0.6, 0.5, 0.0));
+  pile.add(Vec3(0.0, 1.5, 0.0));
+  CHECK(pile.both() == "111");
+}
+
+TEST_CASE("In a pyramid without its middle box the ones above the hole are not stable",
+          "[reference][geometric_stability]") {
+  Pile pile;  // figure 5.6 with three in the lowest row
+  pile.add(Vec3(-1.05, 0.5, 0.0));
+  pile.add(Vec3(1.05, 0.5, 0.0));
+  pile.add(Vec3(-0.525, 1.5, 0.0));
+  pile.add(Vec3(0.525, 1.5, 0.0));
+  pile.add(Vec3(0.0, 2.5, 0.0));
+  CHECK(pile.both() == "11000");
+  CHECK(pile.verdict(StableRule::off) == "00000");
+}
+
+TEST_CASE("Two boxes side by side that touch are both not stable", "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.add(Vec3(1.0, 0.5, 0.0));
+  CHECK(pile.both() == "00");
+}
+
+TEST_CASE("A wall that is touched stays immovable, and what stands on it stable",
+          "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add_fixed(Vec3(0.0, 1.0, 0.0), Vec3(1.0, 2.0, 1.0));
+  pile.add(Vec3(1.0, 0.5, 0.0));  // touches its side
+  pile.add(Vec3(0.0, 2.5, 0.0));
+  CHECK(pile.both() == "01");
+}
+
+TEST_CASE("One support that is not stable speaks against the whole box, whatever the order",
+          "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
+  pile.add_fixed(Vec3(1.5, 0.5, 0.0), Vec3::Ones());
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.add(Vec3(0.6, 0.25, 0.0), Vec3(0.2, 0.5, 0.2));  // touches the side of the last one
+  pile.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));   // the plank
+  CHECK(pile.both() == "000");
+  // And without the loose one it is stable.
+  Pile clear;
+  clear.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
+  clear.add_fixed(Vec3(1.5, 0.5, 0.0), Vec3::Ones());
+  clear.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));
+  CHECK(clear.both() == "1");
+}
+
+TEST_CASE("Who stands firm does not depend on the order of contacts",
+          "[determinism][geometric_stability]") {
+  Random random(9);
+  int stable = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Pile pile;
+    // Boxes of few sizes at few places: many share heights, sides and corners.
+    for (int k = 0; k < 12; ++k) {
+      const double width = 0.5 * (1 + random.below(3));
+      const double x = 0.5 * random.below(8);
+      const double y = 0.5 + random.below(3);
+      pile.add(Vec3(x, y, 0.0), Vec3(width, 1.0, 1.0));
+    }
+    const std::string first = pile.both();
+    stable += static_cast<int>(std::count(first.begin(), first.end(), '1'));
+    for (int shuffle = 0; shuffle < 10; ++shuffle) {
+      for (std::size_t i = pile.contacts.size(); i > 1; --i)
+        std::swap(pile.contacts[i - 1], pile.contacts[random.below(static_cast<std::uint32_t>(i))]);
+      REQUIRE(pile.both() == first);
+    }
+  }
+  CHECK(stable > 50);  // 76
+}
+
+TEST_CASE("Marks of corners are of this step only", "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.add(Vec3(0.0, 1.5, 0.0));
+  GeometricStability stability;
+  std::vector<char> stable;
+  pile.gather();
+  stability.run(pile.world, pile.contacts, StableRule::corners, 0.02, stable);
+  CHECK(stable == std::vector<char>{1, 1, 1});
+  pile.world.states()[2].position_w.x() = 0.5;
+  pile.gather();
+  stability.run(pile.world, pile.contacts, StableRule::corners, 0.02, stable);
+  CHECK(stable == std::vector<char>{1, 1, 0});
+}
+
+TEST_CASE("Who is going up is not stable yet", "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.world.states()[1].linear_momentum_w.y() = 0.1;  // the limit is 0.02 sqrt(9.81) = 0.063
+  CHECK(pile.both() == "0");
+  pile.world.states()[1].linear_momentum_w.y() = 0.05;
+  CHECK(pile.both() == "1");
+}
+
+TEST_CASE("A hair of tilt and gap does not matter, three degrees do",
+          "[unit][geometric_stability]") {
+  for (const double degrees : {0.0, 0.05, 3.0}) {
+    Pile pile;
+    pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(),
+             rotation_from_degrees(Vec3(0.0, 20.0, degrees)));
+    CHECK(pile.both() == (degrees < 1.0 ? "1" : "0"));
+  }
+}
+
+TEST_CASE("A hull contains what is in it", "[exact][geometric_stability]") {
+  std::vector<Vec2> points{{1, 1}, {0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}, {0.5, 0}, {1, 1}};
+  std::vector<Vec2> hull;
+  convex_hull(points, hull);
+  CHECK(hull.size() == 4);
+  CHECK(hull_contains(hull, Vec2(0.5, 0.99), 0.0));
+  CHECK(hull_contains(hull, Vec2(1.0, 1.0), 0.0));
+  CHECK_FALSE(hull_contains(hull, Vec2(0.5, 1.01), 0.0));
+  CHECK(hull_contains(hull, Vec2(0.5, 1.01), 0.02));
+  std::vector<Vec2> line{{0, 0}, {2, 0}};
+  convex_hull(line, hull);
+  CHECK(hull_contains(hull, Vec2(1.0, 0.0), 1e-12));
+  CHECK_FALSE(hull_contains(hull, Vec2(1.0, 0.1), 1e-12));
+  std::vector<Vec2> none;
+  convex_hull(none, hull);
+  CHECK_FALSE(hull_contains(hull, Vec2::Zero(), 1.0));
+  CHECK(stable_rule_from("hull") == StableRule::hull);
+  CHECK_THROWS_WITH(stable_rule_from("corner"), Catch::Matchers::Contains("corners"));
+}

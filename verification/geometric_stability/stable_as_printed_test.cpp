@@ -1,0 +1,223 @@
+/// \file
+/// \brief The listing SETGEOMETRICALLYSTABLE as printed, and its errata G2 to G8.
+#include "tumble/contact/gather.hpp"
+#include "tumble/geometric_stability/printed_contacts.hpp"
+#include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
+
+#include "impulse_damped/errata_damping_experiments.hpp"
+#include "support/catch.hpp"
+#include "support/figure_under_test.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+constexpr PrintedStabilityRepairs all{.both_bodies = true,
+                                      .vetoes_last = true,
+                                      .immovable = true,
+                                      .fresh_corners = true,
+                                      .rising = true,
+                                      .tolerances = true};
+
+ContactList contacts_of(const World& world) {
+  std::vector<IndexPair> pairs;
+  for (int i = 0; i < world.count(); ++i)
+    for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  ContactList contacts;
+  gather_contacts(world, moving, pairs, 1e-9, {}, contacts);
+  return contacts;
+}
+
+std::vector<bool> stable(const World& world, const ContactList& contacts,
+                         const PrintedStabilityRepairs& repairs) {
+  std::vector<PrintedStability> bodies(world.states().size());
+  set_geometrically_stable_as_printed(world, contacts, repairs, bodies);
+  std::vector<bool> flags;
+  for (const PrintedStability& body : bodies) flags.push_back(body.stable);
+  return flags;
+}
+
+void add_cube(World& world, const Vec3& place_w) {
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  world.add(cube, make_state(cube, place_w));
+}
+
+double number(std::string_view quantity) {
+  static const FigureUnderTest figure = [] {
+    std::vector<Figure> figures;
+    add_damping_errata_figures(figures);
+    return FigureUnderTest(figures, "errata_stability");
+  }();
+  return figure.number(quantity);
+}
+
+}  // namespace
+
+TEST_CASE("As printed, a stack of cubes is stable from the ground up",
+          "[exact][geometric_stability]") {
+  World world;
+  world.add_ground();
+  for (int k = 0; k < 4; ++k) add_cube(world, Vec3(0.0, 0.5 + k, 0.0));
+  const std::vector<bool> every(5, true);
+  CHECK(stable(world, contacts_of(world), {}) == every);
+  CHECK(stable(world, contacts_of(world), all) == every);
+}
+
+TEST_CASE("As printed, a cube on a corner of another one is not stable, nor what it carries",
+          "[exact][geometric_stability]") {
+  World world;  // figure 5.3
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 0.5, 0.0));
+  add_cube(world, Vec3(0.25, 1.5, 0.25));
+  add_cube(world, Vec3(0.25, 2.5, 0.25));
+  const std::vector<bool> expected = {true, true, false, false};
+  CHECK(stable(world, contacts_of(world), {}) == expected);
+  CHECK(stable(world, contacts_of(world), all) == expected);
+}
+
+TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed for",
+          "[exact][geometric_stability]") {
+  World world;  // figure 5.5
+  world.add_ground();
+  add_cube(world, Vec3(-1.0, 0.5, 0.0));
+  add_cube(world, Vec3(1.0, 0.5, 0.0));
+  const BodyProperties plank = box_properties(Vec3(2.5, 0.25, 0.5), 1.0);
+  world.add(plank, make_state(plank, Vec3(0.0, 1.125, 0.0)));
+  // Its corners lie in larger faces: to rounding, contact points are under them (G8).
+  PrintedStabilityRepairs tolerant;
+  tolerant.tolerances = true;
+  CHECK(stable(world, contacts_of(world), tolerant) == std::vector<bool>(4, true));
+  CHECK(stable(world, contacts_of(world), {}) == std::vector<bool>{true, true, true, false});
+}
+
+TEST_CASE("Mended, the order of contacts does not change who is stable",
+          "[exact][geometric_stability]") {
+  // Two cubes and a fixed block carry a plank, and the block touches one of the cubes.
+  const auto by_ids = [](const Contact& a, const Contact& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  };
+  for (const bool block_first : {true, false}) {
+    World world;
+    world.add_ground();
+    const BodyProperties block = fixed_box_properties(Vec3::Ones());
+    const auto add_block = [&] { world.add(block, make_state(block, Vec3(-2.0, 0.5, 0.0))); };
+    if (block_first) add_block();
+    add_cube(world, Vec3(-1.0, 0.5, 0.0));
+    if (!block_first) add_block();
+    add_cube(world, Vec3(1.0, 0.5, 0.0));
+    const BodyProperties plank = box_properties(Vec3(4.0, 0.25, 1.0), 1.0);
+    world.add(plank, make_state(plank, Vec3(-0.5, 1.125, 0.0)));
+    ContactList contacts = contacts_of(world);
+    const std::vector<bool> expected = {true, block_first, !block_first, true, false};
+    const std::vector<bool> printed = stable(world, contacts, {});
+
+    int orders = 0;
+    int mended_changes = 0;
+    int printed_changes = 0;
+    do {
+      if (stable(world, contacts, all) != expected) ++mended_changes;
+      if (stable(world, contacts, {}) != printed) ++printed_changes;
+      ++orders;
+    } while (std::next_permutation(contacts.begin(), contacts.end(), by_ids));
+    CAPTURE(block_first, printed_changes);
+    CHECK(orders == 720);  // six contacts
+    CHECK(mended_changes == 0);
+    if (block_first) CHECK(printed_changes > 0);
+  }
+}
+
+TEST_CASE("Contact points are sorted by height, equal ones as they come",
+          "[unit][geometric_stability]") {
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 0.5, 0.0));
+  add_cube(world, Vec3(0.0, 1.5, 0.0));
+  const ContactList contacts = contacts_of(world);
+  const std::vector<PrintedContact> sorted = sort_contact_points_ascending(world, contacts);
+  REQUIRE(sorted.size() == 8);
+  for (std::size_t k = 0; k < 8; ++k) {
+    CHECK(sorted[k].lower == (k < 4 ? 0 : 1));
+    CHECK(sorted[k].upper == (k < 4 ? 1 : 2));
+    CHECK(sorted[k].lower_to_upper_w == Vec3::UnitY());
+    CHECK(sorted[k].point_w == contacts[k / 4].points[k % 4].position_w);
+  }
+}
+
+TEST_CASE("A list of bodies of the wrong length is refused", "[unit][geometric_stability]") {
+  World world;
+  add_cube(world, Vec3::Zero());
+  std::vector<PrintedStability> none;
+  CHECK_THROWS_WITH(set_geometrically_stable_as_printed(world, {}, all, none),
+                    Catch::Matchers::Contains("bodies: 0 entries for 1 bodies"));
+  Contact beyond;
+  beyond.second = 1;
+  beyond.count = 1;
+  std::vector<PrintedStability> one(1);
+  CHECK_THROWS_WITH(set_geometrically_stable_as_printed(world, {&beyond, 1}, all, one),
+                    Catch::Matchers::Contains("contact of body 1: there are 1"));
+}
+
+TEST_CASE("Of cubes that stand side by side the listing clears one",
+          "[exact][geometric_stability]") {
+  CHECK(number("G2: cubes side by side called stable, upper one cleared") == 1.0);
+  CHECK(number("G2: cubes side by side called stable, both cleared") == 0.0);
+  // The same without the other errata mended: the upper points of the contact come last.
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(-0.5, 0.5, 0.0));
+  add_cube(world, Vec3(0.5, 0.5, 0.0));
+  CHECK(stable(world, contacts_of(world), {}) == std::vector<bool>{true, true, false});
+  PrintedStabilityRepairs both;
+  both.both_bodies = true;
+  CHECK(stable(world, contacts_of(world), both) == std::vector<bool>{true, false, false});
+}
+
+TEST_CASE("The place of a contact in the list decides whether it counts, unless vetoes do",
+          "[exact][geometric_stability]") {
+  const std::string plank = "G3: plank with an unstable support called stable, ";
+  CHECK(number(plank + "its contact is listed first") == 1.0);
+  CHECK(number(plank + "its contact is listed last") == 0.0);
+  CHECK(number(plank + "vetoes count, its contact is listed first") == 0.0);
+  CHECK(number(plank + "vetoes count, its contact is listed last") == 0.0);
+}
+
+TEST_CASE("A fixed wall with a cube at its side carries nothing stable as printed",
+          "[exact][geometric_stability]") {
+  CHECK(number("G4: cube on a fixed wall called stable, the wall can lose its flag") == 0.0);
+  CHECK(number("G4: cube on a fixed wall called stable, the wall cannot") == 1.0);
+}
+
+TEST_CASE("Corners that were marked in the step before hold up a cube that has slid off",
+          "[exact][geometric_stability]") {
+  CHECK(number("G5: cube half off its support called stable, marks of the step before") == 1.0);
+  CHECK(number("G5: cube half off its support called stable, marks of this step") == 0.0);
+}
+
+TEST_CASE("The text and its footnote disagree about an unstable support between stable ones",
+          "[exact][geometric_stability]") {
+  const std::string plank = "G6: plank with an unstable support called stable, ";
+  CHECK(number(plank + "four corners held, as the text asks") == 1.0);
+  CHECK(number(plank + "all supports stable, as the footnote asks") == 0.0);
+}
+
+TEST_CASE("A cube that goes up is called stable as printed", "[exact][geometric_stability]") {
+  CHECK(number("G7: cube that rises at 1 m/s called stable, speed not looked at") == 1.0);
+  CHECK(number("G7: cube that rises at 1 m/s called stable, speed looked at") == 0.0);
+}
+
+TEST_CASE("Without tolerances a millionth of a tilt ends all stability",
+          "[exact][geometric_stability]") {
+  const std::string cube = "G8: cube on a block that leans by 1e-6 rad called stable, ";
+  CHECK(number(cube + "no tolerance") == 0.0);
+  CHECK(number(cube + "with tolerances") == 1.0);
+}

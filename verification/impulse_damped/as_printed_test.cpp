@@ -1,0 +1,241 @@
+/// \file
+/// \brief Damped integration as printed: what holds of it whatever is mended, and what is one
+///        listing's alone.
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/damped.hpp"
+#include "tumble/impulse_damped/damped_as_printed.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+
+namespace {
+
+constexpr double kDt = 1.0 / 60.0;  // [s]
+constexpr double kGravity = 9.81;   // [m/s²]
+
+const char* const kSlips =
+    "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2,"
+    "G1,G2,G3,G4,G5,G7,G8";
+
+int add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
+             double restitution = 0.0, const Quat& turned = Quat::Identity()) {
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, restitution);
+  world.add(cube, make_state(cube, position_w, turned, velocity_w));
+  return world.count() - 1;
+}
+
+// A stack of two, a leaning cube, one in the air beside a wall.
+World busy_world() {
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(0.0, 0.5, 0.0));
+  add_cube(world, Vec3(0.2, 1.5, 0.0), Vec3::Zero(), 0.9);
+  add_cube(world, Vec3(1.3, 0.7, 0.1), Vec3(-1.0, 0.0, 0.0), 0.5,
+           rotation_from_vector(Vec3(0.1, 0.2, 0.5)));
+  const BodyProperties wall = fixed_box_properties(Vec3(1.0, 3.0, 3.0));
+  world.add(wall, make_state(wall, Vec3(-3.0, 1.5, 0.0)));
+  add_cube(world, Vec3(-1.9, 2.0, 0.0), Vec3(-2.0, 0.0, 0.0), 0.3);
+  return world;
+}
+
+DampedAsPrinted with(const ErrataSet& repaired) {
+  DampedAsPrintedOptions options;
+  options.repaired = repaired;
+  options.push_cap = 50;
+  return DampedAsPrinted(options);
+}
+
+double reach_of(const World& world) {
+  double most = 0.0;
+  for (const BodyState& state : world.states()) most = std::max(most, state.position_w.norm());
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("Damped integration as printed ends every step with finite numbers, whatever is mended",
+          "[unit][impulse_damped]") {
+  std::vector<ErrataSet> sets{ErrataSet(), ErrataSet::all(), ErrataSet(kSlips)};
+  for (const std::string& id : ErrataSet::known()) {
+    sets.push_back(ErrataSet().with(id));
+    sets.push_back(ErrataSet(kSlips).without(id));
+  }
+  for (const ErrataSet& set : sets) {
+    INFO(set.text());
+    World world = busy_world();
+    DampedAsPrinted technique = with(set);
+    for (int step = 0; step < 20; ++step) {
+      const StepReport report = technique.step(world, kDt);
+      CHECK(report.status != StepStatus::not_finite);
+      CHECK(std::isfinite(report.energy.total()));
+    }
+    CHECK(std::isfinite(reach_of(world)));
+    CHECK(std::abs(world.time() - 20 * kDt) < 1e-14);  // [s] rounding of 20 additions
+  }
+}
+
+TEST_CASE("Pushes of the printed listings end at the cap, and the report says so",
+          "[unit][impulse_damped]") {
+  // A cube is 0.1 m in the ground: a hundred pushes of a millimetre for its first contact point.
+  for (const std::int64_t cap : {std::int64_t{50}, std::int64_t{200}}) {
+    World world;
+    world.add_ground();
+    const int cube = add_cube(world, Vec3(0.0, 0.4, 0.0));
+    DampedAsPrintedOptions options;
+    options.repaired = ErrataSet(kSlips);
+    options.push_cap = cap;
+    DampedAsPrinted technique(options);
+    const StepReport report = technique.step(world, kDt);
+    CHECK(report.status == (cap == 50 ? StepStatus::event_cap : StepStatus::done));
+    // [m] four points of 50 pushes, or one of 100 or 101: rounding may ask for one more.
+    const double risen = world.states()[static_cast<std::size_t>(cube)].position_w.y() - 0.4;
+    CHECK(risen > 0.0999);
+    CHECK(risen < 0.2001);
+  }
+}
+
+TEST_CASE("With all slips mended the printed listings keep a cube at rest where it is",
+          "[exact][impulse_damped]") {
+  World world;
+  world.add_ground();
+  const int cube = add_cube(world, Vec3(0.0, 0.5, 0.0));
+  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  double booked = 0.0;
+  for (int step = 0; step < 120; ++step) booked += technique.step(world, kDt).energy.total();
+  const BodyState& state = world.states()[static_cast<std::size_t>(cube)];
+  CHECK((state.position_w - Vec3(0.0, 0.5, 0.0)).norm() < 1e-15);  // [m] measured 0
+  CHECK(state.linear_momentum_w.norm() < 1e-15);                   // [kg m/s] measured 0
+  CHECK(technique.geometrically_stable(world.ids()[static_cast<std::size_t>(cube)]));
+  // Impulses are booked in the middle of gravity's kick, so what rests costs nothing.
+  CHECK(std::abs(booked) < 1e-12);  // [J] measured 0
+}
+
+TEST_CASE("With all slips mended the printed listings follow the reading as meant",
+          "[reference][impulse_damped]") {
+  // Written apart from each other. Boxes are equal, so that one set of constants is right for all.
+  std::vector<World> worlds(3);
+  for (World& world : worlds) world.add_ground();
+  for (int k = 0; k < 5; ++k) add_cube(worlds[0], Vec3(0.0, 0.5 + k, 0.0));
+  add_cube(worlds[1], Vec3(0.0, 3.0, 0.0), Vec3(0.5, 0.0, 0.0), 0.5);
+  add_cube(worlds[2], Vec3(0.0, 0.5, 0.0));
+  add_cube(worlds[2], Vec3(0.2, 1.5, 0.1));
+  add_cube(worlds[2], Vec3(-0.3, 4.0, 0.0), Vec3(0.0, -2.0, 0.0), 0.4,
+           rotation_from_vector(Vec3(0.1, 0.3, 0.2)));
+  for (World& world : worlds) {
+    World other = world;
+    DampedOptions no_chance;
+    no_chance.noise.where = Randomness::off;
+    Damped meant(no_chance);
+    DampedAsPrinted printed = with(ErrataSet(kSlips));
+    double most = 0.0;
+    for (int step = 0; step < 180; ++step) {
+      meant.step(world, kDt);
+      printed.step(other, kDt);
+      for (std::size_t k = 0; k < world.states().size(); ++k)
+        most = std::max(most, (world.states()[k].position_w - other.states()[k].position_w).norm());
+    }
+    CHECK(most < 1e-11);  // [m] rounding that tumbling has enlarged; measured 3e-16
+  }
+}
+
+TEST_CASE("A cube that falls freely is only moved by the printed listings",
+          "[exact][impulse_damped]") {
+  // Semi-implicit Euler: y = 10 - g N(N+1)/2 dt², and with D5 once more g dt in each step.
+  for (const bool once : {true, false}) {
+    World world;
+    add_cube(world, Vec3(0.0, 10.0, 0.0));
+    DampedAsPrinted technique = with(once ? ErrataSet(kSlips) : ErrataSet());
+    for (int step = 0; step < 60; ++step) CHECK(technique.step(world, kDt).energy.total() == 0.0);
+    const double fall = kGravity * kDt * kDt * (60.0 * 61.0 / 2.0 + (once ? 0.0 : 60.0));
+    CHECK(std::abs(world.states()[0].position_w.y() - (10.0 - fall)) < 1e-12);  // [m] rounding
+  }
+}
+
+TEST_CASE("COLLIDE without gravity is Newton's impulse and keeps momentum",
+          "[exact][impulse_damped]") {
+  World world;
+  add_cube(world, Vec3::Zero(), Vec3(1.0, 0.0, 0.0));
+  add_cube(world, Vec3(1.0, 0.3, 0.2), Vec3(-0.5, 0.0, 0.0));
+  PrintedObjects objects;
+  const std::vector<std::uint8_t> stable(2, 0);
+  const std::vector<Vec3> fixed(2, Vec3::Zero());
+  Contact contact;
+  contact.normal_w = Vec3::UnitX();
+  contact.count = 2;
+  contact.points[0].position_w = Vec3(0.5, 0.1, 0.0);
+  contact.points[0].distance = -0.03;
+  contact.points[1].position_w = Vec3(0.5, 0.5, 0.4);
+  contact.points[1].distance = -0.01;
+  objects.begin(world, stable, fixed, ErrataSet());
+  PrintedObject& first = objects.all()[0];
+  PrintedObject& second = objects.all()[1];
+  const PrintedCollision done =
+      collide_as_printed(first, second, contact, 0.5, PrintedGravity::velocity_no_gravity, {});
+  // Three quarters of the weight are at the deeper point.
+  CHECK((done.point_w - Vec3(0.5, 0.2, 0.1)).norm() < 1e-15);  // [m] measured 3e-17
+  // K = 1 + 6 (0.2² + 0.1²) + 1 + 6 (0.1² + 0.1²), and j = 1.5 (1 + 0.5) / K.
+  CHECK(std::abs(done.impulse - 2.25 / 2.42) < 1e-14);  // [N s] rounding
+  CHECK(std::abs((first.linear_momentum_w + second.linear_momentum_w).x() - 0.5) < 1e-15);
+  // Energy of an impulse: j (u + u') / 2 with u = -1.5 and u' = 0.75.
+  CHECK(std::abs(done.energy - 2.25 / 2.42 * (-0.375)) < 1e-14);  // [J] rounding
+  CHECK(done.damping == 0.0);
+}
+
+TEST_CASE("A step of the printed listings keeps no memory but its own",
+          "[determinism][impulse_damped]") {
+  World world = busy_world();
+  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  for (int step = 0; step < 10; ++step) technique.step(world, kDt);
+  World again = world;
+  const auto copy = technique.clone();
+  for (int step = 0; step < 30; ++step) {
+    const double dt = step % 3 == 0 ? kDt : 0.7 * kDt;
+    technique.step(world, dt);
+    copy->step(again, dt);
+  }
+  CHECK(world.hash().text() == again.hash().text());
+}
+
+TEST_CASE("What the printed listings know of a body goes with its id", "[unit][impulse_damped]") {
+  World world;
+  world.add_ground();
+  add_cube(world, Vec3(-3.0, 0.5, 0.0));
+  const int second = add_cube(world, Vec3(0.0, 0.5, 0.0));
+  const BodyId first_id = world.ids()[1];
+  const BodyId second_id = world.ids()[static_cast<std::size_t>(second)];
+  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  technique.step(world, kDt);
+  CHECK(technique.geometrically_stable(second_id));
+  world.remove(first_id);
+  add_cube(world, Vec3(0.0, 5.0, 0.0));
+  technique.step(world, kDt);
+  CHECK(technique.geometrically_stable(second_id));
+  CHECK_FALSE(technique.geometrically_stable(first_id));
+  CHECK_FALSE(technique.geometrically_stable(world.ids()[2]));
+}
+
+TEST_CASE("Options of the printed listings that make no sense are refused",
+          "[unit][impulse_damped]") {
+  const auto refused = [](auto change) {
+    DampedAsPrintedOptions options;
+    change(options);
+    CHECK_THROWS_AS(DampedAsPrinted(options), std::invalid_argument);
+  };
+  refused([](DampedAsPrintedOptions& o) { o.collision_passes = -1; });
+  refused([](DampedAsPrintedOptions& o) { o.contact_passes = -1; });
+  refused([](DampedAsPrintedOptions& o) { o.push_cap = 0; });
+  refused([](DampedAsPrintedOptions& o) { o.index_base = 2; });
+  refused([](DampedAsPrintedOptions& o) { o.loop_base = -1; });
+  refused([](DampedAsPrintedOptions& o) { o.numbers.k1 = 1.5; });
+  World world;
+  DampedAsPrinted technique;
+  CHECK_THROWS_AS(technique.step(world, 0.0), std::invalid_argument);
+}

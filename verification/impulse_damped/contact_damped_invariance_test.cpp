@@ -1,0 +1,301 @@
+/// \file
+/// \brief What a step of contact_damped must not depend on, and that it never adds kinetic energy.
+#include "tumble/math/rotation.hpp"
+
+#include "impulse_damped/scene_runs.hpp"
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+
+#include <numbers>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+constexpr const char* kTechnique = "contact_damped";
+
+struct Example {
+  const char* scene;
+  Settings settings;
+};
+
+// Piles that settle, things that slide, tumble and hit each other.
+const std::vector<Example> kExamples = {
+    {"stack", {{"count", "5"}, {"scatter", "0.001"}, {"scatter_angle", "0.2"}}},
+    {"pyramid", {{"rows", "3"}, {"scatter", "0.001"}, {"scatter_angle", "0.2"}}},
+    {"sled", {}},
+    {"seesaw", {}},
+    {"crate_off_table", {{"restitution", "0"}}},
+    {"toss", {}},
+};
+
+// A world whose bodies are those of another one, each changed.
+template <typename Change>
+World changed(const World& world, const Change& change) {
+  World out;
+  out.gravity_w = world.gravity_w;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+    BodyProperties body = world.bodies()[k];
+    BodyState state = world.states()[k];
+    if (body.shape == Shape::ground) {
+      out.add_ground(body.friction, body.restitution);
+      continue;
+    }
+    change(body, state);
+    out.add(body, state, world.name(static_cast<int>(k)));
+  }
+  return out;
+}
+
+// Cubes that overlap and touch, in free space, with chance in their sizes, masses and velocities;
+// the first one cannot be moved.
+World heap(std::uint64_t seed) {
+  World world;
+  world.gravity_w = Vec3::Zero();
+  for (std::uint64_t k = 0; k < 14; ++k) {
+    Random chance = Random(seed).fork(k);
+    const double edge = chance.uniform(0.5, 1.5);
+    const double mass = edge * edge * edge * chance.uniform(0.3, 3.0);
+    const Vec3 place = chance.in_cube(1.4);
+    const Quat turn = chance.orientation();
+    if (k == 0) {
+      const BodyProperties body = fixed_box_properties(Vec3::Constant(edge));
+      world.add(body, make_state(body, place, turn));
+      continue;
+    }
+    const BodyProperties body = box_properties(Vec3::Constant(edge), mass);
+    const Vec3 push = chance.in_cube(2.0);
+    const Vec3 spin = chance.in_cube(4.0);
+    world.add(body, make_state(body, place, turn, push, spin));
+  }
+  return world;
+}
+
+// Cubes in a row of pairs that touch face to face, each with its own velocity.
+World touching_row(std::uint64_t seed) {
+  World world;
+  world.gravity_w = Vec3::Zero();
+  for (int k = 0; k < 8; ++k) {
+    Random chance = Random(seed).fork(static_cast<std::uint64_t>(k));
+    const BodyProperties body = box_properties(Vec3::Ones(), chance.uniform(0.1, 10.0));
+    const Vec3 push = chance.in_cube(2.0);
+    const Vec3 spin = chance.in_cube(2.0);
+    world.add(body, make_state(body, Vec3(k % 4, 0.25 * (k % 2) + 1.0 * (k / 4), 0.0),
+                               Quat::Identity(), push, spin));
+  }
+  return world;
+}
+
+// [-] The largest share by which a step raised the kinetic energy.
+double largest_rise(World world, int steps) {
+  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  double worst = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    const double before = energy_of(world).kinetic;
+    technique->step(world, kFrame);
+    worst = std::max(worst, energy_of(world).kinetic / before - 1.0);
+  }
+  return worst;
+}
+
+// [m] How far a scene that is turned by 30 degrees is off after a hundred steps.
+double yawed_apart(const Example& example) {
+  const Quat yaw = rotation_from_vector(Vec3(0.0, std::numbers::pi / 6.0, 0.0));
+  World world = world_of(example.scene, example.settings);
+  World other = changed(world, [&](BodyProperties&, BodyState& state) {
+    state.position_w = yaw * state.position_w;
+    state.orientation_wb = normalised(yaw * state.orientation_wb);
+    state.linear_momentum_w = yaw * state.linear_momentum_w;
+    state.angular_momentum_w = yaw * state.angular_momentum_w;
+  });
+  const std::unique_ptr<Technique> first = awake(kTechnique);
+  const std::unique_ptr<Technique> second = awake(kTechnique);
+  run(world, *first, 100.0 * kFrame);
+  run(other, *second, 100.0 * kFrame);
+  double worst = 0.0;
+  for (std::size_t k = 0; k < world.states().size(); ++k)
+    worst =
+        std::max(worst, (yaw * world.states()[k].position_w - other.states()[k].position_w).norm());
+  return worst;
+}
+
+// Those that HeapSolver does not bring to an end: see the test that is known to fail.
+bool ends_early(const Example& example) {
+  const std::string scene = example.scene;
+  return scene == "pyramid" || scene == "seesaw";
+}
+
+}  // namespace
+
+TEST_CASE("A scene that is turned about the vertical does the same, turned",
+          "[exact][contact_damped][impulse_damped]") {
+  for (const Example& example : kExamples) {
+    if (ends_early(example)) continue;
+    INFO(example.scene);
+    CHECK(yawed_apart(example) < 1e-9);  // [m] rounding, grown by a hundred steps with impacts
+  }
+}
+
+// Known to fail. A heap that is not solved within the rounds allowed keeps an error that depends on rounding:
+// measured 6e-8 m for the pyramid, 3e-6 to 4e-3 m for the see-saw.
+TEST_CASE("A pyramid that lands and a see-saw that tips do the same, turned",
+          "[exact][contact_damped][impulse_damped][!shouldfail]") {
+  for (const Example& example : kExamples) {
+    if (!ends_early(example)) continue;
+    INFO(example.scene);
+    CHECK(yawed_apart(example) < 1e-9);
+  }
+}
+
+TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
+          "[exact][contact_damped][impulse_damped]") {
+  const Vec3 boost(3.0, -2.0, 1.0);
+  // What flies together meets within a hundred steps: clump without ground and weight, in a row, in
+  // pairs.
+  World clump = world_of("clump", {{"per_edge", "2"}, {"toward", "origin"}});
+  World free;
+  for (std::size_t k = 1; k < clump.bodies().size(); ++k)
+    free.add(clump.bodies()[k], clump.states()[k], clump.name(static_cast<int>(k)));
+  World worlds[] = {free, world_of("two_boxes", {{"friction", "0.5"}, {"restitution", "0"}}),
+                    touching_row(3)};
+  for (World& world : worlds) {
+    world.gravity_w = Vec3::Zero();
+    World other = changed(world, [&](BodyProperties& body, BodyState& state) {
+      state.linear_momentum_w += body.mass * boost;
+    });
+    const World start = world;
+    const std::unique_ptr<Technique> first = awake(kTechnique);
+    const std::unique_ptr<Technique> second = awake(kTechnique);
+    run(world, *first, 100.0 * kFrame);
+    run(other, *second, 100.0 * kFrame);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < world.states().size(); ++k)
+      worst = std::max(worst, (other.states()[k].position_w - world.time() * boost -
+                               world.states()[k].position_w)
+                                  .norm());
+    // [m] rounding, grown by impacts
+    CHECK(worst < 1e-9);
+    CHECK(distance_of(world, start) > 0.1);  // [m] something happened
+    // [kg m/s] what one body gains another one loses
+    CHECK((linear_momentum(world) - linear_momentum(start)).norm() < 1e-11);
+  }
+}
+
+TEST_CASE(
+    "Four times the length, twice the time and any power of two of the mass give the same bits",
+    "[determinism][contact_damped][impulse_damped]") {
+  for (const double mass : {1.0, 8.0, 0x1p-10}) {
+    for (const Example& example : kExamples) {
+      World world = world_of(example.scene, example.settings);
+      World other = changed(world, [&](BodyProperties& body, BodyState& state) {
+        body.size *= 4.0;
+        if (body.movable()) {
+          body.mass *= mass;
+          body.inverse_mass /= mass;
+          body.inertia_b *= 16.0 * mass;
+          body.inverse_inertia_b /= 16.0 * mass;
+        }
+        state.position_w *= 4.0;
+        state.linear_momentum_w *= 2.0 * mass;
+        state.angular_momentum_w *= 8.0 * mass;
+      });
+      const std::unique_ptr<Technique> first = awake(kTechnique);
+      const std::unique_ptr<Technique> second = awake(kTechnique);
+      int differ = 0;
+      for (int k = 0; k < 100; ++k) {
+        first->step(world, kFrame);
+        second->step(other, 2.0 * kFrame);
+        for (std::size_t b = 0; b < world.states().size(); ++b) {
+          const BodyState& one = world.states()[b];
+          const BodyState& two = other.states()[b];
+          if (4.0 * one.position_w != two.position_w ||
+              one.orientation_wb.coeffs() != two.orientation_wb.coeffs() ||
+              2.0 * mass * one.linear_momentum_w != two.linear_momentum_w ||
+              8.0 * mass * one.angular_momentum_w != two.angular_momentum_w)
+            ++differ;
+        }
+      }
+      INFO(example.scene << ", mass times " << mass);
+      CHECK(differ == 0);
+    }
+  }
+}
+
+TEST_CASE("Without gravity no step raises the kinetic energy",
+          "[exact][contact_damped][impulse_damped]") {
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    worst = std::max(worst, largest_rise(heap(seed), 20));
+    worst = std::max(worst, largest_rise(touching_row(seed), 20));
+  }
+  CHECK(worst < 1e-12);  // [-] rounding
+}
+
+TEST_CASE("Without gravity no step raises the kinetic energy, in many heaps",
+          "[.long][exact][contact_damped][impulse_damped]") {
+  double worst = 0.0;
+  for (std::uint64_t seed = 100; seed <= 400; ++seed) {
+    worst = std::max(worst, largest_rise(heap(seed), 60));
+    worst = std::max(worst, largest_rise(touching_row(seed), 60));
+  }
+  CHECK(worst < 1e-12);  // [-] rounding
+}
+
+TEST_CASE("A copy of world and technique goes on with the same bits",
+          "[determinism][contact_damped][impulse_damped]") {
+  for (const Example& example : kExamples) {
+    World world = world_of(example.scene, example.settings);
+    World again = world;
+    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> fresh = awake(kTechnique);
+    run(world, *technique, 20.0 * kFrame);
+    World copy = world;
+    const std::unique_ptr<Technique> clone = technique->clone();
+    run(world, *technique, 40.0 * kFrame);
+    run(copy, *clone, 40.0 * kFrame);
+    run(again, *fresh, 60.0 * kFrame);
+    INFO(example.scene);
+    CHECK(copy.hash().value() == world.hash().value());
+    CHECK(again.hash().value() == world.hash().value());
+  }
+}
+
+TEST_CASE("The order of the bodies does not decide whether a pile stands",
+          "[unit][contact_damped][impulse_damped]") {
+  // Sweeps go through contacts in an order, so that what is not settled differs with it.
+  for (std::size_t example = 0; example < 2; ++example) {
+    World world = world_of(kExamples[example].scene, kExamples[example].settings);
+    World reversed;
+    reversed.add_ground(world.bodies()[0].friction, world.bodies()[0].restitution);
+    const std::size_t count = world.bodies().size();
+    for (std::size_t k = count - 1; k > 0; --k)
+      reversed.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
+    const std::unique_ptr<Technique> first = awake(kTechnique);
+    const std::unique_ptr<Technique> second = awake(kTechnique);
+    run(world, *first, 3.0);
+    run(reversed, *second, 3.0);
+    double spread = 0.0;
+    for (std::size_t k = 1; k < count; ++k)
+      spread = std::max(
+          spread, (world.states()[k].position_w - reversed.states()[count - k].position_w).norm());
+    INFO(kExamples[example].scene << " differs by " << spread << " m");
+    CHECK(spread < 1e-3);  // [m] settling from scattered places, in another order
+    CHECK(fastest_of(world) < 1e-3);
+    CHECK(fastest_of(reversed) < 1e-3);
+  }
+}
+
+TEST_CASE("A warm step of contact_damped asks for no memory",
+          "[unit][contact_damped][impulse_damped]") {
+  const Example examples[] = {{"stack", {}}, {"pyramid", {{"rows", "5"}}}, {"leaning", {}}};
+  for (const Example& example : examples) {
+    World world = world_of(example.scene, example.settings);
+    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    for (int k = 0; k < 60; ++k) technique->step(world, kFrame);
+    const AllocationCount count;
+    for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
+    INFO(example.scene);
+    CHECK(count.value() == 0);
+  }
+}

@@ -1,0 +1,215 @@
+/// \file
+/// \brief Sliding and tipping with contact_damped, against what statics and Coulomb's law say.
+#include "tumble/math/rotation.hpp"
+
+#include "impulse_damped/scene_runs.hpp"
+#include "support/catch.hpp"
+
+#include <numbers>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+constexpr const char* kTechnique = "contact_damped";
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+std::string text(double value) { return std::to_string(value); }
+
+// How far the box of `slope` has gone down along it, and how fast it goes there.
+struct Slider {
+  double place = 0.0;   // [m]
+  double speed = 0.0;   // [m/s]
+  double turned = 0.0;  // [rad] from where it started
+};
+
+class SlopeRun {
+ public:
+  SlopeRun(double degrees, const Settings& set)
+      : along_(std::cos(degrees * kDegree), -std::sin(degrees * kDegree), 0.0),
+        technique_(awake(kTechnique)) {
+    Settings all = set;
+    all.emplace_back("angle", text(degrees));
+    world_ = world_of("slope", all);
+    start_ = state_of(world_, "box");
+  }
+
+  Slider after(double seconds) {
+    run(world_, *technique_, seconds);
+    const BodyState& state = state_of(world_, "box");
+    return {along_.dot(state.position_w - start_.position_w),
+            along_.dot(velocity_of(world_, "box")),
+            angle_between(state.orientation_wb, start_.orientation_wb)};
+  }
+
+ private:
+  Vec3 along_;
+  std::unique_ptr<Technique> technique_;
+  World world_;
+  BodyState start_;
+};
+
+}  // namespace
+
+// --- sliding ------------------------------------------------------------------------------------
+
+TEST_CASE("A box slides as far as Coulomb's law says, less what a step is long",
+          "[exact][contact_damped][impulse_damped]") {
+  // v²/(2 μ g) = 1.529051988 m for 3 m/s and 0.3. A step takes the speed at its end, which is short
+  // by half a step at the speed of the start: 0.025 m.
+  for (const double steps_a_second : {60.0, 240.0}) {
+    World world = world_of("slide");
+    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    run(world, *technique, 1.5, 1.0 / steps_a_second);
+    const double far = state_of(world, "box").position_w.x();
+    INFO("stopped after " << far << " m");
+    CHECK(std::abs(far - 1.529051988) <= 0.5 * 3.0 / steps_a_second);
+    CHECK(fastest_of(world) < 1e-6);  // [m/s]
+  }
+}
+
+TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
+          "[exact][contact_damped][impulse_damped]") {
+  World world = world_of("slide");
+  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  run(world, *technique, 61.0 * kFrame);
+  CHECK(velocity_of(world, "box").x() > 0.001);  // [m/s] 3 - 61 mu g h = 0.00795
+  run(world, *technique, kFrame);
+  CHECK(std::abs(velocity_of(world, "box").x()) < 1e-6);  // [m/s] what the sweeps leave
+  // [m] a residual of 1e-6 of the impulse of a step in each of 62 steps.
+  CHECK(std::abs(state_of(world, "box").position_w.x() - 1.5041075) < 1e-5);
+}
+
+TEST_CASE("A box slides equally far in every direction, straight on and without turning",
+          "[exact][contact_damped][impulse_damped]") {
+  // Friction is a cone, not a pyramid: a pyramid of four sides would be weaker by 29 % half way
+  // between them.
+  double least = 10.0;
+  double most = 0.0;
+  for (const char* heading : {"0", "15", "30", "45", "60", "90", "110", "-135"}) {
+    World world = world_of("slide", {{"heading", heading}});
+    const Vec3 ahead = velocity_of(world, "box").normalized();
+    const World start = world;
+    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    run(world, *technique, 1.5);
+    const Vec3 way = state_of(world, "box").position_w - state_of(start, "box").position_w;
+    const double far = way.dot(ahead);
+    least = std::min(least, far);
+    most = std::max(most, far);
+    INFO(heading);
+    CHECK((way - far * ahead).norm() < 1e-3 * far);       // [m] off the line
+    CHECK(turned_most_of(world, start) < 0.1 * kDegree);  // [rad]
+  }
+  CHECK((most - least) < 1e-3 * most);  // [-] of the way
+}
+
+TEST_CASE("A box goes down a slope with g (sin - mu cos)",
+          "[exact][contact_damped][impulse_damped]") {
+  struct Case {
+    double degrees, friction;
+  };
+  for (const Case& c : {Case{30.0, 0.3}, Case{20.0, 0.3}, Case{40.0, 0.0}, Case{45.0, 0.5}}) {
+    const double a =
+        kGravity * (std::sin(c.degrees * kDegree) - c.friction * std::cos(c.degrees * kDegree));
+    SlopeRun slope(c.degrees, {{"friction", text(c.friction)}});
+    const Slider slider = slope.after(1.0);
+    INFO(c.degrees << " degrees");
+    // [-] 1e-4 of g t: residuals of the sweeps, and the overlap that stays, over ten times the
+    // height.
+    CHECK(std::abs(slider.speed - a) < 1e-4 * kGravity);
+    // a h² N(N+1)/2: the semi-implicit rule is ahead by half a step.
+    CHECK(std::abs(slider.place - 0.5 * a * (1.0 + kFrame)) < 1e-4 * kGravity);
+    CHECK(slider.turned < 0.01 * kDegree);
+  }
+}
+
+TEST_CASE("A box goes up a slope, and slides back or stays",
+          "[exact][contact_damped][impulse_damped]") {
+  // Friction 0.3, 3 m/s. 30 degrees: it stops after 0.6037 m and 0.4025 s, then slides back.
+  // 15 degrees: after 0.8362 m and 0.5574 s, and stays. Half a step at 3 m/s is 0.025 m.
+  SlopeRun steep(30.0, {{"friction", "0.3"}, {"speed", "-3"}});
+  CHECK(std::abs(-steep.after(0.4).place - 0.603725974273) < 0.5 * kFrame * 3.0);
+  CHECK(steep.after(1.0).place > 0.3);
+  SlopeRun gentle(15.0, {{"friction", "0.3"}, {"speed", "-3"}});
+  const double stop = gentle.after(0.6).place;
+  CHECK(std::abs(-stop - 0.836161644021) < 0.5 * kFrame * 3.0);
+  CHECK(std::abs(gentle.after(10.0).place - stop) < 1e-5);  // [m] ten seconds of rest
+  // 15 degrees down: 14.8170 m and 9.878 s; the sum is short by half a step at 3 m/s.
+  SlopeRun down(15.0, {{"friction", "0.3"}, {"speed", "3"}});
+  CHECK(std::abs(down.after(11.0).place - 14.8170160594) < 2.0 * 0.5 * kFrame * 3.0);
+}
+
+TEST_CASE("A box on a slope begins to slide at the angle of friction",
+          "[exact][contact_damped][impulse_damped]") {
+  // Friction 0.5: atan 0.5 = 26.565 degrees. 0.15 degrees above it the box goes by 0.018 m/s².
+  for (const char* width : {"1", "2"}) {
+    SlopeRun below(26.415, {{"friction", "0.5"}, {"width", width}});
+    SlopeRun above(26.715, {{"friction", "0.5"}, {"width", width}});
+    CHECK(std::abs(below.after(4.0).place) < 1e-5);  // [m] no creep
+    CHECK(above.after(4.0).place > 0.1);
+  }
+}
+
+TEST_CASE("A box on a slope tips at the angle of its diagonal",
+          "[exact][contact_damped][impulse_damped]") {
+  struct Case {
+    const char *width, *height;
+    double degrees;
+  };
+  for (const Case& c :
+       {Case{"0.5", "2", 14.0362434679}, Case{"1", "2", 26.5650511771}, Case{"1", "1", 45.0}}) {
+    INFO(c.width << " by " << c.height);
+    const Settings set = {{"friction", "1.5"}, {"width", c.width}, {"height", c.height}};
+    CHECK(SlopeRun(c.degrees - 0.2, set).after(4.0).turned < 0.01 * kDegree);
+    CHECK(SlopeRun(c.degrees + 0.2, set).after(4.0).turned > 10.0 * kDegree);
+  }
+}
+
+TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
+          "[exact][contact_damped][impulse_damped]") {
+  // In a frame that is accelerated sideways gravity has a part along x. 0.5 by 2: 2.4525 m/s².
+  for (const double share : {0.98, 1.02}) {
+    World world = world_of("rocking_block", {{"width", "0.5"}, {"tilt", "0"}});
+    const World start = world;
+    world.gravity_w.x() = 2.4525 * share;
+    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    run(world, *technique, 4.0);
+    INFO(share);
+    if (share < 1.0) CHECK(turned_most_of(world, start) < 0.01 * kDegree);
+    if (share > 1.0) CHECK(turned_most_of(world, start) > 10.0 * kDegree);
+  }
+}
+
+// --- friction that is handed on ------------------------------------------------------------------
+
+TEST_CASE("Friction drags the lower block of figure 5.2 along until both go at one speed",
+          "[exact][contact_damped][impulse_damped]") {
+  // 1 kg at 2 m/s on 2 kg, no friction below: both end at 2/3 m/s; A slows down by mu g and B gains
+  // mu g/2. After 0.2 s: 1.019 and 0.4905 m/s.
+  World world = world_of("fig5_2");
+  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  run(world, *technique, 0.2);
+  CHECK(std::abs(velocity_of(world, "A").x() - 1.019) < 1e-3);
+  CHECK(std::abs(velocity_of(world, "B").x() - 0.4905) < 1e-3);
+  run(world, *technique, 0.3);
+  CHECK(std::abs(velocity_of(world, "A").x() - 2.0 / 3.0) < 1e-4);
+  CHECK(std::abs(velocity_of(world, "B").x() - 2.0 / 3.0) < 1e-4);
+  CHECK(std::abs(linear_momentum(world).x() - 2.0) < 1e-9);  // [kg m/s] nothing else pushes
+}
+
+TEST_CASE("A stack on a sled comes along, the upper box too",
+          "[exact][contact_damped][impulse_damped]") {
+  // 4 kg at 1 m/s and two boxes of 1 kg: 2/3 m/s for all of them. The boxes feel the same mu g, so
+  // that neither slides on the other.
+  World world = world_of("sled");
+  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  run(world, *technique, 0.05);
+  CHECK(std::abs(velocity_of(world, "load2").x() - velocity_of(world, "load1").x()) < 1e-4);
+  CHECK(velocity_of(world, "load2").x() > 0.2);  // [m/s] 0.245 after three steps of mu g h
+  run(world, *technique, 0.95);
+  for (const char* body : {"sled", "load1", "load2"}) {
+    INFO(body);
+    CHECK(std::abs(velocity_of(world, body).x() - 2.0 / 3.0) < 1e-4);
+  }
+}

@@ -1,0 +1,48 @@
+/// \file
+/// \brief Lists of errata are read as they are meant.
+#include "tumble/impulse_damped/errata_set.hpp"
+
+#include "support/catch.hpp"
+
+#include <stdexcept>
+#include <string>
+
+using namespace tumble;
+
+TEST_CASE("A list of errata holds what it names and nothing else", "[unit][impulse_damped]") {
+  const ErrataSet set(" C1, DM17,RK1 ,C1");
+  CHECK(set.text() == "C1,RK1,DM17");
+  for (const std::string& id : ErrataSet::known())
+    CHECK(set.has(id) == (id == "C1" || id == "RK1" || id == "DM17"));
+  CHECK(ErrataSet(set.text()) == set);
+  CHECK(ErrataSet("").text() == "none");
+  CHECK(ErrataSet("none") == ErrataSet());
+  CHECK(ErrataSet("all") == ErrataSet::all());
+  CHECK(ErrataSet::all().without("G8").with("G8") == ErrataSet::all());
+  CHECK_FALSE(ErrataSet::all().without("C10").has("C10"));
+  CHECK(ErrataSet::all().without("C10").has("C1"));
+}
+
+TEST_CASE("There are 57 errata of damped integration", "[unit][impulse_damped]") {
+  // 6 + 11 + 4 + 4 + 17 + 7 + 8
+  CHECK(ErrataSet::known().size() == 57);
+  CHECK(ErrataSet::known().front() == "D1");
+  CHECK(ErrataSet::known().back() == "G8");
+}
+
+TEST_CASE("An erratum that is none is refused with those that there are",
+          "[unit][impulse_damped]") {
+  for (const char* list : {"C12", "C0", "c1", "C1,,C2", "C1,", ",", "C1 C2", "none,C1", "all,C1"}) {
+    INFO(list);
+    CHECK_THROWS_AS(ErrataSet(list), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(ErrataSet().has("X8"), std::invalid_argument);
+  CHECK_THROWS_AS(ErrataSet().with(""), std::invalid_argument);
+  try {
+    static_cast<void>(ErrataSet("C1,Q7"));
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    CHECK(message.find("'Q7'") != std::string::npos);
+    CHECK(message.find("RK1 to RK4") != std::string::npos);
+  }
+}

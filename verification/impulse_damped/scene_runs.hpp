@@ -1,0 +1,152 @@
+/// \file
+/// \brief Runs of built-in scenes with a technique by name, and what is measured on them.
+#pragma once
+
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tumble::test {
+
+/// [s] The step that the technique is meant for.
+inline constexpr double kFrame = 1.0 / 60.0;
+
+/// [m/s²] Of every scene with gravity.
+inline constexpr double kGravity = 9.81;
+
+/// Settings of a scene or a technique, as a user writes them.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// A technique with its defaults, but for sleeping: what stands has to stand without it.
+/// \param name  its name
+/// \param set   options to change
+/// \return the technique, sleeping off if it knows sleep
+inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& set = {}) {
+  const TechniqueRecipe& recipe = technique_recipe(name);
+  Parameters options = recipe.options();
+  if (options.has("sleeping")) options.set("sleeping", "off");
+  for (const auto& [key, value] : set) options.set(key, value);
+  return recipe.make(options, 1);
+}
+
+/// A built-in scene.
+/// \param name  its name
+/// \param set   settings to change
+/// \param seed  of its chance
+/// \return the world at its start
+inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters p = recipe.parameters();
+  for (const auto& [key, value] : set) p.set(key, value);
+  return build_world(checked(recipe.build(p, Random(seed))));
+}
+
+/// A body of a world.
+/// \param world  the bodies
+/// \param name   its name; there must be one
+/// \return its state
+inline const BodyState& state_of(const World& world, std::string_view name) {
+  return world.states()[static_cast<std::size_t>(world.index_of(*world.find(name)))];
+}
+
+/// A body's velocity.
+/// \param world  the bodies
+/// \param name   its name; there must be one
+/// \return [m/s] of the centre
+inline Vec3 velocity_of(const World& world, std::string_view name) {
+  const auto index = static_cast<std::size_t>(world.index_of(*world.find(name)));
+  return velocity(world.bodies()[index], world.states()[index]);
+}
+
+/// A body's angular velocity.
+/// \param world  the bodies
+/// \param name   its name; there must be one
+/// \return [rad/s] world frame
+inline Vec3 spin_of(const World& world, std::string_view name) {
+  const auto index = static_cast<std::size_t>(world.index_of(*world.find(name)));
+  return angular_velocity(world.bodies()[index], world.states()[index]);
+}
+
+/// What happened in a stretch of a run.
+struct Course {
+  int failed = 0;         ///< steps that did not end as done
+  double moved = 0.0;     ///< [m] largest distance of a body from its place at the start
+  double overlap = 0.0;   ///< [m] deepest
+  double booked = 0.0;    ///< [J] sum of what the reports say was added
+  double unbooked = 0.0;  ///< [J] largest change of the energy since the start that is not booked
+  double fastest = 0.0;   ///< [m/s] largest speed of a centre at the end of a step
+  int not_finite = 0;     ///< steps after which a position was no number
+};
+
+/// How fast the fastest centre is.
+/// \param world the bodies
+/// \return [m/s]
+inline double fastest_of(const World& world) {
+  double speed = 0.0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    speed = std::max(speed, velocity(world.bodies()[k], world.states()[k]).norm());
+  return speed;
+}
+
+/// The largest distance between the places of the same body in two worlds.
+/// \param a  the one
+/// \param b  the other, with the same bodies
+/// \return [m] infinite if a place is no number
+inline double distance_of(const World& a, const World& b) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < a.states().size(); ++k) {
+    const double far = (a.states()[k].position_w - b.states()[k].position_w).norm();
+    worst = std::max(worst, std::isfinite(far) ? far : std::numeric_limits<double>::infinity());
+  }
+  return worst;
+}
+
+/// The largest angle between the orientations of the same body in two worlds.
+/// \param a  the one
+/// \param b  the other, with the same bodies
+/// \return [rad]
+inline double turned_most_of(const World& a, const World& b) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < a.states().size(); ++k)
+    worst =
+        std::max(worst, angle_between(a.states()[k].orientation_wb, b.states()[k].orientation_wb));
+  return worst;
+}
+
+/// Steps a world and measures.
+/// \param world      the bodies
+/// \param technique  steps them
+/// \param seconds    [s] how long; whole steps
+/// \param dt         [s] length of a step
+/// \return what happened
+inline Course run(World& world, Technique& technique, double seconds, double dt = kFrame) {
+  Course course;
+  const World start = world;
+  const double energy = energy_of(world).total();
+  const int steps = static_cast<int>(std::lround(seconds / dt));
+  for (int k = 0; k < steps; ++k) {
+    const StepReport report = technique.step(world, dt);
+    if (report.status != StepStatus::done) ++course.failed;
+    course.booked += report.energy.total();
+    course.overlap = std::max(course.overlap, report.deepest_overlap);
+    course.moved = std::max(course.moved, distance_of(world, start));
+    course.unbooked =
+        std::max(course.unbooked, std::abs(energy_of(world).total() - energy - course.booked));
+    course.fastest = std::max(course.fastest, fastest_of(world));
+    if (!std::isfinite(course.moved)) ++course.not_finite;
+  }
+  return course;
+}
+
+}  // namespace tumble::test
