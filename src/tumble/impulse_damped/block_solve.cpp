@@ -2,6 +2,8 @@
 /// \brief Impulses of one contact area.
 #include "tumble/impulse_damped/block_solve.hpp"
 
+#include "tumble/impulse_damped/bounded_friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,16 +86,15 @@ bool try_sticking(ContactBlock& block, const Six& motion, Six& change, double& c
   return true;
 }
 
-// Friction at the centre of pressure: what stops the area there, or else what the bound leaves, against the
-// motion. With the radius r = lever / N, force and moment / r share one bound, |(F, T/r)| <= mu N, and
-// the motion against which they act is (u, r omega).
+// Friction at the centre of pressure: what stops the area there, or else what the bound allows, straight
+// against the motion. With the radius r = lever / N the bound is |(F, T / r)| <= mu N, and the motion
+// that goes with it (u, r omega).
 void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
   const SixBySix& K = block.inverse_mass;
   const Pressure at = pressure_of(block);
   const bool nothing = at.normal == 0.0 && block.along_impulse == 0.0 &&
                        block.across_impulse == 0.0 && block.twist_impulse == 0.0;
   if (nothing) return;  // friction there is none
-  const double limit = block.friction * at.normal;
   const double radius = at.normal > 0.0 ? at.lever / at.normal : 0.0;
   // Motions of unit forces at the centre of pressure; of a unit moment it is a column of K.
   Six a, b;
@@ -101,56 +102,35 @@ void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
     a[k] = K[k][0] - at.across * K[k][5];
     b[k] = K[k][1] + at.along * K[k][5];
   }
-  const double aa = a[0] - at.across * a[5];
-  const double ab = a[1] + at.along * a[5];
-  const double bb = b[1] + at.along * b[5];
-  const double tt = K[5][5];
-  const double ua = motion[0] - at.across * motion[5];
-  const double ub = motion[1] + at.along * motion[5];
-  const double spin = motion[5];
-  const double had_moment =
+  Mat3 A;
+  A << a[0] - at.across * a[5], a[1] + at.along * a[5], radius * a[5],  //
+      0.0, b[1] + at.along * b[5], radius * b[5],                       //
+      0.0, 0.0, radius * radius * K[5][5];
+  A(1, 0) = A(0, 1);
+  A(2, 0) = A(0, 2);
+  A(2, 1) = A(1, 2);
+  if (!(radius > 0.0)) A(2, 2) = A(0, 0);  // nothing to twist with: the third motion is 0 as well
+  const double moment =
       block.twist_impulse - moment_of(at, block.along_impulse, block.across_impulse);
-  // Sticking: [aa ab at; . bb bt; . . tt] (da, db, dt) = -(ua, ub, spin), by elimination of dt, if
-  // there is a lever to twist with.
-  const double share_a = radius > 0.0 ? a[5] / tt : 0.0;
-  const double share_b = radius > 0.0 ? b[5] / tt : 0.0;
-  const double saa = aa - share_a * a[5];
-  const double sab = ab - share_a * b[5];
-  const double sbb = bb - share_b * b[5];
-  const double sa = ua - share_a * spin;
-  const double sb = ub - share_b * spin;
-  const double determinant = saa * sbb - sab * sab;
-  double da = -(sbb * sa - sab * sb) / determinant;
-  double db = -(saa * sb - sab * sa) / determinant;
-  double dt = radius > 0.0 ? -spin / tt - share_a * da - share_b * db : -had_moment;
-  const auto size_of = [&](double along, double across, double moment) {
-    const double turned = radius > 0.0 ? moment / radius : 0.0;
-    return std::sqrt(along * along + across * across + turned * turned);
-  };
-  if (size_of(block.along_impulse + da, block.across_impulse + db, had_moment + dt) > limit) {
-    // Slipping: a step against the motion, as large as the softest direction bears, and back to the
-    // bound.
-    const double yield = std::max({aa + std::abs(ab) + radius * std::abs(a[5]),
-                                   bb + std::abs(ab) + radius * std::abs(b[5]),
-                                   radius * (radius * tt + std::abs(a[5]) + std::abs(b[5]))});
-    double along = block.along_impulse - ua / yield;
-    double across = block.across_impulse - ub / yield;
-    double moment = radius > 0.0 ? had_moment - radius * radius * spin / yield : 0.0;
-    const double size = size_of(along, across, moment);
-    const double share = size > limit ? limit / size : 1.0;
-    da = share * along - block.along_impulse;
-    db = share * across - block.across_impulse;
-    dt = share * moment - had_moment;
-  }
-  const double twist = dt + moment_of(at, da, db);
-  for (std::size_t k = 0; k < 6; ++k) motion[k] += a[k] * da + b[k] * db + K[k][5] * dt;
-  change[0] += da;
-  change[1] += db;
+  const Vec3 had(block.along_impulse, block.across_impulse, radius > 0.0 ? moment / radius : 0.0);
+  // A moment that has lost its lever goes first.
+  const double lost = radius > 0.0 ? 0.0 : -moment;
+  for (std::size_t k = 0; k < 6; ++k) motion[k] += K[k][5] * lost;
+  const Vec3 now(motion[0] - at.across * motion[5], motion[1] + at.along * motion[5],
+                 radius * motion[5]);
+  const Vec3 more = bounded_friction(A, now - A * had, block.friction * at.normal) - had;
+  const double turn = radius * more.z();
+  for (std::size_t k = 0; k < 6; ++k)
+    motion[k] += a[k] * more.x() + b[k] * more.y() + K[k][5] * turn;
+  const double twist = lost + turn + moment_of(at, more.x(), more.y());
+  change[0] += more.x();
+  change[1] += more.y();
   change[5] += twist;
-  block.along_impulse += da;
-  block.across_impulse += db;
+  block.along_impulse += more.x();
+  block.across_impulse += more.y();
   block.twist_impulse += twist;
-  corrected = std::max({corrected, std::abs(da) * aa, std::abs(db) * bb});
+  corrected = std::max({corrected, std::abs(more.x()) * A(0, 0), std::abs(more.y()) * A(1, 1),
+                        std::abs(more.z()) * A(2, 2)});
 }
 
 // Normal velocity of a point.

@@ -11,14 +11,13 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved however fast it moves
-constexpr double kSoon = 0.05;  // of what a sweep found is left after the next: they soon end
-constexpr double kWellSettled =
-    0.1;                          // solving goes on to this share of what is none, so that it lasts
-constexpr double kSlides = 4.0;   // steps that friction of a weight would need to stop what slides
-constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
-constexpr int kSmallPasses = 50;  // over a small heap
-constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area
+constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved well at any speed
+constexpr double kSoon = 0.05;        // of what a sweep found is left after the next: they soon end
+constexpr double kWellSettled = 0.1;  // solving goes on to this share of what is none, to last
+constexpr double kSlides = 4.0;    // steps that friction of a weight would need to stop what slides
+constexpr int kSmallRounds = 20;   // of friction and pressure in turn, in a small heap
+constexpr int kSmallPasses = 100;  // over a small heap
+constexpr int kBlockRounds = 2;    // of friction and pressure in turn within an area
 
 // Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
 double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
@@ -115,18 +114,26 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   const int rounds = small ? kSmallRounds : kBlockRounds;
   const double found = sweep(contacts, true, rounds, report);
   bool settled = found < enough;
-  double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
+  const double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
   const bool soon = left < kSoon * found;
-  // Else all areas are solved together, unless a large heap moves too fast
-  // to care, or something slides, which sweeps do well. If that did not end
-  // in a heap that hardly moves, sweeps get the next step: they bring areas
-  // back to sticking as a whole.
+  // What moves fast is swept on, down and up; there impulses are few and
+  // sweeps converge. A large heap that moves too fast to care gets few.
   const double speed = settled ? 0.0 : unrest(world, heap, dt);
+  const bool fast = speed >= tolerance::calm_speed;
+  const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
+  const auto sweep_on = [&] {
+    for (int pass = 2; pass < passes && !settled; ++pass)
+      settled = sweep(contacts, pass % 2 == 0, rounds, report) < kWellSettled * enough;
+  };
+  if (fast) sweep_on();
+  // Else all areas are solved together, unless something slides, which
+  // sweeps do well. If that did not end in a heap that hardly moves, sweeps
+  // get the next step: they bring areas back to sticking as a whole.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
   const bool pause =
       speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
-  if (!settled && !soon && options_.rounds > 0 && (speed < tolerance::calm_speed || small) &&
-      !pause && !slides(contacts, enough / tolerance::contact_settled)) {
+  if (!settled && !soon && options_.rounds > 0 && (!fast || small) && !pause &&
+      !slides(contacts, enough / tolerance::contact_settled)) {
     const HeapLimits limits{kWellSettled * enough, enough / tolerance::contact_settled,
                             options_.rounds, tolerance::heap_work};
     const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
@@ -136,12 +143,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
     settled = solved.tried;
     if (solved.tried && !solved.solved) pausing_.push_back(name);
   }
-  // Or sweeps have to do, down and up.
-  const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
-  for (int pass = 2; pass < passes && !settled; ++pass) {
-    left = sweep(contacts, pass % 2 == 0, rounds, report);
-    settled = left < kWellSettled * enough;
-  }
+  if (!fast) sweep_on();
   // [S6.3.1:heap]
   guard_energy(world, heap, report);
 }
