@@ -295,7 +295,8 @@ TEST_CASE("A warm step of contact_damped asks for no memory",
     for (int k = 0; k < 60; ++k) technique->step(world, kFrame);
     const AllocationCount count;
     for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
+    const auto asked = count.value();  // before the message, which asks for some itself
     INFO(example.scene);
-    CHECK(count.value() == 0);
+    CHECK(asked == 0);
   }
 }

@@ -2,7 +2,7 @@
 /// \brief Friction of an area: force and moment under one bound.
 #include "tumble/impulse_damped/bounded_friction.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace tumble {
 
@@ -13,15 +13,16 @@ Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit
   double beta = 0.0;
   Vec3 impulse = Vec3::Zero();
   for (int step = 0; step < 30; ++step) {
-    const Eigen::LLT<Mat3> factor(inverse_mass + beta * Mat3::Identity());
-    impulse = -factor.solve(motion);
+    // By cofactors: without roots, so that powers of two of the mass give the same bits.
+    const Mat3 yields = (inverse_mass + beta * Mat3::Identity()).inverse();
+    impulse = -yields * motion;
     const double size = impulse.norm();
     if (size <= limit * (1.0 + 1e-14)) {
       // Stopped (beta = 0), or the bound is met to rounding.
       return impulse;
     }
     // |lambda|' = -lambda' (A + beta I)^-1 lambda / |lambda|
-    const double slope = impulse.dot(factor.solve(impulse));
+    const double slope = impulse.dot(yields * impulse);
     beta += size * size / slope * (size - limit) / limit;
   }
   return impulse * (limit / impulse.norm());

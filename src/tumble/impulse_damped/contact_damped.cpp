@@ -13,6 +13,11 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+bool pushes(const ContactBlock& block) {
+  return std::any_of(block.points.begin(), block.points.begin() + block.count,
+                     [](const BlockPoint& p) { return p.impulse > 0.0; });
+}
+
 }  // namespace
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options)
@@ -60,6 +65,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   find_areas(world, dt, report);
   // Impulses that end all approach, and slip as far as friction can.
   pausing_.clear();
+  pausing_.reserve(at(islands_.count()));
   for (int heap = 0; heap < islands_.count(); ++heap) solve_heap(world, heap, dt, report);
   std::swap(paused_, pausing_);
   // Bodies go where these velocities take them; what hit fast enough
@@ -175,14 +181,14 @@ std::span<const int> ContactDamped::ordered(int heap) const {
 // Bodies that are pushed move with the velocity at the end of the step, which keeps what contacts ask for;
 // the others fly their parabola.
 void ContactDamped::move(World& world, double dt, StepReport& report) {
-  flies_.assign(bodies_.size(), 0);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    if (bodies_[k].velocity_w != free_[k].velocity_w ||
-        bodies_[k].angular_velocity_w != free_[k].angular_velocity_w)
-      continue;
-    flies_[k] = 1;
-    bodies_[k].changed = false;  // its momenta are those before gravity
+  flies_.assign(bodies_.size(), 1);
+  for (const ContactBlock& block : areas_.blocks()) {
+    if (!pushes(block)) continue;
+    flies_[at(block.first)] = 0;
+    flies_[at(block.second)] = 0;
   }
+  for (std::size_t k = 0; k < bodies_.size(); ++k)
+    if (flies_[k] != 0) bodies_[k] = free_[k];  // what was given and taken back left rounding
   store_moving_bodies(bodies_, world);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
