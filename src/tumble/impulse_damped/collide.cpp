@@ -20,6 +20,13 @@ double least_normal_speed(const Contact& contact, std::span<const MovingBody> bo
   return least;
 }
 
+// Kinetic energy for the books. The work of an impulse is that times the mean of the velocities before
+// and after, when gravity has acted for half of the step: half of what is ahead does not count.
+double booked_energy_of(const World& world, int body, MovingBody moving, const Vec3& ahead_w) {
+  moving.velocity_w -= 0.5 * ahead_w;
+  return kinetic_energy_of(world, body, moving);
+}
+
 }  // namespace
 
 CollideResult Collide::run(const World& world, Contact& collision, double restitution,
@@ -44,7 +51,7 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   CollideResult result;
   const bool approaching = least_normal_speed(collision, bodies.moving) < 0.0;
   if (approaching) {
-    result = apply_newtonian_impulse(world, collision, restitution, bodies);
+    result = apply_newtonian_impulse(world, collision, restitution, delta_velocity_w, bodies);
     if (plus_gravity)
       for (const int body : pair) bodies.touched[at(body)] = 1;
   }
@@ -58,12 +65,12 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
     if (!falls(body)) continue;
     MovingBody& moving = bodies.moving[at(body)];
     if (bodies.stable[at(body)] != 0) {
-      const double before = kinetic_energy_of(world, body, moving);
+      const double before = booked_energy_of(world, body, moving, delta_velocity_w);
       moving.velocity_w.y() = 0.0;
       moving.angular_velocity_w.x() = 0.0;
       moving.angular_velocity_w.z() = 0.0;
       moving.changed = true;
-      result.restitution += kinetic_energy_of(world, body, moving) - before;
+      result.restitution += booked_energy_of(world, body, moving, delta_velocity_w) - before;
     }
     moving.velocity_w -= delta_velocity_w;
   }
@@ -75,11 +82,12 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
 
 // j = -(1 + e) v_n / (n·K n) along the normal at the point.
 CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& collision,
-                                               double restitution, DampedBodies& bodies) {
+                                               double restitution, const Vec3& ahead_w,
+                                               DampedBodies& bodies) {
   MovingBody& first = bodies.moving[at(collision.first)];
   MovingBody& second = bodies.moving[at(collision.second)];
-  const double before = kinetic_energy_of(world, collision.first, first) +
-                        kinetic_energy_of(world, collision.second, second);
+  const double before = booked_energy_of(world, collision.first, first, ahead_w) +
+                        booked_energy_of(world, collision.second, second, ahead_w);
   CollideResult result;
   if (collision.count == 1) {
     ContactPoint& point = collision.points[0];
@@ -102,8 +110,8 @@ CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& coll
       result.impulse += collision.points[at(p)].normal_impulse;
   }
   result.pushed = result.impulse > 0.0;
-  result.restitution = kinetic_energy_of(world, collision.first, first) +
-                       kinetic_energy_of(world, collision.second, second) - before;
+  result.restitution = booked_energy_of(world, collision.first, first, ahead_w) +
+                       booked_energy_of(world, collision.second, second, ahead_w) - before;
   return result;
 }
 

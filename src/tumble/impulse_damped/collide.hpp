@@ -54,7 +54,7 @@ class Collide {
 
  private:
   CollideResult apply_newtonian_impulse(const World& world, Contact& collision, double restitution,
-                                        DampedBodies& bodies);
+                                        const Vec3& ahead_w, DampedBodies& bodies);
   int area_impulse(Contact& collision, double restitution, DampedBodies& bodies);
 
   BlockSolver block_;
