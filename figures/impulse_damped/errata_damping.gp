@@ -26,7 +26,7 @@ set xrange [0:1]; set xtics 0.5
 set yrange [0:10.5]; set ytics 5
 fall = stem.'_fall.csv'
 @LEFT
-set label 1 'levels off' at first 0.97,1.2 right
+set label 1 'levels off' at first 0.97,3.2 right
 plot fall using 'time_s':'mended_m_s' with lines lw 6 lc rgb '#d4d4d4', '' using 'time_s':'printed_m_s' with lines lt 2 dt 1
 unset label 1
 @RIGHT

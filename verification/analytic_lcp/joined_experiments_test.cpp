@@ -1,8 +1,8 @@
 /// \file
 /// \brief The claims of 3.3.1 on joining impacts and contact forces, and of 4.3 on sticky collisions.
 #include "analytic_lcp/experiments.hpp"
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <string>
 #include <string_view>

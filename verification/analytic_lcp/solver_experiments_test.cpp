@@ -2,8 +2,8 @@
 /// \brief The claims 2.6.2a, 3.3.1a, 3.3.1b and 5.3d on solvers, and the erratum P5.
 #include "analytic_lcp/experiments.hpp"
 #include "analytic_lcp/redundant_contacts.hpp"
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

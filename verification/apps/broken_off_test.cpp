@@ -44,7 +44,8 @@ TEST_CASE("A comparison that is asked to stop says so", "[unit][command]") {
             " compare cage --duration 100000 --out " + folder.text());
   INFO(outcome.text);
   CHECK(outcome.code == 130);
-  CHECK(content(folder.path / "compare.csv").find("contact_damped,interrupted") != std::string::npos);
+  CHECK(content(folder.path / "compare.csv").find("contact_damped,interrupted") !=
+        std::string::npos);
   CHECK(whole_lines(folder.path / "series.csv"));
 }
 

@@ -73,7 +73,8 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
   const std::vector<Figure> figures = picture_figures();
   std::size_t scenes = 0;
   for (const SceneRecipe& recipe : scene_library()) {
-    if (recipe.name.substr(0, 3) == "fig") continue;  // a figure of the thesis, or another name of one of the others
+    if (recipe.name.substr(0, 3) == "fig")
+      continue;  // a figure of the thesis, or another name of one of the others
     ++scenes;
     const std::string name = "gallery_" + std::string(recipe.name);
     INFO(name);

@@ -1,8 +1,8 @@
 /// \file
 /// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata S5 to S9.
 #include "basic_colliding/experiments.hpp"
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

@@ -4,9 +4,9 @@
 #include "tumble/geometric_stability/printed_contacts.hpp"
 #include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
 
+#include "driver/quick.hpp"
 #include "impulse_damped/errata_damping_experiments.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <algorithm>
 #include <stdexcept>

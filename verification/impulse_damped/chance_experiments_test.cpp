@@ -1,8 +1,8 @@
 /// \file
 /// \brief Claim 4.2a: chance in slow collisions and the time to rest.
+#include "driver/quick.hpp"
 #include "impulse_damped/damping_experiments.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <string>
 #include <vector>

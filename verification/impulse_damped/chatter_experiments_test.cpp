@@ -1,8 +1,8 @@
 /// \file
 /// \brief The claim of 3.3.2 on oscillation without damping.
+#include "driver/quick.hpp"
 #include "impulse_damped/impulse_figures.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -5,9 +5,9 @@
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/quick.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

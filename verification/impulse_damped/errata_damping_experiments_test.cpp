@@ -4,8 +4,8 @@
 
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,8 +2,8 @@
 /// \brief The claims of 5.3 on friction: the faster body, chains of bodies, what a viewer sees.
 #include "impulse_damped/friction_experiments.hpp"
 
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

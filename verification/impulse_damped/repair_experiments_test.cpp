@@ -1,8 +1,8 @@
 /// \file
 /// \brief The claims of 4.4 on the pass that ends overlap by moving bodies.
+#include "driver/quick.hpp"
 #include "impulse_damped/impulse_figures.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <string_view>
 #include <vector>

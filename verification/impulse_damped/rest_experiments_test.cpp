@@ -2,8 +2,8 @@
 /// \brief Claims 3.1a, 4.5a and 6.1a: faces down, work of what moves, pairs in a step.
 #include "impulse_damped/rest_experiments.hpp"
 
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <cmath>
 #include <string>

@@ -3,8 +3,8 @@
 ///        figures show.
 #include "impulse_damped/scene_experiments.hpp"
 
+#include "driver/quick.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 
 #include <string>
 #include <string_view>

@@ -2,10 +2,10 @@
 /// \brief Claim 2.4.2a: tossed cubes with and without chance, and the quartiles of measured ones.
 #include "impulse_damped/toss_experiments.hpp"
 
+#include "driver/quick.hpp"
 #include "impulse_damped/rest_experiments.hpp"
 #include "impulse_damped/tosses.hpp"
 #include "support/catch.hpp"
-#include "support/figure_under_test.hpp"
 #include "support/shared_data.hpp"
 
 #include <cmath>
