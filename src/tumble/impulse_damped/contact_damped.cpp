@@ -73,7 +73,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   move(world, dt, report);
   bounce(world, dt, report);
   // What overlap is left goes, and no velocity changes.
-  repair(world, report);
+  repair(world, dt, report);
   // [S6.3.1:step]
   account(world, dt, report);
   if (options_.sleeping)

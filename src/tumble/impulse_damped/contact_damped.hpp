@@ -37,9 +37,10 @@ struct ContactDampedOptions {
 ///
 /// **A step.** Velocities get their share of gravity. Contact areas are found at the start of the step
 /// and kept while their bodies rest (KeptAreas). Each heap begins with the impulses of the step before
-/// and one sweep over its areas (solve_block()); if that does not settle it, all areas are solved
-/// together (HeapSolver), or swept some more where the heap is large and fast. Bodies move with the velocities at the end of the step; those that nothing
-/// pushes fly their parabola. Fast impacts bounce. What overlap is left is taken away by moves
+/// and one sweep over its areas (solve_block()). If that does not settle it, sweeps go on where it moves
+/// fast, and all areas are solved together (HeapSolver) where it does not. Bodies that something pushes
+/// move with the velocities at the end of the step; the others fly their parabola. Fast impacts
+/// bounce. What overlap is left is taken away by moves
 /// that change no velocity.
 ///
 /// **Why it is stiff, quiet and fast at once.** An area sticks as a whole, by one product with a 6×6
@@ -79,10 +80,11 @@ class ContactDamped : public Technique {
   double sweep(std::span<const int> contacts, bool down, int rounds, StepReport& report);
   [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
   [[nodiscard]] double unrest(const World& world, int heap, double dt) const;
+  [[nodiscard]] bool hurries(const World& world, int heap, double dt) const;
   void guard_energy(const World& world, int heap, StepReport& report);
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
-  void repair(World& world, StepReport& report);
+  void repair(World& world, double dt, StepReport& report);
   void account(const World& world, double dt, StepReport& report);
   void tell(const ContactBlock& block, double time) const;
   [[nodiscard]] double speed_scale(const World& world, double dt) const;

@@ -12,9 +12,10 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-constexpr int kBouncePasses = 10;   // over all areas
-constexpr int kBounceRounds = 20;   // of friction and pressure in turn within an area
-constexpr double kRepaired = 0.05;  // share of a move, of the largest one, that is none
+constexpr int kBouncePasses = 10;    // over all areas
+constexpr int kBounceRounds = 20;    // of friction and pressure in turn within an area
+constexpr int kHurriedRepairs = 10;  // over a heap that hurries
+constexpr double kRepaired = 0.05;   // share of a move, of the largest one, that is none
 
 // Approaches slower than this stick (thesis 4.3) [m/s].
 double sticky_speed(double gravity, double size, double dt) {
@@ -58,7 +59,7 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
 }
 
 // Overlap beyond the slop goes by moves, from the ground up, over all areas in which some is left.
-void ContactDamped::repair(World& world, StepReport& report) {
+void ContactDamped::repair(World& world, double dt, StepReport& report) {
   const auto deep = [](const ContactBlock& block) {
     return std::any_of(
         block.points.begin(), block.points.begin() + block.count,
@@ -78,8 +79,11 @@ void ContactDamped::repair(World& world, StepReport& report) {
     if (std::none_of(contacts.begin(), contacts.end(),
                      [&](int c) { return deep(areas_.blocks()[at(c)]); }))
       continue;
+    // A heap that hurries makes new overlap in each step, and gets few passes.
+    const int passes = hurries(world, heap, dt) ? std::min(options_.repair_passes, kHurriedRepairs)
+                                                : options_.repair_passes;
     double first = 0.0;
-    for (int pass = 0; pass < options_.repair_passes; ++pass) {
+    for (int pass = 0; pass < passes; ++pass) {
       double most = 0.0;  // [-] as a share of the size
       for (const int contact : contacts) {
         ContactBlock& block = areas_.blocks()[at(contact)];

@@ -84,6 +84,12 @@ double ContactDamped::unrest(const World& world, int heap, double dt) const {
   return most;
 }
 
+// A large heap that moves too fast to care about the last digits.
+bool ContactDamped::hurries(const World& world, int heap, double dt) const {
+  return islands_.bodies(heap).size() > kSmallHeap &&
+         unrest(world, heap, dt) >= tolerance::calm_speed;
+}
+
 // Whether an area slides so fast that friction cannot stop it in a few steps.
 bool ContactDamped::slides(std::span<const int> contacts, double unit) const {
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
