@@ -22,8 +22,8 @@ Figure projectile_figure() {
   figure.section = "6.1";
   figure.title = "Figure 6.6: a box is shot from the eye point towards the pyramid";
   figure.caption =
-      "The layout is reconstructed from the caption, \"a box is shot out from the eye point "
-      "towards the pyramid\"; the eye is a little above and beside the one who shoots, so that "
+      "The layout is reconstructed from the caption, by which the box comes from where the viewer "
+      "stands; the eye is a little above and beside the one who shoots, so that "
       "the box does not hide what it hits. Its size, mass and speed and the rows of the "
       "pyramid are ours. Damped integration, times since the shot. The pyramid has stood for five "
       "seconds, and for all but the first half second no box has moved at all. The shot knocks a "
@@ -64,8 +64,8 @@ Figure clump_figure() {
   figure.section = "6.1";
   figure.title = "Figure 6.7: boxes fly towards the origin and settle, and some still chatter";
   figure.caption =
-      "The layout is reconstructed from the caption: all objects had an initial velocity towards "
-      "the origin, and after they settle some small chatter is still found. How many, how fast "
+      "The layout is reconstructed from the caption: everything starts by flying to the middle, "
+      "and once it has settled some of it still chatters a little. How many, how fast "
       "and how turned is ours. Damped integration. Above, the start; below, the end, each "
       "cube with the colour of its chatter: how far its corners move within half a second.";
   figure.parameters.add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")

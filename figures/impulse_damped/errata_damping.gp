@@ -148,7 +148,7 @@ set xrange [0:*]; set xtics autofreq
 set yrange [-0.09*added_max:1.15*added_max]; set ytics 20
 @ZERO
 @LEFT
-set label 1 'none marked' at graph 0.5,0.7 right
+set label 1 'none marked' at graph 0.40,0.72 right
 set label 2 'all marked' at graph 0.98,0.24 right
 plot stack using 'time_s':'printed_J' with lines lt 2 dt 1, '' using 'time_s':'stable_J' with lines lt 5
 unset label 1; unset label 2

@@ -51,6 +51,6 @@ set tmargin at screen 0.335; set bmargin at screen 0.135
 set format x '%g'
 set xlabel 'time [s]'
 side = 'momentum [kg m/s]'; @SIDE
-set key at graph 0.99,0.80
+set key at graph 0.99,0.70
 plot stem.'.csv' using 'time_s':'damped_momentum' with lines lt 1 title 'both, damped', \
   '' using 'time_s':'coulomb_momentum' with lines lt 2 title 'both, Coulomb'
