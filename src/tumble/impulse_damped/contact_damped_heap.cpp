@@ -17,7 +17,7 @@ constexpr double kWellSettled = 0.1;  // solving goes on to this share of what i
 constexpr double kSlides = 4.0;   // steps that friction of a weight would need to stop what slides
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
 constexpr int kSmallPasses = 50;  // over a small heap
-constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area
+constexpr int kBlockRounds = 1;   // of friction and pressure in turn within an area
 
 // Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
 double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
