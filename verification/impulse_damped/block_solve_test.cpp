@@ -193,10 +193,12 @@ TEST_CASE("A lift takes away a share of the overlap, and lets nothing sink",
   OnGround one(0.5, -0.01);
   MovingBody move = one.box;
   MovingBody still = one.ground;
+  begin_lift(still, move, one.block);
   for (int pass = 0; pass < 60; ++pass) lift_block(one.block, 1e-5, 0.2, still, move);
   CHECK(move.velocity_w.y() == near(0.2 * (0.01 - 1e-5)).margin(1e-12));
   OnGround apart(0.5, 0.01);
   MovingBody rest = apart.box;
+  begin_lift(still, rest, apart.block);
   CHECK(lift_block(apart.block, 1e-5, 0.2, still, rest) == 0.0);
   CHECK(rest.velocity_w.norm() == 0.0);
 }

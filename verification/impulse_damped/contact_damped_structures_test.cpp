@@ -104,12 +104,6 @@ std::vector<Structure> heavy_tops() {
   return all;
 }
 
-// Whether its scattered start is known to fail.
-bool collapses(const Structure& stack) {
-  const std::string mass = stack.settings.back().second;
-  return mass == "1000" || (mass == "100" && stack.levels == 10);
-}
-
 }  // namespace
 
 TEST_CASE("Stacks stand for four seconds, from exact and from scattered places",
@@ -132,16 +126,8 @@ TEST_CASE("A stack carries a top box of a thousand times the mass of the others 
           "[unit][contact_damped][impulse_damped]") {
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 4.0);
-    if (!collapses(stack)) check_standing(stack, kScatter, 1, 4.0);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) check_standing(stack, kScatter, seed, 4.0);
   }
-}
-
-// Known to fail. Light boxes that land crookedly under a load of a hundred or a thousand times their mass are
-// a problem that HeapSolver does not end within its rounds; the boxes creep, or slip out.
-TEST_CASE("A scattered stack carries a top box of a hundred or a thousand times the mass",
-          "[unit][contact_damped][impulse_damped][!shouldfail]") {
-  for (const Structure& stack : heavy_tops())
-    if (collapses(stack)) check_standing(stack, kScatter, 1, 4.0);
 }
 
 TEST_CASE("Stacks of one to twenty boxes stand for a minute",
@@ -164,6 +150,6 @@ TEST_CASE("A stack carries a top box of a thousand times the mass of the others 
           "[.long][unit][contact_damped][impulse_damped]") {
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 60.0);
-    if (!collapses(stack)) check_standing(stack, kScatter, 1, 60.0);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) check_standing(stack, kScatter, seed, 60.0);
   }
 }

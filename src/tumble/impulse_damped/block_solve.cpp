@@ -245,8 +245,7 @@ double lift_block(ContactBlock& block, double slop, double share, MovingBody& fi
   for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
     BlockPoint& p = block.points[i];
     const double rest = -p.gap - slop;  // what is to be lifted; below 0 it may sink by as much
-    press_point(p, rest > 0.0 ? share * rest : rest, block.inverse_mass, p.lift, motion, change,
-                corrected);
+    press_point(p, rest > 0.0 ? share * rest : rest, block.ease, p.lift, motion, change, corrected);
   }
   if (corrected > 0.0) apply(change, block, first, second);
   return corrected;

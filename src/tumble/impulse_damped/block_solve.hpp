@@ -38,7 +38,7 @@ void ask_for_parting(double slowest, ContactBlock& block);
 
 /// Ends a share of the overlap of an area's points by moving its bodies apart, as an impulse would in a
 /// unit of time: "velocities" are the moves of this step.
-/// \param block   the area; `lift` of its points in and out, 0 before the first pass
+/// \param block   the area, after begin_lift(); `lift` of its points in and out
 /// \param slop    [m] overlap that is left
 /// \param share   [-] of the rest that is to go, 0 to 1
 /// \param first   moves of the first body; changed

@@ -127,6 +127,13 @@ void build_block(const Manifold& found, const MovingBody& first, const MovingBod
   if (block.spreads) block.mass = inverse_of(block.inverse_mass);
 }
 
+void begin_lift(const MovingBody& first, const MovingBody& second, ContactBlock& block) {
+  for (BlockPoint& p : block.points) p.lift = 0.0;
+  block.ease = {};
+  add_body(first, block.first_arm_w, block.frame_w, block.ease);
+  add_body(second, block.second_arm_w, block.frame_w, block.ease);
+}
+
 bool spread_evenly(const Six& impulse, const ContactBlock& block,
                    std::array<double, ContactBlock::kMostPoints>& pressure) {
   const double even = impulse[kNormal] / block.count;

@@ -28,7 +28,7 @@ struct BlockPoint {
   double target = 0.0;     ///< [m/s] least normal velocity allowed at the end of the step
   double approach = 0.0;   ///< [m/s] normal velocity with which it hits, if below 0
   double impulse = 0.0;    ///< [N s] along the normal, at least 0
-  double lift = 0.0;       ///< [kg m] what the repair of overlap has pushed so far, at least 0
+  double lift = 0.0;       ///< [m] what the repair of overlap has pushed so far, at least 0
   FeatureId feature = 0;   ///< its name over time
 };
 
@@ -60,6 +60,7 @@ struct ContactBlock {
   double twist_impulse = 0.0;                  ///< [N m s] friction about the normal at the middle
   SixBySix inverse_mass{};                     ///< motion of a unit impulse
   SixBySix mass{};                             ///< its inverse, if `spreads`
+  SixBySix ease{};                             ///< motion of a unit push, see begin_lift()
   /// [1/m²] inverse of the points' second moments: along-along, along-across, across-across
   std::array<double, 3> spread{};
   bool spreads = false;  ///< three points or more that span an area
@@ -106,6 +107,12 @@ void inherit(const ContactBlock& before, ContactBlock& block);
 /// \param dt     [s] of the step
 /// \param block  targets, flat and goal are overwritten
 void set_targets(double slop, double dt, ContactBlock& block);
+
+/// Makes an area ready for the repair of its overlap: no push so far, and how far it yields to one.
+/// \param first   moves of the first body
+/// \param second  moves of the second body
+/// \param block   `lift` of its points and `ease` are overwritten
+void begin_lift(const MovingBody& first, const MovingBody& second, ContactBlock& block);
 
 /// The motion of a block's bodies against each other.
 /// \param block   the area

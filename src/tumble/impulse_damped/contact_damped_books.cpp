@@ -66,14 +66,17 @@ void ContactDamped::repair(World& world, double dt, StepReport& report) {
         [&](const BlockPoint& p) { return -p.gap > tolerance::contact_damped_slop * block.size; });
   };
   if (std::none_of(areas_.blocks().begin(), areas_.blocks().end(), deep)) return;
+  // Moves have no momentum to keep, so all bodies weigh the same: a light box below a heavy one does
+  // not need more passes than any other.
   moves_ = bodies_;
   for (MovingBody& body : moves_) {
     body.velocity_w.setZero();
     body.angular_velocity_w.setZero();
     body.changed = false;
+    if (body.inverse_mass.x() == 0.0) continue;
+    body.inverse_inertia_w /= body.inverse_mass.x();
+    body.inverse_mass.setOnes();
   }
-  for (ContactBlock& block : areas_.blocks())
-    for (std::size_t i = 0; i < at(block.count); ++i) block.points[i].lift = 0.0;
   for (int heap = 0; heap < islands_.count(); ++heap) {
     const std::span<const int> contacts = ordered(heap);
     if (std::none_of(contacts.begin(), contacts.end(),
@@ -82,6 +85,10 @@ void ContactDamped::repair(World& world, double dt, StepReport& report) {
     // A heap that hurries makes new overlap in each step, and gets few passes.
     const int passes = hurries(world, heap, dt) ? std::min(options_.repair_passes, kHurriedRepairs)
                                                 : options_.repair_passes;
+    for (const int contact : contacts) {
+      ContactBlock& block = areas_.blocks()[at(contact)];
+      begin_lift(moves_[at(block.first)], moves_[at(block.second)], block);
+    }
     double first = 0.0;
     for (int pass = 0; pass < passes; ++pass) {
       double most = 0.0;  // [-] as a share of the size

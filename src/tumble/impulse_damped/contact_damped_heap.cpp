@@ -16,6 +16,7 @@ constexpr double kSoon = 0.05;        // of what a sweep found is left after the
 constexpr double kWellSettled = 0.1;  // solving goes on to this share of what is none, to last
 constexpr double kSlides = 4.0;   // steps that friction of a weight would need to stop what slides
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
+constexpr int kPatience = 3;      // times as many rounds for a small heap
 constexpr int kSmallPasses = 50;  // over a small heap
 constexpr int kBlockRounds = 1;   // of friction and pressure in turn within an area
 
@@ -122,8 +123,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   bool settled = found < enough;
   const double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
   const bool soon = left < kSoon * found;
-  // What moves fast is swept on, down and up; there impulses are few and
-  // sweeps converge. A large heap that moves too fast to care gets few.
+  // What moves fast or slides is swept on, down and up, which it does well.
   const double speed = settled ? 0.0 : unrest(world, heap, dt);
   const bool fast = speed >= tolerance::calm_speed;
   const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
@@ -131,17 +131,18 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
     for (int pass = 2; pass < passes && !settled; ++pass)
       settled = sweep(contacts, pass % 2 == 0, rounds, report) < kWellSettled * enough;
   };
-  if (fast) sweep_on();
-  // Else all areas are solved together, unless something slides, which
-  // sweeps do well. If that did not end in a heap that hardly moves, sweeps
-  // get the next step: they bring areas back to sticking as a whole.
+  const bool sliding = !settled && slides(contacts, enough / tolerance::contact_settled);
+  if (fast || sliding) sweep_on();
+  // Else all areas are solved together, in a large heap only if it is slow
+  // and nothing slides. If that did not end in a heap that hardly moves,
+  // sweeps get the next step: they bring areas back to sticking as a whole.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
   const bool pause =
       speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
-  if (!settled && !soon && options_.rounds > 0 && (!fast || small) && !pause &&
-      !slides(contacts, enough / tolerance::contact_settled)) {
+  if (!settled && !soon && options_.rounds > 0 && (small || !(fast || sliding)) && !pause) {
     const HeapLimits limits{kWellSettled * enough, enough / tolerance::contact_settled,
-                            options_.rounds, tolerance::heap_work};
+                            small ? kPatience * options_.rounds : options_.rounds,
+                            tolerance::heap_work};
     const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
                                            free_, areas_.blocks(), bodies_);
     report.iterations += solved.rounds;
@@ -149,7 +150,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
     settled = solved.tried;
     if (solved.tried && !solved.solved) pausing_.push_back(name);
   }
-  if (!fast) sweep_on();
+  if (!fast && !sliding) sweep_on();
   // [S6.3.1:heap]
   guard_energy(world, heap, report);
 }
