@@ -260,6 +260,18 @@ inline constexpr double heap_stiffness = 100.0;
 /// rounds leave less than rounding, and half of the digits are left for it. (6.3.1)
 inline constexpr double heap_hardness = 1e6;
 
+/// [-] Steps that friction of a body's own weight would need to stop what counts as sliding. Reason: at four
+/// the direction of the slide hardly changes within a step. (6.3.1)
+inline constexpr double heap_slides = 4.0;
+
+/// [rad] Turn in a step beyond which the way of a point by rotation is taken along its arc. Reason: up to
+/// here the tangent is off by less than an eighth of the way. (6.3.1)
+inline constexpr double fast_turn = 0.5;
+
+/// [-] Growth of a pair's reach at which a kept area is looked for again. Reason: at rest it does not
+/// change; a push changes it by more. (3.2)
+inline constexpr double kept_reach = 2.0;
+
 /// [-] How much further than its spring a point goes in a round. Reason: 1.5 to 1.8 save a third of the
 /// rounds; 2 would never end. (6.3.1)
 inline constexpr double heap_relaxation = 1.6;

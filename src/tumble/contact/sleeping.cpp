@@ -85,7 +85,9 @@ bool SleepingRule::needs_test(int first, int second) const {
 }
 
 bool SleepingRule::nobody_awake() const {
-  return std::find(role_.begin(), role_.end(), Role::awake) == role_.end();
+  return std::none_of(role_.begin(), role_.end(), [](Role role) {
+    return role == Role::awake || role == Role::changed;  // which may touch a sleeper
+  });
 }
 
 int SleepingRule::wake_touched(World& world, std::span<const Contact> contacts) {

@@ -82,7 +82,7 @@ class SleepingRule {
   /// \return false if the pair needs no test; true before wake_disturbed() was called
   [[nodiscard]] bool needs_test(int first, int second) const;
 
-  /// Whether all movable bodies sleep.
+  /// Whether all movable bodies sleep, and nothing immovable is new or was moved.
   /// \return after wake_disturbed(): whether nothing is left to do in a step
   [[nodiscard]] bool nobody_awake() const;
 

@@ -4,6 +4,7 @@
 
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,6 @@ namespace tumble {
 namespace {
 
 constexpr std::size_t kNormal = 2, kRollAlong = 3, kRollAcross = 4;
-
-Mat3 skew(const Vec3& v) {
-  Mat3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
 
 // Adds what one body contributes: with S = [r]x, its velocity at the middle changes by
 // (1/m - S I⁻¹ S) F - S I⁻¹ M, its angular velocity by I⁻¹ M + I⁻¹ S F.
@@ -215,6 +210,26 @@ void set_targets(double slop, double dt, ContactBlock& block) {
   block.goal[kNormal] = mean;
   block.goal[kRollAlong] = slope_across;
   block.goal[kRollAcross] = -slope_along;
+}
+
+void follow_arcs(const MovingBody& first, const MovingBody& second, double dt,
+                 ContactBlock& block) {
+  // How much further than its tangent the arc of a point leads along the normal.
+  const auto rise = [&](const MovingBody& body, const Vec3& arm_w) {
+    const Vec3 turn_w = dt * body.angular_velocity_w;
+    if (!(turn_w.norm() > tolerance::fast_turn)) return 0.0;
+    const Vec3 arc_w = rotation_from_vector(turn_w) * arm_w - arm_w;
+    return block.frame_w.col(2).dot(arc_w - turn_w.cross(arm_w));
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    BlockPoint& p = block.points[i];
+    const Vec3 offset_w = p.along * block.frame_w.col(0) + p.across * block.frame_w.col(1);
+    const double away =
+        rise(second, block.second_arm_w + offset_w) - rise(first, block.first_arm_w + offset_w);
+    if (!(away > 0.0)) continue;
+    p.target -= away / dt;
+    block.flat = false;
+  }
 }
 
 }  // namespace tumble

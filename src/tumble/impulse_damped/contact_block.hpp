@@ -53,7 +53,9 @@ struct ContactBlock {
   Vec3 second_arm_w = Vec3::Zero();          ///< [m] from the second body's centre to the middle
   std::array<Vec3, 2> built_position_w;      ///< [m] of both bodies when the area was found
   std::array<Quat, 2> built_orientation_wb;  ///< [-] of both bodies then
-  int count = 0;                             ///< points in use
+  std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleepers
+  double built_reach = 0.0;                    ///< [m] points apart by more were left out
+  int count = 0;                               ///< points in use
   std::array<BlockPoint, kMostPoints> points;  ///< the first `count`
   double along_impulse = 0.0;                  ///< [N s] friction along the first tangent
   double across_impulse = 0.0;                 ///< [N s] friction along the second tangent
@@ -113,6 +115,14 @@ void set_targets(double slop, double dt, ContactBlock& block);
 /// \param second  moves of the second body
 /// \param block   `lift` of its points and `ease` are overwritten
 void begin_lift(const MovingBody& first, const MovingBody& second, ContactBlock& block);
+
+/// Corrects targets where a body turns so far in a step that a point leaves its tangent: by what
+/// the arc \f$(e^{[h\omega]} - 1)\,r\f$ leads further away than \f$h\,\omega\times r\f$.
+/// \param first   how the first body would move
+/// \param second  how the second one would
+/// \param dt      [s] of the step
+/// \param block   after set_targets(); targets and flat in and out
+void follow_arcs(const MovingBody& first, const MovingBody& second, double dt, ContactBlock& block);
 
 /// The motion of a block's bodies against each other.
 /// \param block   the area

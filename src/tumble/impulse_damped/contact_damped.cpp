@@ -13,11 +13,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-bool pushes(const ContactBlock& block) {
-  return std::any_of(block.points.begin(), block.points.begin() + block.count,
-                     [](const BlockPoint& p) { return p.impulse > 0.0; });
-}
-
 }  // namespace
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options)
@@ -41,9 +36,13 @@ ContactDamped::ContactDamped(const ContactDamped& other)
       last_dt_(other.last_dt_),
       paused_(other.paused_),
       ordered_for_(other.ordered_for_),
+      ordered_gravity_w_(other.ordered_gravity_w_),
       touching_(other.touching_),
+      names_(other.names_),
       order_(other.order_),
-      order_start_(other.order_start_) {}
+      order_start_(other.order_start_),
+      start_(other.start_),
+      contact_time_(other.contact_time_) {}
 
 std::unique_ptr<Technique> ContactDamped::clone() const {
   return std::make_unique<ContactDamped>(*this);
@@ -54,6 +53,8 @@ StepReport ContactDamped::step(World& world, double dt) {
   StepReport report;
   contact_time_ = world.time();
   recorded_ = false;
+  if (!options_.sleeping)  // whoever another technique has put to sleep
+    for (Rest& rest : world.rests()) rest.asleep = false;
   if (options_.sleeping && sleeping_.wake_disturbed(world) == 0 && sleeping_.nobody_awake()) {
     world.finish_step(dt);
     return report;
@@ -66,6 +67,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   // Impulses that end all approach, and slip as far as friction can.
   pausing_.clear();
   pausing_.reserve(at(islands_.count()));
+  flies_.assign(bodies_.size(), 1);
   for (int heap = 0; heap < islands_.count(); ++heap) solve_heap(world, heap, dt, report);
   std::swap(paused_, pausing_);
   // Bodies go where these velocities take them; what hit fast enough
@@ -123,23 +125,30 @@ void ContactDamped::find_candidates(const World& world, double dt) {
 }
 
 void ContactDamped::find_areas(World& world, double dt, StepReport& report) {
-  const double ratio = last_dt_ > 0.0 ? dt / last_dt_ : 1.0;
+  double ratio = last_dt_ > 0.0 ? dt / last_dt_ : 1.0;
   for (;;) {
     find_candidates(world, dt);
     const AreasFound found = areas_.find(world, free_, candidates_, dt, ratio);
     report.pair_tests += found.pair_tests;
     std::swap(touching_, touched_);
+    std::swap(names_, named_);
     touching_.clear();
-    for (const ContactBlock& block : areas_.blocks())
+    names_.clear();
+    for (const ContactBlock& block : areas_.blocks()) {
       touching_.push_back({block.first, block.second});
+      names_.emplace_back(block.first_id, block.second_id);
+    }
     // Who is touched wakes up, and his neighbours have to be looked for.
     if (options_.sleeping && sleeping_.wake_touched_pairs(world, touching_) > 0) {
       load(world, dt);
+      ratio = 1.0;  // impulses have it already
+      ordered_for_ = -1;
       continue;
     }
-    report.contacts = found.points;
     report.deepest_overlap = found.deepest_overlap;
-    if (touching_ != touched_ || ordered_for_ != world.count()) order_heaps(world);
+    if (touching_ != touched_ || names_ != named_ || ordered_for_ != world.count() ||
+        ordered_gravity_w_ != world.gravity_w)
+      order_heaps(world);
     return;
   }
 }
@@ -148,6 +157,7 @@ void ContactDamped::find_areas(World& world, double dt, StepReport& report) {
 void ContactDamped::order_heaps(const World& world) {
   islands_.build_from_pairs(world.bodies(), touching_);
   ordered_for_ = world.count();
+  ordered_gravity_w_ = world.gravity_w;
   const double g = world.gravity_w.norm();
   edges_.clear();
   if (g > 0.0) {
@@ -181,14 +191,6 @@ std::span<const int> ContactDamped::ordered(int heap) const {
 // Bodies that are pushed move with the velocity at the end of the step, which keeps what contacts ask for;
 // the others fly their parabola.
 void ContactDamped::move(World& world, double dt, StepReport& report) {
-  flies_.assign(bodies_.size(), 1);
-  for (const ContactBlock& block : areas_.blocks()) {
-    if (!pushes(block)) continue;
-    flies_[at(block.first)] = 0;
-    flies_[at(block.second)] = 0;
-  }
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    if (flies_[k] != 0) bodies_[k] = free_[k];  // what was given and taken back left rounding
   store_moving_bodies(bodies_, world);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];

@@ -21,10 +21,12 @@ namespace tumble {
 
 /// Options of the technique.
 struct ContactDampedOptions {
-  int passes = 6;    ///< sweeps over the areas of a heap that is not solved as a whole, at least 1
-  int rounds = 100;  ///< of the direct solver, for heaps that sweeps do not settle; 0: none
-  int repair_passes = 50;                           ///< sweeps that end overlap, at least 1
-  bool sleeping = false;                            ///< heaps at rest are left alone (thesis 4.5)
+  /// Sweeps over the areas of a large heap that is not solved as a whole, at least 1; small heaps, of up
+  /// to twenty bodies, get at least fifty.
+  int passes = 6;
+  int rounds = 100;        ///< of the direct solver, three times as many for a small heap; 0: none
+  int repair_passes = 50;  ///< sweeps that end overlap, at least 1
+  bool sleeping = false;   ///< heaps at rest are left alone (thesis 4.5)
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
 };
 
@@ -81,13 +83,16 @@ class ContactDamped : public Technique {
   [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
   [[nodiscard]] double unrest(const World& world, int heap, double dt) const;
   [[nodiscard]] bool hurries(const World& world, int heap, double dt) const;
+  void forget(int heap);
+  void release(int heap);
+  void bounce_heap(const World& world, int heap, double dt, StepReport& report);
   void guard_energy(const World& world, int heap, StepReport& report);
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
   void repair(World& world, double dt, StepReport& report);
   void account(const World& world, double dt, StepReport& report);
   void tell(const ContactBlock& block, double time) const;
-  [[nodiscard]] double speed_scale(const World& world, double dt) const;
+  [[nodiscard]] double speed_scale(const World& world, int heap, double dt) const;
   [[nodiscard]] std::span<const int> ordered(int heap) const;
 
   ContactDampedOptions options_;
@@ -101,13 +106,17 @@ class ContactDamped : public Technique {
   /// Heaps, named by their first body, that the step before solved as a whole without an end; ascending.
   std::vector<BodyId> paused_;
   std::vector<BodyId> pausing_;  // and those of this step
-  int ordered_for_ = -1;         // how many bodies there were when heaps were ordered
+  // What heaps were ordered for: how many bodies there were, gravity, the pairs by index and by name.
+  int ordered_for_ = -1;
+  Vec3 ordered_gravity_w_ = Vec3::Zero();
 
   // Storage of one step, kept so that a warm step asks for no memory.
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> candidates_;
-  std::vector<IndexPair> touching_;  // pairs of the areas
-  std::vector<IndexPair> touched_;   // and of the step before
+  std::vector<IndexPair> touching_;               // pairs of the areas
+  std::vector<IndexPair> touched_;                // and of the step before
+  std::vector<std::pair<BodyId, BodyId>> names_;  // of the areas' bodies
+  std::vector<std::pair<BodyId, BodyId>> named_;  // and of the step before
   std::vector<SupportEdge> edges_;
   std::vector<int> order_;          // areas, heap by heap, from the ground up
   std::vector<int> order_start_;    // of a heap's areas in order_
@@ -116,6 +125,7 @@ class ContactDamped : public Technique {
   std::vector<MovingBody> bodies_;  // at the end
   std::vector<MovingBody> moves_;   // of the repair
   std::vector<MovingBody> moved_;   // velocities with which bodies moved, if something bounced
+  std::vector<char> hit_;           // by area: it was, so fast that it does not stick
   bool bounced_ = false;            // something did, in this step
   std::vector<char> flies_;         // by index: nothing pushes it
   double contact_time_ = 0.0;       // [s] of the poses that the contacts belong to

@@ -33,29 +33,52 @@ bool was_hit(const ContactBlock& block, double gravity, double dt) {
 }  // namespace
 
 // Newton's restitution for impacts faster than the sticky speed (thesis 4.3), after the bodies have come
-// together. Should friction make it raise the energy, the bounce is drawn back.
+// together, heap by heap.
 void ContactDamped::bounce(World& world, double dt, StepReport& report) {
   const double g = world.gravity_w.norm();
   bounced_ = false;
-  for (const ContactBlock& block : areas_.blocks()) {
-    if (!was_hit(block, g, dt)) continue;
-    ++report.events;
-    bounced_ = bounced_ || block.restitution > 0.0;
-    if (observer() != nullptr) tell(block, world.time() + dt);
+  hit_.assign(areas_.blocks().size(), 0);
+  for (int heap = 0; heap < islands_.count(); ++heap) {
+    bool bounces = false;
+    for (const int contact : islands_.contacts(heap)) {
+      const ContactBlock& block = areas_.blocks()[at(contact)];
+      if (!was_hit(block, g, dt)) continue;
+      hit_[at(contact)] = 1;
+      ++report.events;
+      bounces = bounces || block.restitution > 0.0;
+    }
+    if (!bounces) continue;
+    if (!bounced_) moved_ = bodies_;
+    bounced_ = true;
+    bounce_heap(world, heap, dt, report);
   }
-  if (!bounced_) return;
-  moved_ = bodies_;
-  for (ContactBlock& block : areas_.blocks())
+  if (bounced_) store_moving_bodies(bodies_, world);
+  if (observer() == nullptr) return;
+  for (std::size_t k = 0; k < hit_.size(); ++k)
+    if (hit_[k] != 0) tell(areas_.blocks()[k], world.time());
+}
+
+// Points that were hit part with the speed that restitution asks for. Should friction make it raise the
+// energy, the bounce is drawn back.
+void ContactDamped::bounce_heap(const World& world, int heap, double dt, StepReport& report) {
+  const double g = world.gravity_w.norm();
+  const std::span<const int> contacts = islands_.contacts(heap);
+  for (const int contact : contacts) {
+    ContactBlock& block = areas_.blocks()[at(contact)];
     ask_for_parting(sticky_speed(g, block.size, dt), block);
+  }
   for (int pass = 0; pass < kBouncePasses; ++pass) {
     double most = 0.0;
-    for (ContactBlock& block : areas_.blocks())
+    for (const int contact : contacts) {
+      ContactBlock& block = areas_.blocks()[at(contact)];
       most = std::max(most, solve_block(block, bodies_[at(block.first)], bodies_[at(block.second)],
                                         kBounceRounds));
-    if (most < tolerance::contact_settled * speed_scale(world, dt)) break;
+    }
+    ++report.iterations;
+    report.impulses += static_cast<std::int64_t>(contacts.size());
+    if (most < tolerance::contact_settled * speed_scale(world, heap, dt)) break;
   }
-  for (int heap = 0; heap < islands_.count(); ++heap) guard_energy(world, heap, report);
-  store_moving_bodies(bodies_, world);
+  guard_energy(world, heap, report);
 }
 
 // Overlap beyond the slop goes by moves, from the ground up, over all areas in which some is left.
@@ -144,6 +167,13 @@ void ContactDamped::account(const World& world, double dt, StepReport& report) {
                block.twist_impulse * (u[5] + v[5]));
   }
   report.energy.restitution = all - report.energy.friction;
+  for (const ContactBlock& block : areas_.blocks())
+    report.contacts += std::count_if(block.points.begin(), block.points.begin() + block.count,
+                                     [](const BlockPoint& p) { return p.impulse > 0.0; });
+  const auto finite = [](const MovingBody& body) {
+    return body.velocity_w.allFinite() && body.angular_velocity_w.allFinite();
+  };
+  if (!std::all_of(bodies_.begin(), bodies_.end(), finite)) report.status = StepStatus::not_finite;
 }
 
 void ContactDamped::tell(const ContactBlock& block, double time) const {

@@ -14,11 +14,11 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved well at any speed
 constexpr double kSoon = 0.05;        // of what a sweep found is left after the next: they soon end
 constexpr double kWellSettled = 0.1;  // solving goes on to this share of what is none, to last
-constexpr double kSlides = 4.0;   // steps that friction of a weight would need to stop what slides
-constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
-constexpr int kPatience = 3;      // times as many rounds for a small heap
-constexpr int kSmallPasses = 50;  // over a small heap
-constexpr int kBlockRounds = 1;   // of friction and pressure in turn within an area
+constexpr double kWild = 1e6;         // times what is none: sweeps have lost their way
+constexpr int kSmallRounds = 20;      // of friction and pressure in turn, in a small heap
+constexpr int kPatience = 3;          // times as many rounds for a small heap
+constexpr int kSmallPasses = 50;      // over a small heap
+constexpr int kBlockRounds = 1;       // of friction and pressure in turn within an area
 
 // Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
 double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
@@ -45,13 +45,15 @@ double approach_of(const BlockPoint& p, const Six& before, const Six& after, dou
 
 }  // namespace
 
-// What gravity does in a step; without it a share of a size in a step.
-double ContactDamped::speed_scale(const World& world, double dt) const {
+// What gravity does in a step; without it a share of the smallest size of a heap in a step.
+double ContactDamped::speed_scale(const World& world, int heap, double dt) const {
   const double g = world.gravity_w.norm();
   if (g > 0.0) return g * dt;
   double size = 0.0;
-  for (const ContactBlock& block : areas_.blocks())
-    size = size == 0.0 ? block.size : std::min(size, block.size);
+  for (const int contact : islands_.contacts(heap)) {
+    const double own = areas_.blocks()[at(contact)].size;
+    size = size == 0.0 ? own : std::min(size, own);
+  }
   return tolerance::weightless_speed * size / dt;
 }
 
@@ -70,7 +72,7 @@ double ContactDamped::sweep(std::span<const int> contacts, bool down, int rounds
   return most;
 }
 
-// How fast the fastest point of a heap moves, as a share of sqrt(g L).
+// How fast the fastest point of a heap moves when the step begins, as a share of sqrt(g L).
 double ContactDamped::unrest(const World& world, int heap, double dt) const {
   double most = 0.0;
   const double g = world.gravity_w.norm();
@@ -78,8 +80,8 @@ double ContactDamped::unrest(const World& world, int heap, double dt) const {
     const BodyProperties& body = world.bodies()[at(k)];
     const double size = body.size.minCoeff();
     const double limit = g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / dt;
-    const double fastest = bodies_[at(k)].velocity_w.norm() +
-                           0.5 * body.size.norm() * bodies_[at(k)].angular_velocity_w.norm();
+    const double fastest = start_[at(k)].velocity_w.norm() +
+                           0.5 * body.size.norm() * start_[at(k)].angular_velocity_w.norm();
     most = std::max(most, fastest / limit);
   }
   return most;
@@ -91,20 +93,20 @@ bool ContactDamped::hurries(const World& world, int heap, double dt) const {
          unrest(world, heap, dt) >= tolerance::calm_speed;
 }
 
-// Whether an area slides so fast that friction cannot stop it in a few steps.
+// Whether an area slides, when the step begins, so fast that friction cannot stop it in a few steps.
 bool ContactDamped::slides(std::span<const int> contacts, double unit) const {
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
     const ContactBlock& block = areas_.blocks()[at(contact)];
-    const Six u = motion_of(block, bodies_[at(block.first)], bodies_[at(block.second)]);
+    const Six u = motion_of(block, start_[at(block.first)], start_[at(block.second)]);
     return impulse_of(block)[2] > 0.0 && block.friction > 0.0 &&
-           std::sqrt(u[0] * u[0] + u[1] * u[1]) > kSlides * block.friction * unit;
+           std::sqrt(u[0] * u[0] + u[1] * u[1]) > tolerance::heap_slides * block.friction * unit;
   });
 }
 
 void ContactDamped::solve_heap(const World& world, int heap, double dt, StepReport& report) {
   const std::span<const int> contacts = ordered(heap);
   if (contacts.empty()) return;
-  const double enough = tolerance::contact_settled * speed_scale(world, dt);
+  const double enough = tolerance::contact_settled * speed_scale(world, heap, dt);
   // [S6.3.1:heap]
   // Begin with the impulses of the step before.
   for (const int contact : contacts) {
@@ -132,14 +134,17 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
       settled = sweep(contacts, pass % 2 == 0, rounds, report) < kWellSettled * enough;
   };
   const bool sliding = !settled && slides(contacts, enough / tolerance::contact_settled);
-  if (fast || sliding) sweep_on();
+  if (fast || sliding || soon) sweep_on();
+  // Light boxes under a heavy one may have been thrown about by sweeps, which is no start for others.
+  else if (left > kWild * enough)
+    forget(heap);
   // Else all areas are solved together, in a large heap only if it is slow
   // and nothing slides. If that did not end in a heap that hardly moves,
   // sweeps get the next step: they bring areas back to sticking as a whole.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
   const bool pause =
       speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
-  if (!settled && !soon && options_.rounds > 0 && (small || !(fast || sliding)) && !pause) {
+  if (!settled && options_.rounds > 0 && (small || !(fast || sliding)) && !pause) {
     const HeapLimits limits{kWellSettled * enough, enough / tolerance::contact_settled,
                             small ? kPatience * options_.rounds : options_.rounds,
                             tolerance::heap_work};
@@ -150,9 +155,34 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
     settled = solved.tried;
     if (solved.tried && !solved.solved) pausing_.push_back(name);
   }
-  if (!fast && !sliding) sweep_on();
+  if (!fast && !sliding && !soon) sweep_on();
   // [S6.3.1:heap]
+  release(heap);
   guard_energy(world, heap, report);
+}
+
+// Back to no impulses at all.
+void ContactDamped::forget(int heap) {
+  for (const int contact : islands_.contacts(heap)) {
+    ContactBlock& block = areas_.blocks()[at(contact)];
+    block.along_impulse = block.across_impulse = block.twist_impulse = 0.0;
+    for (BlockPoint& p : block.points) p.impulse = 0.0;
+  }
+  for (const int k : islands_.bodies(heap)) bodies_[at(k)] = free_[at(k)];
+}
+
+// Bodies that nothing pushes move as if there were no contact: what was given and taken back leaves rounding.
+void ContactDamped::release(int heap) {
+  for (const int contact : islands_.contacts(heap)) {
+    const ContactBlock& block = areas_.blocks()[at(contact)];
+    const bool pushes = std::any_of(block.points.begin(), block.points.begin() + block.count,
+                                    [](const BlockPoint& p) { return p.impulse > 0.0; });
+    if (!pushes) continue;
+    flies_[at(block.first)] = 0;
+    flies_[at(block.second)] = 0;
+  }
+  for (const int k : islands_.bodies(heap))
+    if (flies_[at(k)] != 0) bodies_[at(k)] = free_[at(k)];
 }
 
 // Impulses that are not quite solved could raise the kinetic energy. Then they are drawn back to where they

@@ -87,7 +87,11 @@ StepReport Damped::step(World& world, double dt) {
 // Wakes whoever is touched, and reads velocities and marks.
 void Damped::begin(World& world, double dt, StepReport& report) {
   told_.clear();
-  if (options_.sleeping) sleeping_.wake_disturbed(world);
+  if (options_.sleeping) {
+    sleeping_.wake_disturbed(world);
+  } else {  // whoever another technique has put to sleep
+    for (Rest& rest : world.rests()) rest.asleep = false;
+  }
   stable_.assign(world.bodies().size(), 0);
   for (std::size_t k = 0; k < stable_.size(); ++k)
     stable_[k] = !world.bodies()[k].movable() ||

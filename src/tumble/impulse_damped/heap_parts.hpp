@@ -3,21 +3,13 @@
 #pragma once
 
 #include "tumble/impulse_damped/contact_block.hpp"
+#include "tumble/math/rotation.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <cmath>
 
 /// Arithmetic of HeapSolver.
 namespace tumble::heap {
-
-/// The cross product as a matrix.
-/// \param v  a vector
-/// \return [v], with [v] w = v x w
-inline Mat3 skew(const Vec3& v) {
-  Mat3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
 
 /// Velocity and angular velocity in one.
 /// \param body  a body
@@ -74,14 +66,22 @@ inline void add_push(double along, double across, const Vec3& push, Six& sum) {
   sum[5] += along * push[1] - across * push[0];
 }
 
+/// Raises a maximum; what is not a number stays, so that nobody takes it for settled.
+/// \param value  candidate
+/// \param most   in and out
+inline void raise(double value, double& most) {
+  if (value > most || std::isnan(value)) most = value;
+}
+
 /// The nearest point of Coulomb's cone \f$|f| \le \mu p\f$.
 /// \param a   [N s] along, across, normal
 /// \param mu  [-] at least 0
 /// \return [N s]
 inline Vec3 into_cone(const Vec3& a, double mu) {
   const double size = std::sqrt(a[0] * a[0] + a[1] * a[1]);
+  if (mu * size <= -a[2])
+    return Vec3::Zero();  // first: without friction a pull is within the next bound
   if (size <= mu * a[2]) return a;
-  if (mu * size <= -a[2]) return Vec3::Zero();
   const double p = (a[2] + mu * size) / (1.0 + mu * mu);
   return {mu * p * a[0] / size, mu * p * a[1] / size, p};
 }

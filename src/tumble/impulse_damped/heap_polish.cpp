@@ -9,8 +9,7 @@
 
 namespace tumble {
 
-using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::skew, heap::Spring,
-    heap::velocities_of, heap::wrench_of;
+using heap::add_push, heap::motion_at, heap::wrench_of;
 
 namespace {
 

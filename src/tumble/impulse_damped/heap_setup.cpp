@@ -9,8 +9,7 @@
 
 namespace tumble {
 
-using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::skew, heap::Spring,
-    heap::velocities_of, heap::wrench_of;
+using heap::into_cone, heap::motion_at, heap::motion_of, heap::Spring, heap::velocities_of;
 
 namespace {
 
@@ -127,7 +126,7 @@ void HeapSolver::start_from(std::span<const ContactBlock> blocks, double unit) {
       Vec3 u = motion_at(p.along, p.across, motion);
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
-      p.slides = speed > 4.0 * p.friction * unit;
+      p.slides = speed > tolerance::heap_slides * p.friction * unit;
       wanted_stamps_.push_back(p.slides ? 1 : 0);
       if (p.slides) {
         p.slip = {u[0] / speed, u[1] / speed, 0.0};

@@ -10,12 +10,13 @@
 
 namespace tumble {
 
-using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::skew, heap::Spring,
-    heap::velocities_of, heap::wrench_of;
+using heap::add_push, heap::into_cone, heap::motion_at, heap::raise, heap::wrench_of;
 
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+constexpr double kRanAway = 10.0;  // times what was wrong after a round
 
 }  // namespace
 
@@ -57,8 +58,8 @@ void HeapSolver::put_right(std::span<const ContactBlock> blocks, double& primal,
             tolerance::heap_relaxation * u[2] + (1.0 - tolerance::heap_relaxation) * p.reached[2];
         const double pushed = std::max(0.0, p.pushed[2] - rho * further);
         const double reached = further + (pushed - p.pushed[2]) / rho;
-        primal = std::max(primal, std::abs(u[2] - reached));
-        dual = std::max(dual, std::abs(reached - p.reached[2]));
+        raise(std::abs(u[2] - reached), primal);
+        raise(std::abs(reached - p.reached[2]), dual);
         p.reached[2] = reached;
         p.pushed = -p.friction * pushed * p.slip;
         p.pushed[2] = pushed;
@@ -71,8 +72,8 @@ void HeapSolver::put_right(std::span<const ContactBlock> blocks, double& primal,
           tolerance::heap_relaxation * u + (1.0 - tolerance::heap_relaxation) * p.reached;
       const Vec3 pushed = into_cone(p.pushed - rho * further, p.friction);
       const Vec3 reached = further + (pushed - p.pushed) / rho;
-      primal = std::max(primal, (u - reached).cwiseAbs().maxCoeff());
-      dual = std::max(dual, (reached - p.reached).cwiseAbs().maxCoeff());
+      for (int k = 0; k < 3; ++k) raise(std::abs(u[k] - reached[k]), primal);
+      for (int k = 0; k < 3; ++k) raise(std::abs(reached[k] - p.reached[k]), dual);
       p.reached = reached;
       p.pushed = pushed;
       p.shift = p.friction * slide;
@@ -118,6 +119,7 @@ HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> 
   result.tried = true;
   stiffness_ = tolerance::heap_stiffness;
   start_from(blocks, limits.unit);
+  double first = 0.0;  // [m/s] wrong after one round
   for (int round = 1; round <= limits.most_rounds; ++round) {
     factor_if_changed(blocks, result);
     give_way(blocks);
@@ -128,7 +130,8 @@ HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> 
     // The impulses alone leave velocities that are wrong by what springs still pull.
     result.wrong = std::max(stiffness_ * primal, dual);
     result.solved = result.wrong < limits.enough;
-    if (result.solved) break;
+    if (round == 1) first = result.wrong;
+    if (result.solved || std::isnan(result.wrong)) break;
     // Springs too soft: points are far from where they should be; too hard: nothing moves.
     if (round % 8 != 0 || round + 4 > limits.most_rounds) continue;
     const double ratio = std::sqrt(primal / dual);
@@ -136,14 +139,20 @@ HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> 
     stiffness_ =
         std::clamp(stiffness_ * std::clamp(ratio, 0.1, 10.0), 0.1, tolerance::heap_hardness);
   }
-  if (!result.solved && polish_wait_-- <= 0) {
+  // The shift s is found by putting it in, which runs away where friction is very large.
+  if (!(result.wrong <= kRanAway * first + limits.unit)) {
+    result.tried = false;
+    return result;
+  }
+  if (!result.solved) {
     for (std::size_t m = 0; m < members_.size(); ++m) x_[m] = members_[m].now;
     spare_ = x_;
+    const double wrong = result.wrong;
     result.solved = polish(blocks, limits.enough, result);
-    polish_pause_ = result.solved ? 0 : std::min(2 * polish_pause_ + 1, 15);
-    polish_wait_ = polish_pause_;
-    if (!result.solved)
+    if (!result.solved) {
+      result.wrong = wrong;
       for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = spare_[m];
+    }
   }
   store(members, result.solved, free, blocks, bodies);
   return result;

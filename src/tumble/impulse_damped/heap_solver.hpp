@@ -23,7 +23,7 @@ struct HeapLimits {
 
 /// How HeapSolver ended.
 struct HeapResult {
-  bool tried = false;   ///< false: the factorisation would cost more than allowed
+  bool tried = false;   ///< false: factors would cost more than allowed, or rounds ran away
   bool solved = false;  ///< what is wrong is below what was asked for
   int factorings = 0;   ///< of the heap's matrix
   int rounds = 0;       ///< solutions with its factors
@@ -48,15 +48,15 @@ struct HeapResult {
 /// the factors carry weight through all of it; where all areas stick two or three rounds do. The stiffness
 /// is raised or lowered when one of the two residuals, \f$|u - z|\f$ and \f$|\Delta z|\f$, runs ahead.
 ///
-/// **Sliding.** A point that slides faster than friction could stop it in the step has no spring across
+/// **Sliding.** A point that slides faster than friction could stop it in four steps has no spring across
 /// the normal and no shift; its friction is \f$\mu\f$ times the pressure of the round before, against its
 /// way. So it is at its bound in every round.
 ///
 /// Rounds that are broken off leave velocities that nearly keep all conditions, and impulses within the
 /// cones that nearly belong to them.
 /// \par Cost and determinism
-/// SparseBlocks::factor() when the heap or the place of an area in it has changed, and
-/// SparseBlocks::solve() in each round. No allocation once warm.
+/// SparseBlocks::factor() when the heap or the place of an area in it has changed since the last call, and
+/// SparseBlocks::solve() in each round; the factors of one heap are kept. No allocation once warm.
 /// \see Boyd et al., "Distributed optimization and statistical learning via the alternating direction
 ///      method of multipliers", Found. Trends Mach. Learn. 3 (2011).
 /// \see De Saxcé, Feng, "The bipotential method", Math. Comput. Model. 28 (1998), for s.
@@ -130,8 +130,6 @@ class HeapSolver {
   std::vector<Vec6> x_;
   std::vector<Vec6> spare_;
   std::vector<Point> before_;
-  int polish_wait_ = 0;     // steps until the next attempt
-  int polish_pause_ = 0;    // after the last one
   double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
   double stiffness_ = 0.0;  // [-] rho times yield, the same for all points
 

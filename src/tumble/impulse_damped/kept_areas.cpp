@@ -70,7 +70,12 @@ ContactBlock* KeptAreas::take_old(BodyId first, BodyId second) {
 }
 
 // Whether an area is still good; if so its gaps follow from how the bodies have moved since it was found.
-bool KeptAreas::keep(const World& world, const IndexPair& pair, ContactBlock& block) const {
+bool KeptAreas::keep(const World& world, const IndexPair& pair, const MovingBody& first,
+                     const MovingBody& second, double reach, ContactBlock& block) const {
+  if (first.inverse_mass.x() != block.built_inverse_mass[0] ||
+      second.inverse_mass.x() != block.built_inverse_mass[1] ||
+      !(reach <= tolerance::kept_reach * block.built_reach))
+    return false;
   std::array<Vec3, 2> moved_w;
   std::array<Vec3, 2> turned_w;
   const std::array<int, 2> body = {pair.first, pair.second};
@@ -107,16 +112,17 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
     if (!a.movable() && !b.movable()) continue;
     const BodyId first_id = world.ids()[at(pair.first)];
     const BodyId second_id = world.ids()[at(pair.second)];
+    const MovingBody& first = bodies[at(pair.first)];
+    const MovingBody& second = bodies[at(pair.second)];
+    const double size = size_of(a, b);
+    const double reach = reach_of(a, b, first, second, size, dt);
     ContactBlock* const old = take_old(first_id, second_id);
-    if (old != nullptr && keep(world, pair, *old)) {
+    if (old != nullptr && keep(world, pair, first, second, reach, *old)) {
       blocks_.push_back(*old);
     } else {
       ++found.pair_tests;
-      const double size = size_of(a, b);
-      const MovingBody& first = bodies[at(pair.first)];
-      const MovingBody& second = bodies[at(pair.second)];
       const AxisIndex axis = old != nullptr ? old->axis : kNoAxis;
-      if (!touch(world, pair, reach_of(a, b, first, second, size, dt), axis, manifold)) continue;
+      if (!touch(world, pair, reach, axis, manifold)) continue;
       ContactBlock& block = blocks_.emplace_back();
       block.first_id = first_id;
       block.second_id = second_id;
@@ -128,6 +134,8 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
                                 world.states()[at(pair.second)].position_w};
       block.built_orientation_wb = {world.states()[at(pair.first)].orientation_wb,
                                     world.states()[at(pair.second)].orientation_wb};
+      block.built_inverse_mass = {first.inverse_mass.x(), second.inverse_mass.x()};
+      block.built_reach = reach;
       build_block(manifold, first, second, block);
       if (old != nullptr) inherit(*old, block);
     }
@@ -135,6 +143,7 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
     block.first = pair.first;
     block.second = pair.second;
     set_targets(tolerance::contact_damped_slop * block.size, dt, block);
+    follow_arcs(first, second, dt, block);
     block.along_impulse *= impulses;
     block.across_impulse *= impulses;
     block.twist_impulse *= impulses;

@@ -21,12 +21,13 @@ struct AreasFound {
 
 /// Finds the contact areas of a step, and keeps those whose bodies have hardly moved.
 ///
-/// An area is kept while neither body has moved by more than `tolerance::kept_motion` of its size
-/// since it was found: its points, frame and inverse masses stay, and the gaps follow from the small
+/// An area is kept while neither body has moved by more than `tolerance::kept_motion` of the pair's
+/// shortest edge, or turned by as many radians, since it was found, and nobody fell asleep, woke up or was
+/// given a velocity: its points, frame and inverse masses stay, and the gaps follow from the small
 /// motion to first order. So a heap at rest costs a comparison for each pair, nothing is added or
 /// dropped, and the impulses of the step before are its solution still. Where an area is found anew it
 /// inherits the impulse as a whole, force and centre of pressure, which do not depend on which points
-/// stand for it.
+/// stand for it; if its new points cannot bear that without pulling, each takes over from one before.
 ///
 /// Bodies that can come together within the step touch: points that are apart get targets
 /// (set_targets()), so a box that falls flat is caught by all of its face at once.
@@ -54,7 +55,8 @@ class KeptAreas {
 
  private:
   ContactBlock* take_old(BodyId first, BodyId second);
-  [[nodiscard]] bool keep(const World& world, const IndexPair& pair, ContactBlock& block) const;
+  [[nodiscard]] bool keep(const World& world, const IndexPair& pair, const MovingBody& first,
+                          const MovingBody& second, double reach, ContactBlock& block) const;
 
   std::vector<ContactBlock> blocks_;
   std::vector<ContactBlock> before_;
