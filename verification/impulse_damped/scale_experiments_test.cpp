@@ -18,10 +18,11 @@ TEST_CASE(
   const FigureUnderTest figure(figures, "claim_6_3_1a_size");
   // Roots of powers of four are exact: not a bit differs.
   CHECK(figure.number("the same, 1/64, 1 and 64 times the size, where nothing is rounded") == 0.0);
-  // [edges] 0.01 is rounded, and a tumble of some impacts makes rounding grow.
+  // [edges] 0.01 is rounded, and a stack that is pushed over makes rounding grow. The line up to which
+  // the claim is confirmed.
   CHECK(figure.number("largest difference of the dimensionless motion between boxes of 0.01, 1 and "
-                      "100 times the size, in edges") < 1e-9);
-  CHECK(figure.number("the same, densities of 0.001, 1 and 1000") < 1e-9);
+                      "100 times the size, in edges") < 1e-6);
+  CHECK(figure.number("the same, densities of 0.001, 1 and 1000") < 1e-6);
   // Damping is a factor for a time, and knows no size: the thesis's is another motion at each.
   CHECK(figure.number("the same, damped as in the thesis") > 1.0);
   CHECK(std::abs(figure.number("stopping distance of Coulomb") - 1.529051988) < 1e-9);  // [m]

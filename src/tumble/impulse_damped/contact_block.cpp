@@ -145,11 +145,15 @@ bool spread_evenly(const Six& impulse, const ContactBlock& block,
 }
 
 void inherit(const ContactBlock& before, ContactBlock& block) {
-  // The impulse of the old area, seen from the new one's middle and in its frame.
+  // The impulse of the old area, seen from the new one's middle and in its frame. It goes with the body on
+  // which the area has moved less: with the one that slides, if the other one is larger.
   const Six old = impulse_of(before);
   const Mat3 turn = block.frame_w.transpose() * before.frame_w;
   const Vec3 force = turn * Vec3(old[0], old[1], old[2]);
-  const Vec3 shift = block.frame_w.transpose() * (before.first_arm_w - block.first_arm_w);
+  const Vec3 on_first_w = before.first_arm_w - block.first_arm_w;
+  const Vec3 on_second_w = before.second_arm_w - block.second_arm_w;
+  const bool with_first = on_first_w.squaredNorm() < on_second_w.squaredNorm();
+  const Vec3 shift = block.frame_w.transpose() * (with_first ? on_first_w : on_second_w);
   const Vec3 moment = turn * Vec3(old[3], old[4], old[5]) + shift.cross(force);
   block.along_impulse = force[0];
   block.across_impulse = force[1];

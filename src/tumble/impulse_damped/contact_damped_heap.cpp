@@ -14,11 +14,14 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved well at any speed
 constexpr double kSoon = 0.05;        // of what a sweep found is left after the next: they soon end
 constexpr double kWellSettled = 0.1;  // solving goes on to this share of what is none, to last
-constexpr double kWild = 1e6;         // times what is none: sweeps have lost their way
-constexpr int kSmallRounds = 20;      // of friction and pressure in turn, in a small heap
-constexpr int kPatience = 3;          // times as many rounds for a small heap
-constexpr int kSmallPasses = 50;      // over a small heap
-constexpr int kBlockRounds = 1;       // of friction and pressure in turn within an area
+constexpr double kToTheEnd =
+    1e-3;                         // to this share in a small heap: so well that rounding has no say
+constexpr double kFair = 100.0;   // times what is none: as well as sweeps do what slides
+constexpr double kWild = 1e6;     // times what is none: sweeps have lost their way
+constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
+constexpr int kPatience = 3;      // times as many rounds for a small heap
+constexpr int kSmallPasses = 50;  // over a small heap
+constexpr int kBlockRounds = 1;   // of friction and pressure in turn within an area
 
 // Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
 double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
@@ -123,31 +126,34 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   const int rounds = small ? kSmallRounds : kBlockRounds;
   const double found = sweep(contacts, true, rounds, report);
   bool settled = found < enough;
-  const double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
+  double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
   const bool soon = left < kSoon * found;
   // What moves fast or slides is swept on, down and up, which it does well.
   const double speed = settled ? 0.0 : unrest(world, heap, dt);
   const bool fast = speed >= tolerance::calm_speed;
   const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
   const auto sweep_on = [&] {
-    for (int pass = 2; pass < passes && !settled; ++pass)
-      settled = sweep(contacts, pass % 2 == 0, rounds, report) < kWellSettled * enough;
+    for (int pass = 2; pass < passes && !settled; ++pass) {
+      left = sweep(contacts, pass % 2 == 0, rounds, report);
+      settled = left < kWellSettled * enough;
+    }
+    settled = settled || left < kFair * enough;
   };
   const bool sliding = !settled && slides(contacts, enough / tolerance::contact_settled);
   if (fast || sliding || soon) sweep_on();
   // Light boxes under a heavy one may have been thrown about by sweeps, which is no start for others.
   else if (left > kWild * enough)
     forget(heap);
-  // Else all areas are solved together, in a large heap only if it is slow
-  // and nothing slides. If that did not end in a heap that hardly moves,
+  // If that was not enough, all areas are solved together, in a large heap
+  // only if it is slow. If that did not end in a heap that hardly moves,
   // sweeps get the next step: they bring areas back to sticking as a whole.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
   const bool pause =
       speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
-  if (!settled && options_.rounds > 0 && (small || !(fast || sliding)) && !pause) {
-    const HeapLimits limits{kWellSettled * enough, enough / tolerance::contact_settled,
-                            small ? kPatience * options_.rounds : options_.rounds,
-                            tolerance::heap_work};
+  if (!settled && options_.rounds > 0 && (small || !fast) && !pause) {
+    const HeapLimits limits{
+        (small ? kToTheEnd : kWellSettled) * enough, enough / tolerance::contact_settled,
+        small ? kPatience * options_.rounds : options_.rounds, tolerance::heap_work};
     const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
                                            free_, areas_.blocks(), bodies_);
     report.iterations += solved.rounds;
