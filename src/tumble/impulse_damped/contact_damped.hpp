@@ -15,6 +15,7 @@
 #include "tumble/impulse_damped/kept_areas.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace tumble {
@@ -81,7 +82,7 @@ class ContactDamped : public Technique {
   void solve_heap(const World& world, int heap, double dt, StepReport& report);
   double sweep(std::span<const int> contacts, bool down, int rounds, StepReport& report);
   [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
-  [[nodiscard]] double unrest(const World& world, int heap, double dt) const;
+  [[nodiscard]] std::pair<double, double> unrest(const World& world, int heap, double dt) const;
   [[nodiscard]] bool hurries(const World& world, int heap, double dt) const;
   void forget(int heap);
   void release(int heap);

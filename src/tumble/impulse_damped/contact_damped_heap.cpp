@@ -21,7 +21,7 @@ constexpr double kWild = 1e6;     // times what is none: sweeps have lost their 
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
 constexpr int kPatience = 3;      // times as many rounds for a small heap
 constexpr int kSmallPasses = 50;  // over a small heap
-constexpr int kBlockRounds = 1;   // of friction and pressure in turn within an area
+constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area; one in a hurry
 
 // Kinetic energy of velocities, for the body's momenta: 1/2 v·P + 1/2 omega·L.
 double energy_of(const BodyProperties& body, const Mat3& inertia_w, const MovingBody& moving) {
@@ -75,34 +75,44 @@ double ContactDamped::sweep(std::span<const int> contacts, bool down, int rounds
   return most;
 }
 
-// How fast the fastest point of a heap moves when the step begins, as a share of sqrt(g L).
-double ContactDamped::unrest(const World& world, int heap, double dt) const {
-  double most = 0.0;
+// How fast the fastest point of a heap moves, as a share of sqrt(g L): when the step begins and with the
+// impulses so far, the lower and the higher of the two. What lands is fast before and slow then; what
+// impulses that are far from right throw about was slow.
+std::pair<double, double> ContactDamped::unrest(const World& world, int heap, double dt) const {
+  double before = 0.0, now = 0.0;
   const double g = world.gravity_w.norm();
   for (const int k : islands_.bodies(heap)) {
     const BodyProperties& body = world.bodies()[at(k)];
     const double size = body.size.minCoeff();
     const double limit = g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / dt;
-    const double fastest = start_[at(k)].velocity_w.norm() +
-                           0.5 * body.size.norm() * start_[at(k)].angular_velocity_w.norm();
-    most = std::max(most, fastest / limit);
+    const auto fastest = [&](const MovingBody& moving) {
+      return (moving.velocity_w.norm() +
+              0.5 * body.size.norm() * moving.angular_velocity_w.norm()) /
+             limit;
+    };
+    before = std::max(before, fastest(start_[at(k)]));
+    now = std::max(now, fastest(bodies_[at(k)]));
   }
-  return most;
+  return std::minmax(before, now);
 }
 
 // A large heap that moves too fast to care about the last digits.
 bool ContactDamped::hurries(const World& world, int heap, double dt) const {
   return islands_.bodies(heap).size() > kSmallHeap &&
-         unrest(world, heap, dt) >= tolerance::calm_speed;
+         unrest(world, heap, dt).first >= tolerance::calm_speed;
 }
 
-// Whether an area slides, when the step begins, so fast that friction cannot stop it in a few steps.
+// Whether an area slides so fast that friction cannot stop it in a few steps, before and still.
 bool ContactDamped::slides(std::span<const int> contacts, double unit) const {
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
     const ContactBlock& block = areas_.blocks()[at(contact)];
-    const Six u = motion_of(block, start_[at(block.first)], start_[at(block.second)]);
-    return impulse_of(block)[2] > 0.0 && block.friction > 0.0 &&
-           std::sqrt(u[0] * u[0] + u[1] * u[1]) > tolerance::heap_slides * block.friction * unit;
+    if (!(impulse_of(block)[2] > 0.0 && block.friction > 0.0)) return false;
+    const double limit = tolerance::heap_slides * block.friction * unit;
+    const auto slips = [&](const std::vector<MovingBody>& bodies) {
+      const Six u = motion_of(block, bodies[at(block.first)], bodies[at(block.second)]);
+      return u[0] * u[0] + u[1] * u[1] > limit * limit;
+    };
+    return slips(start_) && slips(bodies_);
   });
 }
 
@@ -129,12 +139,12 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
   const bool soon = left < kSoon * found;
   // What moves fast or slides is swept on, down and up, which it does well.
-  const double speed = settled ? 0.0 : unrest(world, heap, dt);
-  const bool fast = speed >= tolerance::calm_speed;
+  const auto [slowest, fastest] = settled ? std::pair(0.0, 0.0) : unrest(world, heap, dt);
+  const bool fast = slowest >= tolerance::calm_speed;
   const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
   const auto sweep_on = [&] {
     for (int pass = 2; pass < passes && !settled; ++pass) {
-      left = sweep(contacts, pass % 2 == 0, rounds, report);
+      left = sweep(contacts, pass % 2 == 0, small || !fast ? rounds : 1, report);
       settled = left < kWellSettled * enough;
     }
     settled = settled || left < kFair * enough;
@@ -149,7 +159,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   // sweeps get the next step: they bring areas back to sticking as a whole.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
   const bool pause =
-      speed < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
+      fastest < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
   if (!settled && options_.rounds > 0 && (small || !fast) && !pause) {
     const HeapLimits limits{
         (small ? kToTheEnd : kWellSettled) * enough, enough / tolerance::contact_settled,

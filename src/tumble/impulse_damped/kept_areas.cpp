@@ -31,13 +31,43 @@ double size_of(const BodyProperties& a, const BodyProperties& b) {
   return std::min(a.size.minCoeff(), b.size.minCoeff());
 }
 
-// How far two bodies can come towards each other in a step, and a margin that keeps a resting contact.
-double reach_of(const BodyProperties& a, const BodyProperties& b, const MovingBody& first,
-                const MovingBody& second, double size, double dt) {
-  const double speed = (second.velocity_w - first.velocity_w).norm() +
-                       half_diagonal(a) * first.angular_velocity_w.norm() +
-                       half_diagonal(b) * second.angular_velocity_w.norm();
-  return dt * speed + tolerance::kept_margin * size;
+// How far points of two bodies can come by turning in a step, and a margin that keeps a resting contact.
+double margin_of(const BodyProperties& a, const BodyProperties& b, const MovingBody& first,
+                 const MovingBody& second, double size, double dt) {
+  return dt * (half_diagonal(a) * first.angular_velocity_w.norm() +
+               half_diagonal(b) * second.angular_velocity_w.norm()) +
+         tolerance::kept_margin * size;
+}
+
+// The velocity of who has been stopped: that of immovable bodies, or if there are none the mean one, since
+// then all that moves together is at rest.
+Vec3 still_of(std::span<const MovingBody> bodies) {
+  Vec3 sum_w = Vec3::Zero();
+  for (const MovingBody& body : bodies) {
+    if (body.inverse_mass.x() == 0.0) return Vec3::Zero();
+    sum_w += body.velocity_w;
+  }
+  return bodies.empty() ? sum_w : Vec3(sum_w / static_cast<double>(bodies.size()));
+}
+
+// How far two bodies can come towards each other by moving, in any direction. One of them may be stopped by
+// others meanwhile, so that its own way does not count.
+double way_of(const Vec3& still_w, const MovingBody& first, const MovingBody& second, double dt) {
+  return dt * std::max({(second.velocity_w - first.velocity_w).norm(),
+                        (first.velocity_w - still_w).norm(), (second.velocity_w - still_w).norm()});
+}
+
+// The same along a normal.
+double way_along(const Vec3& normal_w, const Vec3& still_w, const MovingBody& first,
+                 const MovingBody& second, double dt) {
+  const double v = normal_w.dot(first.velocity_w - still_w);
+  const double w = normal_w.dot(still_w - second.velocity_w);
+  return dt * std::max({v + w, v, w, 0.0});
+}
+
+bool within(const Manifold& found, double reach) {
+  return std::any_of(found.points.begin(), found.points.begin() + found.count,
+                     [&](const ManifoldPoint& p) { return p.distance <= reach; });
 }
 
 bool touch(const World& world, const IndexPair& pair, double reach, AxisIndex remembered,
@@ -105,6 +135,7 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
   std::swap(blocks_, before_);
   blocks_.clear();
   next_ = 0;
+  const Vec3 still_w = still_of(bodies);
   Manifold manifold;
   for (const IndexPair& pair : candidates) {
     const BodyProperties& a = world.bodies()[at(pair.first)];
@@ -115,14 +146,17 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
     const MovingBody& first = bodies[at(pair.first)];
     const MovingBody& second = bodies[at(pair.second)];
     const double size = size_of(a, b);
-    const double reach = reach_of(a, b, first, second, size, dt);
+    const double margin = margin_of(a, b, first, second, size, dt);
+    const double reach = way_of(still_w, first, second, dt) + margin;
     ContactBlock* const old = take_old(first_id, second_id);
     if (old != nullptr && keep(world, pair, first, second, reach, *old)) {
       blocks_.push_back(*old);
     } else {
       ++found.pair_tests;
       const AxisIndex axis = old != nullptr ? old->axis : kNoAxis;
-      if (!touch(world, pair, reach, axis, manifold)) continue;
+      if (!touch(world, pair, reach, axis, manifold) ||
+          !within(manifold, way_along(manifold.normal_w, still_w, first, second, dt) + margin))
+        continue;
       ContactBlock& block = blocks_.emplace_back();
       block.first_id = first_id;
       block.second_id = second_id;
