@@ -67,7 +67,7 @@ Figure overlap_left_figure() {
   figure.section = "4.4";
   figure.title = "How much overlap is left for the pushes";
   figure.caption =
-      "27 cubes of restitution 0.9 fly together, fall and settle; means over ten heaps. Sums "
+      "27 cubes of restitution 0.9 fly together, fall and settle; means over twenty heaps. Sums "
       "over all pairs in a step: the overlap that the bodies would have at its end if no impulse "
       "had acted, the overlap that the pass finds, and the overlap that it leaves. 0 is not "
       "drawn. Impulses leave the pass a few per cent in the fall and less than one at rest, with "

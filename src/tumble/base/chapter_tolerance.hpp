@@ -175,8 +175,8 @@ inline constexpr double damped_spin_factor = 0.92;
 /// after 0.06 s, before a viewer sees it rock twice. (5.3)
 inline constexpr double damped_settled_spin_factor = 0.5;
 
-/// [-] k5: ditto of slow components of momentum. Reason: a heap of 125 cubes that falls together
-/// does not come to rest with 0.8 in ten seconds. (5.3)
+/// [-] k5: ditto of slow components of momentum. Reason: the more is left in each step, the longer a heap
+/// shakes; less than half ends what is not slow any more within a step or two. (5.3)
 inline constexpr double damped_slow_factor = 0.5;
 
 /// [-] k7: ditto of slow components of angular momentum. Reason: as for k5. (5.3)
