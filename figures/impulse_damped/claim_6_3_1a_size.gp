@@ -26,7 +26,7 @@ set logscale y; set format y powers
 set yrange [1e-18:1e4]; set ytics 1e4
 side = 'apart, in edges'; @SIDE
 set label 1 'damped as in the thesis' at 1,5e2 center textcolor rgb soft
-set label 2 'contact\_damped' at 1,1e-7 center textcolor rgb soft
+set label 2 'contact\_damped' at 1,5e-6 center textcolor rgb soft
 plot stem.'.csv' using 'time_s':'damped_small' with lines lt 4, \
   '' using 'time_s':'damped_large' with lines lt 6, \
   '' using 'time_s':(column('small') > 0 ? column('small') : NaN) with lines lt 1, \
