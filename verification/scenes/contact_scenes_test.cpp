@@ -133,7 +133,7 @@ TEST_CASE("Boxes of the scenes of contact move as their settings say", "[unit][s
   CHECK(called(built("sled", {}), "sled").velocity_w == Vec3(1.0, 0.0, 0.0));
   CHECK(called(built("sled", {}), "load2").velocity_w == Vec3::Zero());
   // With tilt 1 the centre is above the edge: x = -width/2, as high as half the diagonal.
-  const SceneBox& on_edge = called(built("rocking_block", {{"tilt", "1"}}), "block");
+  const SceneBox on_edge = called(built("rocking_block", {{"tilt", "1"}}), "block");
   CHECK(std::abs(on_edge.position_w.x() + 0.2) < 1e-15);
   CHECK(std::abs(on_edge.position_w.y() - std::hypot(0.2, 1.0)) < 1e-15);
 }
