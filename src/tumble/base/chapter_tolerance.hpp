@@ -256,9 +256,14 @@ inline constexpr double weightless_speed = 3e-3;
 /// 30, 100, 300 and 1000 the one with the fewest rounds for stacks, pyramids and walls that land. (6.3.1)
 inline constexpr double heap_stiffness = 100.0;
 
-/// [-] Springs that stand for equations, as a multiple of the mass that a point resists with. Reason: three
-/// rounds leave less than rounding, and half of the digits are left for it. (6.3.1)
+/// [-] Springs of the direct solver at their hardest, as a multiple of the mass that a point resists with.
+/// Reason: half of the digits are left for what they solve. (6.3.1)
 inline constexpr double heap_hardness = 1e6;
+
+/// [-] Springs that Newton's steps of the direct solver keep in balance, ditto. Reason: of 1e3, 1e4 and 1e5 the
+/// one with which scenes turned about the vertical stay closest. Harder ones enlarge the rounding of
+/// velocities in impulses that nothing else determines, softer ones take too many steps. (6.3.1)
+inline constexpr double heap_polish = 1e4;
 
 /// [-] Steps that friction of a body's own weight would need to stop what counts as sliding. Reason: at four
 /// the direction of the slide hardly changes within a step. (6.3.1)

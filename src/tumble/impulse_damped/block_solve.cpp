@@ -129,8 +129,8 @@ void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
   block.along_impulse += more.x();
   block.across_impulse += more.y();
   block.twist_impulse += twist;
-  corrected = std::max({corrected, std::abs(more.x()) * A(0, 0), std::abs(more.y()) * A(1, 1),
-                        std::abs(more.z()) * A(2, 2)});
+  // A length, no component, so that the directions of the tangents have no say.
+  corrected = std::max(corrected, (A * more).norm());
 }
 
 // Normal velocity of a point.

@@ -84,6 +84,7 @@ class ContactDamped : public Technique {
   [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
   [[nodiscard]] std::pair<double, double> unrest(const World& world, int heap, double dt) const;
   [[nodiscard]] bool hurries(const World& world, int heap, double dt) const;
+  [[nodiscard]] double hardest(const World& world, int heap) const;
   void forget(int heap);
   void release(int heap);
   void bounce_heap(const World& world, int heap, double dt, StepReport& report);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kFair = 100.0;   // times what is none: as well as sweeps do wh
 constexpr double kWild = 1e6;     // times what is none: sweeps have lost their way
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
 constexpr int kPatience = 3;      // times as many rounds for a small heap
+constexpr int kSmallSteps = 50;   // of Newton's in a small heap; they cost too much in a large one
 constexpr int kSmallPasses = 50;  // over a small heap
 constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area; one in a hurry
 
@@ -102,6 +104,18 @@ bool ContactDamped::hurries(const World& world, int heap, double dt) const {
          unrest(world, heap, dt).first >= tolerance::calm_speed;
 }
 
+// How hard the direct solver may make springs in a small heap. What they leave in impulses that nothing
+// determines, as in boxes that are wedged, is rounding enlarged by as much; but springs are measured by the
+// two bodies that they join, and may have to carry heavier ones.
+double ContactDamped::hardest(const World& world, int heap) const {
+  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
+  for (const int k : islands_.bodies(heap)) {
+    lightest = std::min(lightest, world.bodies()[at(k)].mass);
+    heaviest = std::max(heaviest, world.bodies()[at(k)].mass);
+  }
+  return std::min(tolerance::heap_stiffness * (heaviest / lightest), tolerance::heap_hardness);
+}
+
 // Whether an area slides so fast that friction cannot stop it in a few steps, before and still.
 bool ContactDamped::slides(std::span<const int> contacts, double unit) const {
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
@@ -161,9 +175,12 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   const bool pause =
       fastest < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
   if (!settled && options_.rounds > 0 && (small || !fast) && !pause) {
-    const HeapLimits limits{
-        (small ? kToTheEnd : kWellSettled) * enough, enough / tolerance::contact_settled,
-        small ? kPatience * options_.rounds : options_.rounds, tolerance::heap_work};
+    const HeapLimits limits{(small ? kToTheEnd : kWellSettled) * enough,
+                            enough / tolerance::contact_settled,
+                            small ? kPatience * options_.rounds : options_.rounds,
+                            tolerance::heap_work,
+                            small ? hardest(world, heap) : tolerance::heap_hardness,
+                            small ? kSmallSteps : 0};
     const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
                                            free_, areas_.blocks(), bodies_);
     report.iterations += solved.rounds;

@@ -50,6 +50,7 @@ void HeapSolver::load(std::span<const int> members, std::span<const int> contact
     wanted_stamps_.push_back(block.stamp);
   }
   x_.resize(members_.size());
+  from_.resize(members_.size());
   // Factoring takes roots. With masses of about 1, those times a power of two leave the same bits.
   int power = 0;
   std::frexp(members_.front().mass, &power);
@@ -60,12 +61,13 @@ void HeapSolver::load(std::span<const int> members, std::span<const int> contact
 // turns the area about the centre of pressure in proportion to the lever too.
 void HeapSolver::load_points(const ContactBlock& block) {
   const SixBySix& K = block.inverse_mass;
-  double normal = 0.0, along = 0.0, across = 0.0, square = 0.0;
+  double normal = 0.0, along = 0.0, across = 0.0, square = 0.0, far = 0.0;
   for (std::size_t i = 0; i < at(block.count); ++i) {
     const BlockPoint& p = block.points[i];
     normal += p.impulse;
     along += p.impulse * p.along;
     across += p.impulse * p.across;
+    far += p.impulse * (p.along * p.along + p.across * p.across);
   }
   if (normal > 0.0) {
     along /= normal;
@@ -79,7 +81,8 @@ void HeapSolver::load_points(const ContactBlock& block) {
   }
   const double moment =
       block.twist_impulse - (along * block.across_impulse - across * block.along_impulse);
-  const double turn = square > 0.0 ? moment / square : 0.0;
+  // A single point that pushes has no lever but rounding.
+  const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
   for (std::size_t i = 0; i < at(block.count); ++i) {
     const BlockPoint& p = block.points[i];
     Point& point = points_.emplace_back();
@@ -139,7 +142,8 @@ void HeapSolver::start_from(std::span<const ContactBlock> blocks, double unit) {
   }
 }
 
-// M + J' D J and its factors, with the springs' stiffness across and along the normal of each point.
+// M + J' D J and its factors, with the springs' stiffness across and along the normal of each point, or for
+// hard springs as they follow.
 void HeapSolver::factor(std::span<const ContactBlock> blocks, bool soft) {
   matrix_.clear();
   for (std::size_t m = 0; m < members_.size(); ++m) {
@@ -154,15 +158,11 @@ void HeapSolver::factor(std::span<const ContactBlock> blocks, bool soft) {
     const Mat3& f = block.frame_w;
     for (int i = area.begin; i < area.end; ++i) {
       const Point& p = points_[at(i)];
-      const double across = p.slides   ? 0.0
-                            : soft     ? stiffness_ / p.yield
-                            : p.sticks ? tolerance::heap_hardness / p.yield
-                                       : 0.0;
-      const double along = soft       ? stiffness_ / p.yield
-                           : p.pushes ? tolerance::heap_hardness / p.yield
-                                      : 0.0;
-      const Mat3 d = unit_mass_ * (across * Mat3::Identity() +
-                                   (along - across) * f.col(2) * f.col(2).transpose());
+      const double across = p.slides ? 0.0 : stiffness_ / p.yield;
+      const double along = stiffness_ / p.yield;
+      const Mat3 d = unit_mass_ * (soft ? Mat3(across * Mat3::Identity() +
+                                               (along - across) * f.col(2) * f.col(2).transpose())
+                                        : Mat3(f * p.follows * f.transpose()));
       const Mat3 s = skew(p.along * f.col(0) + p.across * f.col(1));
       const Mat3 ds = d * s;
       spring.force_of_move += d;

@@ -72,8 +72,8 @@ void HeapSolver::put_right(std::span<const ContactBlock> blocks, double& primal,
           tolerance::heap_relaxation * u + (1.0 - tolerance::heap_relaxation) * p.reached;
       const Vec3 pushed = into_cone(p.pushed - rho * further, p.friction);
       const Vec3 reached = further + (pushed - p.pushed) / rho;
-      for (int k = 0; k < 3; ++k) raise(std::abs(u[k] - reached[k]), primal);
-      for (int k = 0; k < 3; ++k) raise(std::abs(reached[k] - p.reached[k]), dual);
+      raise((u - reached).norm(), primal);
+      raise((reached - p.reached).norm(), dual);
       p.reached = reached;
       p.pushed = pushed;
       p.shift = p.friction * slide;
@@ -136,24 +136,14 @@ HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> 
     if (round % 8 != 0 || round + 4 > limits.most_rounds) continue;
     const double ratio = std::sqrt(primal / dual);
     if (!(ratio > 3.0 || ratio < 1.0 / 3.0)) continue;
-    stiffness_ =
-        std::clamp(stiffness_ * std::clamp(ratio, 0.1, 10.0), 0.1, tolerance::heap_hardness);
+    stiffness_ = std::clamp(stiffness_ * std::clamp(ratio, 0.1, 10.0), 0.1, limits.hardest);
   }
   // The shift s is found by putting it in, which runs away where friction is very large.
   if (!(result.wrong <= kRanAway * first + limits.unit)) {
     result.tried = false;
     return result;
   }
-  if (!result.solved) {
-    for (std::size_t m = 0; m < members_.size(); ++m) x_[m] = members_[m].now;
-    spare_ = x_;
-    const double wrong = result.wrong;
-    result.solved = polish(blocks, limits.enough, result);
-    if (!result.solved) {
-      result.wrong = wrong;
-      for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = spare_[m];
-    }
-  }
+  if (!result.solved && limits.most_steps > 0) polish(blocks, limits, result);
   store(members, result.solved, free, blocks, bodies);
   return result;
 }

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/tolerance.hpp"
 #include "tumble/impulse_damped/contact_block.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
@@ -19,6 +20,8 @@ struct HeapLimits {
   double unit = 0.0;       ///< [m/s] what gravity does in a step, or what stands for it
   int most_rounds = 20;    ///< in one call, at least 1
   double most_work = 0.0;  ///< [-] multiplications of a factorisation for each body
+  double hardest = tolerance::heap_hardness;  ///< [-] stiffness of springs in the rounds, at most
+  int most_steps = 100;                       ///< of Newton's after the rounds, each factors
 };
 
 /// How HeapSolver ended.
@@ -51,6 +54,16 @@ struct HeapResult {
 /// **Sliding.** A point that slides faster than friction could stop it in four steps has no spring across
 /// the normal and no shift; its friction is \f$\mu\f$ times the pressure of the round before, against its
 /// way. So it is at its bound in every round.
+///
+/// **The last digits.** Where rounds do not end, springs that are hard,
+/// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$, are brought into balance with the bodies,
+/// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$, by Newton's steps, halved while they lead up on the convex
+/// function whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). If that
+/// does not end either the rounds have the last word: what it leaves on the way is rounding,
+/// enlarged by how hard the springs are.
+///
+/// Nothing here depends on the axes of the world but by rounding: what is wrong is measured by lengths of
+/// vectors, never by components along tangents.
 ///
 /// Rounds that are broken off leave velocities that nearly keep all conditions, and impulses within the
 /// cones that nearly belong to them.
@@ -96,8 +109,9 @@ class HeapSolver {
     Vec3 reached = Vec3::Zero();       // [m/s] z, ditto
     Vec3 slip = Vec3::Zero();          // [-] direction in which it slides too fast to stop, or 0
     bool slides = false;               // whether it does
-    bool pushes = false;               // in polish()
-    bool sticks = false;               // ditto
+    Vec3 motion = Vec3::Zero();        // [m/s] u, in polish()
+    Vec3 presses = Vec3::Zero();       // [N s] what a hard spring pushes, ditto
+    Mat3 follows = Mat3::Zero();       // [kg] how that falls with the motion, ditto
   };
   struct Area {
     int block = 0;    // place in the list
@@ -114,7 +128,9 @@ class HeapSolver {
   void load_points(const ContactBlock& block);
   void start_from(std::span<const ContactBlock> blocks, double unit);
   void factor(std::span<const ContactBlock> blocks, bool soft);
-  bool polish(std::span<const ContactBlock> blocks, double enough, HeapResult& result);
+  double press(std::span<const ContactBlock> blocks, double& moved);
+  double balance(std::span<const ContactBlock> blocks, double& sum);
+  void polish(std::span<const ContactBlock> blocks, const HeapLimits& limits, HeapResult& result);
   [[nodiscard]] Six motion_now(const Area& area, const ContactBlock& block) const;
   void factor_if_changed(std::span<const ContactBlock> blocks, HeapResult& result);
   void give_way(std::span<const ContactBlock> blocks);
@@ -128,8 +144,9 @@ class HeapSolver {
   std::vector<Point> points_;
   std::vector<BlockPair> joined_;
   std::vector<Vec6> x_;
-  std::vector<Vec6> spare_;
-  std::vector<Point> before_;
+  std::vector<Vec6> from_;
+  std::vector<Point> points_before_;
+  std::vector<Member> members_before_;
   double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
   double stiffness_ = 0.0;  // [-] rho times yield, the same for all points
 
