@@ -20,8 +20,8 @@ namespace {
 using tumble::app::Request;
 
 // The name of a sub-command is the first word; what is said about it tells which are known.
-constexpr std::array<std::string_view, 6> kCommands = {"run", "compare", "render",
-                                                       "lcp", "scenes",  "techniques"};
+constexpr std::array<std::string_view, 7> kCommands = {"run",    "compare",   "render",    "lcp",
+                                                       "scenes", "stability", "techniques"};
 
 // What a user has typed that is no number is told with what would be one.
 CLI::Validator number() {
@@ -142,6 +142,16 @@ int main(int argc, char** argv) {
   lcp->add_option("--solver", problem.solver, "see --list")->capture_default_str();
   lcp->add_flag("--list", list_solvers, "list the solvers");
 
+  std::string rule = "equilibrium";
+  CLI::App* stability =
+      app.add_subcommand("stability", "tell who stands firm at the start of a scene, and why");
+  stability->add_option("scene", request.scene, "a built-in scene or a .toml file")->required();
+  stability->add_option("--rule", rule, "corners, hull, load_proof or equilibrium")
+      ->capture_default_str();
+  stability->add_option("--set", request.settings, "key=value")->allow_extra_args(false);
+  stability->add_option("--seed", request.run.seed, "of everything random")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()));
+
   std::string name;
   bool as_toml = false;
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or describe one");
@@ -169,6 +179,7 @@ int main(int argc, char** argv) {
     if (lcp->parsed() && list_solvers) return printed(tumble::app::list_lcp_solvers());
     if (lcp->parsed()) return printed(tumble::app::solve_lcp(problem));
     if (render->parsed()) return printed(tumble::app::render(picture));
+    if (stability->parsed()) return printed(tumble::app::stability(request, rule));
     if (scenes->parsed())
       return printed(tumble::app::list_scenes(name, as_toml, request.settings, request.run.seed));
     return printed(tumble::app::list_techniques(name));

@@ -50,6 +50,16 @@ void apply(const std::vector<std::string>& settings, Parameters& scene, Paramete
   for (const std::string& setting : settings) apply_one(setting, scene, technique);
 }
 
+Scene resolve_scene(const Request& request) {
+  const bool from_file = is_file_name(request.scene);
+  Parameters settings;
+  Parameters no_technique;
+  if (!from_file) settings = scene_recipe(request.scene).parameters();
+  apply(request.settings, settings, no_technique);
+  if (from_file) return read_scene(request.scene);
+  return checked(scene_recipe(request.scene).build(settings, Random(request.run.seed)));
+}
+
 ResolvedRequest resolve(const Request& request) {
   require_valid(request.run);
   ResolvedRequest out;

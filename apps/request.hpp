@@ -55,6 +55,12 @@ void apply(const std::vector<std::string>& settings, Parameters& scene, Paramete
 ///         a bare key that both the scene and the technique have
 ResolvedRequest resolve(const Request& request);
 
+/// Looks up the scene alone, for commands that run nothing.
+/// \param request what was typed: scene, settings, seed
+/// \return the scene, checked
+/// \throws std::invalid_argument for an unknown scene or key, or a value out of range
+Scene resolve_scene(const Request& request);
+
 /// `tumble run`.
 /// \param request what was typed
 /// \return the exit code
@@ -80,6 +86,12 @@ struct RenderRequest {
 /// \param request what was typed
 /// \return the exit code
 int render(const RenderRequest& request);
+
+/// `tumble stability`.
+/// \param request  what was typed: scene, settings, seed
+/// \param rule     corners, hull, load_proof or equilibrium
+/// \return the exit code
+int stability(const Request& request, const std::string& rule);
 
 /// A linear complementarity problem in files, as typed.
 struct LcpRequest {

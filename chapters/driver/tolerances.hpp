@@ -8,7 +8,7 @@
 
 namespace tumble::chapters {
 
-/// One constant of `src/tumble/base/tolerance.hpp` or `chapter_tolerance.hpp`.
+/// One constant of a `tolerance.hpp` in `src/tumble/base`.
 struct Tolerance {
   std::string layer;    ///< of the library
   std::string name;     ///< of the constant
@@ -30,7 +30,7 @@ struct Tolerance {
 ///         what is not of this form
 std::vector<Tolerance> read_tolerances(const std::filesystem::path& path);
 
-/// Reads all constants of the library, `tolerance.hpp` and `chapter_tolerance.hpp`.
+/// Reads all constants of the library, `tolerance.hpp` and those of chapters beside it.
 /// \param folder  `src/tumble/base`
 /// \return those of the layers, then those of the chapters
 /// \throws FileError and std::invalid_argument as read_tolerances() does

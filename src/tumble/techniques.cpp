@@ -54,6 +54,9 @@ Parameters analytic_options() {
   Parameters p;
   p.add_word("friction", {"coulomb", "none", "damping"},
              "Coulomb's, none, or none and bodies in contact are slowed down (thesis 5.3)");
+  p.add_word("stable_boxes", {"off", "corners", "hull", "equilibrium"},
+             "friction=none or damping: who is left out of the forces as geometrically stable "
+             "(thesis 5.4)");
   p.add_word("directions", {"8", "4"}, "of the pyramid of friction in contacts");
   p.add_word("solver", solver_names(standard.solver), "of contact forces without friction");
   p.add_word("impacts", {"simultaneous", "sequential"},
@@ -78,6 +81,7 @@ std::unique_ptr<Technique> make_analytic(const Parameters& p, std::uint64_t) {
   options.friction = friction == "coulomb" ? AnalyticFriction::coulomb
                      : friction == "none"  ? AnalyticFriction::none
                                            : AnalyticFriction::damping;
+  options.stable_boxes = stable_rule_from(p.word("stable_boxes"));
   options.directions = p.word("directions") == "8" ? 8 : 4;
   options.solver = p.word("solver");
   options.impacts =

@@ -9,6 +9,9 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -200,4 +203,121 @@ TEST_CASE("A hull contains what is in it", "[exact][geometric_stability]") {
   CHECK_FALSE(hull_contains(hull, Vec2::Zero(), 1.0));
   CHECK(stable_rule_from("hull") == StableRule::hull);
   CHECK_THROWS_WITH(stable_rule_from("corner"), Catch::Matchers::Contains("corners"));
+}
+
+TEST_CASE("A verdict names what speaks against a body: motion, a side, a support, a corner",
+          "[exact][geometric_stability]") {
+  Pile pile;
+  const int firm = pile.add(Vec3(0.0, 0.5, 0.0));
+  const int beside = pile.add(Vec3(3.0, 0.5, 0.0));
+  const int neighbour = pile.add(Vec3(4.0, 0.5, 0.0));
+  const int on_it = pile.add(Vec3(3.0, 1.5, 0.0), Vec3(0.5, 1.0, 0.5));
+  const int over = pile.add(Vec3(0.25, 1.5, 0.125));
+  const int rising = pile.add(Vec3(8.0, 0.5, 0.0));
+  pile.world.states()[static_cast<std::size_t>(rising)].linear_momentum_w.y() = 1.0;
+  pile.gather();
+  std::vector<char> stable;
+  GeometricStability stability;
+  for (const StableRule rule : {StableRule::corners, StableRule::hull}) {
+    stability.run(pile.world, pile.contacts, rule, 0.02, stable);
+    const auto verdict = [&](int body) { return stability.verdict(pile.world, body); };
+    const auto words = [&](int body) { return told(pile.world, pile.contacts, verdict(body)); };
+    const auto pair_of = [&](int body) {
+      const Contact& contact = pile.contacts[static_cast<std::size_t>(verdict(body).contact)];
+      return std::vector<int>{contact.first, contact.second};
+    };
+    for (int body = 0; body < pile.world.count(); ++body)
+      CHECK(verdict(body).stable() == (stable[static_cast<std::size_t>(body)] != 0));
+    CHECK(verdict(0).reason == StabilityReason::immovable);
+    CHECK(words(0) == "immovable");
+    CHECK(verdict(firm).reason == StabilityReason::carried);
+    CHECK(words(firm) == "whatever is put on it is carried");
+    CHECK(verdict(rising).reason == StabilityReason::moving);
+    CHECK(words(rising) == "goes up, sinks or tips");
+    for (const int body : {beside, neighbour}) {
+      CHECK(verdict(body).reason == StabilityReason::side_contact);
+      CHECK(pair_of(body) == std::vector<int>{beside, neighbour});
+      CHECK(words(body) == "the contact of box2 and box3 is not below or above");
+    }
+    CHECK(verdict(on_it).reason == StabilityReason::unstable_support);
+    CHECK(pair_of(on_it) == std::vector<int>{beside, on_it});
+    CHECK(words(on_it) == "of box2 and box4, the lower one is not stable");
+    // Of the three corners that hang over, the one that does so by most.
+    CHECK(verdict(over).reason == StabilityReason::corner);
+    CHECK(verdict(over).corner_xz == Vec2(0.75, 0.625));
+    CHECK(words(over) == "the corner at x = 0.75, z = 0.625 is not carried");
+  }
+  CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Catch::Matchers::Contains("99"));
+}
+
+TEST_CASE("A prism is judged by the hull under its own outline, and never by four corners",
+          "[exact][geometric_stability]") {
+  // A triangular prism on three posts; the library takes its body for the box around it.
+  Pile pile;
+  const std::vector<Vec2> triangle{{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
+  for (const Vec2& corner : triangle)
+    pile.add_fixed(Vec3(corner.x(), 0.5, corner.y()), Vec3(0.4, 1.0, 0.4));
+  pile.gather();
+  const int prism = pile.add(Vec3(0.0, 1.5, 0.0), Vec3(2.0, 1.0, 2.0));
+  for (int post = 0; post < 3; ++post) {
+    Contact contact;
+    contact.first = post + 1;
+    contact.second = prism;
+    contact.count = 1;
+    const Vec2& corner = triangle[static_cast<std::size_t>(post)];
+    contact.points[0].position_w = Vec3(corner.x(), 1.0, corner.y());
+    pile.contacts.push_back(contact);
+  }
+  std::vector<GeometricStability::Outline> outlines(pile.world.bodies().size());
+  outlines.back() = triangle;
+  GeometricStability stability;
+  std::vector<char> stable;
+  const auto is_stable = [&](StableRule rule) {
+    stability.run(pile.world, pile.contacts, rule, 0.02, stable, outlines);
+    return stable.back() != 0;
+  };
+  CHECK_FALSE(is_stable(StableRule::corners));
+  CHECK(is_stable(StableRule::hull));
+  // As the box around it, it has corners that nothing carries.
+  stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
+  CHECK(stable.back() == 0);
+  // The last post is 3 cm short of the corner, three times the tolerance.
+  pile.contacts.back().points[0].position_w.z() -= 0.03;
+  CHECK_FALSE(is_stable(StableRule::hull));
+  const StabilityVerdict verdict = stability.verdict(pile.world, prism);
+  CHECK(verdict.reason == StabilityReason::corner);
+  CHECK(verdict.corner_xz == triangle.back());
+  outlines.pop_back();
+  CHECK_THROWS_WITH(is_stable(StableRule::hull), Catch::Matchers::Contains("outlines: 4 for 5"));
+}
+
+TEST_CASE("Where it is looked at, who sinks, tips or rocks is not steady, and who slides is",
+          "[exact][geometric_stability]") {
+  const auto stable_with = [](const Vec3& momentum_w, const Vec3& angular_w, double steady) {
+    Pile pile;
+    pile.add(Vec3(0.0, 0.5, 0.0));
+    pile.world.states()[1].linear_momentum_w = momentum_w;
+    pile.world.states()[1].angular_momentum_w = angular_w;
+    pile.gather();
+    StabilityTolerances tolerances;
+    tolerances.steady = steady;
+    GeometricStability stability(tolerances);
+    std::vector<char> stable;
+    stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
+    CHECK((stable[1] != 0) ==
+          (stability.verdict(pile.world, 1).reason == StabilityReason::carried));
+    return stable[1] != 0;
+  };
+  const double none = std::numeric_limits<double>::infinity();
+  // The limit is 1e-3 sqrt(9.81) = 3.1 mm/s; a cube of 1 kg turns with 6 times its angular momentum, and
+  // its corners are 0.87 m away.
+  const Vec3 zero = Vec3::Zero();
+  CHECK(stable_with(Vec3(0.0, -0.1, 0.0), zero, none));
+  CHECK_FALSE(stable_with(Vec3(0.0, -0.1, 0.0), zero, 1e-3));
+  CHECK(stable_with(Vec3(0.0, -3.0e-3, 0.0), zero, 1e-3));
+  CHECK_FALSE(stable_with(Vec3(0.0, -3.2e-3, 0.0), zero, 1e-3));
+  CHECK(stable_with(zero, Vec3(5.9e-4, 0.0, 0.0), 1e-3));
+  CHECK_FALSE(stable_with(zero, Vec3(6.2e-4, 0.0, 0.0), 1e-3));
+  CHECK_FALSE(stable_with(zero, Vec3(0.0, 0.0, 6.2e-4), 1e-3));
+  CHECK(stable_with(Vec3(2.0, 0.0, 1.0), Vec3(0.0, 1.0, 0.0), 1e-3));
 }

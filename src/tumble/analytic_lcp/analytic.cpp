@@ -23,7 +23,8 @@ std::int64_t movable_bodies(const World& world) {
 ContactForceOptions force_options(const AnalyticOptions& options) {
   return {.solver = options.solver,
           .friction = options.friction == AnalyticFriction::coulomb,
-          .directions = options.directions};
+          .directions = options.directions,
+          .stable_boxes = options.stable_boxes};
 }
 
 }  // namespace
@@ -247,7 +248,8 @@ void Analytic::finish(World& world, const Progress& progress, StepReport& report
   if (report.status == StepStatus::unsolved) return;
   record_forces(recorded_at_, recorded_for_, report);
   if (options_.friction == AnalyticFriction::damping)
-    report.energy.damping += damping_.run(resting_, options_.damping, progress.dt, world);
+    report.energy.damping +=
+        damping_.run(resting_, forces_.held(), options_.damping, progress.dt, world);
   repair_bounds(world, 0.0, bounds_);
   broad_phase_->find_pairs(bounds_, candidates_);
   hold_.run(world, candidates_, report);

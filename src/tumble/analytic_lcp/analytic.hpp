@@ -1,7 +1,7 @@
 /// \file
 /// \brief Chronological collisions and analytic contact forces in one simulator (thesis 3.3.1).
 ///
-/// Uses no other chapter.
+/// Uses the chapter on geometric stability.
 #pragma once
 
 #include "tumble/analytic_lcp/contact_forces.hpp"
@@ -31,6 +31,7 @@ struct AnalyticOptions {
   AnalyticFriction friction = AnalyticFriction::coulomb;  ///< see there
   int directions = 8;                           ///< of the pyramid of friction in contacts: 4 or 8
   std::string solver = "augmented_lagrangian";  ///< of the problems without friction, by name
+  StableRule stable_boxes = StableRule::off;    ///< who is left out of the contact forces
   StickyOptions sticky;                         ///< which collisions stick
   ImpactOrder impacts = ImpactOrder::simultaneous;  ///< how several collisions at once are resolved
   double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
@@ -62,6 +63,9 @@ struct AnalyticOptions {
 /// forces themselves, as far as they only have to push; overlap above the slop is ended by moving
 /// bodies (HoldDrift).
 ///
+/// **Stable boxes** (5.4) can be left out of the forces, without friction or with damping in its place:
+/// see HeldBodies. Collisions still reach them.
+///
 /// **Painlevé.** Where friction has no solution the island takes one step at the level of velocities
 /// (VelocityStep); `fallbacks` counts them. Where no solver has an answer the step ends as
 /// StepStatus::unsolved, the bodies stay as they are at that moment, and unsolved_problem() can be
@@ -78,8 +82,8 @@ class Analytic : public Technique {
  public:
   /// Makes the technique.
   /// \param options see there
-  /// \throws std::invalid_argument for a value out of range or a solver that there is not, or the one
-  ///         that tries everything, which is for a few contacts only
+  /// \throws std::invalid_argument for a value out of range, a solver that there is not, or the one
+  ///         that tries everything, which is for a few contacts only; for stable boxes with friction
   explicit Analytic(const AnalyticOptions& options = {});
   /// A copy with all memory.
   /// \param other the original
@@ -92,12 +96,17 @@ class Analytic : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
   /// Impulses of every collision of the step, and the forces of its last flight at the pose in the
-  /// middle of it, where they are found.
+  /// middle of it, where they are found. Between bodies that are left out as stable no force is
+  /// known, and their contacts are not told.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] const LcpProblem* unsolved_problem() const override {
     return unsolved_ ? &forces_.unsolved() : nullptr;
   }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
+
+  /// Who was left out of the last forces as stable.
+  /// \return by body index, a Hold; empty with stable_boxes=off or before the first step
+  [[nodiscard]] std::span<const char> held() const { return forces_.held(); }
 
  private:
   // How far a step has come.

@@ -7,23 +7,12 @@
 
 #include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/dynamics/wrench.hpp"
 
 #include <span>
 #include <vector>
 
 namespace tumble {
-
-/// What acts on a body.
-struct Wrench {
-  Vec3 force_w = Vec3::Zero();   ///< [N] world frame
-  Vec3 torque_w = Vec3::Zero();  ///< [N m] about the centre of mass, world frame
-};
-
-/// How the motion of a body changes.
-struct Acceleration {
-  Vec3 linear_w = Vec3::Zero();   ///< [m/s²] of the centre of mass, world frame
-  Vec3 angular_w = Vec3::Zero();  ///< [rad/s²] world frame
-};
 
 /// Where a row of the problem comes from.
 struct ContactRow {

@@ -26,23 +26,30 @@ Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 }  // namespace
 
 ContactForces::ContactForces(const ContactForceOptions& options)
-    : options_(options), solver_(make_lcp_solver(options.solver)) {
+    : options_(options), solver_(make_lcp_solver(options.solver)), held_(options.stable_boxes) {
   require::that(options.directions == 4 || options.directions == 8,
                 "directions = " + std::to_string(options.directions) + ": give 4 or 8");
+  require::that(
+      !options.friction || options.stable_boxes == StableRule::off,
+      "stable_boxes: with Coulomb's friction a box that moves can drag a stable one along; "
+      "use friction=none or friction=damping, or stable_boxes=off");
 }
 
 ForceReport ContactForces::solve(const World& world, std::span<const MovingBody> bodies,
                                  std::span<Contact> contacts, const ForceAim& aim) {
-  const Task task{&world, bodies, aim};
+  const Task task{&world, held_.find(world, bodies, contacts), aim};
   ForceReport report;
-  free_accelerations(world, bodies, free_);
-  total_.assign(free_.begin(), free_.end());
+  free_accelerations(world, task.bodies, free_);
   wrenches_.assign(bodies.size(), Wrench{});
-  islands_.build(world.bodies(), contacts);
+  held_.hold(world, aim.relaxation, free_, wrenches_);
+  total_.assign(free_.begin(), free_.end());
+  for (int b = 0; b < world.count(); ++b) report.stable += held_.holds(world, b) ? 1 : 0;
+  islands_.build(world.bodies(), contacts, held_.held());
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> which = islands_.contacts(i);
     if (which.empty()) continue;
     load(task, contacts, which);
+    report.unknowns += problem_.lcp().size();
     // [S5.3:without_friction]
     // The symmetric problem first. Its answer is right with friction
     // too if no point that is pushed slides, or would begin to.
@@ -103,10 +110,12 @@ void ContactForces::load(const Task& task, std::span<const Contact> contacts,
 bool ContactForces::solve_normals(ForceReport& report) {
   solver_->solve(problem_.lcp(), result_, start_);
   report.pivots += result_.pivots;
+  report.multiplications += result_.multiplications;
   // Once more, without what was known: that problem can be solved again elsewhere.
   if (!holds(result_)) {
     solver_->solve(problem_.lcp(), result_);
     report.pivots += result_.pivots;
+    report.multiplications += result_.multiplications;
   }
   if (!holds(result_)) {
     report.status = result_.status == LcpStatus::solved ? LcpStatus::singular : result_.status;
@@ -201,7 +210,7 @@ bool ContactForces::take_velocity_step(const Task& task, ForceReport& report) {
 void ContactForces::apply_pushes(const Task& task, std::span<const int> members) {
   for (const int b : members) wrenches_[at(b)] = Wrench{};
   const auto add = [&](int body, const Vec3& point_w, const Vec3& push_w) {
-    if (!task.world->bodies()[at(body)].movable()) return;
+    if (!task.world->bodies()[at(body)].movable() || held_.holds(*task.world, body)) return;
     wrenches_[at(body)].force_w += push_w;
     wrenches_[at(body)].torque_w += (point_w - task.bodies[at(body)].position_w).cross(push_w);
   };

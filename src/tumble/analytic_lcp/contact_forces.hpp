@@ -1,12 +1,13 @@
 /// \file
 /// \brief The forces between bodies that rest on each other, at one instant (thesis 2.6, 3.3.1).
 ///
-/// Uses no other chapter.
+/// Uses the chapter on geometric stability.
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
 #include "tumble/analytic_lcp/friction_lemke.hpp"
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
+#include "tumble/analytic_lcp/held_bodies.hpp"
 #include "tumble/analytic_lcp/velocity_step.hpp"
 #include "tumble/contact/islands.hpp"
 
@@ -23,6 +24,7 @@ struct ContactForceOptions {
   std::string solver = "augmented_lagrangian";  ///< of problems without friction, by name
   bool friction = true;                         ///< Coulomb's, or none
   int directions = 8;                           ///< of the pyramid of friction: 4 or 8
+  StableRule stable_boxes = StableRule::off;    ///< who is left out; without friction only
 };
 
 /// What the forces are to bring about, and for how long they will act.
@@ -41,6 +43,9 @@ struct ForceReport {
   LcpStatus status = LcpStatus::solved;  ///< anything else: see unsolved()
   int without_solution = 0;              ///< islands that took a VelocityStep
   int pivots = 0;                        ///< of all solvers
+  int unknowns = 0;                      ///< points whose normal force was looked for
+  int stable = 0;                        ///< movable bodies that were left out
+  std::int64_t multiplications = 0;      ///< of the solver of problems without friction
   /// [s] from now until the first sliding point comes to rest; infinity: none does
   double slip_ends = std::numeric_limits<double>::infinity();
 };
@@ -57,6 +62,10 @@ struct ForceReport {
 /// problem of FrictionPyramid is solved: points that slide have friction against their sliding,
 /// the others may stick.
 ///
+/// **Stable boxes** can be left out of problems without friction (HeldBodies): contacts among them
+/// then have no force. With friction that is refused, since a box that is dragged along drags a stable
+/// one.
+///
 /// **Where no forces are found for friction** the island takes a VelocityStep over the whole
 /// duration, and its impulses are spread over that time. Mostly there are none (Painlevé's paradox:
 /// Lemke's method ends on a ray); seldom rounding has kept the method from them.
@@ -66,7 +75,8 @@ class ContactForces {
  public:
   /// Makes the solvers.
   /// \param options see there
-  /// \throws std::invalid_argument for a solver or a number of directions that there is not
+  /// \throws std::invalid_argument for a solver or a number of directions that there is not, or for
+  ///         stable boxes with friction
   explicit ContactForces(const ContactForceOptions& options);
 
   /// Finds the forces.
@@ -87,6 +97,10 @@ class ContactForces {
   /// How bodies accelerate under gravity and these forces.
   /// \return one for each body index
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return total_; }
+
+  /// Who is left out as stable.
+  /// \return by body index, a Hold; empty if nobody is to be left out
+  [[nodiscard]] std::span<const char> held() const { return held_.held(); }
 
   /// The problem that could not be solved.
   /// \return of the last solve(), if it was not solved
@@ -119,6 +133,7 @@ class ContactForces {
   ContactForceOptions options_;
   std::unique_ptr<LcpSolver> solver_;
   FrictionLemkeSolver friction_solver_;
+  HeldBodies held_;
 
   // Of one call, by body index.
   std::vector<Acceleration> free_;   // without contact forces

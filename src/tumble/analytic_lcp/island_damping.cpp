@@ -19,14 +19,17 @@ bool pushes(const Contact& contact) {
 
 }  // namespace
 
-double IslandDamping::run(std::span<const Contact> contacts, const DampingShares& shares, double dt,
-                          World& world) {
+double IslandDamping::run(std::span<const Contact> contacts, std::span<const char> held,
+                          const DampingShares& shares, double dt, World& world) {
   constexpr double kStepsPerSecond = 60.0;  // of the thesis's constants
   const double k1 = elementary::pow(shares.velocity, kStepsPerSecond * dt);
   const double k2 = elementary::pow(shares.spin, kStepsPerSecond * dt);
   pushing_.clear();
+  const auto stand = [&](const Contact& contact) {
+    return !held.empty() && held[at(contact.first)] != 0 && held[at(contact.second)] != 0;
+  };
   for (const Contact& contact : contacts)
-    if (pushes(contact)) pushing_.push_back(contact);
+    if (pushes(contact) || stand(contact)) pushing_.push_back(contact);
   islands_.build(world.bodies(), pushing_);
 
   double added = 0.0;

@@ -31,12 +31,14 @@ class IslandDamping {
  public:
   /// Slows bodies down.
   /// \param contacts  with the impulses of the last flight; a contact without any does not count
+  /// \param held      by body index, not 0: its forces are not known; contacts of two such bodies do
+  ///                  count. May be empty
   /// \param shares    see there
   /// \param dt        [s] the time step
   /// \param world     momenta in and out
   /// \return [J] energy added: 0 or below
-  double run(std::span<const Contact> contacts, const DampingShares& shares, double dt,
-             World& world);
+  double run(std::span<const Contact> contacts, std::span<const char> held,
+             const DampingShares& shares, double dt, World& world);
 
  private:
   ContactList pushing_;

@@ -182,20 +182,6 @@ inline constexpr double damped_slow_factor = 0.5;
 /// [-] k7: ditto of slow components of angular momentum. Reason: as for k5. (5.3)
 inline constexpr double damped_slow_spin_factor = 0.5;
 
-/// [-] How far surfaces may be apart and still hold up a body, as a share of the shortest edge of
-/// the two, when it is asked who stands firm. Reason: repair leaves gaps of up to ε1. (5.4)
-inline constexpr double stability_margin = 2e-3;
-
-/// [-] Largest sine between a contact normal and the vertical at which the contact counts as
-/// vertical. Reason: upright boxes of a pile lean by less than 1e-3; at 3e-3 a load of 300 pushes
-/// aside with a weight of one. (5.4)
-inline constexpr double vertical_normal = 3e-3;
-
-/// [-] How far a support may miss a corner sideways and still hold it, as a share of the body's
-/// shortest edge. Reason: the lever of what is held then is shorter by a hundredth; boxes that
-/// stand edge on edge differ by as much after they have been put upright. (5.4)
-inline constexpr double corner_support = 1e-2;
-
 /// [-] Collisions faster than this share of sqrt(gL) are varied at random. Reason: 1.6 m/s for a
 /// box of 1 m, the fall from an eighth of its height; a box that rocks to rest is slower. (4.2)
 inline constexpr double noisy_speed = 0.5;

@@ -40,21 +40,28 @@ void sort_by_island(std::span<const int> island, int islands, std::vector<int>& 
 
 }  // namespace
 
-void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts) {
+void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts,
+                    std::span<const char> walls) {
   pairs_.clear();
   for (const Contact& contact : contacts) pairs_.push_back({contact.first, contact.second});
-  build_from_pairs(bodies, pairs_);
+  build_from_pairs(bodies, pairs_, walls);
 }
 
 void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
-                               std::span<const IndexPair> contacts) {
+                               std::span<const IndexPair> contacts, std::span<const char> walls) {
+  if (!walls.empty() && walls.size() != bodies.size())
+    require::that(false, "walls: " + std::to_string(walls.size()) + " entries for " +
+                             std::to_string(bodies.size()) + " bodies: give one each, or none");
+  const auto movable = [&](std::size_t body) {
+    return bodies[body].movable() && (walls.empty() || walls[body] == 0);
+  };
   // Join the two sets of every contact under the smaller root: the root of an island is then its
   // smallest index, whatever the order of the contacts.
   parent_.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) parent_[b] = static_cast<int>(b);
   for (const IndexPair& contact : contacts) {
     check(contact, static_cast<int>(bodies.size()));
-    if (!bodies[at(contact.first)].movable() || !bodies[at(contact.second)].movable()) continue;
+    if (!movable(at(contact.first)) || !movable(at(contact.second))) continue;
     int lower = root_of(contact.first);
     int upper = root_of(contact.second);
     if (lower > upper) std::swap(lower, upper);
@@ -66,7 +73,7 @@ void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
   int islands = 0;
   island_.assign(bodies.size(), kNone);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (!bodies[b].movable()) continue;
+    if (!movable(b)) continue;
     const int root = root_of(static_cast<int>(b));
     island_[b] = root == static_cast<int>(b) ? islands++ : island_[at(root)];
   }

@@ -28,14 +28,18 @@ class Islands {
   /// Finds the islands.
   /// \param bodies    the constant parts, for who is immovable
   /// \param contacts  bodies that touch; only their indices `first` and `second` are read
-  /// \throws std::invalid_argument for an index out of range
-  void build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts);
+  /// \param walls     by body index, not 0: counts as immovable. May be empty: nobody else does
+  /// \throws std::invalid_argument for an index out of range, or walls of another length
+  void build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts,
+             std::span<const char> walls = {});
 
   /// Finds the islands from pairs of bodies that touch; their places count as those of contacts.
   /// \param bodies  the constant parts, for who is immovable
   /// \param pairs   indices of bodies that touch, each pair in either order
-  /// \throws std::invalid_argument for an index out of range
-  void build_from_pairs(std::span<const BodyProperties> bodies, std::span<const IndexPair> pairs);
+  /// \param walls   see build()
+  /// \throws std::invalid_argument for an index out of range, or walls of another length
+  void build_from_pairs(std::span<const BodyProperties> bodies, std::span<const IndexPair> pairs,
+                        std::span<const char> walls = {});
 
   /// How many islands there are.
   /// \return from 0

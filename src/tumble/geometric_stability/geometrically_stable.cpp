@@ -4,10 +4,14 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <tuple>
 
 namespace tumble {
@@ -17,18 +21,25 @@ constexpr std::uint8_t kAllCorners = 0b1111;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// Along the positive or negative y axis.
-bool vertical(const Vec3& normal_w) {
-  return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <=
-         tolerance::vertical_normal;
+// [m/s] How fast a body sinks or rises, or its rim does as it tips.
+double moves(const BodyProperties& body, const BodyState& state) {
+  const Vec3 omega_w = angular_velocity(body, state);
+  const double tips = std::sqrt(omega_w.x() * omega_w.x() + omega_w.z() * omega_w.z());
+  return std::abs(velocity(body, state).y()) + 0.5 * body.size.norm() * tips;
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+// A coordinate as a reader wants it.
+std::string coordinate(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(4) << value;
+  return text.str();
+}
 
 }  // namespace
 
 StableRule stable_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> kNames{"off", "corners", "hull"};
+  static constexpr std::array<std::string_view, 4> kNames{"off", "corners", "hull", "equilibrium"};
   const auto found = std::find(kNames.begin(), kNames.end(), name);
   require::that(found != kNames.end(),
                 "stable_boxes = " + std::string(name) + ": " + expected_names(name, kNames));
@@ -36,8 +47,14 @@ StableRule stable_rule_from(std::string_view name) {
 }
 
 void GeometricStability::run(const World& world, std::span<const Contact> contacts, StableRule rule,
-                             double rising, std::vector<char>& stable) {
+                             double rising, std::vector<char>& stable,
+                             std::span<const Outline> outlines) {
   const std::span<const BodyProperties> objects = world.bodies();
+  if (!outlines.empty() && outlines.size() != objects.size())
+    require::that(false, "outlines: " + std::to_string(outlines.size()) + " for " +
+                             std::to_string(objects.size()) + " bodies: give one each, or none");
+  outlines_.assign(outlines.begin(), outlines.end());
+  rule_ = rule;
   // [SETGEOMETRICALLYSTABLE:1-5]
   // What has infinite mass is stable, whatever touches it.
   stable.resize(objects.size());
@@ -68,15 +85,16 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
       ++held_[at(c.top)];
       if (stable[at(c.top)] != 0) continue;
       mark_projected_corners(world, c);
-      if (vetoed_[at(c.top)] != 0 || held_[at(c.top)] != below_[at(c.top)]) continue;
+      if (vetoes_[at(c.top)] != kNone || held_[at(c.top)] != below_[at(c.top)]) continue;
       const bool firm =
-          rule == StableRule::hull ? covered(world, c.top) : corners_[at(c.top)] == kAllCorners;
+          rule == StableRule::corners ? corners_[at(c.top)] == kAllCorners : covered(world, c.top);
       if (!firm) continue;
       stable[at(c.top)] = 1;
       found = true;
     }
     // [SETGEOMETRICALLYSTABLE:7-17]
   }
+  stable_ = stable;
   // [SETGEOMETRICALLYSTABLE:21]
   return;
   // [SETGEOMETRICALLYSTABLE:21]
@@ -84,35 +102,39 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
 
 void GeometricStability::find_vetoes(const World& world, std::span<const Contact> contacts,
                                      double rising) {
-  vetoed_.assign(world.bodies().size(), 0);
+  vetoes_.assign(world.bodies().size(), kNone);
   // [SETGEOMETRICALLYSTABLE:18-20]
   // A contact from the side speaks against both bodies, and
   // nothing that comes later overrules it.
-  for (const Contact& contact : contacts) {
-    if (vertical(contact.normal_w)) continue;
-    vetoed_[at(contact.first)] = 1;
-    vetoed_[at(contact.second)] = 1;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (is_vertical(contacts[c].normal_w, tolerances_.vertical)) continue;
+    for (const int body : {contacts[c].first, contacts[c].second})
+      if (vetoes_[at(body)] == kNone) vetoes_[at(body)] = static_cast<int>(c);
   }
   // [SETGEOMETRICALLYSTABLE:18-20]
   const double g = world.gravity_w.norm();
-  for (std::size_t o = 0; o < vetoed_.size(); ++o) {
+  for (std::size_t o = 0; o < vetoes_.size(); ++o) {
     const BodyProperties& body = world.bodies()[o];
     if (!body.movable()) continue;
-    const double limit = rising * body.mass * std::sqrt(g * body.size.minCoeff());
-    if (world.states()[o].linear_momentum_w.y() > limit) vetoed_[o] = 1;
+    const double speed = std::sqrt(g * body.size.minCoeff());
+    const BodyState& state = world.states()[o];
+    if (state.linear_momentum_w.y() > rising * body.mass * speed) vetoes_[o] = kMoving;
+    if (moves(body, state) > tolerances_.steady * speed) vetoes_[o] = kMoving;
   }
 }
 
 void GeometricStability::sort_contact_points_ascending(std::span<const Contact> contacts) {
   sorted_.clear();
-  for (const Contact& contact : contacts) {
-    if (!vertical(contact.normal_w)) continue;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!is_vertical(contact.normal_w, tolerances_.vertical)) continue;
     const bool second_is_top = contact.normal_w.y() > 0.0;
     for (int p = 0; p < contact.count; ++p) {
       const Vec3& position_w = contact.points[at(p)].position_w;
       const int top = second_is_top ? contact.second : contact.first;
       const int bottom = second_is_top ? contact.first : contact.second;
-      sorted_.push_back({position_w.y(), top, bottom, Vec2(position_w.x(), position_w.z())});
+      sorted_.push_back(
+          {position_w.y(), top, bottom, Vec2(position_w.x(), position_w.z()), static_cast<int>(c)});
       ++below_[at(top)];
     }
   }
@@ -126,78 +148,92 @@ void GeometricStability::sort_contact_points_ascending(std::span<const Contact> 
 void GeometricStability::mark_projected_corners(const World& world, const Point& c) {
   const BodyProperties& body = world.bodies()[at(c.top)];
   const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[at(c.top)]));
-  const double near = tolerance::corner_support * body.size.minCoeff();
+  const double near = tolerances_.corner * body.size.minCoeff();
   for (std::size_t k = 0; k < 4; ++k)
     if ((corners[k] - c.xz).norm() <= near)
       corners_[at(c.top)] = static_cast<std::uint8_t>(corners_[at(c.top)] | 1U << k);
 }
 
-// Whether the hull of the points on stable bodies covers the outline of a body.
-bool GeometricStability::covered(const World& world, int body) {
+// The hull of the points under a body that are on stable ones.
+void GeometricStability::take_hull(int body) {
   points_.clear();
   for (std::size_t i = 0; i < sorted_.size(); ++i)
     if (sorted_[i].top == body && holds_[i] != 0) points_.push_back(sorted_[i].xz);
   convex_hull(points_, hull_);
-  const Box box = box_of(world.bodies()[at(body)], world.states()[at(body)]);
-  const double near = tolerance::corner_support * world.bodies()[at(body)].size.minCoeff();
-  const std::array<Vec3, 8> outline = corners_of(box);
-  return std::all_of(outline.begin(), outline.end(), [&](const Vec3& corner_w) {
-    return hull_contains(hull_, Vec2(corner_w.x(), corner_w.z()), near);
-  });
 }
 
-std::array<Vec2, 4> lower_corners(const Box& box) {
-  int m = 0;
-  box.axes_w.row(1).cwiseAbs().maxCoeff(&m);
-  const int k = (m + 1) % 3;
-  const int l = (m + 2) % 3;
-  const int face = box.axes_w(1, m) > 0.0 ? 0 : 1 << m;
-  std::array<Vec2, 4> corners;
-  std::size_t next = 0;
-  for (const int offset : {0, 1 << k, 1 << k | 1 << l, 1 << l}) {
-    const Vec3 corner_w = corner_of(box, face | offset);
-    corners[next++] = Vec2(corner_w.x(), corner_w.z());
-  }
-  return corners;
-}
-
-void convex_hull(std::vector<Vec2>& points, std::vector<Vec2>& hull) {
-  const auto before = [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  hull.clear();
-  if (points.size() < 3) {
-    hull.assign(points.begin(), points.end());
+// The corners that are to be held.
+void GeometricStability::take_outline(const World& world, int body) {
+  outline_.clear();
+  if (!outlines_.empty() && !outlines_[at(body)].empty()) {
+    outline_.assign(outlines_[at(body)].begin(), outlines_[at(body)].end());
     return;
   }
-  // The lower side from left to right, then the upper one back.
-  const auto add = [&](const Vec2& p, std::size_t least) {
-    while (hull.size() >= least && hull.size() >= 2 &&
-           cross(hull[hull.size() - 1] - hull[hull.size() - 2], p - hull.back()) <= 0.0)
-      hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const Vec2& p : points) add(p, 2);
-  const std::size_t lower = hull.size() + 1;
-  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
-  hull.pop_back();  // the first point again
+  for (const Vec3& corner_w :
+       corners_of(box_of(world.bodies()[at(body)], world.states()[at(body)])))
+    outline_.emplace_back(corner_w.x(), corner_w.z());
 }
 
-bool hull_contains(std::span<const Vec2> hull, const Vec2& point, double margin) {
-  if (hull.empty()) return false;
-  bool inside = hull.size() >= 3;
-  double nearest = (hull[0] - point).norm();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec2& a = hull[i];
-    const Vec2 edge = hull[(i + 1) % hull.size()] - a;
-    if (hull.size() >= 3 && cross(edge, point - a) < 0.0) inside = false;
-    const double square = edge.squaredNorm();
-    const double along = square > 0.0 ? std::clamp(edge.dot(point - a) / square, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (a + along * edge - point).norm());
+// Whether that hull covers the outline of the body.
+bool GeometricStability::covered(const World& world, int body) {
+  take_hull(body);
+  const double near = tolerances_.corner * world.bodies()[at(body)].size.minCoeff();
+  take_outline(world, body);
+  return std::all_of(outline_.begin(), outline_.end(),
+                     [&](const Vec2& corner) { return hull_contains(hull_, corner, near); });
+}
+
+StabilityVerdict GeometricStability::verdict(const World& world, int body) {
+  require::that(
+      body >= 0 && at(body) < stable_.size(),
+      "body " + std::to_string(body) + ": run() has looked at " + std::to_string(stable_.size()));
+  if (!world.bodies()[at(body)].movable()) return {StabilityReason::immovable};
+  if (stable_[at(body)] != 0) return {StabilityReason::carried};
+  const int veto = vetoes_[at(body)];
+  if (veto == kMoving) return {StabilityReason::moving};
+  if (veto != kNone) return {StabilityReason::side_contact, veto};
+  for (const Point& c : sorted_)
+    if (c.top == body && stable_[at(c.bottom)] == 0)
+      return {StabilityReason::unstable_support, c.contact};
+
+  // Nothing but a corner is left: the one that is farthest from what holds.
+  take_hull(body);
+  const BodyProperties& properties = world.bodies()[at(body)];
+  take_outline(world, body);
+  if (rule_ == StableRule::corners) {
+    const std::array<Vec2, 4> corners = lower_corners(box_of(properties, world.states()[at(body)]));
+    outline_.clear();
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((corners_[at(body)] & 1U << k) == 0) outline_.push_back(corners[k]);
   }
-  return inside || nearest <= margin;
+  const auto worse = [&](const Vec2& a, const Vec2& b) {
+    return distance_to_hull(hull_, a) < distance_to_hull(hull_, b);
+  };
+  return {StabilityReason::corner, -1, *std::max_element(outline_.begin(), outline_.end(), worse)};
+}
+
+std::string told(const World& world, std::span<const Contact> contacts,
+                 const StabilityVerdict& verdict) {
+  const auto pair = [&] {
+    const Contact& contact = contacts[at(verdict.contact)];
+    return world.name(contact.first) + " and " + world.name(contact.second);
+  };
+  switch (verdict.reason) {
+    case StabilityReason::immovable:
+      return "immovable";
+    case StabilityReason::carried:
+      return "whatever is put on it is carried";
+    case StabilityReason::moving:
+      return "goes up, sinks or tips";
+    case StabilityReason::side_contact:
+      return "the contact of " + pair() + " is not below or above";
+    case StabilityReason::unstable_support:
+      return "of " + pair() + ", the lower one is not stable";
+    case StabilityReason::corner:
+      break;
+  }
+  return "the corner at x = " + coordinate(verdict.corner_xz.x()) +
+         ", z = " + coordinate(verdict.corner_xz.y()) + " is not carried";
 }
 
 }  // namespace tumble

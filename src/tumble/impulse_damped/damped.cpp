@@ -25,6 +25,8 @@ Damped::Damped(const Damped& other)
     : Technique(other),
       options_(other.options_),
       stable_ids_(other.stable_ids_),
+      stable_left_(other.stable_left_),
+      stable_under_w_(other.stable_under_w_),
       sleeping_(other.sleeping_),
       gatherer_(other.gatherer_),
       areas_(other.areas_) {}
@@ -94,10 +96,7 @@ void Damped::begin(World& world, double dt, StepReport& report) {
   }
   stable_.assign(world.bodies().size(), 0);
   for (std::size_t k = 0; k < stable_.size(); ++k)
-    stable_[k] = !world.bodies()[k].movable() ||
-                         std::binary_search(stable_ids_.begin(), stable_ids_.end(), world.ids()[k])
-                     ? 1
-                     : 0;
+    stable_[k] = !world.bodies()[k].movable() || keeps_mark(world, k) ? 1 : 0;
   for (bool woken = options_.sleeping; woken;) {
     bodies_.load(world, stable_);
     report.integrations += bodies_.predict(world, dt, options_.rotation);
@@ -107,6 +106,18 @@ void Damped::begin(World& world, double dt, StepReport& report) {
     woken = sleeping_.wake_touched(world, collisions_) > 0;
   }
   bodies_.load(world, stable_);
+}
+
+// Whether a body was marked, and nobody has done anything to it since.
+bool Damped::keeps_mark(const World& world, std::size_t body) const {
+  const auto found = std::lower_bound(stable_ids_.begin(), stable_ids_.end(), world.ids()[body]);
+  if (found == stable_ids_.end() || *found != world.ids()[body]) return false;
+  const BodyState& now = world.states()[body];
+  const BodyState& left = stable_left_[static_cast<std::size_t>(found - stable_ids_.begin())];
+  return world.gravity_w == stable_under_w_ && now.position_w == left.position_w &&
+         now.orientation_wb.coeffs() == left.orientation_wb.coeffs() &&
+         now.linear_momentum_w == left.linear_momentum_w &&
+         now.angular_momentum_w == left.angular_momentum_w;
 }
 
 // Line 3: gravity for all bodies that can fall. Stable ones have been stopped with it in mind.
@@ -138,6 +149,10 @@ void Damped::end(World& world, double dt, StepReport& report) {
     islands_.build(world.bodies(), collisions_);
     report.energy.damping += sleeping_.update(world, collisions_, islands_, dt).energy;
   }
+  stable_left_.clear();
+  for (const BodyId id : stable_ids_)
+    stable_left_.push_back(world.states()[static_cast<std::size_t>(world.index_of(id))]);
+  stable_under_w_ = world.gravity_w;
   record(world, dt, report);
   world.finish_step(dt);
 }

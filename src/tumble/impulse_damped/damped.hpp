@@ -49,7 +49,8 @@ struct DampedOptions {
 ///
 /// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
 /// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
-/// damping gets the step; overlap is looked for again where bodies have come to, for the pushes
+/// damping gets the step; who is pushed or moved between two steps, or gets another gravity, has no
+/// mark in the second one; overlap is looked for again where bodies have come to, for the pushes
 /// and, within tolerance::stability_margin, for the marks. The list of the last pass would be of
 /// places that no body has taken.
 /// \par Cost
@@ -81,6 +82,7 @@ class Damped : public Technique {
 
  private:
   void begin(World& world, double dt, StepReport& report);
+  [[nodiscard]] bool keeps_mark(const World& world, std::size_t body) const;
   void integrate_object_velocities(World& world, double dt) const;
   void end(World& world, double dt, StepReport& report);
   void tell_collisions(const World& world, double dt, StepReport& report);
@@ -89,7 +91,9 @@ class Damped : public Technique {
   DampedOptions options_;
 
   // Memory from step to step.
-  std::vector<BodyId> stable_ids_;  // movable bodies that are stable, ascending
+  std::vector<BodyId> stable_ids_;      // movable bodies that are stable, ascending
+  std::vector<BodyState> stable_left_;  // ditto: as the step has left them
+  Vec3 stable_under_w_ = Vec3::Zero();  // [m/s²] gravity of that step
   SleepingRule sleeping_;
 
   // Storage of one step, kept so that a warm step asks for no memory.

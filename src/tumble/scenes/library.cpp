@@ -17,6 +17,7 @@ const std::vector<SceneRecipe>& scene_library() {
     recipes::add_structures(list);
     recipes::add_sliding(list);
     recipes::add_balanced(list);
+    recipes::add_stability(list);
     recipes::add_thrown(list);
     return list;
   }();

@@ -28,6 +28,10 @@ void add_sliding(std::vector<SceneRecipe>& list);
 /// \param list gets the recipes
 void add_balanced(std::vector<SceneRecipe>& list);
 
+/// Boxes some of which cannot move, whatever presses on them: fig5_3, fig5_4, fig5_5, fig5_6, fig6_4.
+/// \param list gets the recipes
+void add_stability(std::vector<SceneRecipe>& list);
+
 /// Many boxes in motion: clump, projectile, dice, cage, toss; fig6_6, fig6_7.
 /// \param list gets the recipes
 void add_thrown(std::vector<SceneRecipe>& list);

@@ -1,0 +1,98 @@
+/// \file
+/// \brief Structures from the side, and how they start to move, as tables for gnuplot.
+#include "geometric_stability/balance_drawing.hpp"
+
+#include "tumble/math/elementary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tumble::chapters {
+namespace {
+
+// [-] Share of the fastest corner below which a box counts as one that stays.
+constexpr double kStays = 1e-6;
+
+double fastest_of(const World& world, std::span<const Acceleration> motion) {
+  double fastest = 0.0;
+  for (std::size_t b = 0; b < motion.size(); ++b)
+    if (world.bodies()[b].movable())
+      fastest = std::max(fastest, fastest_corner(world.bodies()[b], motion[b]));
+  return fastest;
+}
+
+}  // namespace
+
+Table boxes_table() {
+  return {"boxes",
+          {{"view", "-", "in which drawing"},
+           {"x_m", "m", "centre, to the right"},
+           {"y_m", "m", "centre, up"},
+           {"width_m", "m", "along x"},
+           {"height_m", "m", "along y"},
+           {"role", "-", "0: support; 1: stays; 2: starts to move"}}};
+}
+
+void add_boxes(const World& world, double view, std::span<const Acceleration> motion,
+               Table& table) {
+  const double fastest = fastest_of(world, motion);
+  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (body.shape != Shape::box) continue;
+    double role = body.movable() ? 1.0 : 0.0;
+    if (!motion.empty() && body.movable() && fastest_corner(body, motion[b]) > kStays * fastest)
+      role = 2.0;
+    const Vec3& p = world.states()[b].position_w;
+    table.rows.push_back({view, p.x(), p.y(), body.size.x(), body.size.y(), role});
+  }
+}
+
+StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> motion,
+                              double way) {
+  constexpr double longer = 4.0;  // [-] arrows over the way of their centres
+  StartOfMotion start{{"outlines",
+                       {{"x_m", "m", "from"},
+                        {"y_m", "m", "from"},
+                        {"dx_m", "m", "along the edge"},
+                        {"dy_m", "m", "along the edge"}}},
+                      {"arrows",
+                       {{"x_m", "m", "centre"},
+                        {"y_m", "m", "centre"},
+                        {"dx_m", "m", "four times its way until then"},
+                        {"dy_m", "m", "four times its way until then"}}}};
+  const double fastest = fastest_of(world, motion);
+  if (!(fastest > 0.0)) return start;
+  start.time = std::sqrt(2.0 * way / fastest);
+  const double half_square = way / fastest;  // [s²] t²/2
+  for (std::size_t b = 0; b < motion.size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (!body.movable() || fastest_corner(body, motion[b]) <= kStays * fastest) continue;
+    const Vec3 centre_w = world.states()[b].position_w;
+    const Vec3 moved_w = half_square * motion[b].linear_w;
+    const double turn = half_square * motion[b].angular_w.z();
+    start.arrows.rows.push_back(
+        {centre_w.x(), centre_w.y(), longer * moved_w.x(), longer * moved_w.y()});
+    const double cosine = elementary::cos(turn);
+    const double sine = elementary::sin(turn);
+    std::array<Vec2, 4> corners;
+    constexpr double kSides[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double x = kSides[k][0] * body.size.x();
+      const double y = kSides[k][1] * body.size.y();
+      corners[k] = Vec2(centre_w.x() + moved_w.x() + cosine * x - sine * y,
+                        centre_w.y() + moved_w.y() + sine * x + cosine * y);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec2 edge = corners[(k + 1) % 4] - corners[k];
+      start.outlines.rows.push_back({corners[k].x(), corners[k].y(), edge.x(), edge.y()});
+    }
+  }
+  return start;
+}
+
+double fastest_corner(const BodyProperties& body, const Acceleration& motion) {
+  return motion.linear_w.norm() + 0.5 * body.size.norm() * motion.angular_w.norm();
+}
+
+}  // namespace tumble::chapters

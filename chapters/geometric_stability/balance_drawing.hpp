@@ -1,0 +1,45 @@
+/// \file
+/// \brief Structures from the side, and how they start to move, as tables for gnuplot.
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+#include "tumble/dynamics/wrench.hpp"
+
+#include "driver/figure.hpp"
+
+#include <span>
+
+namespace tumble::chapters {
+
+/// A table of boxes seen along z.
+/// \return named "boxes", without rows
+Table boxes_table();
+
+/// Adds the boxes of a world.
+/// \param world   upright boxes
+/// \param view    the first column: in which drawing they stand
+/// \param motion  how they start to move, by body index; empty: not at all
+/// \param table   from boxes_table(); gets a row for each box
+void add_boxes(const World& world, double view, std::span<const Acceleration> motion, Table& table);
+
+/// How boxes start to move, seen along z.
+struct StartOfMotion {
+  Table outlines;     ///< "outlines": edges of the boxes a moment later, as vectors
+  Table arrows;       ///< "arrows": from each centre that moves, along its way, longer
+  double time = 0.0;  ///< [s] that moment: the way of a point is a t²/2
+};
+
+/// Draws the start of a motion from rest.
+/// \param world   upright boxes
+/// \param motion  accelerations, by body index
+/// \param way     [m] of the fastest corner until the moment that is drawn
+/// \return outlines and arrows of the boxes that move
+StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> motion, double way);
+
+/// How fast the fastest corner of a box starts to move.
+/// \param body    its size
+/// \param motion  its acceleration
+/// \return [m/s²] at most, for any direction of the box
+double fastest_corner(const BodyProperties& body, const Acceleration& motion);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,201 @@
+/// \file
+/// \brief Structures at rest, and what tests of their balance say.
+#include "geometric_stability/balance_probe.hpp"
+
+#include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/analytic_lcp/baraff.hpp"
+#include "tumble/base/error.hpp"
+#include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/towers.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include "driver/csv.hpp"
+#include "driver/settings.hpp"
+#include "geometric_stability/pile_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// The contacts below a body.
+std::vector<int> supports_of(const Structure& structure, int body) {
+  std::vector<int> list;
+  for (int c = 0; c < static_cast<int>(structure.contacts.size()); ++c) {
+    const Contact& contact = structure.contacts[at(c)];
+    const int top = contact.normal_w.y() > 0.0 ? contact.second : contact.first;
+    if (top == body) list.push_back(c);
+  }
+  return list;
+}
+
+// Whether a place is above the hull of contacts, up to rounding.
+bool above(const Structure& structure, const std::vector<int>& contacts, const Vec3& place_w) {
+  std::vector<Vec2> points;
+  std::vector<Vec2> hull;
+  for (const int c : contacts)
+    for (int p = 0; p < structure.contacts[at(c)].count; ++p) {
+      const Vec3& point_w = structure.contacts[at(c)].points[at(p)].position_w;
+      points.emplace_back(point_w.x(), point_w.z());
+    }
+  convex_hull(points, hull);
+  constexpr double rounding = 1e-12;  // [m]
+  return hull_contains(hull, Vec2(place_w.x(), place_w.z()), rounding);
+}
+
+Vec3 middle_of(const Contact& contact) {
+  Vec3 sum = Vec3::Zero();
+  for (int p = 0; p < contact.count; ++p) sum += contact.points[at(p)].position_w;
+  return sum / contact.count;
+}
+
+}  // namespace
+
+Structure structure_of(World world) {
+  ContactList contacts = touching(world);
+  return {std::move(world), std::move(contacts)};
+}
+
+Structure structure_of(std::string_view scene, const std::vector<std::string>& settings) {
+  const SceneRecipe& recipe = scene_recipe(scene);
+  Parameters parameters = recipe.parameters();
+  set_all(parameters, settings);
+  return structure_of(build_world(recipe.build(parameters, Random(1))));
+}
+
+std::string set_to(std::string_view key, double value) {
+  return std::string(key) + '=' + full_text(value);
+}
+
+BalanceTask weights_of(const Structure& structure, int friction_edges) {
+  BalanceTask task;
+  task.contacts = structure.contacts;
+  task.friction_edges = friction_edges;
+  return task;
+}
+
+bool balanced(const Structure& structure, int friction_edges) {
+  StaticEquilibrium equilibrium;
+  return equilibrium.solve(structure.world, weights_of(structure, friction_edges)).balanced;
+}
+
+bool towers_stand(const Structure& structure) {
+  Towers towers;
+  towers.run(structure.world, structure.contacts, {});
+  for (int b = 0; b < structure.world.count(); ++b)
+    if (structure.world.bodies()[at(b)].movable() && towers.states()[at(b)] != TowerState::carried)
+      return false;
+  return true;
+}
+
+bool own_centres_stand(const Structure& structure) {
+  for (int b = 0; b < structure.world.count(); ++b)
+    if (structure.world.bodies()[at(b)].movable() &&
+        !above(structure, supports_of(structure, b), structure.world.states()[at(b)].position_w))
+      return false;
+  return true;
+}
+
+bool middles_stand(const Structure& structure) {
+  const World& world = structure.world;
+  std::vector<int> order(at(world.count()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return world.states()[at(a)].position_w.y() > world.states()[at(b)].position_w.y();
+  });
+  std::vector<double> mass(order.size(), 0.0);             // with what was put on it
+  std::vector<Vec3> moment_w(order.size(), Vec3::Zero());  // mass times place
+  for (const int b : order) {
+    const BodyProperties& body = world.bodies()[at(b)];
+    if (!body.movable()) continue;
+    mass[at(b)] += body.mass;
+    moment_w[at(b)] += body.mass * world.states()[at(b)].position_w;
+    const Vec3 centre_w = moment_w[at(b)] / mass[at(b)];
+    const std::vector<int> below = supports_of(structure, b);
+    if (!above(structure, below, centre_w)) return false;
+    require::that(below.size() <= 2, "a rule for one or two contacts below a body");
+    const auto hand_on = [&](int contact, double share) {
+      const Contact& c = structure.contacts[at(contact)];
+      const int under = c.first == b ? c.second : c.first;
+      mass[at(under)] += share * mass[at(b)];
+      moment_w[at(under)] += share * mass[at(b)] * middle_of(c);
+    };
+    double share = 1.0;
+    if (below.size() == 2) {
+      const double a = middle_of(structure.contacts[at(below[0])]).x();
+      share = (middle_of(structure.contacts[at(below[1])]).x() - centre_w.x()) /
+              (middle_of(structure.contacts[at(below[1])]).x() - a);
+      if (share < 0.0 || share > 1.0) return false;
+      hand_on(below[1], 1.0 - share);
+    }
+    hand_on(below[0], share);
+  }
+  return true;
+}
+
+double threshold(const std::function<bool(double)>& stands, double falls, double holds) {
+  if (stands(falls) || !stands(holds)) return std::numeric_limits<double>::quiet_NaN();
+  while (true) {
+    const double middle = 0.5 * falls + 0.5 * holds;
+    if (middle == falls || middle == holds) return holds;
+    (stands(middle) ? holds : falls) = middle;
+  }
+}
+
+BalanceWork work_of(const Structure& structure) {
+  BalanceWork work;
+  StaticEquilibrium equilibrium;
+  work.equilibrium = equilibrium.solve(structure.world, weights_of(structure));
+
+  std::vector<MovingBody> moving;
+  load_moving_bodies(structure.world, moving);
+  std::vector<Acceleration> accelerations;
+  free_accelerations(structure.world, moving, accelerations);
+  ContactProblem problem;
+  problem.assemble(structure.world, moving, accelerations, structure.contacts,
+                   std::numeric_limits<double>::infinity());
+  BaraffSolver solver;
+  LcpResult result;
+  solver.solve(problem.lcp(), result);
+  if (result.status != LcpStatus::solved) throw std::runtime_error("Baraff's method failed");
+  std::vector<Wrench> wrenches(moving.size());
+  problem.add_wrenches(result.f, wrenches);
+  accelerate(moving, wrenches, accelerations);
+  for (const Acceleration& a : accelerations)
+    work.fastest = std::max(work.fastest, a.linear_w.norm());
+  work.pivots = result.pivots;
+  work.multiplications = result.multiplications;
+  return work;
+}
+
+bool stays(const Structure& scene, std::string_view technique,
+           const std::vector<std::string>& settings, double seconds) {
+  constexpr double step = 1.0 / 60.0;  // [s]
+  constexpr double moved = 0.01;       // [m]
+  const TechniqueRecipe& recipe = technique_recipe(technique);
+  Parameters options = recipe.options();
+  set_all(options, settings);
+  const std::unique_ptr<Technique> runs = recipe.make(options, 1);
+  World world = scene.world;
+  while (world.time() < seconds - 0.5 * step) {
+    const StepReport report = runs->step(world, step);
+    if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
+      throw std::runtime_error("a step of " + std::string(technique) + " failed");
+    for (std::size_t b = 0; b < world.states().size(); ++b)
+      if ((world.states()[b].position_w - scene.world.states()[b].position_w).norm() > moved)
+        return false;
+  }
+  return true;
+}
+
+}  // namespace tumble::chapters

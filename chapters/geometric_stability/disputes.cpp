@@ -1,0 +1,132 @@
+/// \file
+/// \brief Bodies on which the two rules differ.
+#include "geometric_stability/disputes.hpp"
+
+#include "tumble/geometric_stability/upright.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "geometric_stability/pile_builder.hpp"
+#include "geometric_stability/pile_levels.hpp"
+#include "geometric_stability/pile_loads.hpp"
+#include "geometric_stability/prisms.hpp"
+#include "geometric_stability/random_piles.hpp"
+
+#include <numbers>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr StabilityTolerances kExact{tolerance::exact_vertical, tolerance::exact_corner};
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool second_is_top(const Contact& contact) { return contact.normal_w.y() > 0.0; }
+int top_of_pair(const Contact& c) { return second_is_top(c) ? c.second : c.first; }
+int bottom_of_pair(const Contact& c) { return second_is_top(c) ? c.first : c.second; }
+
+// Asks both rules about one body, and loads it.
+void judge(const StabilityTolerances& tolerances, Trial& trial) {
+  GeometricStability rules(tolerances);
+  rules.run(trial.world, trial.contacts, StableRule::hull, tolerance::resting_speed, trial.stable,
+            trial.outlines);
+  trial.hull = trial.stable[at(trial.body)] != 0;
+  trial.text = called_stable_by_text(trial.world, trial.contacts, tolerances)[at(trial.body)] != 0;
+  trial.moves = moves_under_loads(trial.world, trial.contacts, trial.outlines)[at(trial.body)] != 0;
+}
+
+}  // namespace
+
+std::vector<char> called_stable_by_text(const World& world, std::span<const Contact> contacts,
+                                        const StabilityTolerances& tolerances) {
+  std::vector<char> stable;
+  for (const BodyProperties& body : world.bodies()) stable.push_back(body.movable() ? 0 : 1);
+  std::vector<char> from_the_side(stable.size(), 0);
+  for (const Contact& c : contacts)
+    if (!is_vertical(c.normal_w, tolerances.vertical))
+      from_the_side[at(c.first)] = from_the_side[at(c.second)] = 1;
+  std::vector<unsigned> marked(stable.size(), 0U);  // a bit for each lower corner
+  for (bool found = true; found;) {
+    found = false;
+    for (const Contact& c : contacts) {
+      const int top = top_of_pair(c);
+      const bool holds = stable[at(bottom_of_pair(c))] != 0 && stable[at(top)] == 0;
+      if (!holds || from_the_side[at(top)] != 0) continue;
+      const BodyProperties& body = world.bodies()[at(top)];
+      const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[at(top)]));
+      for (int p = 0; p < c.count; ++p) {
+        const Vec3& point_w = c.points[at(p)].position_w;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+          if ((corners[k] - Vec2(point_w.x(), point_w.z())).norm() <=
+              tolerances.corner * body.size.minCoeff())
+            marked[at(top)] |= 1U << k;
+      }
+      if (marked[at(top)] != 0b1111U) continue;
+      stable[at(top)] = 1;
+      found = true;
+    }
+  }
+  return stable;
+}
+
+Trial cut_corner(Random& random) {
+  const double turn = random.uniform(0.5, 0.5 * std::numbers::pi - 0.5);
+  const double beyond = random.uniform(0.004, 0.014);  // [m]
+  const Quat turned = rotation_from_vector(Vec3(0.0, turn, 0.0));
+  const auto [s, c] = elementary::sincos(turn);
+  const double reaches = 0.5 * (s + c);  // [m] from the centre to the corner, along x
+  const BodyProperties block = fixed_box_properties(Vec3(4.0, 1.0, 4.0));
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  Trial trial;
+  trial.world.add(block, make_state(block, Vec3(0.0, 0.5, 0.0)));
+  trial.world.add(cube, make_state(cube, Vec3(2.0 + beyond - reaches, 1.5, 0.0), turned));
+  trial.contacts = touching(trial.world);
+  trial.body = 1;
+  judge({}, trial);
+  return trial;
+}
+
+Trial leaning_tower(double height) {
+  constexpr double lean = 2e-3;  // [rad]
+  const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, lean));
+  const BodyProperties block = fixed_box_properties(Vec3(3.0, 1.0, 3.0));
+  const BodyProperties tower = box_properties(Vec3(1.0, height, 1.0), 1.0);
+  Trial trial;
+  trial.world.add(block, make_state(block, Vec3::Zero(), turned));
+  trial.world.add(tower, make_state(tower, turned * Vec3(0.0, 0.5 + 0.5 * height, 0.0), turned));
+  trial.contacts = touching(trial.world);
+  trial.body = 1;
+  judge({}, trial);
+  return trial;
+}
+
+Trial prism_trial(int sides, Random& random) {
+  PrismOnBlocks scene = random_prism(sides, random);
+  Trial trial{std::move(scene.world), std::move(scene.contacts), std::move(scene.outlines),
+              scene.prism};
+  judge(kExact, trial);
+  return trial;
+}
+
+std::vector<Trial> pile_disputes(std::uint64_t seed) {
+  std::vector<Trial> trials;
+  Trial trial;
+  trial.world = random_pile(seed);
+  trial.contacts = touching(trial.world);
+  trial.stable = called_stable(StabilityLevel::hull, trial.world, trial.contacts);
+  const std::vector<char> text = called_stable_by_text(trial.world, trial.contacts, kExact);
+  std::vector<char> moves;
+  for (int b = 0; b < trial.world.count(); ++b) {
+    trial.body = b;
+    trial.text = text[at(b)] != 0;
+    trial.hull = trial.stable[at(b)] != 0;
+    if (!trial.differ()) continue;
+    if (moves.empty()) moves = moves_under_loads(trial.world, trial.contacts);
+    trial.moves = moves[at(b)] != 0;
+    trials.push_back(trial);
+  }
+  return trials;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,155 @@
+/// \file
+/// \brief Lowering boxes onto boxes.
+#include "geometric_stability/pile_builder.hpp"
+
+#include "tumble/contact/gather.hpp"
+#include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/upright.hpp"
+#include "tumble/geometry/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tumble::chapters {
+namespace {
+
+// What is exact has no more than rounding; what is not is at least so far off.
+constexpr double kRounding = 1e-10;  // [m] clipping to a face widens it by 1e-12 of itself
+constexpr double kGap = 5e-3;        // [m]
+constexpr double kCorner = 0.02;     // [-] of the shortest edge
+constexpr double kLean = 0.01;       // [-] sine
+constexpr double kNowhere = -std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool nearly(double distance, double near) { return distance > kRounding && distance < near; }
+
+// The height of a box's centre at which it comes to touch another one from above; none if it goes past
+// it. Two boxes have a point in common if their shadows on each of 15 axes have: each axis allows a stretch
+// of heights, and of what is common to all stretches it is the upper end.
+double height_on(const Box& box, const Box& below) {
+  double low = kNowhere;
+  double high = -kNowhere;
+  const Vec3 level_w(box.center_w.x() - below.center_w.x(), 0.0,
+                     box.center_w.z() - below.center_w.z());
+  const auto look = [&](const Vec3& axis_w) {
+    const double across = Vec2(axis_w.x(), axis_w.z()).norm();
+    const double reaches = reach(box, axis_w) + reach(below, axis_w);
+    const double apart = level_w.dot(axis_w);
+    if (std::abs(axis_w.y()) <= kRounding * across) {
+      if (std::abs(apart) >= reaches - kRounding) high = kNowhere;
+      return;
+    }
+    const double middle = -apart / axis_w.y();
+    low = std::max(low, middle - reaches / std::abs(axis_w.y()));
+    high = std::min(high, middle + reaches / std::abs(axis_w.y()));
+  };
+  for (int i = 0; i < 3; ++i) {
+    look(box.axes_w.col(i));
+    look(below.axes_w.col(i));
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 axis_w = box.axes_w.col(i).cross(below.axes_w.col(j));
+      // Of two upright boxes the vertical is among the faces' axes, and exact there.
+      const bool vertical = is_vertical(axis_w, kRounding);
+      if (!vertical) look(axis_w.normalized());
+    }
+  }
+  return high - low <= kRounding ? kNowhere : below.center_w.y() + high;
+}
+
+BodyState raised(BodyState state, double height) {
+  state.position_w.y() = height;
+  return state;
+}
+
+}  // namespace
+
+bool PileBuilder::lower(const BodyProperties& body, const BodyState& state) {
+  const Box box = box_of(body, state);
+  double height = reach(box, Vec3::UnitY());
+  for (int k = 1; k < world_.count(); ++k)
+    height =
+        std::max(height, height_on(box, box_of(world_.bodies()[at(k)], world_.states()[at(k)])));
+  return add(body, raised(state, height));
+}
+
+bool PileBuilder::add(const BodyProperties& body, const BodyState& state) {
+  if (!clear(box_of(body, state))) return false;
+  const BodyId id = world_.add(body, state);
+  if (contacts_are_plain()) return true;
+  world_.remove(id);
+  return false;
+}
+
+// Whether a box is at a distance from all others that is 0 or clearly more.
+bool PileBuilder::clear(const Box& box) const {
+  const double above_ground = box.center_w.y() - reach(box, Vec3::UnitY());
+  if (above_ground < -kRounding || nearly(above_ground, kGap)) return false;
+  const SeparationOptions exact{.prefer_faces = false,
+                                .enough = std::numeric_limits<double>::infinity()};
+  for (int k = 1; k < world_.count(); ++k) {
+    const Box other = box_of(world_.bodies()[at(k)], world_.states()[at(k)]);
+    const double distance = separation(box, other, exact).distance;
+    if (distance < -kRounding || nearly(distance, kGap)) return false;
+  }
+  return true;
+}
+
+// Whether no contact of the last body lacks a little to what it seems to be.
+bool PileBuilder::contacts_are_plain() const {
+  for (const Contact& contact : touching(world_, kGap)) {
+    if (contact.second != world_.count() - 1) continue;
+    const double lean = Vec2(contact.normal_w.x(), contact.normal_w.z()).norm();
+    if (nearly(lean, kLean)) return false;
+    const BodyProperties& body = world_.bodies()[at(contact.second)];
+    const double near = kCorner * body.size.minCoeff();
+    const std::array<Vec2, 4> corners =
+        lower_corners(box_of(body, world_.states()[at(contact.second)]));
+    for (int p = 0; p < contact.count; ++p) {
+      const ContactPoint& point = contact.points[at(p)];
+      if (nearly(std::abs(point.distance), kGap)) return false;
+      const Vec2 xz(point.position_w.x(), point.position_w.z());
+      for (const Vec2& corner : corners)
+        if (nearly((corner - xz).norm(), near)) return false;
+      for (int q = 0; q < p; ++q)
+        if (nearly((contact.points[at(q)].position_w - point.position_w).norm(), near))
+          return false;
+    }
+  }
+  return true;
+}
+
+ContactList touching(const World& world, double margin) {
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  std::vector<IndexPair> pairs;
+  for (int a = 0; a < world.count(); ++a)
+    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
+  ContactList contacts;
+  gather_contacts(world, moving, pairs, margin, {}, contacts);
+  return contacts;
+}
+
+World reordered(const World& world, Random& random) {
+  std::vector<std::size_t> order(world.bodies().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+  World other;
+  for (const std::size_t k : order) {
+    if (world.bodies()[k].shape == Shape::ground)
+      other.add_ground();
+    else
+      other.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
+  }
+  return other;
+}
+
+void shuffle(ContactList& contacts, Random& random) {
+  for (std::size_t i = contacts.size(); i > 1; --i)
+    std::swap(contacts[i - 1], contacts[random.below(static_cast<std::uint32_t>(i))]);
+}
+
+}  // namespace tumble::chapters

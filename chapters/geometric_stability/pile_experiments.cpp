@@ -1,0 +1,191 @@
+/// \file
+/// \brief What each way calls stable, and what rests.
+#include "geometric_stability/pile_experiments.hpp"
+
+#include "tumble/record/picture.hpp"
+
+#include "driver/statistics.hpp"
+#include "geometric_stability/pile_builder.hpp"
+#include "geometric_stability/pile_forces.hpp"
+#include "geometric_stability/pile_levels.hpp"
+#include "geometric_stability/random_piles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr std::size_t kLevels = kStabilityLevels.size();
+constexpr double kMoves = 1e-6;  // [-] of g; see the gap between what rests and what moves
+
+// Counts of movable boxes.
+struct Cells {
+  double stable_rests = 0.0;
+  double stable_moves = 0.0;
+  double other_rests = 0.0;
+  double other_moves = 0.0;
+};
+
+// What was found about one pile.
+struct PileCount {
+  std::array<Cells, kLevels> cells;
+  double rules_differ = 0.0;     // boxes on which corners and hull do
+  double largest_at_rest = 0.0;  // [m/s²] of boxes that rest, by any solver
+  double least_moving = 1e300;   // [m/s²] of boxes that move, by any solver
+};
+
+// How all bodies begin to move.
+std::vector<Acceleration> accelerations(const char* solver, const World& world,
+                                        const ContactList& contacts) {
+  PileForces forces(solver);
+  if (!forces.solve(world, contacts))
+    throw std::runtime_error(std::string("a pile was not solved by ") + solver);
+  return {forces.accelerations().begin(), forces.accelerations().end()};
+}
+
+// Who moves, and by how much the least and the most.
+std::vector<char> truth_of(const World& world, const ContactList& contacts, PileCount& count) {
+  std::vector<char> moves;
+  for (const char* solver : {"least_constraint", "augmented_lagrangian", "baraff"}) {
+    const std::vector<Acceleration> found = accelerations(solver, world, contacts);
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const double a = fastest_of(world.bodies()[b], found[b]);
+      if (moves.size() == b) moves.push_back(a > kMoves * world.gravity_w.norm() ? 1 : 0);
+      if (!world.bodies()[b].movable()) continue;
+      if (moves[b] != 0)
+        count.least_moving = std::min(count.least_moving, a);
+      else
+        count.largest_at_rest = std::max(count.largest_at_rest, a);
+    }
+  }
+  return moves;
+}
+
+PileCount judge(std::uint64_t seed) {
+  const World world = random_pile(seed);
+  const ContactList contacts = touching(world);
+  PileCount count;
+  const std::vector<char> moves = truth_of(world, contacts, count);
+  std::vector<char> by_corners;
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    const std::vector<char> stable = called_stable(kStabilityLevels[level], world, contacts);
+    Cells& cells = count.cells[level];
+    for (std::size_t b = 0; b < stable.size(); ++b) {
+      if (!world.bodies()[b].movable()) continue;
+      if (stable[b] != 0)
+        (moves[b] != 0 ? cells.stable_moves : cells.stable_rests) += 1.0;
+      else
+        (moves[b] != 0 ? cells.other_moves : cells.other_rests) += 1.0;
+      if (kStabilityLevels[level] == StabilityLevel::hull && stable[b] != by_corners[b])
+        count.rules_differ += 1.0;
+    }
+    if (kStabilityLevels[level] == StabilityLevel::corners) by_corners = stable;
+  }
+  return count;
+}
+
+// A pile with the colour of what is known of each box.
+Drawing picture_of(std::uint64_t seed) {
+  const World world = random_pile(seed, {.scaffolds = false});
+  const ContactList contacts = touching(world);
+  const std::vector<Acceleration> truth = accelerations("least_constraint", world, contacts);
+  const std::vector<char> firm = called_stable(StabilityLevel::hull, world, contacts);
+  const std::vector<char> balanced = called_stable(StabilityLevel::hierarchy, world, contacts);
+  std::vector<PictureBox> boxes;
+  for (std::size_t b = 1; b < world.bodies().size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    std::uint32_t colour = 0xf0e442;  // rests, and no way tells
+    if (!body.movable())
+      colour = 0x9a9a9a;
+    else if (firm[b] != 0)
+      colour = 0x0072b2;
+    else if (balanced[b] != 0)
+      colour = 0x8ecdf2;
+    else if (fastest_of(body, truth[b]) > kMoves * world.gravity_w.norm())
+      colour = 0xd55e00;
+    boxes.push_back({box_of(body, world.states()[b]), colour});
+  }
+  const Camera camera = camera_for(boxes, Vec3(0.5, 0.5, 1.0), 600.0, 400.0, true);
+  return {"pile", to_gnuplot(draw_boxes(boxes, camera))};
+}
+
+}  // namespace
+
+Quantity share_over_piles(std::string name, const std::vector<double>& hits,
+                          const std::vector<double>& trials) {
+  return over_seeds(std::move(name), "-", static_cast<int>(hits.size()), [&](int left_out) {
+    return sum_without(hits, left_out) / sum_without(trials, left_out);
+  });
+}
+
+Result measure_confusion(const Parameters& settings) {
+  std::vector<PileCount> piles;
+  for (std::int64_t k = 1; k <= settings.count("piles"); ++k)
+    piles.push_back(judge(static_cast<std::uint64_t>(k)));
+  const auto each = [&](const auto& number) {
+    std::vector<double> values;
+    for (const PileCount& pile : piles) values.push_back(number(pile));
+    return values;
+  };
+  const auto most = [&](const auto& number) {
+    const std::vector<double> values = each(number);
+    return *std::max_element(values.begin(), values.end());
+  };
+  const auto all = [&](const auto& number) { return sum_without(each(number), -1); };
+
+  Table table{"",
+              {{"level", "-", "which way, from the thesis's rule to balance"},
+               {"found", "-", "share of the movable boxes that are called stable and rest"},
+               {"missed", "-", "that are not called stable and rest"},
+               {"moving", "-", "that are not called stable and move"},
+               {"false", "-", "that are called stable and move"},
+               {"missed_share", "-", "share of the boxes that rest which are missed"}}};
+  const auto boxes = each([](const PileCount& p) {
+    const Cells& c = p.cells[0];
+    return c.stable_rests + c.stable_moves + c.other_rests + c.other_moves;
+  });
+  const double count = sum_without(boxes, -1);
+  const auto resting =
+      each([](const PileCount& p) { return p.cells[0].stable_rests + p.cells[0].other_rests; });
+  Result result;
+  result.quantities = {{"boxes that can move", "-", count},
+                       share_over_piles("share of them that rest", resting, boxes),
+                       share_over_piles("share of them that the thesis's rule calls stable",
+                                        each([](const PileCount& p) {
+                                          return p.cells[0].stable_rests + p.cells[0].stable_moves;
+                                        }),
+                                        boxes)};
+  double wrong = 0.0;
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    const auto sum = [&](double Cells::*cell) {
+      return all([&](const PileCount& p) { return p.cells[level].*cell; });
+    };
+    const auto missed = each([&](const PileCount& p) { return p.cells[level].other_rests; });
+    const Quantity share =
+        share_over_piles("share of the resting boxes missed by " + name_of(kStabilityLevels[level]),
+                         missed, resting);
+    table.rows.push_back({static_cast<double>(level), sum(&Cells::stable_rests) / count,
+                          sum(&Cells::other_rests) / count, sum(&Cells::other_moves) / count,
+                          sum(&Cells::stable_moves) / count, share.value});
+    // Hull and corners are one: the next number but one says so.
+    if (kStabilityLevels[level] != StabilityLevel::hull) result.quantities.push_back(share);
+    wrong += sum(&Cells::stable_moves);
+  }
+  const double g = 9.81;  // [m/s²]
+  result.quantities.push_back({"boxes called stable that move, all six ways", "-", wrong});
+  result.quantities.push_back({"boxes on which corners and hull differ", "-",
+                               all([](const PileCount& p) { return p.rules_differ; })});
+  result.quantities.push_back({"largest acceleration of a box that rests, three solvers, over g",
+                               "-",
+                               most([](const PileCount& p) { return p.largest_at_rest; }) / g});
+  result.quantities.push_back({"least acceleration of a box that moves, three solvers, over g", "-",
+                               -most([](const PileCount& p) { return -p.least_moving; }) / g});
+  result.tables = {table};
+  result.drawings = {picture_of(static_cast<std::uint64_t>(settings.count("shown")))};
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,39 @@
+/// \file
+/// \brief Prisms on blocks, for which a hull can decide and four corners cannot (thesis 5.4).
+#pragma once
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/contact.hpp"
+#include "tumble/dynamics/world.hpp"
+#include "tumble/geometric_stability/geometrically_stable.hpp"
+
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A body that is no box, on blocks.
+struct PrismOnBlocks {
+  World world;           ///< ground, blocks, and last the prism
+  ContactList contacts;  ///< of the blocks with the ground, and of the prism with the blocks
+  std::vector<GeometricStability::Outline> outlines;  ///< by body index; that of a box is empty
+  int prism = 0;                                      ///< index of the prism
+};
+
+/// A regular prism that stands upright on blocks of one height near its corners, each of which may miss
+/// its corner or be missing.
+///
+/// The library knows boxes only. Here the prism is a body as large as the box around it, with the
+/// inertia of a prism, an outline of its own, and contact points at the corners of the areas in
+/// which the outline and the tops of blocks overlap.
+/// \param sides   3 or more
+/// \param random  of sizes and places
+/// \return the scene
+PrismOnBlocks random_prism(int sides, Random& random);
+
+/// What two convex polygons have in common (Sutherland and Hodgman).
+/// \param polygon  [m] counterclockwise
+/// \param window   [m] counterclockwise
+/// \return its corners, counterclockwise; none if they are apart
+std::vector<Vec2> common_area(std::vector<Vec2> polygon, const std::vector<Vec2>& window);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,180 @@
+/// \file
+/// \brief How long the upper box of figure 5.4 is stable, and how it is slowed down meanwhile.
+#include "geometric_stability/sliding_experiments.hpp"
+
+#include "tumble/record/picture.hpp"
+
+#include "geometric_stability/sliding_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr std::uint32_t kDark = 0x5a5a5a;   // stable
+constexpr std::uint32_t kLight = 0xe2e2e2;  // not stable
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+SlideSetup setup_of(const Parameters& settings, Slider slider) {
+  return {.slider = slider, .offset = settings.number("offset"), .speed = settings.number("speed")};
+}
+
+// The runs that are counted, of which a corner leaves its support, as one.
+struct Counted {
+  int runs = 0;
+  int until = 0;
+  int counted = 0;
+  [[nodiscard]] double share() const { return static_cast<double>(counted) / until; }
+  // Without the first step of each run, which is before anybody looks.
+  [[nodiscard]] double later_share() const { return static_cast<double>(counted) / (until - runs); }
+};
+
+Counted count(const Parameters& settings, const SlideSetup& like, Table* table = nullptr) {
+  Counted sum;
+  for (int k = 0; k < settings.count("speeds"); ++k) {
+    SlideSetup setup = like;
+    setup.offset = settings.number("offset");
+    setup.speed = settings.number("slowest") + k;
+    const SlideRun run = slide(setup);
+    if (table != nullptr)
+      table->rows.push_back({setup.speed, static_cast<double>(run.until()),
+                             static_cast<double>(run.counted()), run.steps.back().overhang});
+    if (run.leaves < 0) continue;  // it has stopped before
+    ++sum.runs;
+    sum.until += run.until();
+    sum.counted += run.counted();
+  }
+  if (sum.until == 0)
+    throw std::runtime_error("no corner leaves its support: give a higher speed, or more of them");
+  return sum;
+}
+
+// Boxes with the colours of who is stable.
+std::vector<PictureBox> boxes_of(const World& world) {
+  const std::vector<char> stable = stable_by_corners(world);
+  std::vector<PictureBox> boxes;
+  for (std::size_t b = 1; b < stable.size(); ++b)
+    boxes.push_back(
+        {box_of(world.bodies()[b], world.states()[b]), stable[b] != 0 ? kDark : kLight});
+  return boxes;
+}
+
+// The speed of the upper box in each run, and where that is one of a stable box.
+Table speeds_over_time(const std::vector<SlideRun>& runs) {
+  Table table{"", {{"time_s", "s", "time"}}};
+  for (const char* name : {"damped", "unmarked", "analytic", "free"}) {
+    table.columns.push_back({std::string(name) + "_m_s", "m/s", "speed of the upper box"});
+    table.columns.push_back(
+        {std::string(name) + "_stable_m_s", "m/s", "the same while all its corners are carried"});
+  }
+  for (std::size_t k = 0; k < runs[0].worlds.size(); ++k) {
+    table.rows.push_back({runs[0].worlds[k].time()});
+    for (const SlideRun& run : runs) {
+      const double speed = speed_of_upper(run.worlds[k]);
+      table.rows.back().push_back(speed);
+      table.rows.back().push_back(stable_by_corners(run.worlds[k])[2] != 0 ? speed : kMissing);
+    }
+  }
+  return table;
+}
+
+// The worlds that are drawn: the start, the last one in which all corners are carried, one in which
+// the box hangs over, one in which it falls.
+std::array<std::size_t, 4> shown(const SlideRun& run) {
+  const auto first = [&](const auto& found) {
+    std::size_t k = static_cast<std::size_t>(run.until());
+    while (k < run.steps.size() && !found(k)) ++k;
+    return k;
+  };
+  constexpr double kOver = 0.55;  // [m] of 1
+  constexpr double kFall = 0.3;   // [m] below where the centre was
+  const auto height = [&](std::size_t k) { return run.worlds[k].states()[2].position_w.y(); };
+  const std::size_t over = first([&](std::size_t k) { return run.steps[k - 1].overhang > kOver; });
+  const std::size_t falls = first([&](std::size_t k) { return height(k) < height(0) - kFall; });
+  if (falls == run.steps.size())
+    throw std::runtime_error("the box does not fall: give it a higher speed");
+  return {0, static_cast<std::size_t>(run.leaves), over, falls};
+}
+
+void draw(const SlideRun& run, Result& result) {
+  Table times{"frames", {{"time_s", "s", "of the drawing"}}};
+  std::vector<std::vector<PictureBox>> frames;
+  std::vector<PictureBox> all;
+  for (const std::size_t k : shown(run)) {
+    frames.push_back(boxes_of(run.worlds[k]));
+    all.insert(all.end(), frames.back().begin(), frames.back().end());
+    times.rows.push_back({run.worlds[k].time()});
+  }
+  const Camera camera = camera_for(all, Vec3(1.2, 0.9, 4.0), 300.0, 190.0, true);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    result.drawings.push_back(
+        {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
+  result.tables.push_back(times);
+}
+
+}  // namespace
+
+Result measure_sliding(const Parameters& settings) {
+  constexpr std::array<Slider, 4> kSliders = {Slider::damped, Slider::damped_unmarked,
+                                              Slider::analytic_damping, Slider::analytic_free};
+  std::vector<SlideRun> runs;
+  for (const Slider slider : kSliders) {
+    SlideSetup setup = setup_of(settings, slider);
+    setup.steps = 90;
+    runs.push_back(slide(setup));
+    if (runs.back().leaves < 1)
+      throw std::runtime_error("no corner leaves its support: give a higher speed");
+  }
+  const SlideRun& damped = runs[0];
+
+  Result result;
+  result.tables.push_back(speeds_over_time(runs));
+
+  Table speeds{"speeds",
+               {{"speed_m_s", "m/s", "of the upper box at the start"},
+                {"steps", "-", "until a corner leaves its support; 0: it stops before"},
+                {"counted", "-", "of these, steps in which it is stable, slides and is damped"},
+                {"overhang_m", "m", "of the corner in front at the end of the run"}}};
+  const Counted counted = count(settings, {}, &speeds);
+  result.tables.push_back(speeds);
+  draw(damped, result);
+
+  // How far the marks change the way until the corner leaves.
+  double apart = 0.0;
+  for (int k = 0; k < damped.until(); ++k) {
+    const auto step = static_cast<std::size_t>(k);
+    apart = std::max(apart, std::abs(damped.steps[step].speed - runs[1].steps[step].speed));
+  }
+  const auto last = static_cast<std::size_t>(damped.leaves);
+  const SlideRun& free = runs[3];
+  const auto share = [](const SlideRun& run) {
+    return static_cast<double>(run.counted()) / run.until();
+  };
+  result.quantities = {
+      {"share of the steps until a corner leaves its support in which the upper box is stable, "
+       "slides, and is slowed down by damping",
+       "-", counted.share()},
+      {"the same, without the first step of each run", "-", counted.later_share()},
+      {"the same, half the damping", "-", count(settings, {.k_scale = 0.5}).share()},
+      {"the same, twice the damping", "-", count(settings, {.k_scale = 2.0}).share()},
+      {"the same, half the size and speed", "-", count(settings, {.scale = 0.5}).share()},
+      {"the same, twice the size and speed", "-", count(settings, {.scale = 2.0}).share()},
+      {"the same, analytic forces and damping, the run that is drawn", "-", share(runs[2])},
+      {"corner before the edge after the last step with all corners carried", "m",
+       -damped.steps[last - 1].overhang},
+      {"corner beyond the edge after the next step, the box being stable no more", "m",
+       damped.steps[last].overhang},
+      {"largest change of the speed until then if nobody is marked", "m/s", apart},
+      {"speed as a corner leaves, analytic forces without friction, over that at the start", "-",
+       free.steps[static_cast<std::size_t>(free.leaves)].speed / settings.number("speed")},
+      {"centre beyond the edge with which damping holds the box up for 10 s", "m",
+       held_overhang(10.0)}};
+  return result;
+}
+
+}  // namespace tumble::chapters

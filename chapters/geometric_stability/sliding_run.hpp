@@ -1,0 +1,77 @@
+/// \file
+/// \brief The upper box of figure 5.4 slides off the lower one, step by step (thesis 5.4).
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Who lets it slide.
+enum class Slider {
+  damped,            ///< damped integration, stable boxes marked by their corners
+  damped_unmarked,   ///< the same, nobody is marked
+  analytic_damping,  ///< `analytic`, damping in place of friction, stable boxes left out
+  analytic_free      ///< `analytic` without friction, stable boxes left out
+};
+
+/// One run.
+struct SlideSetup {
+  Slider slider = Slider::damped;  ///< see there
+  double offset = 0.0;             ///< [m] of the upper box from the middle at the start, along x
+  double speed = 0.0;              ///< [m/s] of the upper box at the start, along x
+  double scale = 1.0;              ///< [-] of all lengths, the offset and the speed
+  double k_scale = 1.0;            ///< [-] damped integration: all its factors are raised to it
+  int steps = 60;                  ///< of 1/60 s
+};
+
+/// What a step did to the upper box.
+struct SlideStep {
+  double time = 0.0;      ///< [s] at its end
+  double speed = 0.0;     ///< [m/s] along x at its end
+  double overhang = 0.0;  ///< [m] of the foremost lower corner beyond the edge at its end; below 0:
+                          ///< before it
+  bool counted_stable = false;  ///< whether it was taken for stable within the step
+  bool slowed = false;          ///< whether it slid, and damping took some of its speed
+};
+
+/// A run, and what it came by.
+struct SlideRun {
+  std::vector<SlideStep> steps;  ///< all of them
+  std::vector<World> worlds;     ///< the start, and after each step
+  int leaves = -1;  ///< which step takes the foremost lower corner beyond the edge; -1: none
+
+  /// How many steps there are until a corner leaves its support, the one that does it included.
+  /// \return 0 if no corner does
+  [[nodiscard]] int until() const { return leaves + 1; }
+
+  /// In how many of them the box is stable, slides, and is slowed down by damping.
+  /// \return at most until()
+  [[nodiscard]] int counted() const;
+};
+
+/// Who is stable by the corners where the bodies are, with the tolerances of damped integration.
+/// \param world  of a run
+/// \return by index, 1 if so
+std::vector<char> stable_by_corners(const World& world);
+
+/// How fast the upper box is.
+/// \param world  of a run
+/// \return [m/s] along x
+double speed_of_upper(const World& world);
+
+/// Simulates it.
+/// \param setup  see there
+/// \return all steps
+/// \throws std::invalid_argument for a value that the scene or the technique refuses
+/// \throws std::runtime_error if a step was not solved
+SlideRun slide(const SlideSetup& setup);
+
+/// How far beyond the edge the centre of the upper box may be put so that damped integration still
+/// holds it up, level, after some time.
+/// \param seconds  [s] how long it is looked at
+/// \return [m] by bisection to a millimetre
+double held_overhang(double seconds);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,252 @@
+/// \file
+/// \brief How exactly balance finds the limits of structures, and what friction leaves open.
+#include "geometric_stability/threshold_experiments.hpp"
+
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/techniques.hpp"
+
+#include "geometric_stability/heavy_top_experiments.hpp"
+#include "geometric_stability/tower_experiments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+using std::numbers::pi;
+
+double relative(double found, double wanted) { return std::abs(found / wanted - 1.0); }
+
+using Test = bool (*)(const Structure&);
+bool whole(const Structure& structure) { return balanced(structure); }
+
+// [-] The overhang up to which a test lets a staircase stand.
+double stairs_limit(int blocks, Test test) {
+  return threshold([&](double o) { return test(series_of("staircase", blocks, o)); }, 0.98, 0.01);
+}
+
+// [m] The reach up to which a test lets blocks hang over an edge.
+double edge_limit(int blocks, Test test) {
+  const double wanted = largest_overhang(blocks);
+  return threshold([&](double reach) { return test(blocks_over_edge(blocks, reach)); },
+                   1.5 * wanted, 0.5 * wanted);
+}
+
+// [-] The mass ratio from which a rule lets figure 6.5 stand; NaN if it never does.
+double mass_limit(double offset, Test test) {
+  return threshold([&](double mass) { return test(heavy_top(mass, offset)); }, 0.01, 100.0);
+}
+
+Table mass_table(int steps) {
+  Table table{"",
+              {{"offset_m", "m", "of the top block of figure 6.5, to the right"},
+               {"by_hand", "-", "mass ratio from which it stands, closed form"},
+               {"balance", "-", "by the test of balance"},
+               {"middles", "-", "by the rule that loads act at the middles of areas"},
+               {"error", "-", "relative, of the test of balance"}}};
+  for (int k = 0; k <= steps; ++k) {
+    const double offset = 0.24 * (2.0 * k / steps - 1.0);
+    const double hand = mass_ratio_by_hand(offset);
+    const double found = mass_limit(offset, whole);
+    table.rows.push_back(
+        {offset, hand, found, mass_limit(offset, middles_stand), relative(found, hand)});
+  }
+  return table;
+}
+
+Table stairs_table(int most) {
+  Table table{"stairs",
+              {{"blocks", "-", "of the staircase"},
+               {"by_hand", "-", "overhang up to which it stands, over a length: closed form"},
+               {"balance", "-", "by the test of balance"},
+               {"towers", "-", "as one heavier block"},
+               {"middles", "-", "by the rule that loads act at the middles of areas"},
+               {"own", "-", "by the rule that each block's own centre decides"},
+               {"error", "-", "relative, of the test of balance"},
+               {"towers_error", "-", "relative, as one heavier block"}}};
+  for (int n = 2; n <= most; ++n) {
+    const double hand = 1.0 / n;
+    const double found = stairs_limit(n, whole);
+    const double towers = stairs_limit(n, towers_stand);
+    table.rows.push_back({static_cast<double>(n), hand, found, towers,
+                          stairs_limit(n, middles_stand), stairs_limit(n, own_centres_stand),
+                          relative(found, hand), relative(towers, hand)});
+  }
+  return table;
+}
+
+Table edge_table(int most) {
+  Table table{"edge",
+              {{"blocks", "-", "over the edge of a table"},
+               {"by_hand_m", "m", "how far they reach, closed form"},
+               {"error", "-", "relative, of the test of balance"},
+               {"towers_error", "-", "relative, as one heavier block"}}};
+  for (int n = 1; n <= most; ++n) {
+    const double hand = largest_overhang(n);
+    table.rows.push_back({static_cast<double>(n), hand, relative(edge_limit(n, whole), hand),
+                          relative(edge_limit(n, towers_stand), hand)});
+  }
+  return table;
+}
+
+double largest(const Table& table, std::size_t column) {
+  double most = 0.0;
+  for (const auto& row : table.rows) most = std::max(most, row[column]);
+  return most;
+}
+
+// A box between two walls that touch it: nothing below.
+World wedged(double friction) {
+  World world;
+  const BodyProperties wall = fixed_box_properties(Vec3(1.0, 4.0, 2.0), friction);
+  world.add(wall, make_state(wall, Vec3(-1.0, 2.0, 0.0)), "left");
+  world.add(wall, make_state(wall, Vec3(1.0, 2.0, 0.0)), "right");
+  const BodyProperties box = box_properties(Vec3::Ones(), 1.0, friction);
+  world.add(box, make_state(box, Vec3(0.0, 3.0, 0.0)), "box");
+  return world;
+}
+
+// [-] The least friction with which the test of balance lets a plank stay.
+double friction_limit(const LeaningPlank& plank, int edges) {
+  return threshold([&](double mu) { return balanced(leaning_plank(plank, mu), edges); }, 0.001,
+                   10.0);
+}
+
+}  // namespace
+
+Structure leaning_plank(const LeaningPlank& plank, double friction) {
+  World world;
+  world.add_ground(friction);
+  const Quat turn = rotation_from_vector(Vec3(0.0, plank.turn, 0.0));
+  const BodyProperties wall = fixed_box_properties(Vec3(1.0, 4.0, 4.0), 0.0);
+  world.add(wall, make_state(wall, turn * Vec3(-0.5, 2.0, 0.0), turn), "wall");
+  const BodyProperties body =
+      box_properties(Vec3(plank.length, plank.thickness, 0.5), 1.0, friction);
+  const double angle = plank.angle * pi / 180.0;
+  // Its own x axis points down along it; foot and upper end are edges of its lower face.
+  const Quat lean = rotation_from_vector(Vec3(0.0, 0.0, -angle));
+  const Vec3 place_w = Vec3(plank.length * elementary::cos(angle), 0.0, 0.0) +
+                       lean * Vec3(-0.5 * plank.length, 0.5 * plank.thickness, 0.0);
+  world.add(body, make_state(body, turn * place_w, turn * lean), "plank");
+  return structure_of(std::move(world));
+}
+
+double friction_by_hand(const LeaningPlank& plank) {
+  const double angle = plank.angle * pi / 180.0;
+  return 0.5 * (elementary::cos(angle) / elementary::sin(angle) - plank.thickness / plank.length);
+}
+
+Result measure_thresholds(const Parameters& settings) {
+  const Table masses = mass_table(settings.count("steps"));
+  const Table stairs = stairs_table(8);
+  const Table edge = edge_table(6);
+  // Five blocks to and fro stand up to 3/8: the centre of the upper three over the second.
+  const double fro = relative(
+      threshold([](double o) { return balanced(series_of("to_and_fro", 5, o)); }, 0.9, 0.1), 0.375);
+  const double overhang =
+      std::max({largest(stairs, 6), largest(stairs, 7), largest(edge, 2), largest(edge, 3), fro});
+  const double mass = largest(masses, 4);
+  double own_stands = 0.0;  // how many of the heaviest tops the rule of own centres lets stand
+  for (const auto& row : masses.rows)
+    own_stands += own_centres_stand(heavy_top(100.0, row[0])) ? 1.0 : 0.0;
+
+  const BalanceWork pyramid =
+      work_of(structure_of("pyramid", {"rows=" + std::to_string(settings.count("rows"))}));
+  const BalanceWork heavy = work_of(heavy_top(1.0, 0.2));
+  const auto ratio = [](const BalanceWork& work) {
+    return static_cast<double>(work.multiplications) /
+           static_cast<double>(work.equilibrium.multiplications);
+  };
+  return {
+      {masses, stairs, edge},
+      {{"largest relative error of the mass, and of the overhang, at which the equilibrium test "
+        "changes its verdict, against the closed form",
+        "-", std::max(mass, overhang)},
+       {"the same, of the mass of figure 6.5", "-", mass},
+       {"the same, of overhangs, towers included", "-", overhang},
+       {"mass ratio from which figure 6.5 stands, loads at the middles of areas", "-",
+        mass_limit(0.0, middles_stand)},
+       {"offsets at which own centres let a top of a hundred times the mass stand", "-",
+        own_stands},
+       {"overhang up to which a staircase of five stands, loads at the middles of areas", "-",
+        stairs_limit(5, middles_stand)},
+       {"the same, own centres", "-", stairs_limit(5, own_centres_stand)},
+       {"pivots for the pyramid, Baraff's method", "-", static_cast<double>(pyramid.pivots)},
+       {"pivots for the pyramid, the test of balance", "-",
+        static_cast<double>(pyramid.equilibrium.pivots)},
+       {"multiplications for the pyramid, Baraff's method over balance", "-", ratio(pyramid)},
+       {"multiplications for figure 6.5, Baraff's method over balance", "-", ratio(heavy)}}};
+}
+
+Result measure_weakly_stable(const Parameters& settings) {
+  LeaningPlank plank;
+  plank.angle = settings.number("angle");
+  const double hand = friction_by_hand(plank);
+  Table table{"",
+              {{"edges", "-", "of the pyramid of friction"},
+               {"along", "-", "relative error of the least friction, plank along an edge"},
+               {"between", "-", "the same, plank between two edges"},
+               {"by_hand", "-", "what the pyramid lacks there: 1/cos(pi/edges) - 1"}}};
+  double between_8 = 0.0;
+  double between_16 = 0.0;
+  double apart = 0.0;  // from what the pyramid lacks
+  for (int edges = 4; edges <= settings.count("edges"); edges += 4) {
+    plank.turn = 0.0;
+    const double along = relative(friction_limit(plank, edges), hand);
+    plank.turn = pi / edges;
+    const double between = friction_limit(plank, edges) / hand - 1.0;
+    const double lacks = 1.0 / elementary::cos(pi / edges) - 1.0;
+    table.rows.push_back({static_cast<double>(edges), along, between, lacks});
+    apart = std::max(apart, std::abs(between - lacks));
+    if (edges == 8) between_8 = between;
+    if (edges == 16) between_16 = between;
+  }
+
+  const double friction = settings.number("friction");
+  Table falls{"falls",
+              {{"time_s", "s", "time"},
+               {"contact_damped_m", "m", "how far the box has fallen, contact_damped"},
+               {"analytic_m", "m", "the same, analytic"},
+               {"free_m", "m", "the same, in free fall"}}};
+  World damped = wedged(friction);
+  World analytic = damped;
+  const auto fallen = [](const World& world) { return 3.0 - world.states()[2].position_w.y(); };
+  const auto make = [](const char* name) {
+    const TechniqueRecipe& recipe = technique_recipe(name);
+    return recipe.make(recipe.options(), 1);
+  };
+  const std::unique_ptr<Technique> first = make("contact_damped");
+  const std::unique_ptr<Technique> second = make("analytic");
+  constexpr double step = 1.0 / 60.0;
+  while (damped.time() < settings.number("duration") + 0.5 * step) {
+    const double t = damped.time();
+    falls.rows.push_back({t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t});
+    first->step(damped, step);
+    second->step(analytic, step);
+  }
+  const std::vector<double>& last = falls.rows.back();
+  const Structure box = structure_of(wedged(friction));
+  const double can = balanced(box, 8) ? 1.0 : 0.0;
+  const double can_without = balanced(box) ? 1.0 : 0.0;
+  plank.turn = 0.0;
+  return {
+      {table, falls},
+      {{"least friction of the plank, by balance, along an edge", "-", friction_limit(plank, 8)},
+       {"the same, by hand", "-", hand},
+       {"relative error, along an edge, at worst", "-", largest(table, 1)},
+       {"relative error of 8 edges, between two", "-", between_8},
+       {"relative error of 16 edges, between two", "-", between_16},
+       {"distance of these errors from what the pyramid lacks, at worst", "-", apart},
+       {"whether friction can hold the wedged box (1: yes)", "-", can},
+       {"the same, without friction", "-", can_without},
+       {"fall of the wedged box at the end over free fall, contact_damped", "-", last[1] / last[3]},
+       {"the same, analytic", "-", last[2] / last[3]}}};
+}
+
+}  // namespace tumble::chapters

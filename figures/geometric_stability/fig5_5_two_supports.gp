@@ -1,0 +1,52 @@
+# A box across two others: in space and from above.
+tall = 585
+@PAGE
+set multiplot
+outlines = stem.'_outlines.csv'
+stats outlines using 'x_m':'z_m' name 'seen' nooutput
+load stem.'_told.gp'
+height(points) = 1 - points*1.0/tall
+
+set origin 0,height(280)
+set size 0.5,270.0/tall
+load stem.'_boxes.gp'
+unset object
+
+# The plane of contact, from above: x to the right, z towards the viewer.
+part(which) = column('outline') == which ? column('x_m') : NaN
+corner(carried) = column('carried') == carried ? column('x_m') : NaN
+unset border; unset tics; unset grid; unset key
+set size ratio -1
+air = 0.12
+mark = form eq 'svg' ? 1.2 : 1.8
+set xrange [seen_min_x - air:seen_max_x + air]; set yrange [seen_max_y + air:seen_min_y - air]
+set lmargin at screen 0.52; set rmargin at screen 0.98
+set tmargin at screen height(20); set bmargin at screen height(280)
+set style fill solid 1.0 noborder
+plot outlines using (part(9)):'z_m' with filledcurves closed lc rgb '#F0E442', \
+  '' using (part(1)):'z_m' with lines lt 1 lw 2.5, \
+  '' using (part(2)):'z_m' with lines lt 3 dt 1 lw 2.5, \
+  '' using (part(0)):'z_m' with lines lt 5 dt 1 lw 2.5, \
+  stem.'.csv' using (corner(1)):'z_m' with points pt 7 ps mark lc rgb '#56B4E9', \
+  stem.'_points.csv' using 'x_m':'z_m' with points pt 2 ps 0.5*mark lw 2 lc rgb '#202020'
+set size noratio
+
+verdict(stable) = stable ? 'stable' : 'not stable'
+set label 1 'By the four corners: '.verdict(corners_stable) at screen 0.05,height(400) left textcolor rgb '#202020'
+set label 2 corners at screen 0.09,height(427) left textcolor rgb soft
+set label 3 'By the hull: '.verdict(hull_stable) at screen 0.05,height(460) left textcolor rgb '#202020'
+set label 4 hull at screen 0.09,height(487) left textcolor rgb soft
+set label 5 'With nothing under the left box: '.verdict(without_stable) at screen 0.05,height(520) left textcolor rgb '#202020'
+set label 6 without at screen 0.09,height(547) left textcolor rgb soft
+
+# What the marks mean.
+set xrange [0:1]; set yrange [0:1] noreverse
+set lmargin at screen 0.05; set rmargin at screen 0.98
+set tmargin at screen height(284); set bmargin at screen height(374)
+set key inside center center vertical maxrows 3 maxcols 2 samplen 1.5 width -2
+plot NaN with lines lt 5 dt 1 lw 2.5 title 'top box', \
+  NaN with lines lt 1 lw 2.5 title 'left box', \
+  NaN with lines lt 3 dt 1 lw 2.5 title 'right box', \
+  NaN with filledcurves lc rgb '#F0E442' title 'hull of contact points', \
+  NaN with points pt 2 ps 0.5*mark lw 2 lc rgb '#202020' title 'contact point', \
+  NaN with points pt 7 ps mark lc rgb '#56B4E9' title 'corner carried'

@@ -1,0 +1,89 @@
+/// \file
+/// \brief The largest load-proof set, by taking out who breaks a condition.
+#include "tumble/geometric_stability/load_proof.hpp"
+
+#include "tumble/geometric_stability/upright.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+void LoadProof::run(const World& world, std::span<const Contact> contacts, double rising,
+                    std::vector<char>& stable) {
+  rule_.run(world, contacts, StableRule::hull, rising, known_);
+  stable.assign(world.bodies().size(), gravity_is_down(world) ? 1 : 0);
+  const double g = world.gravity_w.norm();
+  for (std::size_t b = 0; b < stable.size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (!body.movable()) stable[b] = 1;
+    const double limit = rising * body.mass * std::sqrt(g * body.size.minCoeff());
+    if (body.movable() && world.states()[b].linear_momentum_w.y() > limit) stable[b] = 0;
+  }
+  const auto undecided = [&](int b) { return stable[at(b)] != 0 && known_[at(b)] == 0; };
+
+  // [S6.3.1:load_proof]
+  // All are members at first. Whoever is pushed from below or aside by
+  // somebody who is none, or has a corner that is not carried, is
+  // taken out, and so, then, may be those who leant on it.
+  for (bool lost = true; lost;) {
+    lost = false;
+    for (int b = 0; b < world.count(); ++b) {
+      if (!undecided(b) || !touched_from_outside(contacts, stable, b)) continue;
+      stable[at(b)] = 0;
+      lost = true;
+    }
+    if (lost) continue;
+    collect(contacts, stable);
+    for (int b = 0; b < world.count() && !lost; ++b) {
+      if (!undecided(b) || carries_corners(world, b)) continue;
+      stable[at(b)] = 0;
+      lost = true;
+    }
+  }
+  // [S6.3.1:load_proof]
+}
+
+// The contacts among members.
+void LoadProof::collect(std::span<const Contact> contacts, std::span<const char> members) {
+  within_.clear();
+  for (const Contact& contact : contacts)
+    if (members[at(contact.first)] != 0 && members[at(contact.second)] != 0)
+      within_.push_back(contact);
+}
+
+bool LoadProof::touched_from_outside(std::span<const Contact> contacts,
+                                     std::span<const char> members, int body) const {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+    if (contact.count == 0 || (contact.first != body && contact.second != body)) return false;
+    const int other = contact.first == body ? contact.second : contact.first;
+    if (members[at(other)] != 0) return false;
+    // The push on the body.
+    const double up = contact.second == body ? contact.normal_w.y() : -contact.normal_w.y();
+    return up > 0.0 || !is_vertical(contact.normal_w, tolerance::exact_vertical);
+  });
+}
+
+// Whether a weight on any corner of a body's outline is balanced by contacts among members.
+bool LoadProof::carries_corners(const World& world, int body) {
+  const double height = world.states()[at(body)].position_w.y();
+  outline_.clear();
+  for (const Vec3& corner_w :
+       corners_of(box_of(world.bodies()[at(body)], world.states()[at(body)])))
+    outline_.emplace_back(corner_w.x(), corner_w.z());
+  convex_hull(outline_, hull_);
+  return std::all_of(hull_.begin(), hull_.end(), [&](const Vec2& corner) {
+    const Load load{body, Vec3(corner.x(), height, corner.y()),
+                    Vec3(0.0, -world.bodies()[at(body)].mass, 0.0)};
+    const BalanceTask task{
+        .contacts = within_, .loads = {&load, 1}, .held = known_, .weight = false};
+    return equilibrium_.solve(world, task).balanced;
+  });
+}
+
+}  // namespace tumble

@@ -1,0 +1,61 @@
+/// \file
+/// \brief Who carries every load on top, found without corners or hulls (thesis 5.4, 6.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/geometric_stability/geometrically_stable.hpp"
+#include "tumble/geometric_stability/static_equilibrium.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// The largest set of bodies that stays at rest whatever is put on it.
+///
+/// A set of bodies is load-proof if
+/// 1. what is outside touches it from above only, with vertical normals, and
+/// 2. contacts within it, and with immovable bodies, can balance a load that acts straight down on
+///    any corner of any member's outline.
+///
+/// Loads from outside then are sums of such loads. Their balance, together with rest, obeys all
+/// conditions of the complementarity problem of the contact forces, whose accelerations are unique:
+/// no member accelerates, whatever the forces are. That is the thesis's promise (5.4) without its
+/// rule: bodies that touch side by side may be members, and so may a box whose corners hang over
+/// if its neighbours cannot let it tip. What the rule calls stable is load-proof; its own weight is a
+/// mixture of such loads.
+///
+/// The union of two load-proof sets is one, so there is a largest. It is found by beginning with all
+/// and taking out whoever breaks a condition, until nobody does; the order does not matter. Members
+/// by the rule of the hull are known beforehand and count as immovable.
+/// \par Cost
+/// A static equilibrium for each corner of each undecided body, up to as many times as bodies are
+/// taken out one after the other. For looking at structures, not for every step.
+/// \algorithm{Every load on top: sections 5.4 and 6.3.1}
+/// \verified{Load-proof bodies do not accelerate, whatever is put on top}
+class LoadProof {
+ public:
+  /// Finds the set.
+  /// \param world     the bodies where they are
+  /// \param contacts  what touches
+  /// \param rising    [-] see GeometricStability::run()
+  /// \param stable    out: one for each body index, 1 if it is immovable or a member
+  void run(const World& world, std::span<const Contact> contacts, double rising,
+           std::vector<char>& stable);
+
+ private:
+  void collect(std::span<const Contact> contacts, std::span<const char> members);
+  [[nodiscard]] bool touched_from_outside(std::span<const Contact> contacts,
+                                          std::span<const char> members, int body) const;
+  bool carries_corners(const World& world, int body);
+
+  GeometricStability rule_{{tolerance::exact_vertical, tolerance::exact_corner}};
+  StaticEquilibrium equilibrium_;
+  ContactList within_;
+  std::vector<char> known_;  // stable by the rule of the hull
+  std::vector<Vec2> outline_;
+  std::vector<Vec2> hull_;
+};
+
+}  // namespace tumble

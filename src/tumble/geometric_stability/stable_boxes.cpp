@@ -1,0 +1,175 @@
+/// \file
+/// \brief From the thesis's rule to balance, cheapest first, with a memory.
+#include "tumble/geometric_stability/stable_boxes.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/geometric_stability/upright.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// How a body moves, as far as balance is concerned.
+enum Motion : char {
+  kStill = 0,  // not to speak of
+  kSlides,     // along the ground, or about the vertical
+  kTips        // rises, sinks or tips
+};
+
+constexpr char hold(Hold how) { return static_cast<char>(how); }
+
+// Refuses a contact of a body that there is not.
+void check(const Contact& contact, int count) {
+  const auto in_range = [&](int body) { return body >= 0 && body < count; };
+  if (in_range(contact.first) && in_range(contact.second)) return;
+  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
+                           std::to_string(contact.second) + ": give indices below " +
+                           std::to_string(count));
+}
+
+}  // namespace
+
+std::span<const char> StableBoxes::find(const World& world, std::span<const MovingBody> bodies,
+                                        std::span<const Contact> contacts) {
+  if (bodies.size() != world.bodies().size())
+    require::that(false, "bodies: " + std::to_string(bodies.size()) + " entries; " +
+                             std::to_string(world.bodies().size()) + " are needed");
+  find_motion(world, bodies);
+  report_ = {};
+  report_.remembered = unchanged(world, contacts);
+  if (!report_.remembered) {
+    search(world, contacts);
+    basis_.gravity_w = world.gravity_w;
+    basis_.ids.assign(world.ids().begin(), world.ids().end());
+    basis_.masses.clear();
+    for (const BodyProperties& body : world.bodies()) basis_.masses.push_back(body.inverse_mass);
+    basis_.motion = motion_;
+    basis_.states.assign(world.states().begin(), world.states().end());
+    basis_.contacts.assign(contacts.begin(), contacts.end());
+    known_ = true;
+  }
+  for (std::size_t b = 0; b < held_.size(); ++b)
+    if (held_[b] != hold(Hold::free) && world.bodies()[b].movable()) ++report_.stable;
+  return held_;
+}
+
+void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bodies) {
+  motion_.clear();
+  const double g = world.gravity_w.norm();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Vec3& v = bodies[b].velocity_w;
+    const Vec3& omega = bodies[b].angular_velocity_w;
+    const Vec3& size = world.bodies()[b].size;
+    const double reach = 0.5 * size.norm();
+    const double slow = tolerance::resting_speed * std::sqrt(g * size.minCoeff());
+    char& motion = motion_.emplace_back(kStill);
+    if (!world.bodies()[b].movable()) continue;
+    if (v.norm() + reach * omega.norm() > slow) motion = kSlides;
+    if (std::abs(v.y()) + reach * Vec2(omega.x(), omega.z()).norm() > slow) motion = kTips;
+  }
+}
+
+// Whether all that the last search rests on is as it was then.
+bool StableBoxes::unchanged(const World& world, std::span<const Contact> contacts) const {
+  if (!known_ || contacts.size() != basis_.contacts.size() || motion_ != basis_.motion ||
+      world.gravity_w != basis_.gravity_w ||
+      !std::equal(world.ids().begin(), world.ids().end(), basis_.ids.begin(), basis_.ids.end()))
+    return false;
+  for (std::size_t b = 0; b < basis_.masses.size(); ++b)
+    if (world.bodies()[b].inverse_mass != basis_.masses[b]) return false;
+  // A support that is smaller than what lies on it tells nothing of where that is.
+  const auto stays = [&](int body) {
+    const BodyState& now = world.states()[at(body)];
+    const BodyState& then = basis_.states[at(body)];
+    return now.position_w == then.position_w &&
+           now.orientation_wb.coeffs() == then.orientation_wb.coeffs();
+  };
+  const auto same = [&](const Contact& now, const Contact& then) {
+    if (now.first != then.first || now.second != then.second || now.count != then.count)
+      return false;
+    if (!stays(now.first) || !stays(now.second)) return false;
+    if (now.normal_w != then.normal_w) return false;
+    for (int p = 0; p < now.count; ++p)
+      if (now.points[at(p)].position_w != then.points[at(p)].position_w) return false;
+    return true;
+  };
+  return std::equal(contacts.begin(), contacts.end(), basis_.contacts.begin(), same);
+}
+
+void StableBoxes::search(const World& world, std::span<const Contact> contacts) {
+  for (const Contact& contact : contacts) check(contact, world.count());
+  held_.assign(world.bodies().size(), hold(Hold::free));
+  if (gravity_is_down(world)) {
+    geometric_.run(world, contacts, rule_, tolerance::resting_speed, stable_);
+    for (std::size_t b = 0; b < held_.size(); ++b)
+      if (stable_[b] != 0) held_[b] = hold(Hold::upright);
+  }
+  for (std::size_t b = 0; b < held_.size(); ++b)
+    if (!world.bodies()[b].movable()) held_[b] = hold(Hold::still);
+  if (rule_ == StableRule::equilibrium) add_balanced(world, contacts);
+}
+
+// Towers on what is stable, and islands in balance.
+void StableBoxes::add_balanced(const World& world, std::span<const Contact> contacts) {
+  apart_ = held_;
+  for (std::size_t b = 0; b < apart_.size(); ++b)
+    if (motion_[b] == kTips) apart_[b] = 1;
+  towers_.run(world, contacts, apart_);
+
+  // Towers are loads on what carries them; of the rest, every island is looked at as a whole.
+  const auto is_load = [&](int b) { return towers_.states()[at(b)] == TowerState::carried; };
+  left_.clear();
+  for (const Contact& contact : contacts)
+    if (contact.count > 0 && !is_load(contact.first) && !is_load(contact.second))
+      left_.push_back(contact);
+  loads_.clear();
+  for (int b = 0; b < world.count(); ++b) {
+    if (held_[at(b)] != hold(Hold::free) || is_load(b)) continue;
+    TowerLoad load = towers_.loads()[at(b)];
+    const double mass = world.bodies()[at(b)].mass;
+    load.moment -= mass * world.states()[at(b)].position_w;
+    load.mass -= mass;
+    if (load.mass > 0.0) loads_.push_back({b, load.centre_w(), load.mass * world.gravity_w});
+  }
+  take_islands(world);
+  take_towers(world);
+}
+
+// Islands in balance stay where they are: whole ones, of bodies that do not move.
+void StableBoxes::take_islands(const World& world) {
+  const BalanceReport& found =
+      equilibrium_.solve(world, {.contacts = left_, .loads = loads_, .held = held_});
+  report_.pivots = found.pivots;
+  report_.multiplications = found.multiplications;
+  islands_.build(world.bodies(), left_, held_);
+  for (int i = 0; i < islands_.count(); ++i) {
+    const std::span<const int> members = islands_.bodies(i);
+    const std::span<const int> touches = islands_.contacts(i);
+    const bool upright = std::all_of(touches.begin(), touches.end(), [&](int c) {
+      return is_vertical(left_[at(c)].normal_w, tolerance::exact_vertical);
+    });
+    const char fastest = upright ? kSlides : kStill;
+    const bool in_balance = std::all_of(members.begin(), members.end(), [&](int b) {
+      return equilibrium_.balanced()[at(b)] != 0 && motion_[at(b)] <= fastest &&
+             towers_.states()[at(b)] != TowerState::carried;
+    });
+    if (!in_balance) continue;
+    for (const int b : members) held_[at(b)] = hold(upright ? Hold::upright : Hold::still);
+  }
+}
+
+// A tower stands if what it stands on does.
+void StableBoxes::take_towers(const World& world) {
+  for (int b = 0; b < world.count(); ++b) {
+    int under = b;
+    while (towers_.carriers()[at(under)] >= 0) under = towers_.carriers()[at(under)];
+    if (under != b && held_[at(under)] != hold(Hold::free)) held_[at(b)] = hold(Hold::upright);
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,38 @@
+/// \file
+/// \brief Outlines and supports as seen from above (thesis 5.4).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/geometry/box.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// The corners of the face of a box that looks down most, seen from above.
+/// \param box the box
+/// \return [m] x and z of each, in order around the face
+[[nodiscard]] std::array<Vec2, 4> lower_corners(const Box& box);
+
+/// The convex hull of points in a plane (Andrew's monotone chain).
+/// \param points  in any order; sorted on return
+/// \param hull    out: its corners, counterclockwise, without those within an edge
+void convex_hull(std::vector<Vec2>& points, std::vector<Vec2>& hull);
+
+/// How far a point is outside of a convex polygon.
+/// \param hull   from convex_hull(); may be a line or a point
+/// \param point  [m]
+/// \return [m] to the nearest point of the polygon; 0 inside, infinity for an empty hull
+[[nodiscard]] double distance_to_hull(std::span<const Vec2> hull, const Vec2& point);
+
+/// Whether a point lies in a convex polygon, or outside by no more than a margin.
+/// \param hull    from convex_hull(); may be a line or a point
+/// \param point   [m]
+/// \param margin  [m] at least 0
+/// \return false for an empty hull
+[[nodiscard]] bool hull_contains(std::span<const Vec2> hull, const Vec2& point, double margin);
+
+}  // namespace tumble

@@ -1,0 +1,99 @@
+/// \file
+/// \brief From the top down: what rests on one body only becomes a load on it.
+#include "tumble/geometric_stability/towers.hpp"
+
+#include "tumble/base/tolerance.hpp"
+#include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/upright.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+constexpr int kNobody = -1;
+constexpr int kSeveral = -2;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+void Towers::run(const World& world, std::span<const Contact> contacts,
+                 std::span<const char> held) {
+  count_neighbours(world, contacts, held);
+  if (!gravity_is_down(world)) return;
+  ready_.clear();
+  for (int b = 0; b < world.count(); ++b)
+    if (above_[at(b)] == 0) ready_.push_back(b);
+  // [S6.3.1:tower]
+  // From the top down: whoever carries nothing that is not known
+  // becomes, with all that it carries, a load on the one below.
+  while (!ready_.empty()) {
+    const int body = ready_.back();
+    ready_.pop_back();
+    if (no_tower_[at(body)] != 0 || below_[at(body)] < 0) continue;
+    settle(world, contacts, body);
+    if (states_[at(body)] != TowerState::carried) continue;
+    const int under = below_[at(body)];
+    carriers_[at(body)] = under;
+    loads_[at(under)].mass += loads_[at(body)].mass;
+    loads_[at(under)].moment += loads_[at(body)].moment;
+    for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
+      if (--above_[at(under)] == 0) ready_.push_back(under);
+  }
+  // [S6.3.1:tower]
+}
+
+// Who is below each body, and how much there is above it.
+void Towers::count_neighbours(const World& world, std::span<const Contact> contacts,
+                              std::span<const char> held) {
+  const std::size_t count = world.bodies().size();
+  states_.assign(count, TowerState::none);
+  carriers_.assign(count, kNobody);
+  loads_.assign(count, {});
+  below_.assign(count, kNobody);
+  above_.assign(count, 0);
+  no_tower_.assign(count, 0);
+  contact_of_.assign(count, -1);
+  next_contact_.assign(contacts.size(), -1);
+  for (std::size_t b = 0; b < count; ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (!body.movable() || (!held.empty() && held[b] != 0)) no_tower_[b] = 1;
+    if (body.movable()) loads_[b] = {body.mass, body.mass * world.states()[b].position_w};
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (contact.count == 0) continue;
+    if (!is_vertical(contact.normal_w, tolerance::exact_vertical)) {
+      no_tower_[at(contact.first)] = 1;
+      no_tower_[at(contact.second)] = 1;
+      continue;
+    }
+    const bool second_is_top = contact.normal_w.y() > 0.0;
+    const int top = second_is_top ? contact.second : contact.first;
+    const int bottom = second_is_top ? contact.first : contact.second;
+    ++above_[at(bottom)];
+    int& below = below_[at(top)];
+    below = below == kNobody || below == bottom ? bottom : kSeveral;
+    next_contact_[c] = contact_of_[at(top)];
+    contact_of_[at(top)] = static_cast<int>(c);
+  }
+}
+
+// Is the centre of a body and of all that it carries above what holds it?
+void Towers::settle(const World& world, std::span<const Contact> contacts, int body) {
+  points_.clear();
+  for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
+    for (int p = 0; p < contacts[at(c)].count; ++p) {
+      const Vec3& point_w = contacts[at(c)].points[at(p)].position_w;
+      points_.emplace_back(point_w.x(), point_w.z());
+    }
+  convex_hull(points_, hull_);
+  const Vec3 centre_w = loads_[at(body)].centre_w();
+  const double margin = tolerance::exact_balance * world.bodies()[at(body)].size.minCoeff();
+  states_[at(body)] = hull_contains(hull_, Vec2(centre_w.x(), centre_w.z()), margin)
+                          ? TowerState::carried
+                          : TowerState::tips;
+}
+
+}  // namespace tumble

@@ -1,0 +1,28 @@
+/// \file
+/// \brief What counts as straight up and down (thesis 5.4).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+
+#include <cmath>
+
+namespace tumble {
+
+/// Whether a normal is along the positive or negative y axis.
+/// \param normal_w   [-] length 1, world frame
+/// \param tolerance  [-] largest sine of the angle to the axis
+/// \return true if so
+[[nodiscard]] inline bool is_vertical(const Vec3& normal_w, double tolerance) {
+  return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <= tolerance;
+}
+
+/// Whether gravity acts, and along the negative y axis, as the thesis takes it.
+/// \param world  the world
+/// \return true if so
+[[nodiscard]] inline bool gravity_is_down(const World& world) {
+  return world.gravity_w.y() < 0.0 && world.gravity_w.x() == 0.0 && world.gravity_w.z() == 0.0;
+}
+
+}  // namespace tumble

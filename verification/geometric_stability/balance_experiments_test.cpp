@@ -1,0 +1,200 @@
+/// \file
+/// \brief Figures 6.4 and 6.5, claim 6.3.1d, and what friction leaves open.
+#include "driver/quick.hpp"
+#include "geometric_stability/balance_figures.hpp"
+#include "geometric_stability/heavy_top_experiments.hpp"
+#include "geometric_stability/threshold_experiments.hpp"
+#include "geometric_stability/tower_experiments.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
+  return {balance_figures(), name, set};
+}
+
+const Table& table_of(const FigureUnderTest& figure, std::string_view suffix) {
+  return *std::find_if(figure.result.tables.begin(), figure.result.tables.end(),
+                       [&](const Table& table) { return table.suffix == suffix; });
+}
+
+}  // namespace
+
+TEST_CASE("A staircase of blocks acts on its base as one block with its mass and centre",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig6_4_one_block");
+  CHECK(figure.number("mass of the one block") == near(2.5).margin(1e-12));
+  // Five blocks, each 0.18 over the next: the middle one is over by twice as much.
+  CHECK(figure.number("its centre, from the middle of the lowest block") ==
+        near(0.36).margin(1e-12));
+  CHECK(figure.number("distance of the support force, found block by block, from it") < 1e-9);
+  CHECK(figure.number("block of the staircase that tips beyond, counted from below") == 2.0);
+  // [-] thresholds by hand; measured 1e-9 off.
+  CHECK(figure.number("overhang up to which the staircase stands, by towers") ==
+        near(0.2).margin(2e-8));
+  CHECK(figure.number("overhang up to which five blocks to and fro stand, by towers") ==
+        near(0.375).margin(2e-8));
+  CHECK(figure.number("overhang over an edge that six blocks reach, by towers") ==
+        near(49.0 / 40.0).margin(2e-8));
+  CHECK(figure.number("largest relative error of the reach of one to six blocks, by towers") <
+        1e-8);
+  CHECK(figure.number("the same, by static equilibrium block by block") < 1e-8);
+  // Eight blocks on a base on the ground have nine contacts of four points; one has four.
+  CHECK(figure.number("unknown forces of the longest series, block by block") == 36.0);
+  CHECK(figure.number("the same, with the series as one block") == 4.0);
+  CHECK(figure.number("multiplications for the longest series, block by block over as one block") >
+        100.0);
+}
+
+TEST_CASE("The one block is as high as the series, and every centre is over its support",
+          "[unit][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig6_4_one_block");
+  double top[2] = {0.0, 0.0};  // [m] of the two drawings
+  int moving = 0;
+  for (const auto& row : table_of(figure, "boxes").rows) {
+    if (row[0] < 2.0) top[row[0] == 1.0] = std::max(top[row[0] == 1.0], row[2] + 0.5 * row[4]);
+    moving += row[5] == 2.0 ? 1 : 0;
+  }
+  CHECK(top[0] == near(3.0).margin(1e-12));
+  CHECK(top[1] == near(3.0).margin(1e-12));
+  for (const auto& row : table_of(figure, "levels").rows) {
+    CHECK(row[1] < row[3]);
+    CHECK(row[3] < row[2]);
+  }
+  // Beyond the limit four blocks move; the fastest of their corners by a quarter of a metre.
+  CHECK(moving == 4);
+  CHECK(table_of(figure, "arrows").rows.size() == 4);
+  CHECK(table_of(figure, "outlines").rows.size() == 16);
+  for (const auto& row : table_of(figure, "arrows").rows) {
+    CHECK(std::abs(row[2]) < 1e-9);  // [m] without friction nothing pushes a centre sideways
+    CHECK(std::abs(row[3]) < 4.0 * 0.25);
+  }
+}
+
+TEST_CASE("A figure of blocks that stand or tip refuses overhangs that do the other",
+          "[unit][geometric_stability]") {
+  CHECK_THROWS_AS(figure_of("fig6_4_one_block", {"overhang=0.21"}), std::runtime_error);
+  CHECK_THROWS_AS(figure_of("fig6_4_one_block", {"beyond=0.19"}), std::runtime_error);
+  CHECK_THROWS_AS(figure_of("fig6_5_heavy_top", {"mass_ratio=0.7"}), std::runtime_error);
+  CHECK_THROWS_AS(figure_of("fig6_5_heavy_top", {"too_light=0.8"}), std::runtime_error);
+}
+
+TEST_CASE("Of figure 6.5 balance, statics by hand and runs find one threshold",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig6_5_heavy_top");
+  CHECK(figure.number("mass ratio from which it stands, centred") == near(2.0 / 3.0).margin(1e-8));
+  CHECK(figure.number("the same, top block off by 0.2 m") == near(70.0 / 93.0).margin(1e-8));
+  CHECK(figure.number("mass ratio from which friction can hold it, centred") ==
+        near(0.4).margin(1e-8));
+  CHECK(figure.number("force on the left block at the limit, off by 0.2 m, over its weight") ==
+        near(1.0 / 3.0).margin(1e-8));
+  // (M o + A) / (M - A) with M = 70/93, o = 0.2, A = 1/3.
+  CHECK(figure.number("where the force on the right block acts then") ==
+        near(15.0 / 13.0).margin(1e-7));
+  CHECK(figure.number("acceleration with which the left block of the light case starts to turn") >
+        0.0);
+  // [-] After two seconds a top that is too light by a thousandth has not moved by a centimetre.
+  for (const char* runs : {"contact_damped without friction", "analytic without friction",
+                           "contact_damped with friction"})
+    CHECK(figure.number("largest relative error of the mass ratio from which runs stand, " +
+                        std::string(runs)) < 0.02);
+  // Every run that is drawn ends as the closed form says.
+  for (const auto& row : table_of(figure, "runs").rows) {
+    const double limit = mass_ratio_by_hand(row[0], row[3] == 2.0 ? 0.5 : 0.0);
+    INFO("offset " << row[0] << ", mass ratio " << row[1] << ", kind " << row[3]);
+    CHECK((row[2] == 1.0) == (row[1] > limit));
+  }
+}
+
+TEST_CASE("The mass ratio by hand holds on both sides and with any friction",
+          "[exact][geometric_stability]") {
+  for (const double offset : {-0.24, -0.05, 0.0, 0.17, 0.24})
+    for (const double friction : {0.0, 0.1, 0.5, 1.0}) {
+      INFO("offset " << offset << ", friction " << friction);
+      const double hand = mass_ratio_by_hand(offset, friction);
+      const int edges = friction > 0.0 ? 8 : 0;
+      CHECK(mass_ratio_by_balance(offset, friction, edges) == near(hand).margin(2e-8 * hand));
+      // What of friction is along x all pyramids have: edges do not matter here.
+      if (friction > 0.0)
+        CHECK(mass_ratio_by_balance(offset, friction, 16) == near(hand).margin(2e-8 * hand));
+    }
+}
+
+TEST_CASE("Static equilibrium finds the limits of figures 6.4 and 6.5 to a millionth",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("claim_6_3_1d_equilibrium");
+  // [-] The rule of the claim; measured 2e-9.
+  CHECK(figure.number("largest relative error of the mass, and of the overhang, at which the "
+                      "equilibrium test changes its verdict, against the closed form") <= 1e-6);
+  CHECK(figure.number("the same, of the mass of figure 6.5") <= 1e-8);
+  CHECK(figure.number("the same, of overhangs, towers included") <= 1e-8);
+}
+
+TEST_CASE("Rules that go level by level miss the limits of figures 6.4 and 6.5",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("claim_6_3_1d_equilibrium");
+  CHECK(figure.number("mass ratio from which figure 6.5 stands, loads at the middles of areas") ==
+        near(0.8).margin(1e-9));
+  CHECK(figure.number("offsets at which own centres let a top of a hundred times the mass stand") ==
+        0.0);
+  // A staircase of five falls from 1/5 on.
+  CHECK(figure.number(
+            "overhang up to which a staircase of five stands, loads at the middles of areas") ==
+        near(4.0 / 11.0).margin(1e-9));
+  CHECK(figure.number("the same, own centres") == near(0.5).margin(1e-9));
+  CHECK(figure.number("pivots for the pyramid, the test of balance") <
+        figure.number("pivots for the pyramid, Baraff's method"));
+}
+
+TEST_CASE("Both ways to ask agree on who accelerates, at little and much work",
+          "[unit][geometric_stability]") {
+  const BalanceWork stands = work_of(heavy_top(0.8, 0.1));
+  CHECK(stands.equilibrium.balanced);
+  CHECK(stands.fastest < 1e-8);  // [m/s²]
+  const BalanceWork falls = work_of(heavy_top(0.6, 0.1));
+  CHECK(!falls.equilibrium.balanced);
+  CHECK(falls.fastest > 1e-2);
+  CHECK(stands.equilibrium.unknowns == 16);
+  CHECK(stands.multiplications > 0);
+}
+
+TEST_CASE("The rule of middles is exact where a load has to be in the middle",
+          "[exact][geometric_stability]") {
+  // Two blocks: what the upper one hands on is its own weight, and it does so at its support.
+  const auto stands = [](double overhang) {
+    return middles_stand(series_of("staircase", 2, overhang));
+  };
+  CHECK(threshold(stands, 0.9, 0.1) == near(0.5).margin(1e-9));
+  CHECK(std::isnan(threshold(stands, 0.2, 0.1)));
+}
+
+TEST_CASE("Balance with friction says that a wedged box may stay, and it falls freely",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("weakly_stable");
+  CHECK(figure.number("whether friction can hold the wedged box (1: yes)") == 1.0);
+  CHECK(figure.number("the same, without friction") == 0.0);
+  CHECK(figure.number("fall of the wedged box at the end over free fall, contact_damped") ==
+        near(1.0).margin(1e-9));
+  CHECK(figure.number("the same, analytic") == near(1.0).margin(1e-9));
+}
+
+TEST_CASE("A leaning plank's least friction is exact along an edge of the pyramid",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("weakly_stable");
+  CHECK(figure.number("relative error, along an edge, at worst") < 1e-8);
+  // [-] 1/cos(pi/n) - 1.
+  CHECK(figure.number("relative error of 8 edges, between two") == near(0.0823922).margin(1e-7));
+  CHECK(figure.number("relative error of 16 edges, between two") == near(0.0195912).margin(1e-7));
+  CHECK(figure.number("distance of these errors from what the pyramid lacks, at worst") < 1e-8);
+  // tan(60°) = 1.732: a thin plank needs 0.2887, one of 0.1 m by 2 m 0.025 less.
+  CHECK(figure.number("the same, by hand") == near(0.2636751346).margin(1e-10));
+}

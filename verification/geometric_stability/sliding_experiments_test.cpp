@@ -1,0 +1,109 @@
+/// \file
+/// \brief Claim 5.4d: a stable box slides and is damped, until a corner leaves its support.
+#include "geometric_stability/sliding_experiments.hpp"
+
+#include "driver/quick.hpp"
+#include "geometric_stability/sliding_run.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+FigureUnderTest figure(const std::vector<std::string>& set = {}) {
+  return {sliding_figures(), "claim_5_4d_sliding", set};
+}
+
+const std::string kShare =
+    "share of the steps until a corner leaves its support in which the upper box is stable, "
+    "slides, and is slowed down by damping";
+
+}  // namespace
+
+TEST_CASE("A stable box slides and is damped in each step but the first, which is not classified",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest quick = figure();
+  // Three runs of 7, 6 and 6 steps.
+  CHECK(quick.number(kShare) == near(16.0 / 19.0).margin(1e-15));
+  CHECK(quick.number("the same, without the first step of each run") == 1.0);
+  CHECK(quick.number("largest change of the speed until then if nobody is marked") < 1e-3);  // m/s
+  CHECK(quick.number("speed as a corner leaves, analytic forces without friction, over that at the "
+                     "start") == near(1.0).margin(1e-12));
+  // Whatever the constants: one step of each run is lost, so the share tells how long the runs are.
+  for (const double k_scale : {0.5, 1.0, 2.0}) {
+    for (const double scale : {0.5, 1.0, 2.0}) {
+      const SlideRun run =
+          slide({.offset = -0.4, .speed = 12.0, .scale = scale, .k_scale = k_scale});
+      INFO("k_scale " << k_scale << ", scale " << scale);
+      REQUIRE(run.leaves > 3);
+      CHECK(run.counted() == run.until() - 1);
+      CHECK_FALSE(run.steps.front().counted_stable);
+    }
+  }
+}
+
+TEST_CASE(
+    "The box leaves its support in the step in which a speed that falls by 8 % takes it there",
+    "[exact][geometric_stability]") {
+  // After n steps it has come v h k (1 - k^n)/(1 - k) far; 0.9 m are needed.
+  for (const double speed : {5.0, 6.0, 8.0, 11.0, 14.0}) {
+    const double reach = speed / 60.0 * 0.92 / 0.08;
+    const int steps =
+        static_cast<int>(std::ceil(std::log(1.0 - 0.9 / reach) / std::log(0.92) - 1e-9));
+    INFO(speed << " m/s");
+    const SlideRun run = slide({.offset = -0.4, .speed = speed});
+    // Slow boxes are damped more: the one at 5 m/s needs a step more, measured.
+    CHECK(run.until() >= steps);
+    CHECK(run.until() <= steps + 1);
+  }
+  CHECK(slide({.offset = -0.4, .speed = 4.0}).until() == 0);  // stops before, after 0.77 m
+}
+
+TEST_CASE("The mark of a box that slides goes in the step that takes a corner beyond the edge",
+          "[exact][geometric_stability]") {
+  const SlideRun run = slide({.offset = -0.4, .speed = 11.0});
+  const auto last = static_cast<std::size_t>(run.leaves);
+  CHECK(run.steps[last - 1].overhang < 0.0);
+  CHECK(run.steps[last].overhang > 0.01);  // [m] beyond the tolerance of a hundredth of an edge
+  for (std::size_t k = 0; k < run.worlds.size(); ++k)
+    CHECK((stable_by_corners(run.worlds[k])[2] != 0) == (k <= last));
+  CHECK(run.steps[last].counted_stable);  // by the mark that it had when the step began
+  CHECK_FALSE(run.steps[last + 1].counted_stable);
+}
+
+TEST_CASE(
+    "A box that slides among analytic forces is held in every step that begins and goes on its "
+    "support",
+    "[claims][geometric_stability]") {
+  const SlideRun damped = slide({.slider = Slider::analytic_damping, .offset = -0.4, .speed = 8.0});
+  REQUIRE(damped.leaves > 3);
+  for (int k = 0; k < damped.leaves; ++k) {
+    CHECK(damped.steps[static_cast<std::size_t>(k)].counted_stable);
+    CHECK(damped.steps[static_cast<std::size_t>(k)].slowed);
+  }
+  CHECK_FALSE(damped.steps[static_cast<std::size_t>(damped.leaves) + 1].counted_stable);
+  const SlideRun free = slide({.slider = Slider::analytic_free, .offset = -0.4, .speed = 8.0});
+  for (int k = 0; k < free.leaves; ++k) {
+    CHECK(free.steps[static_cast<std::size_t>(k)].counted_stable);
+    CHECK_FALSE(free.steps[static_cast<std::size_t>(k)].slowed);
+  }
+}
+
+TEST_CASE("Damping holds a box up whose centre is a third of an edge beyond the edge, and no half",
+          "[reference][geometric_stability]") {
+  // [m] measured 0.39 of 0.5: what gravity turns in a step is less than what the damping turns back.
+  const double held = held_overhang(2.0);
+  CHECK(held > 0.3);
+  CHECK(held < 0.45);
+}
+
+TEST_CASE("A run that leaves nothing, or that does not fall, is refused",
+          "[unit][geometric_stability]") {
+  CHECK_THROWS_AS(figure({"speed=2"}), std::runtime_error);
+  CHECK_THROWS_AS(figure({"slowest=1", "speeds=1"}), std::runtime_error);
+}

@@ -1,0 +1,579 @@
+/// \file
+/// \brief Static equilibrium: closed forms, certificates, friction, errors, scales, orders.
+#include "tumble/geometric_stability/static_equilibrium.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kPi = std::numbers::pi;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Bodies at rest that touch.
+struct Pile {
+  World world;
+  ContactList contacts;
+
+  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0,
+          double friction = 0.0, const Quat& q = Quat::Identity()) {
+    const BodyProperties body = box_properties(size, mass, friction);
+    world.add(body, make_state(body, position_w, q));
+    contacts.clear();
+    return world.count() - 1;
+  }
+  int add_fixed(const Vec3& position_w, const Vec3& size, double friction = 0.0,
+                const Quat& q = Quat::Identity()) {
+    const BodyProperties body = fixed_box_properties(size, friction);
+    world.add(body, make_state(body, position_w, q));
+    contacts.clear();
+    return world.count() - 1;
+  }
+  void gather() {
+    std::vector<MovingBody> moving;
+    load_moving_bodies(world, moving);
+    std::vector<IndexPair> pairs;
+    for (int a = 0; a < world.count(); ++a)
+      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
+    double longest = 0.0;
+    for (const BodyProperties& body : world.bodies())
+      if (body.shape == Shape::box) longest = std::max(longest, body.size.maxCoeff());
+    gather_contacts(world, moving, pairs, 1e-9 * longest, {}, contacts);
+  }
+  BalanceTask task(int friction_edges = 0) {
+    if (contacts.empty()) gather();
+    BalanceTask result;
+    result.contacts = contacts;
+    result.friction_edges = friction_edges;
+    return result;
+  }
+  bool balanced(int friction_edges = 0) {
+    StaticEquilibrium equilibrium;
+    return equilibrium.solve(world, task(friction_edges)).balanced;
+  }
+};
+
+// The value at which a verdict changes, by bisection.
+double limit(const std::function<bool(double)>& stands, double falls, double holds) {
+  REQUIRE(!stands(falls));
+  REQUIRE(stands(holds));
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (falls + holds);
+    (stands(middle) ? holds : falls) = middle;
+  }
+  return holds;
+}
+
+// How fast the second body leaves the first one at a point: what contacts resist if below 0.
+double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& contact,
+               const Vec3& point_w) {
+  const auto of = [&](int body) {
+    const Acceleration& a = found.motion()[at(body)];
+    const Vec3 arm_w = point_w - pile.world.states()[at(body)].position_w;
+    return Vec3(a.linear_w + a.angular_w.cross(arm_w));
+  };
+  return contact.normal_w.dot(of(contact.second) - of(contact.first));
+}
+
+// Boxes in layers, each at random over the one below: many fall.
+Pile random_layers(Random& random) {
+  Pile pile;
+  pile.world.add_ground();
+  const int layers = 2 + static_cast<int>(random.below(3));
+  for (int layer = 0; layer < layers; ++layer) {
+    double left = random.uniform(-0.8, 0.2);
+    const int count = 1 + static_cast<int>(random.below(3));
+    for (int k = 0; k < count; ++k) {
+      const double wide = random.uniform(0.5, 1.8);
+      const double deep = random.uniform(0.6, 1.2);
+      const double z = random.uniform(-0.2, 0.2);
+      const double mass = random.uniform(0.2, 5.0);
+      const double gap = random.uniform(0.05, 0.6);
+      pile.add(Vec3(left + 0.5 * wide, layer + 0.5, z), Vec3(wide, 1.0, deep), mass);
+      left += wide + gap;
+    }
+  }
+  return pile;
+}
+
+// Figure 6.5, with lengths and masses in any unit: a top block, off by 0.2, on two that overhang.
+Pile heavy_top(double mass_ratio, double length, double mass) {
+  Pile pile;
+  for (const double side : {-1.0, 1.0}) {
+    pile.add_fixed(length * Vec3(1.375 * side, 0.5, 0.0), length * Vec3(0.75, 1.0, 1.0));
+    pile.add(length * Vec3(2.0 * side, 1.5, 0.0), length * Vec3(2.0, 1.0, 1.0), mass);
+  }
+  pile.add(length * Vec3(0.2, 2.5, 0.0), length * Vec3(2.5, 1.0, 1.0), mass_ratio * mass);
+  return pile;
+}
+
+bool heavy_top_stands(double mass_ratio, double length, double mass) {
+  return heavy_top(mass_ratio, length, mass).balanced();
+}
+
+// A plank that leans on a smooth wall, both turned about the vertical.
+Pile leaning_plank(double degrees, double friction, double turn) {
+  Pile pile;
+  pile.world.add_ground(friction);
+  const Quat about = rotation_from_vector(Vec3(0.0, turn, 0.0));
+  pile.add_fixed(about * Vec3(-0.5, 2.0, 0.0), Vec3(1.0, 4.0, 4.0), 0.0, about);
+  const double angle = degrees * kPi / 180.0;
+  const Quat lean = rotation_from_vector(Vec3(0.0, 0.0, -angle));
+  const Vec3 place_w = Vec3(2.0 * elementary::cos(angle), 0.0, 0.0) + lean * Vec3(-1.0, 0.05, 0.0);
+  pile.add(about * place_w, Vec3(2.0, 0.1, 0.5), 1.0, friction, about * lean);
+  return pile;
+}
+
+}  // namespace
+
+TEST_CASE("A box on two ridges presses on them by the law of the lever",
+          "[exact][geometric_stability]") {
+  // Ridges of 1 mm under a plank of 2 m: what is off the middle by x has (0.9 - x)/1.8 on the left.
+  for (const double x : {-0.6, 0.0, 0.3}) {
+    Pile pile;
+    pile.add_fixed(Vec3(-0.9, 0.5, 0.0), Vec3(1e-3, 1.0, 1.0));
+    pile.add_fixed(Vec3(0.9, 0.5, 0.0), Vec3(1e-3, 1.0, 1.0));
+    pile.add(Vec3(x, 1.05, 0.0), Vec3(4.0, 0.1, 1.0), 3.0);
+    StaticEquilibrium equilibrium;
+    const BalanceTask task = pile.task();
+    const BalanceReport& report = equilibrium.solve(pile.world, task);
+    CHECK(report.balanced);
+    CHECK(report.unknowns == 8);
+    REQUIRE(equilibrium.pushes_w().size() == 8);
+    double left = 0.0;
+    Vec3 sum_w = Vec3::Zero();
+    for (std::size_t p = 0; p < 8; ++p) {
+      sum_w += equilibrium.pushes_w()[p];
+      if (p < 4) left += equilibrium.pushes_w()[p].y();
+    }
+    const double weight = 3.0 * kGravity;
+    CHECK((sum_w - Vec3(0.0, weight, 0.0)).norm() < 1e-12 * weight);
+    // [N] A force may act anywhere on a ridge: half of its width over the distance of the two.
+    CHECK(left == near(weight * (0.9 - x) / 1.8).margin(weight * 1e-3 / 1.8));
+  }
+}
+
+TEST_CASE("A loaded lever tips when its moment about the edge of the pivot changes sign",
+          "[exact][geometric_stability]") {
+  // A plank of 4 m and 1 kg on a pivot of 0.5 m; loads 1.75 m from the middle. Moments about the
+  // pivot's left edge: left (1.75 - 0.25) = 1 kg 0.25 + 1 kg (1.75 + 0.25), left = 1.5 kg.
+  const auto stands = [](double left) {
+    Pile pile;
+    pile.add_fixed(Vec3(0.0, 0.25, 0.0), Vec3(0.5, 0.5, 1.0));
+    pile.add(Vec3(0.0, 0.55, 0.0), Vec3(4.0, 0.1, 1.0), 1.0);
+    pile.add(Vec3(-1.75, 0.85, 0.0), Vec3::Constant(0.5), left);
+    pile.add(Vec3(1.75, 0.85, 0.0), Vec3::Constant(0.5), 1.0);
+    return pile.balanced();
+  };
+  // [-] Thresholds come out to a few times the tolerance of balance, 1e-9; measured 3e-9.
+  CHECK(limit(stands, 3.0, 1.0) == near(1.5).margin(2e-8));
+}
+
+TEST_CASE("What is left over proves that nothing can hold the bodies",
+          "[exact][geometric_stability]") {
+  // Farkas: a motion that no contact resists, and in which the weights do work.
+  Random random(63);
+  int falling = 0;
+  int standing = 0;
+  for (int run = 0; run < 300; ++run) {
+    Pile pile = random_layers(random);
+    StaticEquilibrium equilibrium;
+    const BalanceTask task = pile.task();
+    const bool balanced = equilibrium.solve(pile.world, task).balanced;
+    ++(balanced ? standing : falling);
+    double work = 0.0;    // [W/s...] a · w
+    double energy = 0.0;  // a · M a
+    double fastest = 0.0;
+    for (int b = 0; b < pile.world.count(); ++b) {
+      const BodyProperties& body = pile.world.bodies()[at(b)];
+      if (!body.movable()) continue;
+      const Acceleration& a = equilibrium.motion()[at(b)];
+      work += body.mass * a.linear_w.dot(pile.world.gravity_w);
+      energy += body.mass * a.linear_w.squaredNorm() +
+                body.inertia_b.dot(a.angular_w.cwiseProduct(a.angular_w));  // upright boxes
+      fastest = std::max(fastest, a.linear_w.norm());
+    }
+    double resisted = 0.0;
+    std::size_t push = 0;
+    for (const Contact& contact : pile.contacts)
+      for (int p = 0; p < contact.count; ++p, ++push) {
+        const double leaves = parting(pile, equilibrium, contact, contact.points[at(p)].position_w);
+        const Vec3& force_w = equilibrium.pushes_w()[push];
+        resisted = std::min(resisted, leaves);
+        CHECK(force_w.dot(contact.normal_w) >= 0.0);
+        // A contact that pushes does not part: what pushes and parts alike is rounding.
+        CHECK(std::min(leaves / kGravity, force_w.norm() / kGravity) < 1e-9);
+      }
+    CHECK(resisted > -1e-9 * kGravity);
+    if (balanced) {
+      CHECK(fastest <= 1e-9 * kGravity);
+    } else {
+      CHECK(work > 0.0);
+      CHECK(work == near(energy).margin(1e-9 * energy + 1e-12));  // the nearest point of a cone
+    }
+  }
+  INFO(standing << " stand, " << falling << " fall");
+  CHECK(standing > 30);
+  CHECK(falling > 100);
+}
+
+TEST_CASE("Forces of a balance hold every weight and every moment",
+          "[exact][geometric_stability]") {
+  Random random(64);
+  int standing = 0;
+  for (int run = 0; run < 200; ++run) {
+    Pile pile = random_layers(random);
+    StaticEquilibrium equilibrium;
+    const BalanceTask task = pile.task();
+    equilibrium.solve(pile.world, task);
+    std::vector<Vec3> force_w(pile.world.bodies().size(), Vec3::Zero());
+    std::vector<Vec3> torque_w(pile.world.bodies().size(), Vec3::Zero());
+    std::size_t push = 0;
+    for (const Contact& contact : pile.contacts)
+      for (int p = 0; p < contact.count; ++p, ++push)
+        for (const auto& [body, sign] : {std::pair(contact.second, 1.0), {contact.first, -1.0}}) {
+          const Vec3 arm_w =
+              contact.points[at(p)].position_w - pile.world.states()[at(body)].position_w;
+          force_w[at(body)] += sign * equilibrium.pushes_w()[push];
+          torque_w[at(body)] += sign * arm_w.cross(equilibrium.pushes_w()[push]);
+        }
+    for (int b = 0; b < pile.world.count(); ++b) {
+      const double mass = pile.world.bodies()[at(b)].mass;
+      if (!pile.world.bodies()[at(b)].movable() || equilibrium.balanced()[at(b)] == 0) continue;
+      ++standing;
+      CHECK((force_w[at(b)] + mass * pile.world.gravity_w).norm() < 1e-8 * mass * kGravity);
+      CHECK(torque_w[at(b)].norm() < 1e-8 * mass * kGravity);
+    }
+  }
+  CHECK(standing > 100);
+}
+
+TEST_CASE("A weight free in the air falls with g, and what hangs together falls with it",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  const int low = pile.add(Vec3(0.0, 10.5, 0.0));
+  const int high = pile.add(Vec3(0.1, 11.5, 0.0), Vec3::Ones(), 4.0);
+  const int far = pile.add(Vec3(5.0, 0.5, 0.0));
+  StaticEquilibrium equilibrium;
+  const BalanceTask task = pile.task();
+  const BalanceReport& report = equilibrium.solve(pile.world, task);
+  CHECK(!report.balanced);
+  for (const int body : {low, high, far}) {
+    CHECK(equilibrium.balanced()[at(body)] == 0);
+    CHECK((equilibrium.motion()[at(body)].linear_w - pile.world.gravity_w).norm() < 1e-12);
+    CHECK(equilibrium.motion()[at(body)].angular_w.norm() < 1e-12);
+  }
+}
+
+TEST_CASE("Balance with friction finds a leaning plank's limit but for what the pyramid lacks",
+          "[exact][geometric_stability]") {
+  // Moments about the foot: mu >= cot/2 - t/(2L). A pyramid of n edges inside of Coulomb's cone has
+  // all of it along an edge, and cos(pi/n) of it between two.
+  for (const double degrees : {45.0, 60.0, 75.0}) {
+    const double angle = degrees * kPi / 180.0;
+    const double needed = 0.5 * std::cos(angle) / std::sin(angle) - 0.5 * 0.1 / 2.0;
+    for (const int edges : {4, 8, 16}) {
+      INFO(degrees << " degrees, " << edges << " edges");
+      const auto least = [&](double turn) {
+        return limit([&](double mu) { return leaning_plank(degrees, mu, turn).balanced(edges); },
+                     1e-3, 10.0);
+      };
+      CHECK(least(0.0) == near(needed).margin(1e-7 * needed));
+      const double between = needed / std::cos(kPi / edges);
+      CHECK(least(kPi / edges) == near(between).margin(1e-7 * between));
+    }
+    CHECK(!leaning_plank(degrees, 10.0, 0.0).balanced(0));  // no friction is looked for
+  }
+}
+
+TEST_CASE("With friction a box on a slope is in balance up to the angle of friction",
+          "[exact][geometric_stability]") {
+  // The slope is made by gravity: tan(angle) = mu, as long as the box does not tip at 45 degrees.
+  const auto stands = [](double slope) {
+    Pile pile;
+    pile.world.add_ground(0.4);
+    pile.add(Vec3(0.0, 0.5, 0.0), Vec3::Ones(), 2.0, 0.4);
+    const double length = std::sqrt(1.0 + slope * slope);
+    pile.world.gravity_w = kGravity / length * Vec3(slope, -1.0, 0.0);
+    return pile.balanced(8);
+  };
+  CHECK(limit(stands, 0.9, 0.1) == near(0.4).margin(1e-8));
+}
+
+TEST_CASE("Of friction only rough contacts have unknowns, and its forces hold the weight",
+          "[unit][geometric_stability]") {
+  Pile plank = leaning_plank(60.0, 0.4, 0.0);
+  StaticEquilibrium equilibrium;
+  const BalanceTask task = plank.task(8);
+  const BalanceReport& report = equilibrium.solve(plank.world, task);
+  CHECK(report.balanced);
+  CHECK(report.unknowns == 2 + 2 * 8);  // two points on the smooth wall, two on the ground
+  REQUIRE(equilibrium.pushes_w().size() == 4);
+  Vec3 sum_w = Vec3::Zero();
+  double across = 0.0;  // [N] of the ground, along x
+  std::size_t push = 0;
+  for (const Contact& contact : plank.contacts)
+    for (int p = 0; p < contact.count; ++p, ++push) {
+      const Vec3& force_w = equilibrium.pushes_w()[push];
+      sum_w += contact.second == 2 ? force_w : Vec3(-force_w);  // on the plank
+      const double normal = force_w.dot(contact.normal_w);
+      if (contact.first == 0) across += force_w.x();
+      CHECK((force_w - normal * contact.normal_w).norm() <= contact.friction * normal + 1e-12);
+    }
+  CHECK((sum_w - Vec3(0.0, kGravity, 0.0)).norm() < 1e-8 * kGravity);
+  // The wall pushes with m g (cot/2 - t/(2L)), and friction at the foot as much against it.
+  const double wall = kGravity * (0.5 / std::sqrt(3.0) - 0.5 * 0.1 / 2.0);
+  CHECK(across == near(-wall).margin(1e-8 * kGravity));
+}
+
+TEST_CASE("A box wedged between walls may be held by friction, and by nothing else",
+          "[unit][geometric_stability]") {
+  const auto wedged = [](double friction, int edges) {
+    Pile pile;
+    pile.add_fixed(Vec3(-1.0, 2.0, 0.0), Vec3(1.0, 4.0, 2.0), friction);
+    pile.add_fixed(Vec3(1.0, 2.0, 0.0), Vec3(1.0, 4.0, 2.0), friction);
+    pile.add(Vec3(0.0, 2.0, 0.0), Vec3::Ones(), 1.0, friction);
+    return pile.balanced(edges);
+  };
+  CHECK(wedged(0.5, 4));
+  CHECK(wedged(0.5, 8));
+  CHECK(wedged(0.05, 8));
+  CHECK(!wedged(0.5, 0));
+  CHECK(!wedged(0.0, 8));
+}
+
+TEST_CASE("Thresholds of balance do not know metres, kilograms, or gravity",
+          "[exact][geometric_stability]") {
+  for (const double length : {1e-3, 1.0, 1e3})
+    for (const double mass : {1e-6, 1.0, 1e6}) {
+      INFO("lengths times " << length << ", masses times " << mass);
+      const double found =
+          limit([&](double ratio) { return heavy_top_stands(ratio, length, mass); }, 0.1, 10.0);
+      CHECK(found == near(70.0 / 93.0).margin(1e-8));
+    }
+}
+
+TEST_CASE("One body may have a hundred thousand times the mass of another, or figure 6.5 a million",
+          "[exact][geometric_stability]") {
+  for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
+    INFO("top over the others: " << ratio);
+    // With a top that weighs next to nothing it falls, with a very heavy one it stands.
+    CHECK(heavy_top_stands(ratio, 1.0, 1.0) == (ratio > 1.0));
+  }
+  // Towers with one block that is heavier or lighter than the rest, against sums of moments.
+  Random random(67);
+  int standing = 0;
+  for (const double ratio : {1e-5, 1e-3, 1e3, 1e5, 1e7, 1e9}) {
+    INFO("one block over the others: " << ratio);
+    for (int run = 0; run < 100; ++run) {
+      const int other = static_cast<int>(random.below(4));
+      std::vector<double> x(4, 0.0);
+      for (std::size_t k = 1; k < 4; ++k) x[k] = x[k - 1] + random.uniform(-0.45, 0.45);
+      double mass = 0.0;
+      double moment = 0.0;
+      double inside = 1.0;  // [m] of the centre of all above, from the end of a support
+      Pile pile;
+      pile.world.add_ground();
+      for (int k = 3; k >= 0; --k) {
+        const double own = k == other ? ratio : 1.0;
+        mass += own;
+        moment += own * x[at(k)];
+        const double under = k > 0 ? x[at(k - 1)] : x[at(k)];
+        const double centre = moment / mass;
+        inside = std::min({inside, centre - std::max(x[at(k)], under) + 0.5,
+                           std::min(x[at(k)], under) + 0.5 - centre});
+        pile.add(Vec3(x[at(k)], k + 0.5, 0.0), Vec3::Ones(), own);
+      }
+      if (std::abs(inside) < 1e-3) continue;
+      standing += inside > 0.0 ? 1 : 0;
+      // Beyond, rounding of a push is felt by what is light; it is the safe answer that is given.
+      if (ratio < 1e6) CHECK(pile.balanced() == (inside > 0.0));
+      if (ratio > 1e6 && inside < 0.0) CHECK(!pile.balanced());
+    }
+  }
+  CHECK(standing > 300);
+}
+
+TEST_CASE("Loads beside the weights are balanced, also if they are a couple",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  const int box = pile.add(Vec3(0.013, 0.5, 0.01), Vec3(1.01, 1.0, 0.437), 0.8);
+  StaticEquilibrium equilibrium;
+  const auto balanced = [&](const std::vector<Load>& loads, bool weight) {
+    BalanceTask task = pile.task();
+    task.loads = loads;
+    task.weight = weight;
+    return equilibrium.solve(pile.world, task).balanced;
+  };
+  const Vec3 down_w(0.0, -10.3, 0.0);
+  CHECK(balanced({}, false));
+  CHECK(balanced({{box, Vec3(0.3, 1.0, 0.0), down_w}}, false));
+  CHECK(!balanced({{box, Vec3(0.6, 1.0, 0.0), down_w}}, false));  // beyond its edge
+  CHECK(equilibrium.motion()[at(box)].angular_w.z() < 0.0);       // clockwise, to the right
+  CHECK(!balanced({{box, Vec3(-0.6, 1.0, 0.0), down_w}}, false));
+  CHECK(equilibrium.motion()[at(box)].angular_w.z() > 0.0);
+  CHECK(!balanced({{box, Vec3(0.0, 1.0, 0.0), -down_w}}, true));  // 10.3 N up against 7.8 N
+  CHECK(equilibrium.motion()[at(box)].linear_w.y() == near(10.3 / 0.8 - kGravity).margin(1e-9));
+  CHECK(balanced({{box, Vec3(0.0, 1.0, 0.0), 0.7 * -down_w}}, true));
+  CHECK(!balanced({{box, Vec3(0.0, 0.5, 0.0), Vec3(1.0, 0.0, 0.0)}}, true));  // no friction
+  // A couple needs a lid: then two corners, one above and one below, hold it.
+  const std::vector<Load> couple = {{box, Vec3(0.25, 0.5, 0.01), down_w},
+                                    {box, Vec3(-0.17, 0.5, 0.0), -down_w}};
+  CHECK(!balanced(couple, false));
+  pile.add_fixed(Vec3(0.0, 1.5, 0.0), Vec3::Ones());
+  CHECK(balanced(couple, false));
+  CHECK(balanced(couple, true));
+  // What acts on an immovable body moves nothing.
+  CHECK(balanced({{0, Vec3::Zero(), down_w}}, true));
+}
+
+TEST_CASE("Held bodies stay where they are and hold whatever leans on them",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  const int low = pile.add(Vec3(0.0, 0.5, 0.0));
+  const int high = pile.add(Vec3(0.3, 1.5, 0.0));
+  const int highest = pile.add(Vec3(0.75, 2.5, 0.0));  // with this, the middle one tips
+  StaticEquilibrium equilibrium;
+  BalanceTask task = pile.task();
+  CHECK(!equilibrium.solve(pile.world, task).balanced);
+  CHECK(equilibrium.balanced()[0] == 1);  // the ground
+  const std::vector<char> held = {0, 0, 1, 0};
+  task.held = held;
+  const BalanceReport& report = equilibrium.solve(pile.world, task);
+  CHECK(report.balanced);
+  CHECK(report.unknowns == 12);
+  for (const int body : {low, high, highest}) CHECK(equilibrium.balanced()[at(body)] == 1);
+  CHECK(equilibrium.motion()[at(high)].linear_w.norm() == 0.0);
+}
+
+TEST_CASE("Each island is judged by itself", "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  const int stands = pile.add(Vec3(0.0, 0.5, 0.0));
+  const int pillar = pile.add(Vec3(5.0, 0.5, 0.0));
+  const int tips = pile.add(Vec3(5.7, 1.5, 0.0));
+  StaticEquilibrium equilibrium;
+  const BalanceTask task = pile.task();
+  CHECK(!equilibrium.solve(pile.world, task).balanced);
+  CHECK(equilibrium.balanced()[at(stands)] == 1);
+  CHECK(equilibrium.balanced()[at(pillar)] == 0);  // of the same island, though it does not move
+  CHECK(equilibrium.balanced()[at(tips)] == 0);
+  CHECK(equilibrium.motion()[at(stands)].linear_w.norm() < 1e-12);
+  CHECK(equilibrium.motion()[at(tips)].angular_w.z() < -1.0);
+}
+
+TEST_CASE("What balance refuses names the value and what would be right",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  StaticEquilibrium equilibrium;
+  const auto said = [&](const BalanceTask& task) -> std::string {
+    try {
+      equilibrium.solve(pile.world, task);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const auto contains = [](const std::string& text, const std::string& part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  for (const int edges : {-1, 1, 2, 3})
+    contains(said(pile.task(edges)),
+             "friction_edges = " + std::to_string(edges) + ": give 0 for none, or 4 and more");
+  CHECK(said(pile.task(4)) == "nothing");
+  for (const int body : {-1, 2}) {
+    BalanceTask task = pile.task();
+    const std::vector<Load> loads = {{body, Vec3::Zero(), Vec3::UnitY()}};
+    task.loads = loads;
+    contains(said(task), "load on body " + std::to_string(body) + ": give an index below 2");
+  }
+  {
+    BalanceTask task = pile.task();
+    const std::vector<char> held = {0, 0, 0};
+    task.held = held;
+    CHECK(said(task) != "nothing");
+  }
+  {
+    ContactList wrong = pile.contacts;
+    wrong[0].second = 7;
+    BalanceTask task;
+    task.contacts = wrong;
+    CHECK(said(task) != "nothing");
+  }
+  // After a refusal it works as before.
+  CHECK(equilibrium.solve(pile.world, pile.task()).balanced);
+}
+
+TEST_CASE("Balance and the motion that starts do not depend on the order of bodies or contacts",
+          "[unit][geometric_stability]") {
+  Random random(65);
+  for (int run = 0; run < 60; ++run) {
+    Pile pile = random_layers(random);
+    StaticEquilibrium equilibrium;
+    const BalanceTask task = pile.task();
+    const bool balanced = equilibrium.solve(pile.world, task).balanced;
+    std::vector<std::size_t> order(pile.world.bodies().size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    for (std::size_t i = order.size() - 1; i > 1; --i)
+      std::swap(order[i], order[1 + random.below(static_cast<std::uint32_t>(i))]);
+    Pile other;
+    other.world.add_ground();
+    for (std::size_t i = 1; i < order.size(); ++i)
+      other.world.add(pile.world.bodies()[order[i]], pile.world.states()[order[i]]);
+    other.gather();
+    for (std::size_t i = other.contacts.size(); i > 1; --i)
+      std::swap(other.contacts[i - 1], other.contacts[random.below(static_cast<std::uint32_t>(i))]);
+    StaticEquilibrium again;
+    const BalanceTask shuffled = other.task();
+    CHECK(again.solve(other.world, shuffled).balanced == balanced);
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      CHECK(again.balanced()[i] == equilibrium.balanced()[order[i]]);
+      // [m/s²] a is unique; measured 1e-13.
+      CHECK((again.motion()[i].linear_w - equilibrium.motion()[order[i]].linear_w).norm() < 1e-9);
+      CHECK((again.motion()[i].angular_w - equilibrium.motion()[order[i]].angular_w).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("Friction never takes balance away, and more edges never do",
+          "[unit][geometric_stability]") {
+  Random random(66);
+  for (int run = 0; run < 60; ++run) {
+    Pile pile = random_layers(random);
+    const bool without = pile.balanced();
+    for (Contact& contact : pile.contacts) contact.friction = 0.5;
+    const bool four = pile.balanced(4);
+    const bool eight = pile.balanced(8);  // has the four among its edges
+    CHECK((!without || four));
+    CHECK((!four || eight));
+  }
+  // A top block of half the mass holds figure 6.5 with friction only, by 14/(5 · 6.2) = 0.45.
+  Pile pile = heavy_top(0.5, 1.0, 1.0);
+  CHECK(!pile.balanced());
+  for (Contact& contact : pile.contacts) contact.friction = 0.5;
+  CHECK(!pile.balanced(0));
+  CHECK(pile.balanced(4));
+}

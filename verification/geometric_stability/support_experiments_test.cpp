@@ -1,0 +1,143 @@
+/// \file
+/// \brief Figures 5.3 to 5.5: verdicts as their captions have them, and what the contact forces say.
+#include "geometric_stability/support_experiments.hpp"
+
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
+  return {support_figures(), name, set};
+}
+
+constexpr const char* kCorners = "lower corners of the top box that they carry";
+constexpr const char* kBelow = "boxes below that are stable";
+constexpr const char* kByCorners = "stable by the four corners";
+constexpr const char* kByHull = "stable by the hull";
+constexpr const char* kCarries = "carries every load by static equilibrium";
+constexpr const char* kArea = "area of the hull of its contact points over that of its outline";
+constexpr const char* kOwn = "largest acceleration of its corners under its own weight, over g";
+constexpr const char* kLoaded =
+    "the same under the worst load on a corner of its top, over (load + weight)/mass";
+
+// [-] Rounding of these problems: measured 1e-14.
+constexpr double kStill = 1e-11;
+
+// What all verdicts on the top box say, if they agree; else -1.
+double verdict_of(const FigureUnderTest& figure) {
+  const double corners = figure.number(kByCorners);
+  return figure.number(kByHull) == corners && figure.number(kCarries) == corners ? corners : -1.0;
+}
+
+std::string told_by(const FigureUnderTest& figure) {
+  for (const Drawing& drawing : figure.result.drawings)
+    if (drawing.suffix == "told") return drawing.commands;
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("The top box of figure 5.3 has one carried corner and is not stable, as its caption says",
+          "[claims][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig5_3_one_corner");
+  CHECK(figure.number(kCorners) == 1.0);
+  CHECK(figure.number(kBelow) == 1.0);
+  CHECK(verdict_of(figure) == 0.0);
+  // [-] Measured 0.154.
+  CHECK(figure.number(kArea) > 0.1);
+  CHECK(figure.number(kArea) < 0.25);
+  // Without friction it tips.
+  CHECK(figure.number(kOwn) > 0.1);
+  CHECK(figure.number(kLoaded) > 1.0);
+  CHECK(told_by(figure).find("is not carried") != std::string::npos);
+  // Not turned, a square of 0.6 m is carried.
+  const FigureUnderTest straight = figure_of("fig5_3_one_corner", {"shift=0.4", "yaw=0"});
+  CHECK(straight.number(kCorners) == 1.0);
+  CHECK(straight.number(kArea) == near(0.36).margin(1e-12));
+}
+
+TEST_CASE(
+    "A cube on the corner of another stands until its centre passes the corner, and never "
+    "under every load",
+    "[exact][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig5_3_one_corner", {"shift=0.4"});
+  // [m] The corner is half an edge from the middle; the search ends at 1e-9.
+  CHECK(figure.number("shift from which its own weight tips it") == near(0.5).margin(2e-9));
+  CHECK(figure.number(kOwn) < kStill);
+  CHECK(figure.number(kLoaded) > 1.0);
+  CHECK(verdict_of(figure) == 0.0);
+  for (const auto& row : figure.result.tables.back().rows) {
+    INFO("shift " << row[0]);
+    CHECK((row[1] < kStill) == (row[0] <= 0.5));
+    CHECK(row[2] > 0.1);
+    CHECK(row[3] == 0.0);
+  }
+}
+
+TEST_CASE("With all four corners over it the cube of figure 5.3 would be stable",
+          "[reference][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig5_3_one_corner", {"shift=0", "yaw=0"});
+  CHECK(figure.number(kCorners) == 4.0);
+  CHECK(verdict_of(figure) == 1.0);
+  CHECK(figure.number(kLoaded) < kStill);
+}
+
+TEST_CASE("The top box of figure 5.4 is stable if the bottom one is, as its caption says",
+          "[claims][geometric_stability]") {
+  for (const char* offset : {"offset=0.2", "offset=-0.5"}) {
+    INFO(offset);
+    const FigureUnderTest figure = figure_of("fig5_4_all_corners", {offset});
+    CHECK(figure.number(kCorners) == 4.0);
+    CHECK(figure.number(kBelow) == 1.0);
+    CHECK(std::abs(figure.number(kArea) - 1.0) < 1e-12);  // rounding
+    CHECK(verdict_of(figure) == 1.0);
+    CHECK(figure.number(kOwn) < kStill);
+    CHECK(figure.number(kLoaded) < kStill);
+    CHECK(figure.number("stable by the four corners, with nothing under the bottom box") == 0.0);
+    CHECK(figure.number("stable by the hull, with nothing under the bottom box") == 0.0);
+    // Both fall.
+    CHECK(figure.number("largest acceleration of its corners under its own weight, with nothing "
+                        "under the bottom box, over g") == near(1.0).margin(kStill));
+  }
+}
+
+TEST_CASE("The top box of figure 5.5 is stable if both bottom ones are, as its caption says",
+          "[claims][geometric_stability]") {
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{}, {"gap=0.8", "yaw=-30"}, {"gap=0.1", "yaw=0"}}) {
+    const FigureUnderTest figure = figure_of("fig5_5_two_supports", set);
+    CHECK(figure.number(kCorners) == 4.0);
+    CHECK(figure.number(kBelow) == 2.0);
+    CHECK(std::abs(figure.number(kArea) - 1.0) < 1e-12);  // rounding
+    CHECK(verdict_of(figure) == 1.0);
+    CHECK(figure.number(kOwn) < kStill);
+    CHECK(figure.number(kLoaded) < kStill);
+    CHECK(figure.number("stable by the four corners, with nothing under the left box") == 0.0);
+    CHECK(figure.number("stable by the hull, with nothing under the left box") == 0.0);
+    CHECK(figure.number("largest acceleration of its corners under its own weight, with nothing "
+                        "under the left box, over g") > 0.1);
+    CHECK(told_by(figure).find("of left and top, the lower one is not stable") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "Where the bottom boxes of figure 5.5 touch, both rules call nobody stable and every load is "
+    "carried all the same",
+    "[reference][geometric_stability]") {
+  const FigureUnderTest figure = figure_of("fig5_5_two_supports", {"gap=0"});
+  CHECK(figure.number(kBelow) == 0.0);
+  CHECK(figure.number(kByCorners) == 0.0);
+  CHECK(figure.number(kByHull) == 0.0);
+  CHECK(figure.number(kCarries) == 1.0);
+  CHECK(figure.number(kLoaded) < kStill);
+}

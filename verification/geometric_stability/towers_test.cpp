@@ -1,0 +1,308 @@
+/// \file
+/// \brief Towers as one heavier block: closed forms, loads, what is no tower, orders.
+#include "tumble/geometric_stability/towers.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/geometric_stability/static_equilibrium.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+// Bodies that touch, from scratch.
+struct Pile {
+  World world;
+  ContactList contacts;
+
+  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0) {
+    const BodyProperties body = box_properties(size, mass);
+    world.add(body, make_state(body, position_w));
+    return world.count() - 1;
+  }
+  int add_fixed(const Vec3& position_w, const Vec3& size) {
+    const BodyProperties body = fixed_box_properties(size);
+    world.add(body, make_state(body, position_w));
+    return world.count() - 1;
+  }
+  void gather() {
+    std::vector<MovingBody> moving;
+    load_moving_bodies(world, moving);
+    std::vector<IndexPair> pairs;
+    for (int a = 0; a < world.count(); ++a)
+      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
+    gather_contacts(world, moving, pairs, 1e-6, {}, contacts);
+  }
+  Towers towers(std::span<const char> held = {}) {
+    if (contacts.empty()) gather();
+    Towers result;
+    result.run(world, contacts, held);
+    return result;
+  }
+  // Whether all is towers and stands.
+  bool stands() {
+    const Towers found = towers();
+    for (int b = 0; b < world.count(); ++b)
+      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::carried)
+        return false;
+    return true;
+  }
+  bool in_balance() {
+    if (contacts.empty()) gather();
+    StaticEquilibrium equilibrium;
+    BalanceTask task;
+    task.contacts = contacts;
+    return equilibrium.solve(world, task).balanced;
+  }
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+};
+
+double harmonic_overhang(int blocks) {
+  double sum = 0.0;
+  for (int k = 1; k <= blocks; ++k) sum += 0.5 / k;
+  return sum;
+}
+
+// Blocks over the edge of a table: the k-th from the top is scale/(2k) over the next one.
+Pile blocks_over_edge(int blocks, double scale) {
+  Pile pile;
+  pile.add_fixed(Vec3(-2.0, -0.5, 0.0), Vec3(4.0, 1.0, 1.0));
+  double right = 0.0;
+  for (int k = blocks; k >= 1; --k) {
+    right += scale * 0.5 / k;
+    pile.add(Vec3(right - 0.5, 0.3 * (blocks - k) + 0.15, 0.0), Vec3(1.0, 0.3, 1.0));
+  }
+  return pile;
+}
+
+}  // namespace
+
+TEST_CASE("A tower stands as long as the centre of what is above is over each support",
+          "[exact][geometric_stability]") {
+  SECTION("blocks over an edge reach a half of the harmonic sum") {
+    CHECK(harmonic_overhang(6) == near(49.0 / 40.0).margin(1e-15));
+    for (int n = 1; n <= 6; ++n) {
+      INFO(n << " blocks");
+      // [-] A millionth of the reach, on both sides.
+      CHECK(blocks_over_edge(n, 1.0 - 1e-6).stands());
+      CHECK(!blocks_over_edge(n, 1.0 + 1e-6).stands());
+    }
+  }
+  SECTION("random towers: each level by hand") {
+    Random random(41);
+    int standing = 0;
+    int tipping = 0;
+    for (int run = 0; run < 400; ++run) {
+      Pile pile;
+      pile.world.add_ground();
+      const int count = 1 + static_cast<int>(random.below(6));
+      double top = 0.0;
+      Vec3 place_w(0.0, 0.0, 0.0);
+      for (int k = 0; k < count; ++k) {
+        const double wide = random.uniform(0.5, 2.0);
+        const double deep = random.uniform(0.5, 2.0);
+        const double high = random.uniform(0.2, 1.0);
+        const double decade = random.uniform(-3.0, 3.0);
+        const double aside_x = random.uniform(-0.45, 0.45);
+        const double aside_z = random.uniform(-0.45, 0.45);
+        if (k > 0) place_w += Vec3(aside_x, 0.0, aside_z);
+        pile.add(Vec3(place_w.x(), top + 0.5 * high, place_w.z()), Vec3(wide, high, deep),
+                 elementary::exp(decade * 2.302585092994046));
+        top += high;
+      }
+      const Towers towers = pile.towers();
+      // By hand, from the top down; upright boxes touch in the overlap of two rectangles.
+      double mass = 0.0;
+      Vec3 moment_w = Vec3::Zero();
+      bool above_stands = true;
+      for (int b = count; b >= 1; --b) {
+        const BodyProperties& body = pile.world.bodies()[Pile::at(b)];
+        const Vec3& p = pile.world.states()[Pile::at(b)].position_w;
+        mass += body.mass;
+        moment_w += body.mass * p;
+        const Vec3 centre_w = moment_w / mass;
+        double inside = 1.0;  // [m] from the edge
+        for (const int axis : {0, 2}) {
+          double low = p[axis] - 0.5 * body.size[axis];
+          double high = p[axis] + 0.5 * body.size[axis];
+          if (b > 1) {
+            const double q = pile.world.states()[Pile::at(b - 1)].position_w[axis];
+            const double half = 0.5 * pile.world.bodies()[Pile::at(b - 1)].size[axis];
+            low = std::max(low, q - half);
+            high = std::min(high, q + half);
+          }
+          inside = std::min({inside, centre_w[axis] - low, high - centre_w[axis]});
+        }
+        if (!above_stands) {
+          CHECK(towers.states()[Pile::at(b)] == TowerState::none);  // nothing is known
+        } else if (inside > 1e-6) {
+          CHECK(towers.states()[Pile::at(b)] == TowerState::carried);
+          CHECK(towers.carriers()[Pile::at(b)] == b - 1);
+          CHECK(towers.loads()[Pile::at(b)].mass == near(mass).margin(1e-12 * mass));
+          CHECK((towers.loads()[Pile::at(b)].centre_w() - centre_w).norm() < 1e-12 * top);
+        } else if (inside < -1e-6) {
+          CHECK(towers.states()[Pile::at(b)] == TowerState::tips);
+          above_stands = false;
+        }
+      }
+      ++(above_stands ? standing : tipping);
+      CHECK(pile.stands() == above_stands);
+      CHECK(pile.in_balance() == above_stands);
+    }
+    INFO(standing << " stand, " << tipping << " tip");
+    CHECK(standing > 50);
+    CHECK(tipping > 50);
+  }
+}
+
+TEST_CASE("Towers refuse a staircase that its blocks' own centres would let stand",
+          "[exact][geometric_stability]") {
+  // Each block is 0.3 of its length over the next one; five of them may have 1/5.
+  const auto staircase = [](double step) {
+    Pile pile;
+    pile.world.add_ground();
+    for (int k = 0; k < 5; ++k) pile.add(Vec3(step * k, k + 0.5, 0.0));
+    return pile;
+  };
+  CHECK(staircase(0.2 * (1.0 - 1e-6)).stands());
+  Pile falls = staircase(0.2 * (1.0 + 1e-6));
+  // The centre of the upper four is no more over the lowest, which has nothing to be told then.
+  CHECK(falls.towers().states()[2] == TowerState::tips);
+  CHECK(falls.towers().states()[1] == TowerState::none);
+  CHECK(!staircase(0.3).stands());
+}
+
+TEST_CASE("A box on two others, or touched from the side, is no part of a tower",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  const int left = pile.add(Vec3(-0.6, 0.5, 0.0));
+  const int right = pile.add(Vec3(0.6, 0.5, 0.0));
+  const int across = pile.add(Vec3(0.0, 1.5, 0.0), Vec3(2.0, 1.0, 1.0));
+  const int on_top = pile.add(Vec3(0.3, 2.5, 0.0));
+  const int alone = pile.add(Vec3(5.0, 0.5, 0.0));
+  const int touches = pile.add(Vec3(6.0, 0.5, 0.0));
+  const int on_alone = pile.add(Vec3(4.9, 1.5, 0.2));
+  const Towers towers = pile.towers();
+  const auto state = [&](int b) { return towers.states()[Pile::at(b)]; };
+  CHECK(state(on_top) == TowerState::carried);
+  CHECK(towers.carriers()[Pile::at(on_top)] == across);
+  CHECK(state(across) == TowerState::none);
+  CHECK(towers.carriers()[Pile::at(across)] == -1);
+  // What is under a box that is no tower has not got all its loads.
+  CHECK(state(left) == TowerState::none);
+  CHECK(state(right) == TowerState::none);
+  CHECK(towers.loads()[Pile::at(across)].mass == near(2.0).margin(1e-15));
+  // Side by side: both may be pushed aside. What stands on one of them is still its load.
+  CHECK(state(alone) == TowerState::none);
+  CHECK(state(touches) == TowerState::none);
+  CHECK(state(on_alone) == TowerState::carried);
+  CHECK(towers.loads()[Pile::at(alone)].mass == near(2.0).margin(1e-15));
+}
+
+TEST_CASE("A body that is held counts for the ground: it is nobody's load",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  const int low = pile.add(Vec3(0.0, 0.5, 0.0));
+  const int high = pile.add(Vec3(0.4, 1.5, 0.0));
+  const std::vector<char> held = {0, 1, 0};
+  const Towers towers = pile.towers(held);
+  CHECK(towers.states()[Pile::at(low)] == TowerState::none);
+  CHECK(towers.carriers()[Pile::at(low)] == -1);
+  CHECK(towers.states()[Pile::at(high)] == TowerState::carried);
+  CHECK(towers.carriers()[Pile::at(high)] == low);
+  CHECK(towers.loads()[0].mass == 0.0);
+}
+
+TEST_CASE("Without gravity straight down there are no towers", "[unit][geometric_stability]") {
+  for (const Vec3& gravity_w : {Vec3(0.0, 0.0, 0.0), Vec3(0.0, 9.81, 0.0), Vec3(1.0, -9.81, 0.0)}) {
+    Pile pile;
+    pile.world.add_ground();
+    pile.add(Vec3(0.0, 0.5, 0.0));
+    pile.world.gravity_w = gravity_w;
+    INFO("gravity " << gravity_w.transpose());
+    CHECK(!pile.stands());
+  }
+}
+
+TEST_CASE("A support told as two contacts holds as much as the two together",
+          "[unit][geometric_stability]") {
+  Pile pile;
+  pile.world.add_ground();
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.add(Vec3(0.2, 1.5, 0.0));
+  pile.gather();
+  REQUIRE(pile.contacts.size() == 2);
+  REQUIRE(pile.contacts[1].count == 4);
+  // Two points each, on opposite sides: neither line alone is under the centre.
+  Contact half = pile.contacts[1];
+  std::sort(half.points.begin(), half.points.begin() + 4,
+            [](const ContactPoint& a, const ContactPoint& b) {
+              return a.position_w.x() < b.position_w.x();
+            });
+  Contact other = half;
+  std::copy(other.points.begin() + 2, other.points.begin() + 4, other.points.begin());
+  half.count = 2;
+  other.count = 2;
+  pile.contacts[1] = half;
+  CHECK(!pile.stands());
+  pile.contacts.push_back(other);
+  CHECK(pile.stands());
+  const Towers towers = pile.towers();
+  CHECK(towers.loads()[1].mass == near(2.0).margin(1e-15));  // once, not once for each contact
+}
+
+TEST_CASE("Towers do not depend on the order of bodies or contacts",
+          "[unit][geometric_stability]") {
+  Random random(7);
+  struct Box {
+    Vec3 position_w;
+    Vec3 size;
+    double mass;
+  };
+  for (int run = 0; run < 50; ++run) {
+    std::vector<Box> boxes;
+    for (int column = 0; column < 3; ++column)
+      for (int k = 0; k < 4; ++k) {
+        const double aside = random.uniform(-0.25, 0.25);
+        const double mass = random.uniform(0.1, 10.0);
+        boxes.push_back(
+            {Vec3(1.05 * column + aside * (k > 0), k + 0.5, 0.0), Vec3(1.0, 1.0, 1.0), mass});
+      }
+    std::vector<std::size_t> order(boxes.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::vector<std::pair<TowerState, double>> first(boxes.size());
+    for (int again = 0; again < 4; ++again) {
+      Pile pile;
+      pile.world.add_ground();
+      for (const std::size_t i : order) pile.add(boxes[i].position_w, boxes[i].size, boxes[i].mass);
+      pile.gather();
+      if (again > 0)
+        for (std::size_t i = pile.contacts.size(); i > 1; --i)
+          std::swap(pile.contacts[i - 1],
+                    pile.contacts[random.below(static_cast<std::uint32_t>(i))]);
+      const Towers towers = pile.towers();
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::pair<TowerState, double> found = {towers.states()[i + 1],
+                                                     towers.loads()[i + 1].mass};
+        if (again == 0) {
+          first[order[i]] = found;
+        } else {
+          CHECK(first[order[i]].first == found.first);
+          CHECK(first[order[i]].second == near(found.second).margin(1e-13));  // [kg] rounding
+        }
+      }
+      for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    }
+  }
+}
