@@ -24,8 +24,8 @@ std::vector<char> called_stable_by_text(const World& world, std::span<const Cont
 
 /// A body on which both rules were tried, and what is true.
 struct Trial {
-  World world;
-  ContactList contacts;
+  World world;                                        ///< the bodies, at rest
+  ContactList contacts;                               ///< all that touch
   std::vector<GeometricStability::Outline> outlines;  ///< of what is no box; may be empty
   int body = 0;                                       ///< its index
   bool text = false;                                  ///< stable by the text
