@@ -73,8 +73,7 @@ class Levels {
     hold(thesis, by_thesis_);
     hold(StableRule::equilibrium, at_rest_);
     stable_ = rule == "equilibrium" ? at_rest_ : by_thesis_;
-    if (rule == "load_proof")
-      LoadProof().run(world, start.contacts, tolerance::resting_speed, stable_);
+    if (rule == "load_proof") LoadProof().run(world, start.contacts, stable_);
     std::vector<char> ignored;
     geometric_.run(world, start.contacts, thesis, tolerance::resting_speed, ignored);
     towers_.run(world, start.contacts, by_thesis_);
@@ -108,7 +107,7 @@ class Levels {
     return towers_.states()[at(body)] == TowerState::carried ? "tower" : "balance";
   }
   [[nodiscard]] static std::string own_reason(const std::string& level) {
-    if (level == "load_proof") return "whatever is put on it is carried, by neighbours too";
+    if (level == "load_proof") return "whatever is put on it is carried, maybe by neighbours too";
     if (level == "tower") return "its weight and its load are over what is below";
     return "contact forces balance the weights";
   }

@@ -31,7 +31,7 @@ Figure excluded_figure() {
   figure.title = "What does it save to leave stable boxes out of the contact forces?";
   figure.caption =
       "The pyramid of figure 5.6, gap 0.05, of three to thirteen rows, with all boxes and without "
-      "the stable ones. Baraff's method, which the thesis uses, does a tenth of its "
+      "the stable ones. Baraff's method, which the thesis uses, does a fifth to a twentieth of its "
       "multiplications; rings mark where its pivoting gave up and another form of it went on. Our "
       "default solver saves little more than its unknowns. Bottom: at rest the gain lasts; if the "
       "light boxes are knocked it shrinks, as contacts tilt; three rows fall, and it is gone after "

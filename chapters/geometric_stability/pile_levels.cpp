@@ -65,7 +65,7 @@ std::vector<char> called_stable(StabilityLevel level, const World& world,
     case StabilityLevel::towers:
       return with_towers(world, contacts);
     case StabilityLevel::load_proof:
-      LoadProof().run(world, contacts, tolerance::resting_speed, stable);
+      LoadProof().run(world, contacts, stable);
       return stable;
     case StabilityLevel::balance: {
       StaticEquilibrium equilibrium;

@@ -128,7 +128,7 @@ std::vector<Points> of_random_piles(int seeds, double tilted) {
     pile.contacts = touching(pile.world);
     Points points = Listings().look(pile);
     std::vector<char> proof;
-    LoadProof().run(pile.world, pile.contacts, tolerance::resting_speed, proof);
+    LoadProof().run(pile.world, pile.contacts, proof);
     points.load_proof = points.all - points_without(pile, proof);
     list.push_back(points);
   }

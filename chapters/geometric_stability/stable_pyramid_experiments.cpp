@@ -28,7 +28,7 @@ LookedAt look_at(int rows, double gap) {
   seen.pile = pile_of(pyramid_without_middle(rows, gap));
   const RestingForces all = forces_of(seen.pile, kSolver, StableRule::off);
   const RestingForces left = forces_of(seen.pile, kSolver, StableRule::corners);
-  LoadProof().run(seen.pile.world, seen.pile.contacts, tolerance::resting_speed, seen.load_proof);
+  LoadProof().run(seen.pile.world, seen.pile.contacts, seen.load_proof);
   seen.stable = left.held;
   seen.moving = accelerating(seen.pile, all, 1e-6);
   seen.points = all.report.unknowns;

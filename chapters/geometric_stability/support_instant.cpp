@@ -53,7 +53,7 @@ RuleAnswer SupportInstant::ask(StableRule rule, int body) const {
 
 bool SupportInstant::load_proof(int body) const {
   std::vector<char> stable;
-  LoadProof().run(world_, contacts_, kRising, stable);
+  LoadProof().run(world_, contacts_, stable);
   return stable[at(body)] != 0;
 }
 

@@ -64,6 +64,6 @@ set ytics 0.5
 set xlabel 'time [s]' offset 0,0.4
 side = 'unknowns, all over left'; @SIDE
 set key at graph 0.99,0.99 right top
-plot stem.'_run.csv' using 'time_s':'rests' with lines lt 1 title 'at rest', \
-  '' using 'time_s':'knocked' with lines lt 2 title 'the light boxes were knocked', \
+plot stem.'_run.csv' using 'time_s':'rests' with lines lt 1 title 'at rest, 11 rows', \
+  '' using 'time_s':'knocked' with lines lt 2 title 'five rows, light boxes knocked', \
   '' using 'time_s':'falls' with lines lt 3 title 'three rows, which fall'

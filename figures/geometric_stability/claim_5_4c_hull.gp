@@ -25,7 +25,7 @@ eval swatch(1, 0.00, 2, '#cfe3f1', '#0072B2'); set label 1 'stable support'
 eval swatch(2, 0.50, 2, '#f9d9bf', '#D55E00'); set label 2 'one that is not'
 set arrow 1 from 0.00,1.5 to 0.04,1.5 nohead lc rgb '#202020' lw 2; set label 3 'the body' at 0.055,1.5 left
 set arrow 2 from 0.50,1.5 to 0.54,1.5 nohead lc rgb '#009E73' lw 4; set label 4 'hull of what holds it' at 0.555,1.5 left
-set arrow 3 from 0.00,0.5 to 0.04,0.5 nohead lc rgb '#808080' lw 1.5 dt (6,4); set label 5 'what that one touches; tolerance' at 0.055,0.5 left
+set arrow 3 from 0.00,0.5 to 0.04,0.5 nohead lc rgb '#808080' lw 1.5 dt (6,4); set label 5 'what that one touches, or a tolerance' at 0.055,0.5 left
 plot NaN
 unset label; unset object; unset arrow
 

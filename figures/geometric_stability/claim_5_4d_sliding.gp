@@ -29,7 +29,7 @@ big = form eq 'svg' ? 1.1 : 1.5
 plot table using 'time_s':'free_m_s' with lines lt 3 title 'analytic, no friction', \
   '' using 'time_s':'analytic_m_s' with lines lt 2 title 'analytic, damped', \
   '' using 'time_s':'damped_m_s' with lines lt 1 title 'damped integration', \
-  '' using 'time_s':'free_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' title 'box is stable', \
+  '' using 'time_s':'free_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' title 'all corners carried', \
   '' using 'time_s':'analytic_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' notitle, \
   '' using 'time_s':'damped_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' notitle
 

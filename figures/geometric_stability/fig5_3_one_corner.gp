@@ -57,7 +57,7 @@ set lmargin at screen 0.15; set rmargin at screen 0.955
 set tmargin at screen height(585); set bmargin at screen 95.0/tall
 set xrange [0:shift_max]
 set xlabel 'shift of the top cube along both axes [m]'
-side = 'm a / load'; @SIDE
+side = 'worst corner: m a / load'; @SIDE
 set arrow 1 from shown,graph 0 to shown,graph 1 nohead lt 8
 set label 5 'shown above' at shown,graph 0.4 right offset -0.6,0 textcolor rgb soft
 set key at screen 0.55,height(515) center top vertical maxrows 2 maxcols 1 width 0 samplen 3

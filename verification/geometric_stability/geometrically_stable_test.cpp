@@ -245,7 +245,7 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
     // Of the three corners that hang over, the one that does so by most.
     CHECK(verdict(over).reason == StabilityReason::corner);
     CHECK(verdict(over).corner_xz == Vec2(0.75, 0.625));
-    CHECK(words(over) == "the corner at x = 0.75, z = 0.625 is not carried");
+    CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not carried");
   }
   CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Catch::Matchers::Contains("99"));
 }

@@ -21,13 +21,6 @@ constexpr std::uint8_t kAllCorners = 0b1111;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// [m/s] How fast a body sinks or rises, or its rim does as it tips.
-double moves(const BodyProperties& body, const BodyState& state) {
-  const Vec3 omega_w = angular_velocity(body, state);
-  const double tips = std::sqrt(omega_w.x() * omega_w.x() + omega_w.z() * omega_w.z());
-  return std::abs(velocity(body, state).y()) + 0.5 * body.size.norm() * tips;
-}
-
 // A coordinate as a reader wants it.
 std::string coordinate(double value) {
   std::ostringstream text;
@@ -119,7 +112,7 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
     const double speed = std::sqrt(g * body.size.minCoeff());
     const BodyState& state = world.states()[o];
     if (state.linear_momentum_w.y() > rising * body.mass * speed) vetoes_[o] = kMoving;
-    if (moves(body, state) > tolerances_.steady * speed) vetoes_[o] = kMoving;
+    if (tipping_speed(body, state) > tolerances_.steady * speed) vetoes_[o] = kMoving;
   }
 }
 
@@ -233,7 +226,7 @@ std::string told(const World& world, std::span<const Contact> contacts,
       break;
   }
   return "the corner at x = " + coordinate(verdict.corner_xz.x()) +
-         ", z = " + coordinate(verdict.corner_xz.y()) + " is not carried";
+         " m, z = " + coordinate(verdict.corner_xz.y()) + " m is not carried";
 }
 
 }  // namespace tumble

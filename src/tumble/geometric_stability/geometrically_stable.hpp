@@ -68,7 +68,7 @@ struct StabilityVerdict {
 /// \param world     names of bodies
 /// \param contacts  those for which it was found
 /// \param verdict   what was found
-/// \return for example "the corner at x = 1, z = 0.5 is not carried"
+/// \return for example "the corner at x = 1 m, z = 0.5 m is not carried"
 std::string told(const World& world, std::span<const Contact> contacts,
                  const StabilityVerdict& verdict);
 

@@ -14,16 +14,16 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-void LoadProof::run(const World& world, std::span<const Contact> contacts, double rising,
+void LoadProof::run(const World& world, std::span<const Contact> contacts,
                     std::vector<char>& stable) {
-  rule_.run(world, contacts, StableRule::hull, rising, known_);
+  rule_.run(world, contacts, StableRule::hull, tolerance::resting_speed, known_);
   stable.assign(world.bodies().size(), gravity_is_down(world) ? 1 : 0);
   const double g = world.gravity_w.norm();
   for (std::size_t b = 0; b < stable.size(); ++b) {
     const BodyProperties& body = world.bodies()[b];
     if (!body.movable()) stable[b] = 1;
-    const double limit = rising * body.mass * std::sqrt(g * body.size.minCoeff());
-    if (body.movable() && world.states()[b].linear_momentum_w.y() > limit) stable[b] = 0;
+    const double slow = tolerance::resting_speed * std::sqrt(g * body.size.minCoeff());
+    if (body.movable() && tipping_speed(body, world.states()[b]) > slow) stable[b] = 0;
   }
   const auto undecided = [&](int b) { return stable[at(b)] != 0 && known_[at(b)] == 0; };
 

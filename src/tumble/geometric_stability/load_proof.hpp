@@ -14,8 +14,8 @@ namespace tumble {
 
 /// The largest set of bodies that stays at rest whatever is put on it.
 ///
-/// A set of bodies is load-proof if
-/// 1. what is outside touches it from above only, with vertical normals, and
+/// A set of bodies that neither rise, sink nor tip (tolerance::resting_speed) is load-proof if
+/// 1. what is movable and outside touches it from above only, with vertical normals, and
 /// 2. contacts within it, and with immovable bodies, can balance a load that acts straight down on
 ///    any corner of any member's outline.
 ///
@@ -39,10 +39,8 @@ class LoadProof {
   /// Finds the set.
   /// \param world     the bodies where they are
   /// \param contacts  what touches
-  /// \param rising    [-] see GeometricStability::run()
   /// \param stable    out: one for each body index, 1 if it is immovable or a member
-  void run(const World& world, std::span<const Contact> contacts, double rising,
-           std::vector<char>& stable);
+  void run(const World& world, std::span<const Contact> contacts, std::vector<char>& stable);
 
  private:
   void collect(std::span<const Contact> contacts, std::span<const char> members);
@@ -50,7 +48,8 @@ class LoadProof {
                                           std::span<const char> members, int body) const;
   bool carries_corners(const World& world, int body);
 
-  GeometricStability rule_{{tolerance::exact_vertical, tolerance::exact_corner}};
+  GeometricStability rule_{
+      {tolerance::exact_vertical, tolerance::exact_corner, tolerance::resting_speed}};
   StaticEquilibrium equilibrium_;
   ContactList within_;
   std::vector<char> known_;  // stable by the rule of the hull

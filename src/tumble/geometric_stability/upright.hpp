@@ -25,4 +25,14 @@ namespace tumble {
   return world.gravity_w.y() < 0.0 && world.gravity_w.x() == 0.0 && world.gravity_w.z() == 0.0;
 }
 
+/// How fast a body sinks or rises, or its rim does as it tips.
+/// \param body   its constant part
+/// \param state  its state
+/// \return [m/s] at least 0
+[[nodiscard]] inline double tipping_speed(const BodyProperties& body, const BodyState& state) {
+  const Vec3 omega_w = angular_velocity(body, state);
+  const double tips = std::sqrt(omega_w.x() * omega_w.x() + omega_w.z() * omega_w.z());
+  return std::abs(velocity(body, state).y()) + 0.5 * body.size.norm() * tips;
+}
+
 }  // namespace tumble
