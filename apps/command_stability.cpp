@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace tumble::app {
@@ -32,7 +33,7 @@ struct Line {
   std::string why;
 };
 
-// A scene at its start, with what touches there, as the analytic technique takes it.
+// A scene at its start, with all points that nearly touch, those of bodies that part included.
 struct Start {
   World world;
   std::vector<MovingBody> moving;
@@ -65,7 +66,7 @@ class Levels {
   Levels(const Start& start, std::string_view rule) : start_(start), rule_(rule) {
     const World& world = start.world;
     const auto hold = [&](StableRule by, std::vector<char>& out) {
-      StableBoxes boxes(by);
+      StableBoxes boxes(by, std::numeric_limits<int>::max());
       const std::span<const char> held = boxes.find(world, start.moving, start.contacts);
       out.assign(held.begin(), held.end());
     };

@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
     return tumble::app::kBadInput;
   }
   try {
-    tumble::app::catch_stop_signals();
+    if (run->parsed() || compare->parsed()) tumble::app::catch_stop_signals();
     if (run->parsed()) return printed(tumble::app::run(request));
     if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
     if (lcp->parsed() && list_solvers) return printed(tumble::app::list_lcp_solvers());

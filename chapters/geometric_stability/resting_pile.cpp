@@ -75,7 +75,8 @@ RestingForces forces_of(const RestingPile& pile, const std::string& solver, Stab
     throw std::runtime_error(solver + " did not solve the pile");
   found.accelerations.assign(forces.accelerations().begin(), forces.accelerations().end());
   found.wrenches.assign(forces.wrenches().begin(), forces.wrenches().end());
-  found.held.assign(forces.held().begin(), forces.held().end());
+  const std::span<const char> held = forces.held().held();
+  found.held.assign(held.begin(), held.end());
   return found;
 }
 

@@ -79,7 +79,8 @@ Found forces_of(const Instant& instant, StableRule rule, const char* solver) {
   REQUIRE(found.report.status == LcpStatus::solved);
   found.accelerations.assign(forces.accelerations().begin(), forces.accelerations().end());
   found.wrenches.assign(forces.wrenches().begin(), forces.wrenches().end());
-  found.held.assign(forces.held().begin(), forces.held().end());
+  const std::span<const char> held = forces.held().held();
+  found.held.assign(held.begin(), held.end());
   return found;
 }
 

@@ -224,7 +224,9 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
   // Points and bodies at the pose for which the forces were found; velocities from both ends.
   load_moving_bodies(world, ended_);
   const double share = time / recorded_for_;
+  // A body that is held is booked as a whole, below: what holds it up is known as a sum only.
   const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
+    if (forces_.held().holds(world, body)) return Vec3::Zero();
     const BodyProperties& b = world.bodies()[place(body)];
     const BodyState& start = flight_.start()[place(body)];
     const Vec3 turning =
@@ -240,6 +242,17 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
       report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
       report.energy.friction += share * point.friction_impulse_w.dot(slip_w);
     }
+  }
+  for (int b = 0; b < world.count(); ++b) {
+    if (!forces_.held().holds(world, b)) continue;
+    const BodyProperties& body = world.bodies()[place(b)];
+    const BodyState& start = flight_.start()[place(b)];
+    const MovingBody& end = ended_[place(b)];
+    const Wrench& acts = forces_.wrenches()[place(b)];
+    report.energy.restitution +=
+        0.5 * time *
+        (acts.force_w.dot(velocity(body, start) + end.velocity_w) +
+         acts.torque_w.dot(angular_velocity(body, start) + end.angular_velocity_w));
   }
 }
 

@@ -106,7 +106,7 @@ class Analytic : public Technique {
 
   /// Who was left out of the last forces as stable.
   /// \return by body index, a Hold; empty with stable_boxes=off or before the first step
-  [[nodiscard]] std::span<const char> held() const { return forces_.held(); }
+  [[nodiscard]] std::span<const char> held() const { return forces_.held().held(); }
 
  private:
   // How far a step has come.

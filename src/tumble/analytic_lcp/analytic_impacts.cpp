@@ -92,10 +92,8 @@ void Analytic::record_impact(const Contact& contact, double time) {
 
 // The forces of the last flight: impulses over its length.
 void Analytic::record_forces(double time, double duration, StepReport& report) {
-  const std::span<const char> held = forces_.held();
   for (const Contact& contact : resting_) {
-    if (!held.empty() && held[place(contact.first)] != 0 && held[place(contact.second)] != 0)
-      continue;  // no force is known
+    if (forces_.held().both(contact)) continue;  // no force is known
     report.contacts += contact.count;
     for (int k = 0; k < contact.count; ++k) {
       ContactRecord& record = records_.emplace_back(record_of(contact, k, time));

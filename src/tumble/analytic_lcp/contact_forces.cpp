@@ -42,6 +42,13 @@ ForceReport ContactForces::solve(const World& world, std::span<const MovingBody>
   free_accelerations(world, task.bodies, free_);
   wrenches_.assign(bodies.size(), Wrench{});
   held_.hold(world, aim.relaxation, free_, wrenches_);
+  for (Contact& contact : contacts) {
+    if (!held_.both(contact)) continue;
+    for (ContactPoint& p : contact.points) {
+      p.normal_impulse = 0.0;
+      p.friction_impulse_w.setZero();
+    }
+  }
   total_.assign(free_.begin(), free_.end());
   for (int b = 0; b < world.count(); ++b) report.stable += held_.holds(world, b) ? 1 : 0;
   islands_.build(world.bodies(), contacts, held_.held());

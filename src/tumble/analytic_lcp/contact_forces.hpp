@@ -83,7 +83,8 @@ class ContactForces {
   /// \param world     orientations, masses, gravity
   /// \param bodies    how they move, one for each body index
   /// \param contacts  points that rest, with approach speeds of now. Impulses in: those of an earlier
-  ///                  instant, where to start from; out: force times aim.duration
+  ///                  instant, where to start from; out: force times aim.duration; 0 between bodies
+  ///                  that are left out
   /// \param aim       see there
   /// \return what was found; not solved: forces of no use
   /// \throws std::invalid_argument for contacts that ContactProblem refuses
@@ -99,8 +100,8 @@ class ContactForces {
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return total_; }
 
   /// Who is left out as stable.
-  /// \return by body index, a Hold; empty if nobody is to be left out
-  [[nodiscard]] std::span<const char> held() const { return held_.held(); }
+  /// \return as of the last solve()
+  [[nodiscard]] const HeldBodies& held() const { return held_; }
 
   /// The problem that could not be solved.
   /// \return of the last solve(), if it was not solved

@@ -4,7 +4,7 @@
 /// Uses the chapter on geometric stability.
 #pragma once
 
-#include "tumble/contact/moving_body.hpp"
+#include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/wrench.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
@@ -46,6 +46,14 @@ class HeldBodies {
   [[nodiscard]] bool holds(const World& world, int body) const {
     return !held_.empty() && held_[static_cast<std::size_t>(body)] != 0 &&
            world.bodies()[static_cast<std::size_t>(body)].movable();
+  }
+
+  /// Whether both bodies of a contact are held or immovable, so that no force is known there.
+  /// \param contact  two bodies
+  /// \return false with the rule `off`
+  [[nodiscard]] bool both(const Contact& contact) const {
+    return !held_.empty() && held_[static_cast<std::size_t>(contact.first)] != 0 &&
+           held_[static_cast<std::size_t>(contact.second)] != 0;
   }
 
   /// What holds them: accelerations that end their speed along which they are held, and the wrenches

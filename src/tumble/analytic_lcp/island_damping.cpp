@@ -2,6 +2,7 @@
 /// \brief Damping in place of friction.
 #include "tumble/analytic_lcp/island_damping.hpp"
 
+#include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include <algorithm>
@@ -19,14 +20,17 @@ bool pushes(const Contact& contact) {
 
 }  // namespace
 
-double IslandDamping::run(std::span<const Contact> contacts, std::span<const char> held,
+double IslandDamping::run(std::span<const Contact> contacts, const HeldBodies& held,
                           const DampingShares& shares, double dt, World& world) {
   constexpr double kStepsPerSecond = 60.0;  // of the thesis's constants
   const double k1 = elementary::pow(shares.velocity, kStepsPerSecond * dt);
   const double k2 = elementary::pow(shares.spin, kStepsPerSecond * dt);
   pushing_.clear();
+  // Of two bodies that are held the upper one presses on the lower, with a force that is not known.
   const auto stand = [&](const Contact& contact) {
-    return !held.empty() && held[at(contact.first)] != 0 && held[at(contact.second)] != 0;
+    const int upper = contact.normal_w.y() > 0.0 ? contact.second : contact.first;
+    return held.both(contact) && world.bodies()[at(upper)].movable() &&
+           is_vertical(contact.normal_w, tolerance::exact_vertical);
   };
   for (const Contact& contact : contacts)
     if (pushes(contact) || stand(contact)) pushing_.push_back(contact);

@@ -1,9 +1,10 @@
 /// \file
 /// \brief Damping in place of friction, as the thesis proposes it for analytic contact forces (5.3).
 ///
-/// Uses no other chapter.
+/// Uses the chapter on geometric stability.
 #pragma once
 
+#include "tumble/analytic_lcp/held_bodies.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/dynamics/world.hpp"
 
@@ -31,14 +32,13 @@ class IslandDamping {
  public:
   /// Slows bodies down.
   /// \param contacts  with the impulses of the last flight; a contact without any does not count
-  /// \param held      by body index, not 0: its forces are not known; contacts of two such bodies do
-  ///                  count. May be empty
+  /// \param held      who was left out of the forces: where one of them stands on another does count
   /// \param shares    see there
   /// \param dt        [s] the time step
   /// \param world     momenta in and out
   /// \return [J] energy added: 0 or below
-  double run(std::span<const Contact> contacts, std::span<const char> held,
-             const DampingShares& shares, double dt, World& world);
+  double run(std::span<const Contact> contacts, const HeldBodies& held, const DampingShares& shares,
+             double dt, World& world);
 
  private:
   ContactList pushing_;

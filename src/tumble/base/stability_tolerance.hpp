@@ -35,4 +35,8 @@ inline constexpr double exact_corner = 1e-6;
 /// to about this share. (6.3.1)
 inline constexpr double exact_balance = 1e-9;
 
+/// [-] Bodies slower than this share of sqrt(gL) stand still. Reason: 3 nm/s for a box of 1 m, a decimetre in
+/// a year; rounding leaves 1e-12. (6.3.1)
+inline constexpr double standstill = 1e-9;
+
 }  // namespace tumble::tolerance

@@ -41,10 +41,13 @@ StableRule stable_rule_from(std::string_view name) {
 
 void GeometricStability::run(const World& world, std::span<const Contact> contacts, StableRule rule,
                              double rising, std::vector<char>& stable,
-                             std::span<const Outline> outlines) {
+                             std::span<const Outline> outlines, std::span<const char> moving) {
   const std::span<const BodyProperties> objects = world.bodies();
   if (!outlines.empty() && outlines.size() != objects.size())
     require::that(false, "outlines: " + std::to_string(outlines.size()) + " for " +
+                             std::to_string(objects.size()) + " bodies: give one each, or none");
+  if (!moving.empty() && moving.size() != objects.size())
+    require::that(false, "moving: " + std::to_string(moving.size()) + " for " +
                              std::to_string(objects.size()) + " bodies: give one each, or none");
   outlines_.assign(outlines.begin(), outlines.end());
   rule_ = rule;
@@ -54,7 +57,7 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
   for (std::size_t o = 0; o < objects.size(); ++o) stable[o] = objects[o].movable() ? 0 : 1;
   // [SETGEOMETRICALLYSTABLE:1-5]
   if (rule == StableRule::off) return;
-  find_vetoes(world, contacts, rising);
+  find_vetoes(world, contacts, rising, moving);
   below_.assign(objects.size(), 0);
   // [SETGEOMETRICALLYSTABLE:6]
   sort_contact_points_ascending(contacts);
@@ -94,13 +97,13 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
 }
 
 void GeometricStability::find_vetoes(const World& world, std::span<const Contact> contacts,
-                                     double rising) {
+                                     double rising, std::span<const char> moving) {
   vetoes_.assign(world.bodies().size(), kNone);
   // [SETGEOMETRICALLYSTABLE:18-20]
   // A contact from the side speaks against both bodies, and
   // nothing that comes later overrules it.
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (is_vertical(contacts[c].normal_w, tolerances_.vertical)) continue;
+    if (contacts[c].count == 0 || is_vertical(contacts[c].normal_w, tolerances_.vertical)) continue;
     for (const int body : {contacts[c].first, contacts[c].second})
       if (vetoes_[at(body)] == kNone) vetoes_[at(body)] = static_cast<int>(c);
   }
@@ -111,8 +114,9 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
     if (!body.movable()) continue;
     const double speed = std::sqrt(g * body.size.minCoeff());
     const BodyState& state = world.states()[o];
-    if (state.linear_momentum_w.y() > rising * body.mass * speed) vetoes_[o] = kMoving;
-    if (tipping_speed(body, state) > tolerances_.steady * speed) vetoes_[o] = kMoving;
+    const bool rises = state.linear_momentum_w.y() > rising * body.mass * speed;
+    const bool steady = tipping_speed(body, state) <= tolerances_.steady * speed;  // no if NaN
+    if (rises || !steady || (!moving.empty() && moving[o] != 0)) vetoes_[o] = kMoving;
   }
 }
 

@@ -116,8 +116,15 @@ class GeometricStability {
   /// \param stable    out: one for each body index, 1 if it is stable
   /// \param outlines  of bodies that are no boxes, by index; one without corners is that of the box.
   ///                  May be empty: all are boxes
+  /// \param moving    by index, not 0: counts as going up. May be empty: nobody else does
+  /// \throws std::invalid_argument for outlines or marks that are not one for each body
   void run(const World& world, std::span<const Contact> contacts, StableRule rule, double rising,
-           std::vector<char>& stable, std::span<const Outline> outlines = {});
+           std::vector<char>& stable, std::span<const Outline> outlines = {},
+           std::span<const char> moving = {});
+
+  /// Sets how exact supports have to be from now on.
+  /// \param tolerances see there
+  void set_tolerances(const StabilityTolerances& tolerances) { tolerances_ = tolerances; }
 
   /// Why a body was found stable, or not, by the last run() with a rule other than `off`.
   /// \param world  as it was
@@ -134,7 +141,8 @@ class GeometricStability {
     int contact = 0;         // which one it belongs to
   };
   void sort_contact_points_ascending(std::span<const Contact> contacts);
-  void find_vetoes(const World& world, std::span<const Contact> contacts, double rising);
+  void find_vetoes(const World& world, std::span<const Contact> contacts, double rising,
+                   std::span<const char> moving);
   void mark_projected_corners(const World& world, const Point& c);
   void take_hull(int body);
   [[nodiscard]] bool covered(const World& world, int body);

@@ -16,6 +16,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void LoadProof::run(const World& world, std::span<const Contact> contacts,
                     std::vector<char>& stable) {
+  vertical_ = exact_vertical(world);
+  rule_.set_tolerances({vertical_, tolerance::exact_corner, tolerance::resting_speed});
   rule_.run(world, contacts, StableRule::hull, tolerance::resting_speed, known_);
   stable.assign(world.bodies().size(), gravity_is_down(world) ? 1 : 0);
   const double g = world.gravity_w.norm();
@@ -65,7 +67,7 @@ bool LoadProof::touched_from_outside(std::span<const Contact> contacts,
     if (members[at(other)] != 0) return false;
     // The push on the body.
     const double up = contact.second == body ? contact.normal_w.y() : -contact.normal_w.y();
-    return up > 0.0 || !is_vertical(contact.normal_w, tolerance::exact_vertical);
+    return up > 0.0 || !is_vertical(contact.normal_w, vertical_);
   });
 }
 

@@ -48,8 +48,8 @@ class LoadProof {
                                           std::span<const char> members, int body) const;
   bool carries_corners(const World& world, int body);
 
-  GeometricStability rule_{
-      {tolerance::exact_vertical, tolerance::exact_corner, tolerance::resting_speed}};
+  GeometricStability rule_;
+  double vertical_ = 0.0;  // [-] sine, see exact_vertical()
   StaticEquilibrium equilibrium_;
   ContactList within_;
   std::vector<char> known_;  // stable by the rule of the hull

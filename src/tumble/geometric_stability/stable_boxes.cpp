@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace tumble {
@@ -16,9 +17,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // How a body moves, as far as balance is concerned.
 enum Motion : char {
-  kStill = 0,  // not to speak of
-  kSlides,     // along the ground, or about the vertical
-  kTips        // rises, sinks or tips
+  kStill = 0,  // not at all
+  kSlides,     // along the ground
+  kSpins,      // about the vertical
+  kUnsettled   // rises, sinks or tips, or has a point that is still to come down
 };
 
 constexpr char hold(Hold how) { return static_cast<char>(how); }
@@ -39,15 +41,17 @@ std::span<const char> StableBoxes::find(const World& world, std::span<const Movi
   if (bodies.size() != world.bodies().size())
     require::that(false, "bodies: " + std::to_string(bodies.size()) + " entries; " +
                              std::to_string(world.bodies().size()) + " are needed");
-  find_motion(world, bodies);
+  for (const Contact& contact : contacts) check(contact, world.count());
+  find_motion(world, bodies, contacts);
   report_ = {};
   report_.remembered = unchanged(world, contacts);
   if (!report_.remembered) {
     search(world, contacts);
     basis_.gravity_w = world.gravity_w;
     basis_.ids.assign(world.ids().begin(), world.ids().end());
-    basis_.masses.clear();
-    for (const BodyProperties& body : world.bodies()) basis_.masses.push_back(body.inverse_mass);
+    basis_.inverse_masses.clear();
+    for (const BodyProperties& body : world.bodies())
+      basis_.inverse_masses.push_back(body.inverse_mass);
     basis_.motion = motion_;
     basis_.states.assign(world.states().begin(), world.states().end());
     basis_.contacts.assign(contacts.begin(), contacts.end());
@@ -58,19 +62,33 @@ std::span<const char> StableBoxes::find(const World& world, std::span<const Movi
   return held_;
 }
 
-void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bodies) {
+void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bodies,
+                              std::span<const Contact> contacts) {
   motion_.clear();
   const double g = world.gravity_w.norm();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Vec3& v = bodies[b].velocity_w;
     const Vec3& omega = bodies[b].angular_velocity_w;
-    const Vec3& size = world.bodies()[b].size;
-    const double reach = 0.5 * size.norm();
-    const double slow = tolerance::resting_speed * std::sqrt(g * size.minCoeff());
-    char& motion = motion_.emplace_back(kStill);
-    if (!world.bodies()[b].movable()) continue;
-    if (v.norm() + reach * omega.norm() > slow) motion = kSlides;
-    if (std::abs(v.y()) + reach * Vec2(omega.x(), omega.z()).norm() > slow) motion = kTips;
+    const double reach = 0.5 * world.bodies()[b].size.norm();
+    const double unit = std::sqrt(g * world.bodies()[b].size.minCoeff());
+    const double slow = tolerance::resting_speed * unit;
+    char& motion = motion_.emplace_back(kUnsettled);  // what is no number stays so
+    if (std::abs(v.y()) + reach * Vec2(omega.x(), omega.z()).norm() <= slow) motion = kSpins;
+    if (std::abs(v.y()) + reach * omega.norm() <= slow) motion = kSlides;
+    if (v.norm() + reach * omega.norm() <= tolerance::standstill * unit) motion = kStill;
+    if (!world.bodies()[b].movable()) motion = kStill;
+  }
+  // Contact forces let a gap close; who is held would hover above it.
+  for (const Contact& contact : contacts) {
+    double size = std::numeric_limits<double>::infinity();
+    for (const int b : {contact.first, contact.second})
+      if (world.bodies()[at(b)].shape != Shape::ground)
+        size = std::min(size, world.bodies()[at(b)].size.minCoeff());
+    for (int p = 0; p < contact.count; ++p) {
+      if (contact.points[at(p)].distance <= tolerance::contact_gap * size) continue;
+      for (const int b : {contact.first, contact.second})
+        if (world.bodies()[at(b)].movable()) motion_[at(b)] = kUnsettled;
+    }
   }
 }
 
@@ -80,8 +98,8 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
       world.gravity_w != basis_.gravity_w ||
       !std::equal(world.ids().begin(), world.ids().end(), basis_.ids.begin(), basis_.ids.end()))
     return false;
-  for (std::size_t b = 0; b < basis_.masses.size(); ++b)
-    if (world.bodies()[b].inverse_mass != basis_.masses[b]) return false;
+  for (std::size_t b = 0; b < basis_.inverse_masses.size(); ++b)
+    if (world.bodies()[b].inverse_mass != basis_.inverse_masses[b]) return false;
   // A support that is smaller than what lies on it tells nothing of where that is.
   const auto stays = [&](int body) {
     const BodyState& now = world.states()[at(body)];
@@ -102,23 +120,27 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
 }
 
 void StableBoxes::search(const World& world, std::span<const Contact> contacts) {
-  for (const Contact& contact : contacts) check(contact, world.count());
   held_.assign(world.bodies().size(), hold(Hold::free));
   if (gravity_is_down(world)) {
-    geometric_.run(world, contacts, rule_, tolerance::resting_speed, stable_);
+    apart_.clear();
+    for (const char motion : motion_) apart_.push_back(motion == kUnsettled ? 1 : 0);
+    geometric_.set_tolerances({exact_vertical(world), tolerance::exact_corner});
+    geometric_.run(world, contacts, rule_, tolerance::resting_speed, stable_, {}, apart_);
     for (std::size_t b = 0; b < held_.size(); ++b)
       if (stable_[b] != 0) held_[b] = hold(Hold::upright);
   }
   for (std::size_t b = 0; b < held_.size(); ++b)
     if (!world.bodies()[b].movable()) held_[b] = hold(Hold::still);
-  if (rule_ == StableRule::equilibrium) add_balanced(world, contacts);
+  // Without weight there is nothing to be held against.
+  if (rule_ == StableRule::equilibrium && !world.gravity_w.isZero(0.0))
+    add_balanced(world, contacts);
 }
 
 // Towers on what is stable, and islands in balance.
 void StableBoxes::add_balanced(const World& world, std::span<const Contact> contacts) {
   apart_ = held_;
   for (std::size_t b = 0; b < apart_.size(); ++b)
-    if (motion_[b] == kTips) apart_[b] = 1;
+    if (motion_[b] > kSlides) apart_[b] = 1;
   towers_.run(world, contacts, apart_);
 
   // Towers are loads on what carries them; of the rest, every island is looked at as a whole.
@@ -140,18 +162,37 @@ void StableBoxes::add_balanced(const World& world, std::span<const Contact> cont
   take_towers(world);
 }
 
+// Leaves alone what would take longer to look at than to compute: its contacts go, so that nothing holds it.
+void StableBoxes::drop_large_islands(const World& world) {
+  islands_.build(world.bodies(), left_, held_);
+  drop_.assign(left_.size(), 0);
+  for (int i = 0; i < islands_.count(); ++i) {
+    const std::span<const int> touches = islands_.contacts(i);
+    int points = 0;
+    for (const int c : touches) points += left_[at(c)].count;
+    if (points <= most_points_) continue;
+    for (const int c : touches) drop_[at(c)] = 1;
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < left_.size(); ++c)
+    if (drop_[c] == 0) left_[kept++] = left_[c];
+  left_.resize(kept);
+}
+
 // Islands in balance stay where they are: whole ones, of bodies that do not move.
 void StableBoxes::take_islands(const World& world) {
+  drop_large_islands(world);
   const BalanceReport& found =
       equilibrium_.solve(world, {.contacts = left_, .loads = loads_, .held = held_});
   report_.pivots = found.pivots;
   report_.multiplications = found.multiplications;
   islands_.build(world.bodies(), left_, held_);
+  const double vertical = exact_vertical(world);
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> members = islands_.bodies(i);
     const std::span<const int> touches = islands_.contacts(i);
     const bool upright = std::all_of(touches.begin(), touches.end(), [&](int c) {
-      return is_vertical(left_[at(c)].normal_w, tolerance::exact_vertical);
+      return is_vertical(left_[at(c)].normal_w, vertical);
     });
     const char fastest = upright ? kSlides : kStill;
     const bool in_balance = std::all_of(members.begin(), members.end(), [&](int b) {

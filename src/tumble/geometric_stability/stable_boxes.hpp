@@ -19,7 +19,7 @@ namespace tumble {
 enum class Hold : char {
   free = 0,     ///< in none
   upright = 1,  ///< does not rise, sink or tip; may slide and spin about the vertical
-  still = 2     ///< does not move at all
+  still = 2     ///< does not move at all (tolerance::standstill)
 };
 
 /// What one search for stable boxes took.
@@ -39,9 +39,12 @@ struct StableBoxesReport {
 /// 3. of what is left, whole islands that are in balance under their weight and the towers on
 ///    them (StaticEquilibrium).
 ///
-/// Steps 2 and 3 say that a body does not accelerate as things are, not whatever comes: who rises,
-/// sinks or tips to speak of (tolerance::resting_speed) is in no such group, and neither is who
-/// touches somebody who is not in it. Where normals are not vertical nobody may slide either.
+/// Steps 2 and 3 say that a body does not accelerate as things are, not whatever comes: who touches
+/// somebody who is in no such group is in none either.
+///
+/// **Who is not.** Who rises, sinks or tips to speak of (tolerance::resting_speed), and who has a gap that is
+/// still to close (tolerance::contact_gap). Of towers and islands also who spins; and where a normal is not
+/// vertical, whoever moves at all, since then holding would brake.
 ///
 /// **Memory.** Contacts, masses, who is quiet, and where bodies in contact are, are remembered. As
 /// long as all of it is the same to the bit, as it is for a heap at rest, the last answer is given; so forgetting it changes nothing.
@@ -52,8 +55,13 @@ struct StableBoxesReport {
 /// \verified{Leaving stable boxes out changes no acceleration}
 class StableBoxes {
  public:
-  /// \param rule by which boxes are told
-  explicit StableBoxes(StableRule rule) : rule_(rule) {}
+  /// Islands with more contact points are not looked at by StaticEquilibrium: that takes longer than their forces.
+  static constexpr int kMostPoints = 500;
+
+  /// \param rule         by which boxes are told
+  /// \param most_points  `equilibrium`: islands with more contact points are never held
+  explicit StableBoxes(StableRule rule, int most_points = kMostPoints)
+      : rule_(rule), most_points_(most_points) {}
 
   /// Finds who is stable.
   /// \param world     masses, poses, gravity
@@ -74,22 +82,24 @@ class StableBoxes {
   struct Basis {
     Vec3 gravity_w = Vec3::Zero();
     std::vector<BodyId> ids;
-    std::vector<double> masses;
+    std::vector<double> inverse_masses;
     std::vector<char> motion;
     std::vector<BodyState> states;  // where the bodies are
     ContactList contacts;
   };
 
-  void find_motion(const World& world, std::span<const MovingBody> bodies);
+  void find_motion(const World& world, std::span<const MovingBody> bodies,
+                   std::span<const Contact> contacts);
   [[nodiscard]] bool unchanged(const World& world, std::span<const Contact> contacts) const;
   void search(const World& world, std::span<const Contact> contacts);
   void add_balanced(const World& world, std::span<const Contact> contacts);
+  void drop_large_islands(const World& world);
   void take_islands(const World& world);
   void take_towers(const World& world);
 
   StableRule rule_;
-  GeometricStability geometric_{
-      {tolerance::exact_vertical, tolerance::exact_corner, tolerance::resting_speed}};
+  int most_points_;
+  GeometricStability geometric_;
   Towers towers_;
   StaticEquilibrium equilibrium_;
   StableBoxesReport report_;
@@ -101,6 +111,7 @@ class StableBoxes {
   std::vector<char> apart_;   // by index: no part of a tower
   ContactList left_;          // contacts of what is no load
   std::vector<Load> loads_;   // of towers on what is no tower
+  std::vector<char> drop_;    // by contact in left_: of an island that is not looked at
   Islands islands_;
 };
 

@@ -48,6 +48,8 @@ void StaticEquilibrium::load(const World& world, const BalanceTask& task) {
   balanced_.assign(count, 1);
   motion_.assign(count, {});
   acting_.assign(count, {});
+  pushed_.assign(count, 0.0);
+  slot_.assign(count, -1);  // each body is in one island at most
   root_inertia_w_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const BodyProperties& body = world.bodies()[k];
@@ -79,7 +81,6 @@ void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int
   const std::span<const int> members = islands_.bodies(island);
   int columns = 0;
   for (const int c : islands_.contacts(island)) columns += pushes_of(task, task.contacts[at(c)]);
-  slot_.assign(world.bodies().size(), -1);
   for (std::size_t k = 0; k < members.size(); ++k) slot_[at(members[k])] = static_cast<int>(k);
 
   // [S6.3.1:balance]
@@ -152,7 +153,6 @@ void StaticEquilibrium::take(const World& world, const BalanceTask& task, int is
   for (std::size_t j = 0; j < push_place_.size(); ++j)
     pushes_w_[at(push_place_[j])] += result_.f[j] * push_of_w_[j];
   // What a push is rounded by is not nothing to a body that is light.
-  pushed_.assign(world.bodies().size(), 0.0);
   for (const int c : islands_.contacts(island)) {
     const Contact& contact = task.contacts[at(c)];
     for (int p = 0; p < contact.count; ++p) {

@@ -61,10 +61,11 @@ void Towers::count_neighbours(const World& world, std::span<const Contact> conta
     if (!body.movable() || (!held.empty() && held[b] != 0)) no_tower_[b] = 1;
     if (body.movable()) loads_[b] = {body.mass, body.mass * world.states()[b].position_w};
   }
+  const double vertical = exact_vertical(world);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (contact.count == 0) continue;
-    if (!is_vertical(contact.normal_w, tolerance::exact_vertical)) {
+    if (!is_vertical(contact.normal_w, vertical)) {
       no_tower_[at(contact.first)] = 1;
       no_tower_[at(contact.second)] = 1;
       continue;

@@ -25,6 +25,7 @@ struct TowerLoad {
   Vec3 moment = Vec3::Zero();  ///< [kg m] mass times place, world frame
 
   /// The centre of mass.
+  /// \pre there is a mass
   /// \return [m] world frame
   [[nodiscard]] Vec3 centre_w() const { return moment / mass; }
 };
@@ -40,7 +41,7 @@ struct TowerLoad {
 /// Exact for weights at rest without friction, and for these only: a push from the side, or a
 /// base that accelerates, can take such a tower apart, as it takes apart any heap.
 ///
-/// Supports must be vertical up to tolerance::exact_vertical. Without gravity along -y there are no
+/// Supports must be vertical as exact_vertical() says. Without gravity along -y there are no
 /// towers.
 /// \par Cost and determinism
 /// O(points of contact), each looked at twice. The result does not depend on any order.

@@ -4,9 +4,12 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -23,6 +26,23 @@ namespace tumble {
 /// \return true if so
 [[nodiscard]] inline bool gravity_is_down(const World& world) {
   return world.gravity_w.y() < 0.0 && world.gravity_w.x() == 0.0 && world.gravity_w.z() == 0.0;
+}
+
+/// How far a normal may be off the vertical where boxes leave the system of exact forces.
+///
+/// A load pushes what is under it aside with this share of itself, so that a light body under a heavy
+/// one needs a more exact support.
+/// \param world  the bodies
+/// \return [-] tolerance::exact_vertical times the lightest movable mass over the heaviest
+[[nodiscard]] inline double exact_vertical(const World& world) {
+  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
+  for (const BodyProperties& body : world.bodies()) {
+    if (!body.movable()) continue;
+    lightest = std::min(lightest, body.mass);
+    heaviest = std::max(heaviest, body.mass);
+  }
+  return heaviest > 0.0 ? tolerance::exact_vertical * (lightest / heaviest)
+                        : tolerance::exact_vertical;
 }
 
 /// How fast a body sinks or rises, or its rim does as it tips.
