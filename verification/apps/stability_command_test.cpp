@@ -45,7 +45,7 @@ TEST_CASE("The command tells who stands firm, by which level and why", "[unit][c
   CHECK_THAT(line_of(hull.text, "lower"),
              Contains(" yes ") && Contains(" hull ") && Contains("is carried"));
   CHECK_THAT(line_of(hull.text, "upper"),
-             Contains(" no ") && Contains(" - ") && Contains("the corner at x = 0.8, z = "));
+             Contains(" no ") && Contains(" - ") && Contains("the corner at x = 0.8 m, z = "));
   CHECK_THAT(hull.text, Contains("1 of 2 movable boxes are stable by hull") &&
                             Contains("\nin balance under the weights, without friction"));
   const Outcome equilibrium = run_tumble("stability " + file.path);
