@@ -4,6 +4,7 @@
 #include "tumble/impulse_damped/heap_parts.hpp"
 #include "tumble/impulse_damped/heap_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble {
@@ -14,8 +15,9 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-constexpr int kMostHalvings = 12;   // of a step that leads too far
-constexpr int kStepsInARow = 10;    // before impulses and shifts follow
+constexpr int kMostHalvings = 12;  // of a step that leads too far
+constexpr int kStepsInARow = 10;   // before impulses and shifts follow
+constexpr double kSteepest = 1.0;  // friction: beyond, shifts that follow slides run away from them
 constexpr double kBalanced = 0.01;  // of what is enough: springs and bodies are in balance
 
 // How the nearest point of Coulomb's cone follows the point a. Symmetric, between 0 and 1.
@@ -103,6 +105,8 @@ double HeapSolver::balance(std::span<const ContactBlock> blocks, double& sum) {
 // slides ask for, and so on until neither changes. If that does not come to an end nothing is changed.
 void HeapSolver::polish(std::span<const ContactBlock> blocks, const HeapLimits& limits,
                         HeapResult& result) {
+  const auto steep = [](const Point& p) { return p.friction > kSteepest; };
+  if (std::any_of(points_.begin(), points_.end(), steep)) return;
   points_before_ = points_;
   members_before_ = members_;
   stamps_.clear();  // factors are no longer those of the rounds

@@ -58,8 +58,9 @@ struct HeapResult {
 /// **The last digits.** Where rounds do not end, springs that are hard,
 /// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$, are brought into balance with the bodies,
 /// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$, by Newton's steps, halved while they lead up on the convex
-/// function whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). If that
-/// does not end either the rounds have the last word: what it leaves on the way is rounding,
+/// function whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). With
+/// friction above 1 it is not tried: shifts that follow slides run away there. If it
+/// does not end the rounds have the last word: what it leaves on the way is rounding,
 /// enlarged by how hard the springs are.
 ///
 /// Nothing here depends on the axes of the world but by rounding: what is wrong is measured by lengths of
