@@ -321,3 +321,14 @@ TEST_CASE("Where it is looked at, who sinks, tips or rocks is not steady, and wh
   CHECK_FALSE(stable_with(zero, Vec3(0.0, 0.0, 6.2e-4), 1e-3));
   CHECK(stable_with(Vec3(2.0, 0.0, 1.0), Vec3(0.0, 1.0, 0.0), 1e-3));
 }
+
+TEST_CASE("Without weight a box that rests is stable as long as speeds are not looked at",
+          "[exact][geometric_stability]") {
+  Pile pile;
+  pile.add(Vec3(0.0, 0.5, 0.0));
+  pile.world.gravity_w = Vec3::Zero();
+  pile.gather();
+  std::vector<char> stable;
+  GeometricStability().run(pile.world, pile.contacts, StableRule::corners, 0.02, stable);
+  CHECK(stable[1] == 1);
+}

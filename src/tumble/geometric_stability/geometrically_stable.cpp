@@ -115,7 +115,8 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
     const double speed = std::sqrt(g * body.size.minCoeff());
     const BodyState& state = world.states()[o];
     const bool rises = state.linear_momentum_w.y() > rising * body.mass * speed;
-    const bool steady = tipping_speed(body, state) <= tolerances_.steady * speed;  // no if NaN
+    const bool steady = std::isinf(tolerances_.steady) ||  // not looked at; else no if NaN
+                        tipping_speed(body, state) <= tolerances_.steady * speed;
     if (rises || !steady || (!moving.empty() && moving[o] != 0)) vetoes_[o] = kMoving;
   }
 }
@@ -161,14 +162,10 @@ void GeometricStability::take_hull(int body) {
 
 // The corners that are to be held.
 void GeometricStability::take_outline(const World& world, int body) {
-  outline_.clear();
-  if (!outlines_.empty() && !outlines_[at(body)].empty()) {
+  if (!outlines_.empty() && !outlines_[at(body)].empty())
     outline_.assign(outlines_[at(body)].begin(), outlines_[at(body)].end());
-    return;
-  }
-  for (const Vec3& corner_w :
-       corners_of(box_of(world.bodies()[at(body)], world.states()[at(body)])))
-    outline_.emplace_back(corner_w.x(), corner_w.z());
+  else
+    corners_from_above(box_of(world.bodies()[at(body)], world.states()[at(body)]), outline_);
 }
 
 // Whether that hull covers the outline of the body.

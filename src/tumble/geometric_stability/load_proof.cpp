@@ -74,10 +74,7 @@ bool LoadProof::touched_from_outside(std::span<const Contact> contacts,
 // Whether a weight on any corner of a body's outline is balanced by contacts among members.
 bool LoadProof::carries_corners(const World& world, int body) {
   const double height = world.states()[at(body)].position_w.y();
-  outline_.clear();
-  for (const Vec3& corner_w :
-       corners_of(box_of(world.bodies()[at(body)], world.states()[at(body)])))
-    outline_.emplace_back(corner_w.x(), corner_w.z());
+  corners_from_above(box_of(world.bodies()[at(body)], world.states()[at(body)]), outline_);
   convex_hull(outline_, hull_);
   return std::all_of(hull_.begin(), hull_.end(), [&](const Vec2& corner) {
     const Load load{body, Vec3(corner.x(), height, corner.y()),

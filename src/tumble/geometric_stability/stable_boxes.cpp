@@ -163,6 +163,7 @@ void StableBoxes::add_balanced(const World& world, std::span<const Contact> cont
 }
 
 // Leaves alone what would take longer to look at than to compute: its contacts go, so that nothing holds it.
+// Leaves the islands of what is left in islands_.
 void StableBoxes::drop_large_islands(const World& world) {
   islands_.build(world.bodies(), left_, held_);
   drop_.assign(left_.size(), 0);
@@ -176,7 +177,9 @@ void StableBoxes::drop_large_islands(const World& world) {
   std::size_t kept = 0;
   for (std::size_t c = 0; c < left_.size(); ++c)
     if (drop_[c] == 0) left_[kept++] = left_[c];
+  if (kept == left_.size()) return;
   left_.resize(kept);
+  islands_.build(world.bodies(), left_, held_);
 }
 
 // Islands in balance stay where they are: whole ones, of bodies that do not move.
@@ -186,7 +189,6 @@ void StableBoxes::take_islands(const World& world) {
       equilibrium_.solve(world, {.contacts = left_, .loads = loads_, .held = held_});
   report_.pivots = found.pivots;
   report_.multiplications = found.multiplications;
-  islands_.build(world.bodies(), left_, held_);
   const double vertical = exact_vertical(world);
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> members = islands_.bodies(i);

@@ -27,6 +27,11 @@ std::array<Vec2, 4> lower_corners(const Box& box) {
   return corners;
 }
 
+void corners_from_above(const Box& box, std::vector<Vec2>& corners) {
+  corners.clear();
+  for (const Vec3& corner_w : corners_of(box)) corners.emplace_back(corner_w.x(), corner_w.z());
+}
+
 void convex_hull(std::vector<Vec2>& points, std::vector<Vec2>& hull) {
   const auto before = [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();

@@ -17,6 +17,11 @@ namespace tumble {
 /// \return [m] x and z of each, in order around the face
 [[nodiscard]] std::array<Vec2, 4> lower_corners(const Box& box);
 
+/// All corners of a box, seen from above.
+/// \param box      the box
+/// \param corners  out: [m] x and z of each, in the order of Box
+void corners_from_above(const Box& box, std::vector<Vec2>& corners);
+
 /// The convex hull of points in a plane (Andrew's monotone chain).
 /// \param points  in any order; sorted on return
 /// \param hull    out: its corners, counterclockwise, without those within an edge
