@@ -136,6 +136,13 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap", damped_options,
        make_damped},
+      {"timewarp_simple", "5.1, A.1",
+       "collisions in the order of their times, two bodies taken back", timewarp_listing_options,
+       make_timewarp_simple},
+      {"timewarp_safer", "5.1, A.1", "as timewarp_simple, looking for earlier collisions nearby",
+       timewarp_listing_options, make_timewarp_safer},
+      {"timewarp_swept", "5.1", "as timewarp_simple, with swept volumes that miss nothing",
+       timewarp_swept_options, make_timewarp_swept},
   };
   return library;
 }

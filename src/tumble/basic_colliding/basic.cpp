@@ -138,18 +138,7 @@ int Basic::fly_all(World& world, double time, StepReport& report) const {
 // Returns by how much it changed the speed of a body at most [m/s].
 double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   load_moving_bodies(world, moving_);
-  // The search stops up to one resolution before the bodies touch: contact reaches as far as they
-  // can come in that time.
-  double margin = 0.0;
-  for (const IndexPair& pair : touching_) {
-    for (const int body : {pair.first, pair.second}) {
-      const MovingBody& m = moving_[place(body)];
-      const double size =
-          world.bodies()[place(body)].movable() ? world.bodies()[place(body)].size.norm() : 0.0;
-      const double speed = m.velocity_w.norm() + 0.5 * size * m.angular_velocity_w.norm();
-      margin = std::max(margin, 2.0 * options_.resolution * speed + tolerance::contact_gap * size);
-    }
-  }
+  const double margin = search_margin(world, moving_, touching_, options_.resolution);
   const GatherReport gathered = gather_contacts(world, moving_, touching_, margin, {}, contacts_);
   report.pair_tests += gathered.pair_tests;
 

@@ -121,6 +121,21 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
   return report;
 }
 
+double search_margin(const World& world, std::span<const MovingBody> bodies,
+                     std::span<const IndexPair> pairs, double resolution) {
+  double margin = 0.0;
+  for (const IndexPair& pair : pairs) {
+    for (const int index : {pair.first, pair.second}) {
+      const auto body = static_cast<std::size_t>(index);
+      const MovingBody& m = bodies[body];
+      const double size = world.bodies()[body].movable() ? world.bodies()[body].size.norm() : 0.0;
+      const double speed = m.velocity_w.norm() + 0.5 * size * m.angular_velocity_w.norm();
+      margin = std::max(margin, 2.0 * resolution * speed + tolerance::contact_gap * size);
+    }
+  }
+  return margin;
+}
+
 int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> contacts) {
   int found = 0;
   Earlier earlier(previous);

@@ -39,6 +39,17 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
                              std::span<const IndexPair> candidates, double margin,
                              std::span<const Contact> previous, ContactList& out);
 
+/// How far contact has to reach among bodies that a search for collisions has stopped just before
+/// they touch: as far as two of them can come in twice its resolution, and `tolerance::contact_gap`
+/// of their size.
+/// \param world       the bodies
+/// \param bodies      how they move: one for each body index
+/// \param pairs       who is about to touch
+/// \param resolution  [s] of the search
+/// \return [m]
+[[nodiscard]] double search_margin(const World& world, std::span<const MovingBody> bodies,
+                                   std::span<const IndexPair> pairs, double resolution);
+
 /// Gives points that touched before the impulses that they had, as a start for iterative solvers.
 ///
 /// A point is the same if its pair and its feature are. What is left of the friction impulse

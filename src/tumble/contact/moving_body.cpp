@@ -6,34 +6,37 @@
 
 namespace tumble {
 
+MovingBody moving_body_of(const BodyProperties& body, const BodyState& state) {
+  MovingBody moving;
+  moving.velocity_w = velocity(body, state);
+  moving.angular_velocity_w = angular_velocity(body, state);
+  moving.position_w = state.position_w;
+  moving.inverse_mass = Vec3::Constant(body.inverse_mass);
+  moving.inverse_inertia_w = inverse_inertia_w(body, state.orientation_wb);
+  return moving;
+}
+
+void store_moving_body(const MovingBody& moving, const BodyProperties& body, BodyState& state) {
+  if (!moving.changed || !body.movable()) return;
+  state.linear_momentum_w = body.mass * moving.velocity_w;
+  // L = R I_b R' omega, from right to left: three rotations of a vector, no matrix product.
+  const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
+  const Vec3 omega_b = axes_w.transpose() * moving.angular_velocity_w;
+  state.angular_momentum_w = axes_w * Vec3(body.inertia_b.cwiseProduct(omega_b));
+}
+
 void load_moving_bodies(const World& world, std::vector<MovingBody>& out) {
   out.clear();
-  const std::span<const BodyProperties> bodies = world.bodies();
-  const std::span<const BodyState> states = world.states();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    MovingBody& body = out.emplace_back();
-    body.velocity_w = velocity(bodies[i], states[i]);
-    body.angular_velocity_w = angular_velocity(bodies[i], states[i]);
-    body.position_w = states[i].position_w;
-    body.inverse_mass = Vec3::Constant(bodies[i].inverse_mass);
-    body.inverse_inertia_w = inverse_inertia_w(bodies[i], states[i].orientation_wb);
-  }
+  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+    out.push_back(moving_body_of(world.bodies()[i], world.states()[i]));
 }
 
 void store_moving_bodies(std::span<const MovingBody> bodies, World& world) {
   require::that(bodies.size() == world.states().size(),
                 "bodies: one entry for each body of the world is needed, as load_moving_bodies "
                 "makes them");
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyProperties& constant = world.bodies()[i];
-    if (!bodies[i].changed || !constant.movable()) continue;
-    BodyState& state = world.states()[i];
-    state.linear_momentum_w = constant.mass * bodies[i].velocity_w;
-    // L = R I_b R' omega, from right to left: three rotations of a vector, no matrix product.
-    const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
-    const Vec3 omega_b = axes_w.transpose() * bodies[i].angular_velocity_w;
-    state.angular_momentum_w = axes_w * Vec3(constant.inertia_b.cwiseProduct(omega_b));
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    store_moving_body(bodies[i], world.bodies()[i], world.states()[i]);
 }
 
 }  // namespace tumble

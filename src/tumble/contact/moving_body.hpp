@@ -25,6 +25,18 @@ struct MovingBody {
   bool changed = false;
 };
 
+/// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
+/// \param body   its constant part
+/// \param state  where it is and its momenta
+/// \return it, not changed
+[[nodiscard]] MovingBody moving_body_of(const BodyProperties& body, const BodyState& state);
+
+/// Writes the velocity of a body back, \f$P = m v\f$ and \f$L = I_w\,\omega\f$, if it was changed.
+/// \param moving  as loaded from this body
+/// \param body    its constant part; its mass and inertia are used, whatever the inverses were set to
+/// \param state   momenta in and out; nothing happens to those of an immovable body
+void store_moving_body(const MovingBody& moving, const BodyProperties& body, BodyState& state);
+
 /// Reads the velocities of all bodies, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
 /// \param world  the bodies
 /// \param out    one for each body index, none of them changed. Its capacity is kept

@@ -5,7 +5,7 @@
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
-#include "tumble/impulse_damped/errata_set.hpp"
+#include "tumble/base/errata_set.hpp"
 
 #include <cstdint>
 #include <span>

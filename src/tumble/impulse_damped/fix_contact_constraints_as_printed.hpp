@@ -4,7 +4,7 @@
 
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/world.hpp"
-#include "tumble/impulse_damped/errata_set.hpp"
+#include "tumble/base/errata_set.hpp"
 
 #include <cstdint>
 #include <span>

@@ -4,7 +4,7 @@
 
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/impulse_damped/errata_set.hpp"
+#include "tumble/base/errata_set.hpp"
 
 #include <cstdint>
 #include <span>

@@ -19,6 +19,7 @@ const std::vector<SceneRecipe>& scene_library() {
     recipes::add_balanced(list);
     recipes::add_stability(list);
     recipes::add_thrown(list);
+    recipes::add_lines(list);
     return list;
   }();
   return library;

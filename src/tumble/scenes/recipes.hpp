@@ -36,6 +36,10 @@ void add_stability(std::vector<SceneRecipe>& list);
 /// \param list gets the recipes
 void add_thrown(std::vector<SceneRecipe>& list);
 
+/// Boxes on a line whose collisions have an order: line, fig5_1.
+/// \param list gets the recipes
+void add_lines(std::vector<SceneRecipe>& list);
+
 /// Declares how far the boxes of a pile are from their places: `scatter` and `scatter_angle`.
 /// \param p gets the two settings, 0 by default
 void add_scatter(Parameters& p);

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Lists of errata are read as they are meant.
-#include "tumble/impulse_damped/errata_set.hpp"
+#include "tumble/base/errata_set.hpp"
 
 #include "support/catch.hpp"
 
@@ -9,7 +9,7 @@
 
 using namespace tumble;
 
-TEST_CASE("A list of errata holds what it names and nothing else", "[unit][impulse_damped]") {
+TEST_CASE("A list of errata holds what it names and nothing else", "[unit][base]") {
   const ErrataSet set(" C1, DM17,RK1 ,C1");
   CHECK(set.text() == "C1,RK1,DM17");
   for (const std::string& id : ErrataSet::known())
@@ -23,15 +23,32 @@ TEST_CASE("A list of errata holds what it names and nothing else", "[unit][impul
   CHECK(ErrataSet::all().without("C10").has("C1"));
 }
 
-TEST_CASE("There are 57 errata of damped integration", "[unit][impulse_damped]") {
+TEST_CASE("There are 57 errata of damped integration", "[unit][base]") {
   // 6 + 11 + 4 + 4 + 17 + 7 + 8
   CHECK(ErrataSet::known().size() == 57);
   CHECK(ErrataSet::known().front() == "D1");
   CHECK(ErrataSet::known().back() == "G8");
 }
 
-TEST_CASE("An erratum that is none is refused with those that there are",
-          "[unit][impulse_damped]") {
+TEST_CASE("The two parts of appendix A have errata of their own", "[unit][base]") {
+  const auto timewarp = ErrataSet::known(Listings::timewarp);
+  CHECK(timewarp.size() == 19);  // 10 + 9
+  CHECK(timewarp.front() == "S1");
+  CHECK(timewarp.back() == "F9");
+  const ErrataSet set(" F1,S10", Listings::timewarp);
+  CHECK(set.text() == "S10,F1");
+  CHECK(set.has("S10"));
+  CHECK_FALSE(set.has("S1"));
+  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  CHECK(ErrataSet("all", Listings::timewarp) == all);
+  CHECK(all.has("F9"));
+  CHECK_FALSE(all.has("D1"));
+  CHECK_FALSE(ErrataSet::all().has("S1"));
+  CHECK_THROWS_AS(ErrataSet("C1", Listings::timewarp), std::invalid_argument);
+  CHECK_THROWS_AS(ErrataSet("S1"), std::invalid_argument);
+}
+
+TEST_CASE("An erratum that is none is refused with those that there are", "[unit][base]") {
   for (const char* list : {"C12", "C0", "c1", "C1,,C2", "C1,", ",", "C1 C2", "none,C1", "all,C1"}) {
     INFO(list);
     CHECK_THROWS_AS(ErrataSet(list), std::invalid_argument);

@@ -1,0 +1,88 @@
+/// \file
+/// \brief Collisions of pairs of bodies at one instant, the others left alone (thesis A.1:
+///        collideTwoObjects).
+#include "tumble/timewarp/instant_impacts.hpp"
+
+#include "tumble/contact/effective_mass.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> pairs,
+                                      const InstantOptions& options, StepReport& report) {
+  moving_.resize(at(world.count()));
+  for (const IndexPair& pair : pairs)
+    for (const int body : {pair.first, pair.second})
+      moving_[at(body)] = moving_body_of(world.bodies()[at(body)], world.states()[at(body)]);
+
+  const double margin =
+      std::max(options.margin, search_margin(world, moving_, pairs, options.resolution));
+  const GatherReport gathered = gather_contacts(world, moving_, pairs, margin, {}, contacts_);
+  report.pair_tests += gathered.pair_tests;
+  if (!options.bounce)
+    for (Contact& contact : contacts_) contact.restitution = 0.0;
+
+  InstantReport out;
+  if (pairs.size() == 1) {
+    resolve_together(contacts_, out, report);
+  } else {
+    islands_.build(world.bodies(), contacts_);
+    for (int k = 0; k < islands_.count(); ++k) resolve_island(islands_.contacts(k), out, report);
+  }
+
+  for (const Contact& contact : contacts_)
+    for (const int body : {contact.first, contact.second})
+      store_moving_body(moving_[at(body)], world.bodies()[at(body)], world.states()[at(body)]);
+  out.contacts = contacts_;
+  return out;
+}
+
+double InstantImpacts::parting_speed(const IndexPair& pair) const {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Contact& contact : contacts_) {
+    if (contact.first != pair.first || contact.second != pair.second) continue;
+    const MovingBody& first = moving_[at(contact.first)];
+    const MovingBody& second = moving_[at(contact.second)];
+    for (int p = 0; p < contact.count; ++p) {
+      const ContactPoint& point = contact.points[at(p)];
+      if (!(point.normal_impulse > 0.0)) continue;
+      const Vec3 parting_w = relative_velocity(first, second, point.position_w);
+      slowest = std::min(slowest, contact.normal_w.dot(parting_w));
+    }
+  }
+  return slowest < std::numeric_limits<double>::infinity() ? std::max(slowest, 0.0) : 0.0;
+}
+
+void InstantImpacts::resolve_island(std::span<const int> members, InstantReport& out,
+                                    StepReport& report) {
+  island_contacts_.clear();
+  for (const int c : members) island_contacts_.push_back(contacts_[at(c)]);
+  resolve_together(island_contacts_, out, report);
+  for (std::size_t k = 0; k < members.size(); ++k) contacts_[at(members[k])] = island_contacts_[k];
+}
+
+void InstantImpacts::resolve_together(std::span<Contact> contacts, InstantReport& out,
+                                      StepReport& report) {
+  if (contacts.empty()) return;
+  int points = 0;
+  for (const Contact& contact : contacts) points += contact.count;
+  ImpactOptions how;
+  how.order = points <= kMostPoints ? ImpactOrder::simultaneous : ImpactOrder::sequential;
+  how.most_passes = kPasses;
+  const ImpactResult impact = solver_.resolve(contacts, moving_, how);
+  out.status = std::max(out.status, impact.status);
+  report.impulses += impact.impulses;
+  report.iterations += impact.passes;
+  report.pivots += impact.pivots;
+  report.energy.restitution += impact.restitution_energy;
+  report.energy.friction += impact.friction_energy;
+}
+
+}  // namespace tumble

@@ -1,0 +1,72 @@
+/// \file
+/// \brief Collisions of pairs of bodies at one instant, the others left alone (thesis A.1:
+///        collideTwoObjects).
+#pragma once
+
+#include "tumble/contact/gather.hpp"
+#include "tumble/contact/impacts.hpp"
+#include "tumble/contact/islands.hpp"
+#include "tumble/dynamics/technique.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// How collisions of an instant are resolved.
+struct InstantOptions {
+  /// [s] how much before they touch a search may have stopped: contact reaches as far as bodies
+  /// come in that time
+  double resolution = tolerance::event_resolution;
+  bool bounce = true;   ///< with the restitution of the bodies; else with none
+  double margin = 0.0;  ///< [m] contact reaches at least as far as this
+};
+
+/// What collisions of an instant did.
+struct InstantReport {
+  ImpactStatus status = ImpactStatus::done;  ///< how the worst of them ended
+  std::span<const Contact> contacts;         ///< with their impulses; valid until the next call
+};
+
+/// Resolves the collisions of some pairs at one instant.
+///
+/// Only the bodies of these pairs are looked at: in a timewarp the others are at other times. Pairs
+/// that hang together through movable bodies are resolved at one stroke, so that the order of
+/// bodies does not matter; heaps with more than kMostPoints points are resolved pair by pair in
+/// kPasses passes instead.
+/// \par Cost
+/// That of ImpactSolver for these pairs, however many bodies there are. No allocation once warm.
+class InstantImpacts {
+ public:
+  /// [-] Largest heap that is resolved at one stroke. Reason: its problem is dense and takes the
+  /// third power of this, half a millisecond at 64.
+  static constexpr int kMostPoints = 64;
+  /// [-] Passes over larger heaps. Reason: what they leave is a matter of the next frame.
+  static constexpr int kPasses = 20;
+
+  /// Resolves.
+  /// \param world    momenta of the pairs' bodies in and out; their poses are those of the instant
+  /// \param pairs    by index, first < second, each once, sorted
+  /// \param options  see there
+  /// \param report   gets counts and energy added
+  /// \return what happened
+  InstantReport resolve(World& world, std::span<const IndexPair> pairs,
+                        const InstantOptions& options, StepReport& report);
+
+  /// How fast two bodies part after the last call.
+  /// \param pair  one of its pairs
+  /// \return [m/s] where they were pushed, at the slowest such place; 0 if they were not pushed
+  [[nodiscard]] double parting_speed(const IndexPair& pair) const;
+
+ private:
+  void resolve_island(std::span<const int> members, InstantReport& out, StepReport& report);
+  void resolve_together(std::span<Contact> contacts, InstantReport& out, StepReport& report);
+
+  std::vector<MovingBody> moving_;  // by index; those of the pairs are loaded
+  ContactList contacts_;
+  ContactList island_contacts_;
+  Islands islands_;
+  ImpactSolver solver_;
+};
+
+}  // namespace tumble

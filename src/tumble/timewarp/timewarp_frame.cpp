@@ -1,0 +1,231 @@
+/// \file
+/// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+#include "tumble/timewarp/timewarp_frame.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/contact/told.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+TimewarpFrame::TimewarpFrame(const TimewarpOptions& options, SearchMethod method)
+    : options_(options),
+      method_(method),
+      broad_phase_(make_broad_phase("bounding_tree")),
+      stage_({options.resolution, options.pair_events}) {}
+
+TimewarpFrame::TimewarpFrame(const TimewarpFrame& other)
+    : TimewarpFrame(other.options_, other.method_) {}
+
+void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
+  require::positive(dt, "dt");
+  world_ = &world;
+  dt_ = dt;
+  observer_ = observer;
+  report = {};
+  records_.clear();
+  stage_.begin();
+  test.resize(at(world.count()));
+  valid_times.resize(at(world.count()));
+  before_.resize(at(world.count()));
+}
+
+void TimewarpFrame::integrate_forward(BodyState& state, int body, double time) {
+  if (!movable(body)) return;
+  fly(world_->bodies()[at(body)], state, world_->gravity_w, time, options_.rotation);
+  ++report.integrations;
+}
+
+bool TimewarpFrame::movable(int body) const { return world_->bodies()[at(body)].movable(); }
+
+Flight TimewarpFrame::flight() const {
+  return Flight{.bodies = world_->bodies(),
+                .states = world_->states(),
+                .valid_times = valid_times,
+                .gravity_w = world_->gravity_w,
+                .rule = options_.rotation};
+}
+
+// Where a pair has to overlap to be searched: at the end of the frame, or anywhere on the way there.
+Bounds TimewarpFrame::bounds_of_body(int body) const {
+  const BodyProperties& properties = world_->bodies()[at(body)];
+  if (method_ == SearchMethod::discrete) return bounds_of(properties, test[at(body)]);
+  return bounds_of_flight(properties, world_->states()[at(body)], world_->gravity_w,
+                          dt_ - valid_times[at(body)], 0.5 * properties.size.norm());
+}
+
+void TimewarpFrame::find_all_collisions(CollisionHeap& heap) {
+  bounds_.resize(test.size());
+  for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  for (const IndexPair& pair : candidates_) search(pair, heap);
+}
+
+void TimewarpFrame::add_collisions_of(std::span<const int> bodies, CollisionHeap& heap) {
+  for (const int body : bodies) bounds_[at(body)] = bounds_of_body(body);
+  for (const int body : bodies) {
+    if (!movable(body)) continue;
+    for (int other = 0; other < world_->count(); ++other) {
+      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
+      // A pair of two of these bodies is met twice.
+      const bool again =
+          other < body && movable(other) && std::binary_search(bodies.begin(), bodies.end(), other);
+      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
+    }
+  }
+}
+
+void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {
+  if (!(movable(pair.first) || movable(pair.second)) || stage_.holds(pair)) return;
+  if (const std::optional<double> time = first_collision(pair, dt_)) heap.insert({*time, pair});
+}
+
+// When two bodies collide before an end, each flown from its valid state.
+std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, double end) {
+  const Flight all = flight();
+  const double start = std::max(valid_times[at(pair.first)], valid_times[at(pair.second)]);
+  if (!(start < end)) return std::nullopt;
+  const auto gap = [&](double time) {
+    ++report.pair_tests;
+    return gap_at(all, pair, time).distance;
+  };
+  if (method_ == SearchMethod::discrete && gap(end) >= 0.0) return std::nullopt;
+  const SearchOptions how{.method = method_,
+                          .resolution = std::min(options_.resolution, end - start)};
+  const double gap_at_start = gap(start);
+  if (gap_at_start < 0.0) {
+    const bool deepening = gap(start + how.resolution) < gap_at_start;
+    return deepening ? std::optional(start) : std::nullopt;
+  }
+  const PairCollision found = method_ == SearchMethod::discrete
+                                  ? bisect_collision(all, pair, {start, end}, how)
+                                  : advance_to_collision(all, pair, start, end, how);
+  report.pair_tests += found.evaluations;
+  report.searches += found.evaluations;
+  if (found.status == CollisionStatus::cap_reached) stage_.leave(pair);
+  if (found.status != CollisionStatus::found) return std::nullopt;
+  return found.time;
+}
+
+std::span<const int> TimewarpFrame::find_near(const ForeseenCollision& collision) {
+  const auto swept = [&](int body) {
+    const BodyProperties& properties = world_->bodies()[at(body)];
+    return bounds_of_flight(properties, world_->states()[at(body)], world_->gravity_w,
+                            collision.time - valid_times[at(body)], 0.5 * properties.size.norm());
+  };
+  const Bounds first = swept(collision.pair.first);
+  const Bounds second = swept(collision.pair.second);
+  near_.clear();
+  for (int body = 0; body < world_->count(); ++body) {
+    // A body that is valid at a later time already has no way until then.
+    if (valid_times[at(body)] > collision.time) continue;
+    const Bounds own = swept(body);
+    if (overlap(own, first) || overlap(own, second)) near_.push_back(body);
+  }
+  return near_;
+}
+
+std::optional<ForeseenCollision> TimewarpFrame::first_of_group(std::span<const int> group,
+                                                               const ForeseenCollision& other) {
+  std::optional<ForeseenCollision> earliest;
+  const double before = other.time - options_.resolution;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    for (std::size_t j = i + 1; j < group.size(); ++j) {
+      const IndexPair pair{group[i], group[j]};
+      if (pair == other.pair || !(movable(pair.first) || movable(pair.second))) continue;
+      if (stage_.holds(pair)) continue;
+      const Bounds first = bounds_of(world_->bodies()[at(pair.first)], test[at(pair.first)]);
+      const Bounds second = bounds_of(world_->bodies()[at(pair.second)], test[at(pair.second)]);
+      if (!overlap(first, second)) continue;
+      const std::optional<double> time = first_collision(pair, other.time);
+      if (!time || !(*time < before)) continue;
+      if (!earliest || ForeseenCollision{*time, pair} < *earliest)
+        earliest = ForeseenCollision{*time, pair};
+    }
+  }
+  return earliest;
+}
+
+void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
+  int moved = 0;
+  for (const IndexPair& pair : pairs) {
+    for (const int body : {pair.first, pair.second}) {
+      before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
+      if (movable(body)) ++moved;
+    }
+  }
+  const InstantReport impact =
+      impacts_.resolve(*world_, pairs, {.resolution = options_.resolution}, report);
+  if (impact.status != ImpactStatus::done)
+    report.status = std::max(report.status, StepStatus::event_cap);
+  report.rewinds += moved;
+  tell(impact.contacts, time, moved);
+  release_pushed(pairs);
+  for (const IndexPair& pair : pairs)
+    stage_.count(pair, impacts_.parting_speed(pair), world_->gravity_w.norm());
+}
+
+// Who was pushed harder than gravity does in a frame may collide again with bodies that it rests on.
+void TimewarpFrame::release_pushed(std::span<const IndexPair> pairs) {
+  const double hardly = world_->gravity_w.norm() * dt_;
+  for (const IndexPair& pair : pairs) {
+    for (const int body : {pair.first, pair.second}) {
+      if (!movable(body)) continue;
+      const BodyProperties& properties = world_->bodies()[at(body)];
+      const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
+      const MovingBody& old = before_[at(body)];
+      const double push =
+          (now.velocity_w - old.velocity_w).norm() +
+          0.5 * properties.size.norm() * (now.angular_velocity_w - old.angular_velocity_w).norm();
+      if (push > hardly) stage_.release(body);
+    }
+  }
+}
+
+// Tells about the collisions of one time.
+void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rewinds) {
+  Event moment;
+  moment.time = world_->time() + time;
+  moment.rewinds = rewinds;
+  for (const Contact& contact : contacts) {
+    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
+    const std::optional<Event> event = event_of(contact, moment);
+    if (!event) continue;
+    ++report.events;
+    if (observer_ != nullptr) observer_->on_event(*event);
+  }
+}
+
+void TimewarpFrame::finish() {
+  if (const std::span<const IndexPair> resting = stage_.pairs(); !resting.empty()) {
+    const InstantReport impact = impacts_.resolve(
+        *world_, resting, {.resolution = options_.resolution, .bounce = false}, report);
+    const double end = world_->time() + dt_;
+    for (const Contact& contact : impact.contacts)
+      for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, end));
+  }
+  repair_bounds(*world_, 0.0, bounds_);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  const RepairReport repaired = repair_.run(*world_, candidates_);
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = repaired.deepest_before;
+  report.contacts = static_cast<std::int64_t>(records_.size());
+  report.fallbacks += stage_.entered();
+  world_->finish_step(dt_);
+}
+
+void TimewarpFrame::show(TimewarpWatcher* watcher, const ForeseenCollision* current,
+                         const CollisionHeap& heap) const {
+  if (watcher == nullptr) return;
+  const std::vector<ForeseenCollision> foreseen = heap.entries();
+  watcher->on_queue({current, foreseen, world_->states(), valid_times, test});
+}
+
+}  // namespace tumble

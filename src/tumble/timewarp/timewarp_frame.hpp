@@ -1,0 +1,167 @@
+/// \file
+/// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+#pragma once
+
+#include "tumble/contact/repair.hpp"
+#include "tumble/dynamics/pair_search.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/timewarp/collision_heap.hpp"
+#include "tumble/timewarp/contact_stage.hpp"
+#include "tumble/timewarp/instant_impacts.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// Options of all forms of the timewarp.
+struct TimewarpOptions {
+  double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
+  int pair_events = ContactRule{}.pair_events;      ///< see ContactRule
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
+};
+
+/// What a synchronised timewarp knows between two collisions, for whoever wants to look.
+struct TimewarpLook {
+  const ForeseenCollision* current = nullptr;   ///< the one resolved last; nullptr: none yet
+  std::span<const ForeseenCollision> foreseen;  ///< the queue, the earliest first
+  std::span<const BodyState> valid;             ///< by index: the valid states
+  std::span<const double> valid_times;  ///< [s] by index: of which time, from the frame's start
+  std::span<const BodyState> test;      ///< by index: the states at the end of the frame
+};
+
+/// Somebody who looks at a synchronised timewarp at work.
+class TimewarpWatcher {
+ public:
+  virtual ~TimewarpWatcher() = default;
+  /// The queue has been filled, or a collision has been resolved.
+  /// \param look  valid during the call
+  virtual void on_queue(const TimewarpLook& look) = 0;
+};
+
+/// One frame of a synchronised timewarp: two states for each body, and everything that the listings
+/// call without saying how.
+///
+/// Times are counted from the start of the frame. The **valid state** of a body is in the world; it
+/// belongs to the body's **valid time**. Its **test state** is where it will be at the end of the frame
+/// if it meets nobody. A collision of two bodies is searched from the later of their valid times,
+/// each flown there from its own valid state in one go (S4, S8), and the last time at which they
+/// are apart is taken (S7). Two bodies that overlap when their search begins collide at once if
+/// they go deeper.
+///
+/// Which pairs are searched: *discrete*, as in the thesis, those whose test states overlap; a pair
+/// that has met and parted by then, or changed places, is missed (S5). *Conservative*: those whose
+/// ways may meet, which misses nothing that overlaps for one resolution.
+///
+/// Immovable bodies are valid at all times: they are not integrated and nothing that was foreseen
+/// with them is forgotten, as no impact changes them.
+/// \par Cost
+/// A frame: a broad phase, and a search for each near pair. A body that has collided: n comparisons
+/// of bounds and a search for each near pair.
+class TimewarpFrame {
+ public:
+  /// Makes the storage.
+  /// \param options  see there
+  /// \param method   which pairs are searched, and how
+  /// \throws std::invalid_argument for an option out of range
+  TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
+  /// A copy with options only; nothing else is needed from frame to frame.
+  /// \param other the original
+  TimewarpFrame(const TimewarpFrame& other);
+  TimewarpFrame& operator=(const TimewarpFrame&) = delete;
+  ~TimewarpFrame() = default;
+
+  /// Starts a frame.
+  /// \param world     all bodies; kept until finish()
+  /// \param dt        [s] its length
+  /// \param observer  told about collisions; may be nullptr
+  /// \throws std::invalid_argument for a dt that is not above 0
+  void begin(World& world, double dt, Observer* observer);
+
+  // The objects of the listings, by index.
+  std::vector<BodyState> test;      ///< the test states
+  std::vector<double> valid_times;  ///< [s] since the start of the frame
+  StepReport report;                ///< of this frame
+
+  /// Whether a body can move at all.
+  /// \param body  its index
+  /// \return false: nothing is integrated or forgotten for it
+  [[nodiscard]] bool movable(int body) const;
+
+  /// Flies a body: integrateForward.
+  /// \param state  in and out
+  /// \param body   its index
+  /// \param time   [s] for how long
+  void integrate_forward(BodyState& state, int body, double time);
+
+  /// Finds the collisions of all pairs: findAllCollisions.
+  /// \param heap  gets them
+  void find_all_collisions(CollisionHeap& heap);
+
+  /// Finds the collisions of some bodies, each pair once: addCollisionsForObject.
+  /// \param bodies  indices, ascending; their valid and test states must be up to date
+  /// \param heap    gets the collisions
+  void add_collisions_of(std::span<const int> bodies, CollisionHeap& heap);
+
+  /// Who may have met one of two bodies by a time, the two included: findNearObjects. Everybody
+  /// whose bounds, swept from its valid time until then, meet those of one of the two.
+  /// \param collision  the two, and the time
+  /// \return indices, ascending; valid until the next call
+  std::span<const int> find_near(const ForeseenCollision& collision);
+
+  /// The earliest collision in a group before another one: findCollisionsForGroup. Pairs are tested
+  /// at the time of the other one, in their test states.
+  /// \param group  indices, ascending, their test states at that time
+  /// \param other  the collision that is about to be resolved; its pair is left out
+  /// \return the earliest that is before it by more than a resolution; nothing if there is none
+  std::optional<ForeseenCollision> first_of_group(std::span<const int> group,
+                                                  const ForeseenCollision& other);
+
+  /// Resolves collisions at one time: collideTwoObjects. The valid states must be of that time.
+  /// \param pairs  who, sorted
+  /// \param time   [s] since the start of the frame
+  void collide(std::span<const IndexPair> pairs, double time);
+
+  /// Resolves the pairs in the contact stage, repairs what overlaps (fixInterpenetration) and ends
+  /// the frame. The valid states must be of its end.
+  void finish();
+
+  /// The contact points of this frame, each at the time of its collision.
+  /// \return valid until the next frame
+  [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
+
+  /// Shows the state of affairs to a watcher.
+  /// \param watcher  nullptr: nobody
+  /// \param current  the collision resolved last; nullptr: none yet
+  /// \param heap     the queue
+  void show(TimewarpWatcher* watcher, const ForeseenCollision* current,
+            const CollisionHeap& heap) const;
+
+ private:
+  [[nodiscard]] Flight flight() const;
+  [[nodiscard]] Bounds bounds_of_body(int body) const;
+  void search(const IndexPair& pair, CollisionHeap& heap);
+  std::optional<double> first_collision(const IndexPair& pair, double end);
+  void release_pushed(std::span<const IndexPair> pairs);
+  void tell(std::span<const Contact> contacts, double time, int rewinds);
+
+  TimewarpOptions options_;
+  SearchMethod method_;
+  std::unique_ptr<BroadPhase> broad_phase_;
+  ContactStage stage_;
+  InstantImpacts impacts_;
+  OverlapRepair repair_;
+
+  World* world_ = nullptr;  // during a frame
+  double dt_ = 0.0;         // [s]
+  Observer* observer_ = nullptr;
+  std::vector<Bounds> bounds_;  // by index
+  std::vector<IndexPair> candidates_;
+  std::vector<int> near_;
+  std::vector<MovingBody> before_;  // of the bodies of an impact, before it
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

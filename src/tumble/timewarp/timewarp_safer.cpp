@@ -1,0 +1,122 @@
+/// \file
+/// \brief The synchronised timewarp that looks at neighbours too (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
+#include "tumble/timewarp/timewarp_safer.hpp"
+
+#include <array>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+TimewarpSafer::TimewarpSafer(const TimewarpOptions& options)
+    : frame_(options, SearchMethod::discrete) {}
+
+std::unique_ptr<Technique> TimewarpSafer::clone() const {
+  return std::make_unique<TimewarpSafer>(*this);
+}
+
+// | symbol        | meaning                                                  | unit |
+// |---------------|----------------------------------------------------------|------|
+// | valid         | states that are known to be right, each at its own time  |      |
+// | valid_times   | those times, since the start of the frame                | s    |
+// | test          | states at the end of the frame, if nobody is met; those  |      |
+// |               | near a collision for a while at its time                 |      |
+StepReport TimewarpSafer::step(World& world, double dt) {
+  frame_.begin(world, dt, observer());
+  const std::span<BodyState> valid = world.states();
+  std::vector<BodyState>& test = frame_.test;
+  std::vector<double>& valid_times = frame_.valid_times;
+  // Flies a body from its valid state to a time of the frame.
+  const auto test_at = [&](int index, double time) {
+    test[at(index)] = valid[at(index)];
+    frame_.integrate_forward(test[at(index)], index, time - valid_times[at(index)]);
+  };
+
+  // [SAFERSYNCTIMEWARP:1-4]
+  // Every body flies to the end of the frame, as if it met nobody.
+  for (int i = 0; i < world.count(); ++i) {
+    valid_times[at(i)] = 0.0;
+    test_at(i, dt);
+  }
+  // [SAFERSYNCTIMEWARP:1-4]
+
+  // [SAFERSYNCTIMEWARP:5-7]
+  // Who overlaps at the end has collided; the earliest first.
+  collision_heap_.reset(world.count());
+  frame_.find_all_collisions(collision_heap_);
+  frame_.show(watcher_, nullptr, collision_heap_);
+  while (!collision_heap_.empty()) {
+    const ForeseenCollision current = collision_heap_.remove_first();
+    // [SAFERSYNCTIMEWARP:5-7]
+
+    // [SAFERSYNCTIMEWARP:8-13]
+    // Everybody who may have met one of the two by then, the two
+    // included, flies to that time. Do some of them overlap
+    // there, other than the two themselves (F6)?
+    const std::span<const int> near = frame_.find_near(current);
+    for (const int index : near) test_at(index, current.time);
+    const std::optional<ForeseenCollision> earlier = frame_.first_of_group(near, current);
+    // [SAFERSYNCTIMEWARP:8-13]
+
+    // [SAFERSYNCTIMEWARP:21-23]
+    // In any case (F5) they get their test states at the end of
+    // the frame back (F3, F4).
+    for (const int index : near) test_at(index, dt);
+    // [SAFERSYNCTIMEWARP:21-23]
+
+    // [SAFERSYNCTIMEWARP:14-16]
+    // An earlier collision comes first. The present one waits: it
+    // is void only if one of its bodies is changed (F5).
+    if (earlier) {
+      collision_heap_.insert(*earlier);
+      collision_heap_.insert(current);
+      ++frame_.report.restarts;
+      continue;
+    }
+    // [SAFERSYNCTIMEWARP:14-16]
+
+    // [SAFERSYNCTIMEWARP:17-20]
+    // No earlier one: what else was foreseen for the two is void,
+    // and their valid states become those of the collision (F1,
+    // F2).
+    const std::array<int, 2> both = {current.pair.first, current.pair.second};
+    for (const int index : both) {
+      if (!frame_.movable(index)) continue;
+      collision_heap_.forget(index);
+      frame_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
+      valid_times[at(index)] = current.time;
+    }
+    // [SAFERSYNCTIMEWARP:17-20]
+
+    // [SAFERSYNCTIMEWARP:24]
+    frame_.collide({&current.pair, 1}, current.time);
+    // [SAFERSYNCTIMEWARP:24]
+
+    // [SAFERSYNCTIMEWARP:25-29]
+    // Both fly to the end of the frame anew, and then it is looked
+    // at whom they meet there.
+    for (const int index : both) test_at(index, dt);
+    frame_.add_collisions_of(both, collision_heap_);
+    // [SAFERSYNCTIMEWARP:25-29]
+    frame_.show(watcher_, &current, collision_heap_);
+  }
+
+  // [SAFERSYNCTIMEWARP:30-32]
+  // Nobody meets anybody any more: the test states are valid.
+  for (int i = 0; i < world.count(); ++i) {
+    valid[at(i)] = test[at(i)];
+    valid_times[at(i)] = dt;
+  }
+  // [SAFERSYNCTIMEWARP:30-32]
+
+  // [SAFERSYNCTIMEWARP:33-34]
+  // What was missed has left overlap; bodies are moved apart.
+  frame_.finish();
+  return frame_.report;
+  // [SAFERSYNCTIMEWARP:33-34]
+}
+
+}  // namespace tumble

@@ -1,0 +1,101 @@
+/// \file
+/// \brief The synchronised timewarp in its simple form (thesis 5.1, A.1: SIMPLESYNCTIMEWARP).
+#include "tumble/timewarp/timewarp_simple.hpp"
+
+#include <array>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+TimewarpSimple::TimewarpSimple(const TimewarpOptions& options)
+    : frame_(options, SearchMethod::discrete) {}
+
+std::unique_ptr<Technique> TimewarpSimple::clone() const {
+  return std::make_unique<TimewarpSimple>(*this);
+}
+
+// | symbol        | meaning                                                  | unit |
+// |---------------|----------------------------------------------------------|------|
+// | valid         | states that are known to be right, each at its own time  |      |
+// | valid_times   | those times, since the start of the frame                | s    |
+// | test          | states at the end of the frame, if nobody is met         |      |
+StepReport TimewarpSimple::step(World& world, double dt) {
+  frame_.begin(world, dt, observer());
+  const std::span<BodyState> valid = world.states();
+  std::vector<BodyState>& test = frame_.test;
+  std::vector<double>& valid_times = frame_.valid_times;
+
+  // [SIMPLESYNCTIMEWARP:1-4]
+  // Every body flies to the end of the frame, as if it met nobody.
+  // What is known for certain is its state at the start.
+  for (int i = 0; i < world.count(); ++i) {
+    test[at(i)] = valid[at(i)];
+    frame_.integrate_forward(test[at(i)], i, dt);
+    valid_times[at(i)] = 0.0;
+  }
+  // [SIMPLESYNCTIMEWARP:1-4]
+
+  // [SIMPLESYNCTIMEWARP:5]
+  // Who overlaps at the end has collided; when is searched for.
+  collision_heap_.reset(world.count());
+  frame_.find_all_collisions(collision_heap_);
+  // [SIMPLESYNCTIMEWARP:5]
+  frame_.show(watcher_, nullptr, collision_heap_);
+
+  // [SIMPLESYNCTIMEWARP:6-7]
+  // The earliest of all collisions is real: nothing that is
+  // known of can come between.
+  while (!collision_heap_.empty()) {
+    const ForeseenCollision current = collision_heap_.remove_first();
+    const std::array<int, 2> both = {current.pair.first, current.pair.second};
+    // [SIMPLESYNCTIMEWARP:6-7]
+
+    // [SIMPLESYNCTIMEWARP:8-12]
+    // Its two bodies go to that time, both of them before they
+    // collide (S1, S2). Whatever else was foreseen for them is
+    // void.
+    for (const int index : both) {
+      if (!frame_.movable(index)) continue;
+      collision_heap_.forget(index);
+      frame_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
+      valid_times[at(index)] = current.time;
+    }
+    // [SIMPLESYNCTIMEWARP:8-12]
+
+    // [SIMPLESYNCTIMEWARP:13]
+    frame_.collide({&current.pair, 1}, current.time);
+    // [SIMPLESYNCTIMEWARP:13]
+
+    // [SIMPLESYNCTIMEWARP:14-18]
+    // Both fly to the end of the frame anew. Only then is it
+    // looked at whom they meet there (S3), each pair from the
+    // later of its two valid times on (S4).
+    for (const int index : both) {
+      test[at(index)] = valid[at(index)];
+      frame_.integrate_forward(test[at(index)], index, dt - valid_times[at(index)]);
+    }
+    frame_.add_collisions_of(both, collision_heap_);
+    // [SIMPLESYNCTIMEWARP:14-18]
+    frame_.show(watcher_, &current, collision_heap_);
+  }
+
+  // [SIMPLESYNCTIMEWARP:19-21]
+  // Nobody meets anybody any more: the test states are valid.
+  for (int i = 0; i < world.count(); ++i) {
+    valid[at(i)] = test[at(i)];
+    valid_times[at(i)] = dt;
+  }
+  // [SIMPLESYNCTIMEWARP:19-21]
+
+  // [SIMPLESYNCTIMEWARP:22-23]
+  // What was missed has left overlap; bodies are moved apart.
+  frame_.finish();
+  return frame_.report;
+  // [SIMPLESYNCTIMEWARP:22-23]
+}
+
+}  // namespace tumble
