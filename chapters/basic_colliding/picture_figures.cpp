@@ -45,7 +45,7 @@ struct Shot {
   std::array<double, 3> view;  // from the boxes to the eye
 };
 
-constexpr std::array<Shot, 22> kShots = {{
+constexpr std::array<Shot, 23> kShots = {{
     {"box_drop", "A cube falls on an edge", "", 0.4, {0.4, 0.4, 1.0}},
     {"bouncing_box", "A cube that was dropped flat rebounds", "", 0.8, {0.6, 0.4, 1.0}},
     {"tumbling_box", "A free box turns over", "", 2.8, {0.5, 0.6, 1.0}},
@@ -71,6 +71,7 @@ constexpr std::array<Shot, 22> kShots = {{
     {"leaning", "Planks lean on blocks", "", 0.0, {0.8, 0.5, 1.0}},
     {"table", "A table on free legs", "", 0.0, {0.5, 0.4, 1.0}},
     {"toss", "A cube is tossed like measured ones", "", 0.0, {0.5, 0.5, 1.0}},
+    {"line", "Cubes on a line, each with a speed of its own", "", 0.3, {0.3, 0.4, 1.0}},
     {"cage", "Cubes in a cage without gravity, opened for the view", "", 2.0, {0.6, 0.5, 1.0}},
 }};
 

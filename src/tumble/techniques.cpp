@@ -143,6 +143,9 @@ const std::vector<TechniqueRecipe>& technique_library() {
        timewarp_listing_options, make_timewarp_safer},
       {"timewarp_swept", "5.1", "as timewarp_simple, with swept volumes that miss nothing",
        timewarp_swept_options, make_timewarp_swept},
+      {"timewarp_full", "2.4.3",
+       "every body has a time of its own; who flew past a collision goes back",
+       timewarp_full_options, make_timewarp_full},
   };
   return library;
 }

@@ -10,15 +10,12 @@ namespace {
 // The nine listings of appendix A. A listing waits for its chapter, and leaves this list's third
 // column when the chapter comes: covered as a whole or not at all.
 const std::vector<Listing>& listings() {
-  static const std::vector<Listing> all{{"SIMPLESYNCTIMEWARP", 23, "timewarp"},
-                                        {"SAFERSYNCTIMEWARP", 34, "timewarp"},
-                                        {"DAMPEDINTEGRATION", 7, ""},
-                                        {"COLLIDE", 15, ""},
-                                        {"RESOLVECOLLISIONS", 7, ""},
-                                        {"RESOLVECONTACTS", 7, ""},
-                                        {"DAMPENOBJECTS", 29, ""},
-                                        {"FIXCONTACTCONSTRAINTS", 8, ""},
-                                        {"SETGEOMETRICALLYSTABLE", 21, ""}};
+  static const std::vector<Listing> all{
+      {"SIMPLESYNCTIMEWARP", 23, ""},    {"SAFERSYNCTIMEWARP", 34, ""},
+      {"DAMPEDINTEGRATION", 7, ""},      {"COLLIDE", 15, ""},
+      {"RESOLVECOLLISIONS", 7, ""},      {"RESOLVECONTACTS", 7, ""},
+      {"DAMPENOBJECTS", 29, ""},         {"FIXCONTACTCONSTRAINTS", 8, ""},
+      {"SETGEOMETRICALLYSTABLE", 21, ""}};
   return all;
 }
 

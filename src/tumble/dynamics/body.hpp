@@ -40,6 +40,15 @@ struct BodyState {
   Vec3 angular_momentum_w = Vec3::Zero();  ///< [kg m²/s] about the centre of mass, world frame
 };
 
+/// Whether two states are the same.
+/// \param a  the one
+/// \param b  the other
+/// \return true if all numbers agree; never for a NaN
+[[nodiscard]] inline bool operator==(const BodyState& a, const BodyState& b) {
+  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs() &&
+         a.linear_momentum_w == b.linear_momentum_w && a.angular_momentum_w == b.angular_momentum_w;
+}
+
 /// A box of uniform density.
 ///
 /// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).

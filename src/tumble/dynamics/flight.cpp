@@ -15,11 +15,6 @@ double valid_time(const Flight& flight, int body) {
   return flight.valid_times.empty() ? 0.0 : flight.valid_times[place(body)];
 }
 
-Vec3 acceleration_w(const Flight& flight, int body) {
-  if (!flight.bodies[place(body)].movable()) return Vec3::Zero();
-  return flight.accelerations_w.empty() ? flight.gravity_w : flight.accelerations_w[place(body)];
-}
-
 // The height of the lowest corner: the ground is the first body, so the normal is +y.
 Separation gap_above_ground(const BodyProperties& body, const BodyState& state) {
   Separation out;
@@ -66,7 +61,7 @@ void require_valid(const Flight& flight, double start) {
 
 BodyState state_at(const Flight& flight, int body, double time) {
   BodyState state = flight.states[place(body)];
-  fly_in_micro_steps(flight.bodies[place(body)], state, acceleration_w(flight, body),
+  fly_in_micro_steps(flight.bodies[place(body)], state, acceleration_of(flight, body),
                      time - valid_time(flight, body), flight.rule, flight.micro_step);
   return state;
 }
@@ -85,6 +80,17 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
   return separation(box_of(first, first_state), box_of(second, second_state), all_axes);
 }
 
+Vec3 acceleration_of(const Flight& flight, int body) {
+  if (!flight.bodies[place(body)].movable()) return Vec3::Zero();
+  return flight.accelerations_w.empty() ? flight.gravity_w : flight.accelerations_w[place(body)];
+}
+
+// Without turning the body: v + a (t - t_valid).
+Vec3 velocity_at(const Flight& flight, int body, double time) {
+  return velocity(flight.bodies[place(body)], flight.states[place(body)]) +
+         (time - valid_time(flight, body)) * acceleration_of(flight, body);
+}
+
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time) {
   return gap_between(flight.bodies[place(pair.first)], state_at(flight, pair.first, time),
                      flight.bodies[place(pair.second)], state_at(flight, pair.second, time));
@@ -92,16 +98,12 @@ Separation gap_at(const Flight& flight, const IndexPair& pair, double time) {
 
 ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Vec3& normal_w,
                            double time, double end) {
-  // Velocities at the time, without turning the bodies there: v + a (t - t_valid).
-  const auto velocity_at = [&](int body) -> Vec3 {
-    return velocity(flight.bodies[place(body)], flight.states[place(body)]) +
-           (time - valid_time(flight, body)) * acceleration_w(flight, body);
-  };
   ClosingBound bound;
-  bound.speed = normal_w.dot(velocity_at(pair.first) - velocity_at(pair.second)) +
-                corner_speed(flight, pair.first, end) + corner_speed(flight, pair.second, end);
+  bound.speed =
+      normal_w.dot(velocity_at(flight, pair.first, time) - velocity_at(flight, pair.second, time)) +
+      corner_speed(flight, pair.first, end) + corner_speed(flight, pair.second, end);
   bound.acceleration =
-      normal_w.dot(acceleration_w(flight, pair.first) - acceleration_w(flight, pair.second));
+      normal_w.dot(acceleration_of(flight, pair.first) - acceleration_of(flight, pair.second));
   return bound;
 }
 

@@ -62,6 +62,19 @@ BodyState state_at(const Flight& flight, int body, double time);
 Separation gap_between(const BodyProperties& first, const BodyState& first_state,
                        const BodyProperties& second, const BodyState& second_state);
 
+/// How fast a body's centre moves at a time, without turning it there.
+/// \param flight  how bodies move
+/// \param body    its index
+/// \param time    [s]
+/// \return [m/s] world frame
+Vec3 velocity_at(const Flight& flight, int body, double time);
+
+/// What a body's centre is accelerated by.
+/// \param flight  how bodies move
+/// \param body    its index
+/// \return [m/s²] world frame; 0 for an immovable body
+Vec3 acceleration_of(const Flight& flight, int body);
+
 /// How far two bodies in flight are apart at a time.
 /// \param flight  how bodies move
 /// \param pair    the two

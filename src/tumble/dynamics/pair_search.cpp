@@ -3,6 +3,7 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/dynamics/safe_flight.hpp"
 
 #include <algorithm>
 #include <string>
@@ -23,6 +24,20 @@ void require_valid(const SearchOptions& options, double start, double end) {
   if (options.cap < 2)
     require::that(false, "options.cap = " + std::to_string(options.cap) + ": expected at least 2");
 }
+
+namespace {
+
+// Overlap that is no more than rounding: a share of the longest edge of the bodies that move.
+double rounding_of(const Flight& flight, const IndexPair& pair) {
+  double size = 0.0;
+  for (const int body : {pair.first, pair.second}) {
+    const BodyProperties& properties = flight.bodies[static_cast<std::size_t>(body)];
+    if (properties.movable()) size = std::max(size, properties.size.maxCoeff());
+  }
+  return tolerance::rounding_overlap * size;
+}
+
+}  // namespace
 
 PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, const Bracket& bracket,
                                const SearchOptions& options) {
@@ -45,6 +60,9 @@ PairCollision advance_to_collision(const Flight& flight, const IndexPair& pair, 
   out.time = start;
   Separation gap = gap_at(flight, pair, start);
   ++out.evaluations;
+  // Bodies that touch and hardly move against each other would be followed resolution by resolution. An
+  // overlap of rounding size may be passed over.
+  const double rounding = rounding_of(flight, pair);
   while (out.time < end) {
     if (out.evaluations >= options.cap) {
       out.status = CollisionStatus::cap_reached;
@@ -53,8 +71,8 @@ PairCollision advance_to_collision(const Flight& flight, const IndexPair& pair, 
     // The plane between the bodies keeps them apart for the time that they need at least to close
     // the gap along its normal. When that is less than the resolution, look there: a gap that is
     // small but opening is left behind, and one that closes has been found.
-    const ClosingBound bound = closing_bound(flight, pair, gap.normal_w, out.time, end);
-    const double safe = safe_time(gap.distance, bound);
+    gap.distance = std::max(gap.distance, rounding);
+    const double safe = safe_flight(flight, pair, gap, out.time, end);
     const double next = std::min(end, out.time + std::max(safe, options.resolution));
     gap = gap_at(flight, pair, next);
     ++out.evaluations;

@@ -3,8 +3,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/scenes/recipes.hpp"
 
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace tumble::recipes {
@@ -12,7 +12,7 @@ namespace {
 
 Parameters line_parameters() {
   Parameters p;
-  p.add_text("boxes", "0:2,1.5:0,3.4:-1", "place and speed of each cube, as x:v in m and m/s");
+  p.add_text("boxes", "0:2,1.5:0,3.4:-1", "place and speed of each cube, as x:v in edges and m/s");
   p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cubes");
   p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
@@ -21,13 +21,13 @@ Parameters line_parameters() {
 // Reads a number that ends at a character or at the end of the text; takes it off the text.
 double take_number(std::string_view& text, char end, const std::string& all) {
   const std::string_view part = text.substr(0, text.find(end));
-  double value = 0.0;
-  const auto read = std::from_chars(part.data(), part.data() + part.size(), value);
-  const bool good = read.ec == std::errc() && read.ptr == part.data() + part.size() &&
-                    std::isfinite(value) && !part.empty();
+  const std::string copy(part);
+  char* stop = nullptr;
+  const double value = std::strtod(copy.c_str(), &stop);
+  const bool good = !copy.empty() && *stop == '\0' && copy.front() != ' ' && std::isfinite(value);
   if (!good)
-    require::that(false, "boxes = " + all + ": '" + std::string(part) +
-                             "' is no number; expected x:v, as in 0:2,1.5:0");
+    require::that(
+        false, "boxes = " + all + ": '" + copy + "' is no number; expected x:v, as in 0:2,1.5:0");
   text.remove_prefix(part.size());
   return value;
 }
@@ -54,10 +54,12 @@ Scene line(const Parameters& p, Random) {
   std::string_view rest = all;
   for (;;) {
     const double x = take_number(rest, ':', all);
-    require::that(!rest.empty(), "boxes = " + all + ": a speed is missing; expected x:v");
+    require::that(!rest.empty(),
+                  "boxes = " + all + ": a speed is missing; expected x:v, as in 0:2,1.5:0");
     rest.remove_prefix(1);
     const double speed = take_number(rest, ',', all);
-    scene.boxes.push_back(cube_at(name_of_place(scene.boxes.size()), p.number("size"), x, speed));
+    const double size = p.number("size");
+    scene.boxes.push_back(cube_at(name_of_place(scene.boxes.size()), size, size * x, speed));
     if (rest.empty()) break;
     rest.remove_prefix(1);
   }

@@ -18,6 +18,7 @@ Parameters damped_options();            ///< \return options of `damped`
 Parameters contact_damped_options();    ///< \return options of `contact_damped`
 Parameters timewarp_listing_options();  ///< \return options of `timewarp_simple`, `timewarp_safer`
 Parameters timewarp_swept_options();    ///< \return options of `timewarp_swept`
+Parameters timewarp_full_options();     ///< \return options of `timewarp_full`
 
 /// \param p     its options
 /// \param seed  not used
@@ -46,5 +47,9 @@ std::unique_ptr<Technique> make_timewarp_safer(const Parameters& p, std::uint64_
 /// \param seed  not used
 /// \return `timewarp_swept`
 std::unique_ptr<Technique> make_timewarp_swept(const Parameters& p, std::uint64_t seed);
+/// \param p     its options
+/// \param seed  not used
+/// \return `timewarp_full`
+std::unique_ptr<Technique> make_timewarp_full(const Parameters& p, std::uint64_t seed);
 
 }  // namespace tumble

@@ -6,6 +6,7 @@
 #include "tumble/contact/effective_mass.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tumble {
@@ -14,6 +15,20 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
+
+double speed_change(const BodyProperties& body, const MovingBody& before, const MovingBody& after) {
+  return (after.velocity_w - before.velocity_w).norm() +
+         0.5 * body.size.norm() * (after.angular_velocity_w - before.angular_velocity_w).norm();
+}
+
+bool only_rounding(const World& world, const Event& event, double time) {
+  for (const BodyId id : {event.first, event.second}) {
+    const BodyProperties& body = world.bodies()[at(world.index_of(id))];
+    const double way = time * body.inverse_mass * event.impulse_w.norm();
+    if (way > tolerance::rounding_overlap * body.size.maxCoeff()) return false;
+  }
+  return true;
+}
 
 InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> pairs,
                                       const InstantOptions& options, StepReport& report) {
@@ -44,7 +59,18 @@ InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> p
   return out;
 }
 
-double InstantImpacts::parting_speed(const IndexPair& pair) const {
+double InstantImpacts::parting_speed(const World& world, const IndexPair& pair, double time) const {
+  double slowest = slowest_parting(pair, true);
+  if (std::isinf(slowest)) slowest = slowest_parting(pair, false);
+  if (std::isinf(slowest)) return 0.0;
+  double size = 0.0;
+  for (const int body : {pair.first, pair.second})
+    if (world.bodies()[at(body)].movable())
+      size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
+  return slowest * time > tolerance::rounding_overlap * size ? slowest : 0.0;
+}
+
+double InstantImpacts::slowest_parting(const IndexPair& pair, bool pushed_only) const {
   double slowest = std::numeric_limits<double>::infinity();
   for (const Contact& contact : contacts_) {
     if (contact.first != pair.first || contact.second != pair.second) continue;
@@ -52,12 +78,12 @@ double InstantImpacts::parting_speed(const IndexPair& pair) const {
     const MovingBody& second = moving_[at(contact.second)];
     for (int p = 0; p < contact.count; ++p) {
       const ContactPoint& point = contact.points[at(p)];
-      if (!(point.normal_impulse > 0.0)) continue;
+      if (pushed_only && !(point.normal_impulse > 0.0)) continue;
       const Vec3 parting_w = relative_velocity(first, second, point.position_w);
       slowest = std::min(slowest, contact.normal_w.dot(parting_w));
     }
   }
-  return slowest < std::numeric_limits<double>::infinity() ? std::max(slowest, 0.0) : 0.0;
+  return slowest;
 }
 
 void InstantImpacts::resolve_island(std::span<const int> members, InstantReport& out,

@@ -28,6 +28,22 @@ struct InstantReport {
   std::span<const Contact> contacts;         ///< with their impulses; valid until the next call
 };
 
+/// By how much an impact changes the speed of some point of a body, at most.
+/// \param body    its constant part
+/// \param before  how it moved
+/// \param after   how it moves
+/// \return [m/s] the change of its centre's velocity, and that of its spin times half its diagonal
+[[nodiscard]] double speed_change(const BodyProperties& body, const MovingBody& before,
+                                  const MovingBody& after);
+
+/// Whether a collision is one of rounding, as bodies that rest on each other have it in every frame.
+/// \param world  the bodies
+/// \param event  their collision
+/// \param time   [s] to look ahead, above 0
+/// \return true if its impulse moves neither by more than tolerance::rounding_overlap of its size
+///         in that time
+[[nodiscard]] bool only_rounding(const World& world, const Event& event, double time);
+
 /// Resolves the collisions of some pairs at one instant.
 ///
 /// Only the bodies of these pairs are looked at: in a timewarp the others are at other times. Pairs
@@ -54,11 +70,15 @@ class InstantImpacts {
                         const InstantOptions& options, StepReport& report);
 
   /// How fast two bodies part after the last call.
-  /// \param pair  one of its pairs
-  /// \return [m/s] where they were pushed, at the slowest such place; 0 if they were not pushed
-  [[nodiscard]] double parting_speed(const IndexPair& pair) const;
+  /// \param world  as it was given
+  /// \param pair   one of its pairs
+  /// \param time   [s] who parts by no more than rounding in this time does not part
+  /// \return [m/s] where they were pushed, at the slowest such place; if they were not, at the slowest
+  ///         of all; 0 if they do not part or do not touch
+  [[nodiscard]] double parting_speed(const World& world, const IndexPair& pair, double time) const;
 
  private:
+  [[nodiscard]] double slowest_parting(const IndexPair& pair, bool pushed_only) const;
   void resolve_island(std::span<const int> members, InstantReport& out, StepReport& report);
   void resolve_together(std::span<Contact> contacts, InstantReport& out, StepReport& report);
 

@@ -14,6 +14,13 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
+void require_step(double dt, const TimewarpOptions& options) {
+  require::positive(dt, "dt");
+  if (dt + options.resolution <= dt)
+    require::that(false, "resolution = " + require::text(options.resolution) +
+                             ": expected more than rounding of dt = " + require::text(dt));
+}
+
 TimewarpFrame::TimewarpFrame(const TimewarpOptions& options, SearchMethod method)
     : options_(options),
       method_(method),
@@ -24,7 +31,7 @@ TimewarpFrame::TimewarpFrame(const TimewarpFrame& other)
     : TimewarpFrame(other.options_, other.method_) {}
 
 void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
-  require::positive(dt, "dt");
+  require_step(dt, options_);
   world_ = &world;
   dt_ = dt;
   observer_ = observer;
@@ -97,7 +104,8 @@ std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, doub
   };
   if (method_ == SearchMethod::discrete && gap(end) >= 0.0) return std::nullopt;
   const SearchOptions how{.method = method_,
-                          .resolution = std::min(options_.resolution, end - start)};
+                          .resolution = std::min(options_.resolution, end - start),
+                          .cap = TimewarpOptions::kMostSeparations};
   const double gap_at_start = gap(start);
   if (gap_at_start < 0.0) {
     const bool deepening = gap(start + how.resolution) < gap_at_start;
@@ -153,38 +161,34 @@ std::optional<ForeseenCollision> TimewarpFrame::first_of_group(std::span<const i
 }
 
 void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
-  int moved = 0;
-  for (const IndexPair& pair : pairs) {
-    for (const int body : {pair.first, pair.second}) {
-      before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
-      if (movable(body)) ++moved;
-    }
-  }
+  pushed_.clear();
+  for (const IndexPair& pair : pairs)
+    for (const int body : {pair.first, pair.second})
+      if (movable(body)) pushed_.push_back(body);
+  std::sort(pushed_.begin(), pushed_.end());
+  pushed_.erase(std::unique(pushed_.begin(), pushed_.end()), pushed_.end());
+  for (const int body : pushed_)
+    before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
+
   const InstantReport impact =
       impacts_.resolve(*world_, pairs, {.resolution = options_.resolution}, report);
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
+  const int moved = static_cast<int>(pushed_.size());
   report.rewinds += moved;
   tell(impact.contacts, time, moved);
-  release_pushed(pairs);
+  release_pushed();
   for (const IndexPair& pair : pairs)
-    stage_.count(pair, impacts_.parting_speed(pair), world_->gravity_w.norm());
+    stage_.count(pair, impacts_.parting_speed(*world_, pair, dt_), world_->gravity_w.norm());
 }
 
 // Who was pushed harder than gravity does in a frame may collide again with bodies that it rests on.
-void TimewarpFrame::release_pushed(std::span<const IndexPair> pairs) {
+void TimewarpFrame::release_pushed() {
   const double hardly = world_->gravity_w.norm() * dt_;
-  for (const IndexPair& pair : pairs) {
-    for (const int body : {pair.first, pair.second}) {
-      if (!movable(body)) continue;
-      const BodyProperties& properties = world_->bodies()[at(body)];
-      const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
-      const MovingBody& old = before_[at(body)];
-      const double push =
-          (now.velocity_w - old.velocity_w).norm() +
-          0.5 * properties.size.norm() * (now.angular_velocity_w - old.angular_velocity_w).norm();
-      if (push > hardly) stage_.release(body);
-    }
+  for (const int body : pushed_) {
+    const BodyProperties& properties = world_->bodies()[at(body)];
+    const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
+    if (speed_change(properties, before_[at(body)], now) > hardly) stage_.release(body);
   }
 }
 
@@ -196,22 +200,25 @@ void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rew
   for (const Contact& contact : contacts) {
     for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
     const std::optional<Event> event = event_of(contact, moment);
-    if (!event) continue;
+    if (!event || only_rounding(*world_, *event, dt_)) continue;
     ++report.events;
     if (observer_ != nullptr) observer_->on_event(*event);
   }
 }
 
 void TimewarpFrame::finish() {
-  if (const std::span<const IndexPair> resting = stage_.pairs(); !resting.empty()) {
+  // What gravity closes within a resolution from rest at the end of the frame touches.
+  const double reach = world_->gravity_w.norm() * dt_ * options_.resolution;
+  repair_bounds(*world_, reach, bounds_);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  if (const std::span<const IndexPair> held = stage_.pairs(); !held.empty()) {
     const InstantReport impact = impacts_.resolve(
-        *world_, resting, {.resolution = options_.resolution, .bounce = false}, report);
+        *world_, resting_.find(*world_, held, candidates_, reach, report),
+        {.resolution = options_.resolution, .bounce = false, .margin = reach}, report);
     const double end = world_->time() + dt_;
     for (const Contact& contact : impact.contacts)
       for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, end));
   }
-  repair_bounds(*world_, 0.0, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
   const RepairReport repaired = repair_.run(*world_, candidates_);
   report.pair_tests += repaired.pair_tests;
   report.energy.repair += repaired.energy;

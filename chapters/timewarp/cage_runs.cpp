@@ -1,0 +1,90 @@
+/// \file
+/// \brief Cubes in a cage under a form of the timewarp, and what it costs (thesis 2.4.3).
+#include "timewarp/cage_runs.hpp"
+
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include "driver/csv.hpp"
+#include "driver/settings.hpp"
+
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+// Runs frames and returns what was done in them.
+CageWork run(Technique& technique, World& world, double dt, int frames) {
+  CageWork work;
+  for (int k = 0; k < frames; ++k) {
+    const StepReport report = technique.step(world, dt);
+    if (report.status != StepStatus::done)
+      throw std::runtime_error("a frame of " + std::string(technique.name()) + " was not finished");
+    work.frames += 1.0;
+    work.events += static_cast<double>(report.events);
+    work.integrations += static_cast<double>(report.integrations);
+    work.pair_tests += static_cast<double>(report.pair_tests);
+    work.rewinds += static_cast<double>(report.rewinds);
+  }
+  return work;
+}
+
+void multiply_velocities(World& world, double factor) {
+  for (BodyState& state : world.states()) {
+    state.linear_momentum_w *= factor;
+    state.angular_momentum_w *= factor;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Technique> technique_of(const TimewarpForm& form) {
+  const TechniqueRecipe& recipe = technique_recipe(form.name);
+  Parameters options = recipe.options();
+  set_all(options, form.settings);
+  return recipe.make(options, 1);
+}
+
+TimewarpForm all_taken_back() { return {"basic", {"search=discrete"}}; }
+
+TimewarpForm full_timewarp(double stride) {
+  return {"timewarp_full", {"stride=" + full_text(stride), "synchronise_every=0"}, true};
+}
+
+TimewarpForm synchronised_timewarp(int every) {
+  return {"timewarp_full", {"stride=0", "synchronise_every=" + std::to_string(every)}};
+}
+
+World led_cage(const CageStretch& stretch, int seed) {
+  const SceneRecipe& recipe = scene_recipe("cage");
+  Parameters p = recipe.parameters();
+  set_all(p, {"count=" + std::to_string(stretch.count), "speed=" + full_text(stretch.speed),
+              "spin=" + full_text(stretch.spin)});
+  World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+  run(*technique_of({"timewarp_swept"}), world, stretch.dt, stretch.lead);
+  return world;
+}
+
+SettledCage settled_cage(const World& led, const CageStretch& stretch) {
+  SettledCage cage{led, led};
+  multiply_velocities(cage.before, stretch.factor);
+  cage.after = cage.before;
+  run(*technique_of({"timewarp_swept"}), cage.after, stretch.dt, stretch.settle);
+  return cage;
+}
+
+CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const TimewarpForm& form) {
+  const std::unique_ptr<Technique> technique = technique_of(form);
+  World world = form.settles ? cage.before : cage.after;
+  if (form.settles) run(*technique, world, stretch.dt, stretch.settle);
+  return run(*technique, world, stretch.dt, stretch.frames);
+}
+
+double total(const std::vector<CageWork>& works, double CageWork::*count, int left_out) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < works.size(); ++k)
+    if (static_cast<int>(k) != left_out) sum += works[k].*count;
+  return sum;
+}
+
+}  // namespace tumble::chapters

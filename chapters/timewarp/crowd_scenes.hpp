@@ -1,0 +1,70 @@
+/// \file
+/// \brief Bodies of which many meet in one frame, at random: a crowded cage, and chains on a line
+///        (thesis 5.1).
+#pragma once
+
+#include "tumble/base/random.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include "timewarp/event_story.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// Cubes of 1 m in a closed cage, without gravity and friction, that are stirred until their places
+/// and orientations are left to chance.
+class StirredCage {
+ public:
+  /// Puts the cubes on a grid, as the scene `cage` has them, and stirs them for twice as long as
+  /// stir() does.
+  /// \param count  how many cubes
+  /// \param room   [m] edge of the space that each cube has, at least 1.8
+  /// \param seed   of orientations and of the stirring
+  StirredCage(int count, double room, std::uint64_t seed);
+
+  /// Lets the cubes fly and collide for half a second, about an edge each. With swept volumes, so
+  /// that no two are left in each other.
+  void stir();
+
+  /// The cubes where they are, with velocities of their own.
+  /// \param speed   [m/s] largest speed: velocities are even in a ball of this radius, angular
+  ///                velocities in one of speed / edge
+  /// \param chance  where they come from
+  /// \return a copy
+  [[nodiscard]] World with_speeds(double speed, Random chance) const;
+
+ private:
+  World world_;
+};
+
+/// Cubes of 1 m and 1 kg on a line, without gravity, that bounce without loss.
+struct Chain {
+  std::vector<double> centres;     ///< [m] ascending, more than 1 m apart
+  std::vector<double> velocities;  ///< [m/s] along the line
+};
+
+/// A chain as chance has it.
+/// \param count     how many cubes
+/// \param relative  [m/s] largest relative speed: velocities are even up to half of it
+/// \param chance    gaps are even between 0 and one edge
+/// \return the chain
+Chain random_chain(int count, double relative, Random chance);
+
+/// The bodies of a chain.
+/// \param chain  see there
+/// \return a world with body k at the k-th centre
+World world_of(const Chain& chain);
+
+/// The collisions of a chain in closed form.
+///
+/// Equal cubes that bounce without loss exchange velocities. Take the edges away, and they are
+/// points that pass through one another, each on a straight line: two lines cross at most once, and
+/// at each crossing the cubes collide that are at this place in the row.
+/// \param chain     see there
+/// \param duration  [s] from the start
+/// \return all collisions in their order
+std::vector<Collision> exact_story(const Chain& chain, double duration);
+
+}  // namespace tumble::chapters

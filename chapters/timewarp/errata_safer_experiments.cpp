@@ -1,0 +1,155 @@
+/// \file
+/// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other slips are mended (thesis 5.1, A.1).
+#include "tumble/scenes/library.hpp"
+#include "tumble/timewarp/timewarp_safer.hpp"
+#include "tumble/timewarp/timewarp_swept.hpp"
+
+#include "timewarp/errata_experiments.hpp"
+#include "timewarp/errata_runs.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kFrame = 1.0;              // [s] of the scenes on a line
+constexpr double kDt = 1.0 / 60.0;          // [s] of figure 5.1
+enum Cube : std::size_t { A, B, C, D, E };  // of figure 5.1, by index
+
+// What all of these experiments need.
+struct Bench {
+  int cap;  // [-] passes of the main loop until a run is given up
+  ErrataTables& out;
+
+  // A frame of 1 s with some slips left in.
+  [[nodiscard]] PrintedRun run(std::string_view left, const World& world) const {
+    return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kFrame);
+  }
+  // The ways of the bodies on both sides of a row.
+  void show(int row, const FrameRun& printed, const FrameRun& mended) const {
+    out.add_ways(row, false, printed);
+    out.add_ways(row, true, mended);
+  }
+};
+
+// The place of one cube at the end, with a slip and without it.
+struct PlaceErratum {
+  int row;
+  std::string left;  // the slip
+  std::string boxes;
+  std::size_t cube;
+  std::string whose;
+  std::string printed;
+  std::string reading;
+};
+
+void add_place(const Bench& bench, const PlaceErratum& e) {
+  const World world = line_world(e.boxes);
+  const PrintedRun printed = bench.run(e.left, world);
+  const PrintedRun mended = bench.run("", world);
+  bench.out.add(e.row, e.left + ": " + e.whose, e.printed, printed.places[e.cube], e.reading,
+                mended.places[e.cube], "m");
+  bench.show(e.row, printed, mended);
+}
+
+// F1 to F5: what becomes of the two, and of their neighbours.
+void add_states(const Bench& bench) {
+  const std::string neighbour = "-1.2:-1,0:2,1.5:0";
+  add_place(bench, {1, "F1", "0:2,1.5:0,10:1", 0, "place of a cube that has hit another",
+                    "test states collide", "valid states collide"});
+  add_place(bench, {2, "F2", "0:2,1.5:0,3.4:-1", 2, "place of the third cube",
+                    "valid times never advanced", "valid times advanced"});
+  add_place(bench, {3, "F3", neighbour, 0, "place of a neighbour", "index of one of the two",
+                    "index of the neighbour"});
+  add_place(bench, {4, "F4", neighbour, 0, "place of a neighbour", "flown to the collision",
+                    "flown to the end of the frame"});
+  add_place(bench, {5, "F5", "0:-3,1.5:-4,2.7:0,4.4:-3", 0, "place of a cube that waits its turn",
+                    "collision and test states lost", "both kept"});
+}
+
+// F6 and F7: who is looked at. F6 can be seen only with S7: else the present pair is a little apart.
+void add_group(const Bench& bench) {
+  const World two = line_world("0:2,1.5:0");
+  const PrintedRun present = bench.run("F6,S7", two);
+  const PrintedRun others = bench.run("S7", two);
+  bench.out.add(6, "F6: passes of the loop for one collision",
+                "present pair in the group, until a cap", present.passes, "present pair left out",
+                others.passes, "-");
+  bench.show(6, present, others);
+  TimewarpAsPrintedOptions nothing_mended;
+  nothing_mended.listing = TimewarpListing::safer;
+  nothing_mended.cap = bench.cap;
+  bench.out.add_more("passes of the loop for one collision, nothing mended, until a cap",
+                     run_printed(nothing_mended, two, kFrame).passes, "-");
+  add_place(bench, {7, "F7", "0:3,1.7:0,3.1:0", 0, "place of a cube that flies over another",
+                    "near at the end of the frame", "near on the way to the collision"});
+}
+
+// Keeps what is foreseen before anything has happened.
+class FirstLook : public TimewarpWatcher {
+ public:
+  void on_queue(const TimewarpLook& look) override {
+    if (look.current == nullptr) foreseen.assign(look.foreseen.begin(), look.foreseen.end());
+  }
+  std::vector<ForeseenCollision> foreseen;
+};
+
+// F8 and F9: the five cubes of figure 5.1.
+void add_figure_errata(const Bench& bench) {
+  const SceneRecipe& recipe = scene_recipe("fig5_1");
+  const World world = build_world(recipe.build(recipe.parameters(), Random(0)));
+  TimewarpSafer safer;
+  FirstLook look;
+  safer.watch(&look);
+  const FrameRun neighbours = run_frame(safer, world, kDt);
+  TimewarpSwept swept;
+  const FrameRun ways = run_frame(swept, world, kDt);
+
+  const BodyId b = world.ids()[B];
+  const auto hits = [&](const FrameRun& run) {
+    return static_cast<double>(
+        std::count_if(run.events.begin(), run.events.end(),
+                      [&](const Event& e) { return e.first == b || e.second == b; }));
+  };
+  bench.out.add(8, "F8: collisions of cube B in figure 5.1", "neighbours looked at",
+                hits(neighbours), "ways searched", hits(ways), "-");
+  bench.show(8, neighbours, ways);
+
+  const auto foreseen = [&](Cube other) {
+    const IndexPair pair{static_cast<int>(std::min<std::size_t>(other, D)),
+                         static_cast<int>(std::max<std::size_t>(other, D))};
+    return static_cast<double>(
+        std::count_if(look.foreseen.begin(), look.foreseen.end(),
+                      [&](const ForeseenCollision& c) { return c.pair == pair; }));
+  };
+  bench.out.add(9, "F9: collisions foreseen for cube D in figure 5.1",
+                "with C, as the caption says", foreseen(C), "with E", foreseen(E), "-");
+}
+
+// Where the cubes of figure 5.1 are at the start.
+Table start_table() {
+  const SceneRecipe& recipe = scene_recipe("fig5_1");
+  const World world = build_world(recipe.build(recipe.parameters(), Random(0)));
+  Table table{"start", {{"place_m", "m", "of a cube's centre"}, {"half_m", "m", "half its edge"}}};
+  for (std::size_t k = 0; k < world.states().size(); ++k)
+    table.rows.push_back({world.states()[k].position_w.x(), 0.5 * world.bodies()[k].size.x()});
+  return table;
+}
+
+}  // namespace
+
+Result measure_safer_errata(const Parameters& settings) {
+  ErrataTables tables;
+  const Bench bench{settings.count("cap"), tables};
+  add_states(bench);
+  add_group(bench);
+  add_figure_errata(bench);
+  Result result = tables.result();
+  result.tables.push_back(start_table());
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,83 @@
+/// \file
+/// \brief The order in which a technique resolves collisions, held against another order (thesis
+///        5.1).
+#pragma once
+
+#include "tumble/dynamics/technique.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A collision that was resolved.
+struct Collision {
+  double time = 0.0;  ///< [s] since the start of the story
+  int first = 0;      ///< index of a body
+  int second = 0;     ///< index of the other one, above the first
+};
+
+/// A technique of the library.
+/// \param name      for example "timewarp_safer"
+/// \param settings  each as key=value
+/// \return the technique
+/// \throws std::invalid_argument for a name, a key or a value that there is not
+std::unique_ptr<Technique> technique_with(std::string_view name,
+                                          const std::vector<std::string>& settings = {});
+
+/// What stories are held against: a search over all bodies that misses nothing, all of them taken back
+/// for each collision. Meant for steps much smaller than a frame.
+/// \return `basic`, conservative, to a nanosecond
+std::unique_ptr<Technique> search_over_all();
+
+/// Runs a technique and keeps what it tells.
+/// \param technique  afterwards it has no observer
+/// \param world      in and out
+/// \param dt         [s] of a frame, above 0
+/// \param frames     how many
+/// \return its events, in the order in which they were resolved
+EventLog events_of(Technique& technique, World& world, double dt, int frames = 1);
+
+/// Events as a story.
+/// \param events  in the order in which they were resolved
+/// \param start   the world before the first of them
+/// \return in the same order
+std::vector<Collision> story_of(const EventLog& events, const World& start);
+
+/// Runs a technique and writes down the collisions.
+/// \param technique  afterwards it has no observer
+/// \param world      at the start; the caller's stays as it is
+/// \param dt         [s] of a frame, above 0
+/// \param frames     how many
+/// \return the collisions in the order in which they were resolved, which need not be that of
+///         their times
+std::vector<Collision> story_of(Technique& technique, World world, double dt, int frames = 1);
+
+/// How a story departs from another one that is taken for true.
+///
+/// The k-th collision of a pair in one story and the k-th of the same pair in the other are
+/// *partners*. The partners that both stories tell in the same order, as many as there can be, are
+/// *in place* (the longest common subsequence). Times are not compared.
+struct StoryDifference {
+  int reference = 0;        ///< collisions of the true story
+  int missed = 0;           ///< of the true story, without a partner
+  int misordered = 0;       ///< with a partner, and not in place
+  int invented = 0;         ///< of the tested story, without a partner
+  std::vector<char> wrong;  ///< by collision of the tested story: 1 if it is not in place, else 0
+};
+
+/// Holds a story against another one.
+///
+/// Where several choices have as many collisions in place, the one is taken whose last collision
+/// comes first in the true story.
+/// \param reference  the true story
+/// \param tested     the other one
+/// \return how they differ
+/// \par Cost
+/// n log n
+StoryDifference compare_stories(const std::vector<Collision>& reference,
+                                const std::vector<Collision>& tested);
+
+}  // namespace tumble::chapters

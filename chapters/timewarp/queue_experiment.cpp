@@ -1,0 +1,219 @@
+/// \file
+/// \brief How the queue of collisions changes from one collision to the next (thesis 5.1, A.1).
+#include "tumble/base/random.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/timewarp/timewarp_safer.hpp"
+#include "tumble/timewarp/timewarp_simple.hpp"
+#include "tumble/timewarp/timewarp_swept.hpp"
+
+#include "timewarp/bands.hpp"
+#include "timewarp/event_story.hpp"
+#include "timewarp/order_experiments.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace tumble::chapters {
+namespace {
+
+// What is known before a collision is taken out of the queue.
+struct Moment {
+  std::vector<ForeseenCollision> foreseen;  // the earliest first
+  std::optional<ForeseenCollision> taken;   // none: the queue is empty
+  bool goes_back = false;                   // a neighbour has met somebody earlier
+  std::vector<Way> valid;                   // by body, up to its valid time
+  std::vector<Way> test;                    // by body, from there to the end of the frame
+};
+
+// Makes moments of what a timewarp shows.
+class MomentKeeper final : public TimewarpWatcher {
+ public:
+  explicit MomentKeeper(double frame) : frame_(frame) {}
+
+  void on_queue(const TimewarpLook& look) override {
+    if (look.current != nullptr) take(*look.current);
+    Moment moment;
+    moment.foreseen.assign(look.foreseen.begin(), look.foreseen.end());
+    ways_.resize(look.valid.size());
+    for (std::size_t body = 0; body < ways_.size(); ++body) {
+      const Knot valid{look.valid_times[body], look.valid[body].position_w.x()};
+      Way& way = ways_[body];
+      if (way.empty() || way.back().time < valid.time) way.push_back(valid);
+      moment.test.push_back({valid, {frame_, look.test[body].position_w.x()}});
+    }
+    moment.valid = ways_;
+    moments.push_back(moment);
+  }
+
+  std::vector<Moment> moments;
+
+ private:
+  // A form that looks at neighbours may resolve a collision that was not in the queue.
+  void take(const ForeseenCollision& collision) {
+    Moment& last = moments.back();
+    if (last.foreseen.front() == collision) {
+      last.taken = collision;
+      return;
+    }
+    if (!(collision < last.foreseen.front()))
+      throw std::runtime_error("more than one collision was put in front of the queue");
+    Moment next = last;
+    last.taken = last.foreseen.front();
+    last.goes_back = true;
+    next.foreseen.insert(next.foreseen.begin(), collision);
+    next.taken = collision;
+    moments.push_back(next);
+  }
+
+  double frame_;           // [s]
+  std::vector<Way> ways_;  // by body
+};
+
+template <class Timewarp>
+StepReport watch_frame(World world, MomentKeeper& keeper, double frame) {
+  Timewarp timewarp;
+  timewarp.watch(&keeper);
+  return timewarp.step(world, frame);
+}
+
+StepReport watch_frame(const std::string& form, const World& world, MomentKeeper& keeper,
+                       double frame) {
+  if (form == "simple") return watch_frame<TimewarpSimple>(world, keeper, frame);
+  if (form == "safer") return watch_frame<TimewarpSafer>(world, keeper, frame);
+  return watch_frame<TimewarpSwept>(world, keeper, frame);
+}
+
+std::string name_of(const ForeseenCollision& collision) {
+  const auto letter = [](int body) { return static_cast<char>('A' + body); };
+  return {letter(collision.pair.first), '-', letter(collision.pair.second)};
+}
+
+// What happens in a panel, in words, and the queue as a list.
+std::string words_of(const std::vector<Moment>& moments) {
+  std::string commands = "array heading[" + std::to_string(moments.size()) + "]\n" +
+                         "array queue[" + std::to_string(moments.size()) + "]\n";
+  for (std::size_t k = 0; k < moments.size(); ++k) {
+    const Moment& moment = moments[k];
+    std::string heading = "nothing is left";
+    if (moment.taken) heading = name_of(*moment.taken) + " collides";
+    if (moment.goes_back)
+      heading = name_of(*moment.taken) + " waits: " + name_of(moments[k + 1].foreseen.front()) +
+                " was earlier";
+    std::string list = "queue:";
+    for (const ForeseenCollision& collision : moment.foreseen) {
+      char time[32];
+      std::snprintf(time, sizeof time, "%.3f", collision.time);
+      list += "\\n" + name_of(collision) + " " + time;
+    }
+    if (moment.foreseen.empty()) list += "\\nempty";
+    const std::string place = std::string("[").append(std::to_string(k + 1)).append("] = ");
+    commands += "heading" + place + "'" + heading + "'\n";
+    commands += "queue" + place + "\"" + list + "\"\n";
+  }
+  return commands;
+}
+
+// Where a centre is, as far as is known: on its valid way, then on its test way.
+double known_place(const Moment& moment, int body, double time) {
+  const auto k = static_cast<std::size_t>(body);
+  const bool valid = time <= moment.valid[k].back().time;
+  return place_at(valid ? moment.valid[k] : moment.test[k], time);
+}
+
+}  // namespace
+
+Result measure_queue_at_work(const Parameters& settings) {
+  Parameters line = scene_recipe("line").parameters();
+  line.set("boxes", settings.text("boxes"));
+  const World start = build_world(checked(scene_recipe("line").build(line, Random(1))));
+  const double frame = settings.number("frame");
+  MomentKeeper keeper(frame);
+  const StepReport report = watch_frame(settings.word("form"), start, keeper, frame);
+  const std::vector<Moment>& moments = keeper.moments;
+
+  Table queue{"",
+              {{"panel", "-", "from 1"},
+               {"first", "-", "body, 0 is A"},
+               {"second", "-", "body"},
+               {"time_s", "s", "at which they are foreseen to collide"},
+               {"place_m", "m", "halfway between the two then"},
+               {"taken", "-", "0 waits, 1 is taken and resolved, 2 is taken and goes back"}}};
+  Table ways{"ways",
+             {{"panel", "-", "from 1"},
+              {"body", "-", "0 is A"},
+              {"test", "-", "0 up to the valid time, 1 the test part"},
+              {"place_m", "m", "of a corner of its band"},
+              {"time_s", "s", "ditto"}}};
+  Table dots{"dots",
+             {{"panel", "-", "from 1"},
+              {"body", "-", "0 is A"},
+              {"place_m", "m", "centre in its valid state"},
+              {"time_s", "s", "its valid time"},
+              {"early_m", "m", "centre at early_s, as far as is known"},
+              {"early_s", "s", "a tenth of the frame"}}};
+  const double width = start.bodies().front().size.x();
+  std::size_t longest = 0;
+  std::size_t put_in_front = 0;
+  std::set<std::tuple<int, int, double>> seen;
+  std::size_t resolved = 0;
+  for (std::size_t k = 0; k < moments.size(); ++k) {
+    const Moment& moment = moments[k];
+    const double panel = static_cast<double>(k + 1);
+    longest = std::max(longest, moment.foreseen.size());
+    if (moment.goes_back) ++put_in_front;
+    if (moment.taken && !moment.goes_back) ++resolved;
+    for (const ForeseenCollision& foreseen : moment.foreseen) {
+      const auto [first, second] = foreseen.pair;
+      seen.emplace(first, second, foreseen.time);
+      const double place = 0.5 * (known_place(moment, first, foreseen.time) +
+                                  known_place(moment, second, foreseen.time));
+      const bool taken = moment.taken && foreseen == *moment.taken;
+      queue.rows.push_back({panel, static_cast<double>(first), static_cast<double>(second),
+                            foreseen.time, place, taken ? (moment.goes_back ? 2.0 : 1.0) : 0.0});
+    }
+    for (std::size_t body = 0; body < moment.valid.size(); ++body) {
+      const double index = static_cast<double>(body);
+      const Knot& now = moment.valid[body].back();
+      const double early = 0.1 * frame;
+      dots.rows.push_back({panel, index, now.place, now.time,
+                           known_place(moment, static_cast<int>(body), early), early});
+      for (const int test : {0, 1})
+        for (const Knot& corner :
+             band_of(test == 0 ? moment.valid[body] : moment.test[body], width))
+          ways.rows.push_back({panel, index, static_cast<double>(test), corner.place, corner.time});
+    }
+  }
+  if (static_cast<std::int64_t>(put_in_front) != report.restarts)
+    throw std::runtime_error("a collision went back more than once");
+
+  std::vector<Quantity> quantities = {
+      {"collisions resolved", "-", static_cast<double>(resolved)},
+      {"collisions put in front because a neighbour was looked at", "-",
+       static_cast<double>(put_in_front)},
+      {"longest queue", "-", static_cast<double>(longest)},
+      {"collisions foreseen that never came", "-", static_cast<double>(seen.size() - resolved)}};
+  constexpr int steps = 1000;
+  const std::vector<Collision> reference =
+      story_of(*search_over_all(), start, frame / steps, steps);
+  for (const std::string form : {"safer", "simple"}) {
+    const auto technique = technique_with("timewarp_" + form);
+    const StoryDifference difference =
+        compare_stories(reference, story_of(*technique, start, frame));
+    quantities.push_back(
+        {"collisions out of place, " + form, "-",
+         static_cast<double>(std::count(difference.wrong.begin(), difference.wrong.end(), 1))});
+  }
+  int number = 0;
+  for (const Moment& moment : moments)
+    if (moment.taken && !moment.goes_back)
+      quantities.push_back(
+          {"time of collision " + std::to_string(++number), "s", moment.taken->time});
+  return {{queue, ways, dots}, quantities, {{"words", words_of(moments)}}};
+}
+
+}  // namespace tumble::chapters

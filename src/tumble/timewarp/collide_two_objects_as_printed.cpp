@@ -1,0 +1,179 @@
+/// \file
+/// \brief What collisions do, and how a frame ends, in the listings of the synchronised timewarp as
+///        printed (thesis A.1).
+#include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/told.hpp"
+#include "tumble/timewarp/queries_as_printed.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+bool finite(std::span<const BodyState> states) {
+  return std::all_of(states.begin(), states.end(), [](const BodyState& s) {
+    return s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
+           s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite();
+  });
+}
+
+// [-] A gap is to be reached across by all corners of a face, in spite of rounding.
+constexpr double kMore = 1.0 + 1e-9;
+
+}  // namespace
+
+void PrintedQueries::collide_two_objects(CollidedObjects objects, const PrintedMoment& moment) {
+  const auto exchange = [&] {
+    for (const int body : moment.indices) std::swap(world_->states()[at(body)], test[at(body)]);
+  };
+  if (objects == CollidedObjects::test) exchange();
+  collide_valid(moment);
+  if (objects == CollidedObjects::test) exchange();
+}
+
+void PrintedQueries::collide_valid(const PrintedMoment& moment) {
+  for (const int body : moment.indices)
+    moving_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
+  approaching_.clear();
+  for (const IndexPair& pair : moment.pairs) {
+    const bool bounced = options_.collide_separating && bounce_parting(pair, moment.time);
+    if (!bounced) approaching_.push_back(pair);
+  }
+  missed_.clear();
+  collide_approaching(approaching_, 0.0, moment.time);
+  // As printed a pair need not touch when it is its turn (S1, S3, S4).
+  const std::vector<IndexPair> apart = std::exchange(missed_, {});
+  for (const IndexPair& pair : apart) {
+    const double margin = kMore * std::max(gap_of(world_->states(), pair), 0.0);
+    collide_approaching({&pair, 1}, margin, moment.time);
+  }
+}
+
+// Collides pairs whose surfaces are no farther apart than the margin [m], or than a search may
+// leave them; the others are missed.
+void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, double margin,
+                                         double time) {
+  if (pairs.empty()) return;
+  const InstantReport impact = impacts_.resolve(
+      *world_, pairs, {.resolution = options_.resolution, .margin = margin}, report);
+  if (impact.status != ImpactStatus::done)
+    report.status = std::max(report.status, StepStatus::event_cap);
+
+  Event moment;
+  moment.time = world_->time() + time;
+  moment.rewinds = list_movable(pairs);
+  report.rewinds += margin == 0.0 ? moment.rewinds : 0;  // else they have been counted
+  for (const Contact& contact : impact.contacts) {
+    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
+    const std::optional<Event> event = event_of(contact, moment);
+    if (!event || only_rounding(*world_, *event, dt_)) continue;
+    ++report.events;
+    if (observer_ != nullptr) observer_->on_event(*event);
+  }
+
+  const auto touched = [&](const IndexPair& pair) {
+    return std::any_of(impact.contacts.begin(), impact.contacts.end(), [&](const Contact& c) {
+      return c.first == pair.first && c.second == pair.second;
+    });
+  };
+  release_pushed();
+  for (const IndexPair& pair : pairs) {
+    if (!touched(pair) && margin == 0.0)
+      missed_.push_back(pair);
+    else if (mended_.contact_stage)
+      stage_.count(pair, impacts_.parting_speed(*world_, pair, dt_), world_->gravity_w.norm());
+  }
+}
+
+// Two bodies that part get the impulse of a collision all the same, at the centre of their contact:
+// they approach afterwards. Not if they approach, or no contact is found.
+bool PrintedQueries::bounce_parting(const IndexPair& pair, double time) {
+  ContactList contacts;
+  double margin = search_margin(*world_, moving_, {&pair, 1}, options_.resolution);
+  margin = std::max(margin, kMore * gap_of(world_->states(), pair));
+  report.pair_tests +=
+      gather_contacts(*world_, moving_, {&pair, 1}, margin, {}, contacts).pair_tests;
+  if (contacts.empty()) return false;
+  const Contact& contact = contacts.front();
+  Event event{.time = world_->time() + time,
+              .first = contact.first_id,
+              .second = contact.second_id,
+              .normal_w = contact.normal_w,
+              .rewinds = list_movable({&pair, 1})};
+  for (int p = 0; p < contact.count; ++p)
+    event.point_w += contact.points[at(p)].position_w / contact.count;
+
+  MovingBody first =
+      moving_body_of(world_->bodies()[at(pair.first)], world_->states()[at(pair.first)]);
+  MovingBody second =
+      moving_body_of(world_->bodies()[at(pair.second)], world_->states()[at(pair.second)]);
+  const double speed = contact.normal_w.dot(relative_velocity(first, second, event.point_w));
+  if (!(speed > 0.0)) return false;
+  const double impulse = -(1.0 + contact.restitution) * speed *
+                         effective_mass(first, second, event.point_w, contact.normal_w);
+  event.impulse_w = impulse * contact.normal_w;
+  apply_impulse(first, second, event.point_w, event.impulse_w);
+  store_moving_body(first, world_->bodies()[at(pair.first)], world_->states()[at(pair.first)]);
+  store_moving_body(second, world_->bodies()[at(pair.second)], world_->states()[at(pair.second)]);
+  report.energy.restitution += 0.5 * impulse * speed * (1.0 - contact.restitution);
+  report.rewinds += event.rewinds;
+  ++report.events;
+  ++report.impulses;
+  if (observer_ != nullptr) observer_->on_event(event);
+  if (mended_.contact_stage)
+    stage_.count(pair, contact.restitution * speed, world_->gravity_w.norm());
+  return true;
+}
+
+// Who was pushed harder than gravity does in a frame may collide again with bodies that it rests
+// on.
+void PrintedQueries::release_pushed() {
+  const double hardly = world_->gravity_w.norm() * dt_;
+  for (const int body : pushed_) {
+    const BodyProperties& properties = world_->bodies()[at(body)];
+    const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
+    if (speed_change(properties, moving_[at(body)], now) > hardly) stage_.release(body);
+  }
+}
+
+// The bodies of some pairs that can be pushed, each once; how many.
+int PrintedQueries::list_movable(std::span<const IndexPair> pairs) {
+  pushed_.clear();
+  for (const IndexPair& pair : pairs)
+    for (const int body : {pair.first, pair.second})
+      if (movable(body)) pushed_.push_back(body);
+  std::sort(pushed_.begin(), pushed_.end());
+  pushed_.erase(std::unique(pushed_.begin(), pushed_.end()), pushed_.end());
+  return static_cast<int>(pushed_.size());
+}
+
+void PrintedQueries::fix_interpenetration() {
+  if (!finite(world_->states())) {
+    std::copy(start_.begin(), start_.end(), world_->states().begin());
+    report.status = StepStatus::not_finite;
+  }
+  // What gravity closes within a resolution from rest at the end of the frame touches.
+  const double reach = world_->gravity_w.norm() * dt_ * options_.resolution;
+  repair_bounds(*world_, reach, bounds_);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  if (const std::span<const IndexPair> held = stage_.pairs(); !held.empty()) {
+    std::vector<IndexPair> resting(held.begin(), held.end());
+    report.pair_tests += join_touching(*world_, candidates_, reach, resting);
+    const InstantReport impact = impacts_.resolve(
+        *world_, resting, {.resolution = options_.resolution, .bounce = false, .margin = reach},
+        report);
+    const double end = world_->time() + dt_;
+    for (const Contact& contact : impact.contacts)
+      for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, end));
+  }
+  const RepairReport repaired = repair_.run(*world_, candidates_);
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = repaired.deepest_before;
+  report.contacts = static_cast<std::int64_t>(records_.size());
+  report.fallbacks += stage_.entered();
+  world_->finish_step(dt_);
+}
+
+}  // namespace tumble

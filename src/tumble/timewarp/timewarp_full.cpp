@@ -1,0 +1,261 @@
+/// \file
+/// \brief Timewarp as Mirtich made it: flights and collisions (thesis 2.4.3).
+#include "tumble/timewarp/timewarp_full.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/contact/told.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool same_bodies(const World& a, const World& b) {
+  const auto same = [](const BodyProperties& p, const BodyProperties& q) {
+    return p.size == q.size && p.mass == q.mass && p.shape == q.shape;
+  };
+  return a.time() == b.time() && a.gravity_w == b.gravity_w &&
+         std::equal(a.ids().begin(), a.ids().end(), b.ids().begin(), b.ids().end()) &&
+         std::equal(a.bodies().begin(), a.bodies().end(), b.bodies().begin(), same);
+}
+
+}  // namespace
+
+TimewarpFull::TimewarpFull(const TimewarpFullOptions& options)
+    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+  static_cast<void>(ContactStage({options.resolution, options.pair_events}));  // checks them
+  require::not_negative(options.stride, "stride");
+  require::that(
+      options.synchronise_every >= 0,
+      "synchronise_every = " + std::to_string(options.synchronise_every) + ": expected 0 or more");
+}
+
+StepReport TimewarpFull::step(World& world, double dt) {
+  require_step(dt, options_);
+  begin(world, dt);
+
+  // [S2.4.3:loop]
+  // Whoever is furthest behind flies on, until nobody is behind the end of the step.
+  for (int body = next_body(); body >= 0; body = next_body()) {
+    advance(body);
+    // Nobody will be taken back beyond the smallest local time.
+    if (++flights_since_forgetting_ >= world.count()) forget_past(known_by_all_);
+  }
+  // [S2.4.3:loop]
+
+  finish(world);
+  return report_;
+}
+
+// Takes over what has been changed since the last step.
+void TimewarpFull::begin(const World& world, double dt) {
+  dt_ = dt;
+  report_ = {};
+  records_.clear();
+  horizon_ = options_.synchronise_every > 0 ? dt * (options_.synchronise_every - frames_)
+                                            : std::numeric_limits<double>::infinity();
+  if (same_bodies(world, scratch_)) {
+    for (int body = 0; body < world.count(); ++body) {
+      const BodyState& state = world.states()[at(body)];
+      if (!(state == shown_[at(body)])) begin_anew(body, 0.0, state);
+    }
+    return;
+  }
+  scratch_ = world;
+  histories_.assign(at(world.count()), {});
+  resolved_.clear();
+  holds_.clear();
+  turns_.clear();
+  frames_ = 0;
+  for (int body = 0; body < world.count(); ++body) begin_anew(body, 0.0, world.states()[at(body)]);
+}
+
+// The body with the smallest local time; none if that is the end of the step or later.
+int TimewarpFull::next_body() {
+  while (!turns_.empty()) {
+    const Turn turn = turns_.front();
+    const bool valid = histories_[at(turn.body)].known_until() == turn.time;
+    if (valid && !(turn.time < dt_)) return -1;
+    std::pop_heap(turns_.begin(), turns_.end(), later);
+    turns_.pop_back();
+    if (!valid) continue;
+    known_by_all_ = turn.time;
+    return turn.body;
+  }
+  return -1;
+}
+
+double TimewarpFull::end_of_flight(int body) const {
+  const double from = histories_[at(body)].milestones().back().time;
+  double end = options_.stride > 0.0 ? from + options_.stride * dt_ : std::max(dt_, horizon_);
+  if (std::isinf(end) || waits_for_frame(body)) end = std::min(end, dt_);
+  return std::max(std::min(end, horizon_), histories_[at(body)].known_until());
+}
+
+// [S2.4.3:flight]
+// A body flies on by a stride, unless it meets somebody whose way is known.
+void TimewarpFull::advance(int body) {
+  const double end = end_of_flight(body);
+  const Meeting meeting = first_meeting(body, end);
+  if (meeting.other >= 0) {
+    collide(body, meeting);
+    return;
+  }
+  BodyHistory& history = histories_[at(body)];
+  Milestone next{end, history.milestones().back().state, Milestone::kNoCollision};
+  fly(scratch_.bodies()[at(body)], next.state, scratch_.gravity_w,
+      end - history.milestones().back().time, options_.rotation);
+  ++report_.integrations;
+  history.add(next, scratch_.bodies()[at(body)], scratch_.gravity_w);
+  wait_for_turn(body);
+}
+// [S2.4.3:flight]
+
+// The first collision of a body on its flight with the ways of the others, as far as both are known.
+TimewarpFull::Meeting TimewarpFull::first_meeting(int body, double target) {
+  Meeting best{target, -1};
+  const Bounds flight = bounds_from(histories_[at(body)].milestones().back(), target,
+                                    scratch_.bodies()[at(body)], scratch_.gravity_w);
+  for (int other = 0; other < scratch_.count(); ++other)
+    if (other != body && overlap(flight, histories_[at(other)].bounds()))
+      meet(body, other, flight, best);
+  return best;
+}
+
+void TimewarpFull::meet(int body, int other, const Bounds& flight, Meeting& best) {
+  const BodyHistory& history = histories_[at(other)];
+  const std::span<const Milestone> way = history.milestones();
+  const double from = histories_[at(body)].known_until();
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const double next = k + 1 < way.size() ? way[k + 1].time : history.known_until();
+    const double start = std::max(from, way[k].time);
+    const double end = std::min(best.time, next);
+    if (!(start < end) || held({std::min(body, other), std::max(body, other)}, start)) continue;
+    if (!overlap(flight,
+                 bounds_from(way[k], next, scratch_.bodies()[at(other)], scratch_.gravity_w)))
+      continue;
+    if (const auto time = first_collision(body, other, way[k], start, end)) {
+      best = {*time, other};
+      return;
+    }
+  }
+}
+
+// When two bodies collide between a start and an end, each flown from its milestone.
+std::optional<double> TimewarpFull::first_collision(int body, int other,
+                                                    const Milestone& other_from, double start,
+                                                    double end) {
+  const Milestone& own_from = histories_[at(body)].milestones().back();
+  const bool own_first = body < other;
+  const Milestone& a = own_first ? own_from : other_from;
+  const Milestone& b = own_first ? other_from : own_from;
+  const std::array<BodyProperties, 2> bodies = {scratch_.bodies()[at(std::min(body, other))],
+                                                scratch_.bodies()[at(std::max(body, other))]};
+  const std::array<BodyState, 2> states = {a.state, b.state};
+  const std::array<double, 2> times = {a.time, b.time};
+  const Flight both{.bodies = bodies,
+                    .states = states,
+                    .valid_times = times,
+                    .gravity_w = scratch_.gravity_w,
+                    .rule = options_.rotation};
+  const IndexPair pair{0, 1};
+  const SearchOptions how{.method = SearchMethod::conservative,
+                          .resolution = std::min(options_.resolution, end - start),
+                          .cap = TimewarpOptions::kMostSeparations};
+  const double gap = gap_at(both, pair, start).distance;
+  ++report_.pair_tests;
+  if (gap < 0.0) {
+    ++report_.pair_tests;
+    const bool deepening = gap_at(both, pair, start + how.resolution).distance < gap;
+    return deepening ? std::optional(start) : std::nullopt;
+  }
+  const PairCollision found = advance_to_collision(both, pair, start, end, how);
+  report_.pair_tests += found.evaluations;
+  report_.searches += found.evaluations;
+  if (found.status == CollisionStatus::cap_reached)
+    holds_.push_back({{std::min(body, other), std::max(body, other)}, start});
+  if (found.status != CollisionStatus::found) return std::nullopt;
+  return found.time;
+}
+
+// [S2.4.3:collide]
+// The other body goes back to the time of the collision, with all that this undoes. Then both are at
+// that time, and collide.
+void TimewarpFull::collide(int body, const Meeting& meeting) {
+  take_back(meeting.other, meeting.time, false);
+  Resolved collision;
+  collision.number = next_number_++;
+  collision.time = meeting.time;
+  collision.pair = {std::min(body, meeting.other), std::max(body, meeting.other)};
+  const std::array<int, 2> both = {collision.pair.first, collision.pair.second};
+  std::array<MovingBody, 2> old;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const BodyProperties& properties = scratch_.bodies()[at(both[k])];
+    BodyState& state = scratch_.states()[at(both[k])];
+    const Milestone& from = histories_[at(both[k])].milestones().back();
+    state = from.state;
+    fly(properties, state, scratch_.gravity_w, meeting.time - from.time, options_.rotation);
+    if (properties.movable()) ++report_.integrations;
+    old[k] = moving_body_of(properties, state);
+  }
+  const InstantReport impact = impacts_.resolve(
+      scratch_, {&collision.pair, 1}, {.resolution = options_.resolution}, collision.booked);
+  // [S2.4.3:collide]
+
+  if (impact.status != ImpactStatus::done) collision.booked.status = StepStatus::event_cap;
+  report_.pair_tests += collision.booked.pair_tests;
+  report_.impulses += collision.booked.impulses;
+  report_.iterations += collision.booked.iterations;
+  report_.pivots += collision.booked.pivots;
+  Event moment;
+  moment.time = scratch_.time() + meeting.time;
+  moment.rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1;
+  for (const Contact& contact : impact.contacts) {
+    for (int p = 0; p < contact.count; ++p)
+      collision.records.push_back(record_of(contact, p, moment.time));
+    const std::optional<Event> event = event_of(contact, moment);
+    if (event && !only_rounding(scratch_, *event, dt_)) collision.events.push_back(*event);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const BodyProperties& properties = scratch_.bodies()[at(both[k])];
+    if (!properties.movable()) continue;
+    const BodyState& state = scratch_.states()[at(both[k])];
+    collision.pushes[k] = speed_change(properties, old[k], moving_body_of(properties, state));
+    histories_[at(both[k])].add({meeting.time, state, collision.number}, properties,
+                                scratch_.gravity_w);
+    wait_for_turn(both[k]);
+  }
+  hold_or_release(collision, impacts_.parting_speed(scratch_, collision.pair, dt_));
+  resolved_.push_back(std::move(collision));
+}
+
+// The rule of ContactStage. A hold, and its end, are of the collision that has made it, and are undone
+// with it.
+void TimewarpFull::hold_or_release(const Resolved& collision, double parting) {
+  const auto events_of = [&](const IndexPair& pair) {
+    return std::count_if(resolved_.begin(), resolved_.end(), [&](const Resolved& r) {
+      return r.pair == pair && !r.cancelled && r.time > collision.time - dt_;
+    });
+  };
+  const double gravity = scratch_.gravity_w.norm();
+  const std::array<int, 2> both = {collision.pair.first, collision.pair.second};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!(collision.pushes[k] > gravity * dt_)) continue;
+    for (Hold& hold : holds_) {
+      const bool among = hold.pair.first == both[k] || hold.pair.second == both[k];
+      if (!among || !std::isinf(hold.until) || events_of(hold.pair) >= options_.pair_events)
+        continue;
+      hold.until = collision.time;
+      hold.ended_by = collision.number;
+    }
+  }
+  const bool at_once = 2.0 * parting <= gravity * options_.resolution;
+  if (at_once || events_of(collision.pair) + 1 >= options_.pair_events)
+    holds_.push_back({collision.pair, collision.time, collision.number});
+}
+
+}  // namespace tumble

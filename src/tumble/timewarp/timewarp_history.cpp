@@ -1,0 +1,236 @@
+/// \file
+/// \brief Timewarp as Mirtich made it: taking back, and the end of a step (thesis 2.4.3).
+#include "tumble/contact/told.hpp"
+#include "tumble/timewarp/timewarp_full.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+TimewarpFull::TimewarpFull(const TimewarpFull& other)
+    : Technique(other),
+      options_(other.options_),
+      broad_phase_(other.broad_phase_->clone()),
+      scratch_(other.scratch_),
+      shown_(other.shown_),
+      histories_(other.histories_),
+      turns_(other.turns_),
+      resolved_(other.resolved_),
+      holds_(other.holds_),
+      next_number_(other.next_number_),
+      frames_(other.frames_),
+      work_(other.work_),
+      records_(other.records_) {}
+
+std::unique_ptr<Technique> TimewarpFull::clone() const {
+  return std::make_unique<TimewarpFull>(*this);
+}
+
+bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].movable(); }
+
+// A body gets a new history; whoever has met it from that time on goes back to that meeting.
+void TimewarpFull::begin_anew(int body, double time, const BodyState& state) {
+  BodyHistory& history = histories_[at(body)];
+  if (!history.milestones().empty()) take_back(body, time, true);
+  history.begin(time, state);
+  if (!movable(body)) history.end_at(std::numeric_limits<double>::infinity());
+  history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+  wait_for_turn(body);
+}
+
+void TimewarpFull::wait_for_turn(int body) {
+  if (!movable(body)) return;
+  turns_.push_back({histories_[at(body)].known_until(), body});
+  std::push_heap(turns_.begin(), turns_.end(), later);
+}
+
+// [S2.4.3:take_back]
+// What a body did after a time is undone. Each collision of its future is cancelled; its partner
+// goes back to just before it, which may cancel others, and so on.
+void TimewarpFull::take_back(int body, double time, bool also_at_it) {
+  if (!movable(body)) return;
+  BodyHistory& history = histories_[at(body)];
+  const auto undone = [&](double when) { return also_at_it ? when >= time : when > time; };
+  while (history.milestones().size() > 1 && undone(history.milestones().back().time)) {
+    undone_.push_back(history.milestones().back().collision);
+    history.remove_last();
+  }
+  if (history.known_until() > time) {
+    // Ends of frames that are reached in different ways differ by rounding.
+    if (history.known_until() - time > options_.resolution) {
+      ++work_.taken_back;
+      ++report_.rewinds;
+    }
+    history.end_at(time);
+  }
+  history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+  wait_for_turn(body);
+  while (!undone_.empty()) {
+    const int number = undone_.back();
+    undone_.pop_back();
+    if (number != Milestone::kNoCollision) undo(number);
+  }
+}
+
+void TimewarpFull::undo(int number) {
+  Resolved& collision = resolved(number);
+  if (collision.cancelled) return;
+  collision.cancelled = true;
+  ++work_.cancelled;
+  for (const int body : {collision.pair.first, collision.pair.second}) {
+    BodyHistory& history = histories_[at(body)];
+    const auto is_it = [&](const Milestone& m) { return m.collision == number; };
+    const std::span<const Milestone> way = history.milestones();
+    if (std::none_of(way.begin(), way.end(), is_it)) continue;  // the one that was taken back
+    int last = Milestone::kNoCollision;
+    do {
+      last = history.milestones().back().collision;
+      if (last != number) undone_.push_back(last);
+      history.remove_last();
+    } while (last != number);
+    history.end_at(std::min(history.known_until(), collision.time));
+    history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+    ++work_.taken_back;
+    ++report_.rewinds;
+    wait_for_turn(body);
+  }
+  for (Hold& hold : holds_)
+    if (hold.ended_by == number) hold.until = std::numeric_limits<double>::infinity();
+  std::erase_if(holds_, [&](const Hold& hold) { return hold.made_by == number; });
+}
+// [S2.4.3:take_back]
+
+TimewarpFull::Resolved& TimewarpFull::resolved(int number) {
+  return *std::lower_bound(resolved_.begin(), resolved_.end(), number,
+                           [](const Resolved& r, int n) { return r.number < n; });
+}
+
+bool TimewarpFull::held(const IndexPair& pair, double time) const {
+  return std::any_of(holds_.begin(), holds_.end(), [&](const Hold& hold) {
+    return hold.pair == pair && hold.since <= time && time < hold.until;
+  });
+}
+
+// Whether a body is left to the end of the frame, which it must not pass.
+bool TimewarpFull::waits_for_frame(int body) const {
+  return std::any_of(holds_.begin(), holds_.end(), [&](const Hold& hold) {
+    return (hold.pair.first == body || hold.pair.second == body) && std::isinf(hold.until);
+  });
+}
+
+void TimewarpFull::finish(World& world) {
+  show(world);
+  tell_final();
+  settle(world);
+  ++frames_;
+  const bool synchronised = options_.synchronise_every > 0 && frames_ >= options_.synchronise_every;
+  if (synchronised) frames_ = 0;
+  for (int body = 0; body < world.count(); ++body) {
+    const BodyState& state = world.states()[at(body)];
+    if (movable(body) && (synchronised || !(state == shown_[at(body)])))
+      begin_anew(body, dt_, state);
+  }
+  shown_.assign(world.states().begin(), world.states().end());
+  forget_past(dt_);
+  world.finish_step(dt_);
+  scratch_.finish_step(dt_);
+  count_from_here();
+}
+
+// Puts all bodies where they are at the end of the step.
+void TimewarpFull::show(World& world) {
+  for (int body = 0; body < world.count(); ++body) {
+    if (!movable(body)) continue;
+    const Milestone& from = histories_[at(body)].before(dt_);
+    BodyState& state = world.states()[at(body)];
+    state = from.state;
+    fly(scratch_.bodies()[at(body)], state, scratch_.gravity_w, dt_ - from.time, options_.rotation);
+  }
+  shown_.assign(world.states().begin(), world.states().end());
+}
+
+// Tells the collisions before the end of the step, which nothing can cancel any more, in their order.
+void TimewarpFull::tell_final() {
+  std::stable_sort(resolved_.begin(), resolved_.end(), [](const Resolved& a, const Resolved& b) {
+    return a.time != b.time ? a.time < b.time : a.number < b.number;
+  });
+  for (const Resolved& collision : resolved_) {
+    if (collision.cancelled || !(collision.time < dt_)) continue;
+    report_.status = std::max(report_.status, collision.booked.status);
+    report_.energy.restitution += collision.booked.energy.restitution;
+    report_.energy.friction += collision.booked.energy.friction;
+    report_.events += static_cast<std::int64_t>(collision.events.size());
+    records_.insert(records_.end(), collision.records.begin(), collision.records.end());
+    for (const Event& event : collision.events)
+      if (observer() != nullptr) observer()->on_event(event);
+  }
+  std::erase_if(resolved_, [&](const Resolved& r) { return r.cancelled || r.time < dt_; });
+  std::sort(resolved_.begin(), resolved_.end(),
+            [](const Resolved& a, const Resolved& b) { return a.number < b.number; });
+}
+
+// Pairs that were left to the end of the frame come to rest, and overlap is repaired.
+void TimewarpFull::settle(World& world) {
+  resting_.clear();
+  for (const Hold& hold : holds_)
+    if (hold.since < dt_ && std::isinf(hold.until)) resting_.push_back(hold.pair);
+  report_.fallbacks += std::count_if(holds_.begin(), holds_.end(),
+                                     [&](const Hold& hold) { return hold.since < dt_; });
+  std::erase_if(holds_, [&](const Hold& hold) { return hold.since < dt_; });
+  // What gravity closes within a resolution from rest at the end of the frame touches.
+  const double reach = world.gravity_w.norm() * dt_ * options_.resolution;
+  repair_bounds(world, reach, bounds_);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  if (!resting_.empty()) {
+    report_.pair_tests += join_touching(world, candidates_, reach, resting_);
+    const InstantReport impact = impacts_.resolve(
+        world, resting_, {.resolution = options_.resolution, .bounce = false, .margin = reach},
+        report_);
+    for (const Contact& contact : impact.contacts)
+      for (int p = 0; p < contact.count; ++p)
+        records_.push_back(record_of(contact, p, world.time() + dt_));
+  }
+  const RepairReport repaired = repair_.run(world, candidates_);
+  report_.pair_tests += repaired.pair_tests;
+  report_.energy.repair += repaired.energy;
+  report_.deepest_overlap = repaired.deepest_before;
+  report_.contacts = static_cast<std::int64_t>(records_.size());
+}
+
+// [S2.4.3:forget]
+// Milestones before a time that all have passed are of no use, but for the last one.
+void TimewarpFull::forget_past(double time) {
+  flights_since_forgetting_ = 0;
+  std::int64_t kept = 0;
+  for (int body = 0; body < scratch_.count(); ++body) {
+    BodyHistory& history = histories_[at(body)];
+    kept += static_cast<std::int64_t>(history.milestones().size());
+    if (history.milestones().size() == 1) continue;
+    history.forget_before(time);
+    history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+  }
+  work_.most_milestones = std::max(work_.most_milestones, kept);
+}
+// [S2.4.3:forget]
+
+// Times are counted from the start of the next step: near 0 they have the most digits.
+void TimewarpFull::count_from_here() {
+  turns_.clear();
+  for (int body = 0; body < scratch_.count(); ++body) {
+    histories_[at(body)].shift(dt_);
+    wait_for_turn(body);
+  }
+  for (Resolved& collision : resolved_) collision.time -= dt_;
+  for (Hold& hold : holds_) {
+    hold.since -= dt_;
+    hold.until -= dt_;
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,74 @@
+/// \file
+/// \brief Scenes, techniques and records that the tests of the timewarps share.
+#pragma once
+
+#include "tumble/scenes/library.hpp"
+#include "tumble/timewarp/timewarp_full.hpp"
+#include "tumble/timewarp/timewarp_safer.hpp"
+#include "tumble/timewarp/timewarp_simple.hpp"
+#include "tumble/timewarp/timewarp_swept.hpp"
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace tumble::test {
+
+/// The techniques in which all bodies meet at the end of a frame, by name.
+inline constexpr std::initializer_list<const char*> kSynchronised = {
+    "timewarp_simple", "timewarp_safer", "timewarp_swept"};
+
+/// All timewarps, by name.
+inline constexpr std::initializer_list<const char*> kTimewarps = {
+    "timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"};
+
+/// Makes a timewarp.
+/// \param name     which
+/// \param options  common options; the rest as it stands
+/// \return the technique
+inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
+                                                const TimewarpOptions& options = {}) {
+  if (name == "timewarp_simple") return std::make_unique<TimewarpSimple>(options);
+  if (name == "timewarp_safer") return std::make_unique<TimewarpSafer>(options);
+  if (name == "timewarp_full") {
+    TimewarpFullOptions full;
+    static_cast<TimewarpOptions&>(full) = options;
+    return std::make_unique<TimewarpFull>(full);
+  }
+  TimewarpSweptOptions swept;
+  static_cast<TimewarpOptions&>(swept) = options;
+  return std::make_unique<TimewarpSwept>(swept);
+}
+
+/// A named scene as a world.
+/// \param scene  its name
+/// \param set    parameters that differ from the standard
+/// \param seed   [-] of its chance
+/// \return the bodies
+inline World world_of(std::string_view scene,
+                      std::initializer_list<std::pair<const char*, std::string>> set = {},
+                      std::uint64_t seed = 1) {
+  const SceneRecipe& recipe = scene_recipe(scene);
+  Parameters p = recipe.parameters();
+  for (const auto& [key, value] : set) p.set(key, value);
+  return build_world(recipe.build(p, Random(seed)));
+}
+
+/// Keeps all collisions.
+class Listener final : public Observer {
+ public:
+  void on_event(const Event& event) override { events.push_back(event); }
+  EventLog events;  ///< in the order in which they were told
+};
+
+/// The two bodies of a collision, by name, as in "a-b".
+/// \param world  where they live
+/// \param event  the collision
+/// \return their names with a dash
+inline std::string names_of(const World& world, const Event& event) {
+  return world.name(world.index_of(event.first)) + "-" + world.name(world.index_of(event.second));
+}
+
+}  // namespace tumble::test

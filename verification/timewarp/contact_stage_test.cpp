@@ -1,0 +1,204 @@
+/// \file
+/// \brief Pairs that rest: when they are left to the end of the frame, that they stay, and come back.
+#include "tumble/timewarp/contact_stage.hpp"
+
+#include "tumble/dynamics/energy.hpp"
+
+#include "support/catch.hpp"
+#include "timewarp/cases.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+constexpr double kFrame = 1.0 / 60.0;  // [s]
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Cubes of 1 m on top of each other on the ground, exactly touching.
+World tower(int count, double restitution) {
+  World world;
+  world.add_ground(0.5, restitution);
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, restitution);
+  for (int k = 0; k < count; ++k) world.add(cube, make_state(cube, Vec3(0.0, 0.5 + k, 0.0)));
+  return world;
+}
+
+double deepest_overlap(const World& world) {
+  double deepest = 0.0;
+  for (int a = 0; a < world.count(); ++a)
+    for (int b = a + 1; b < world.count(); ++b)
+      deepest = std::max(deepest, -gap_between(world.bodies()[at(a)], world.states()[at(a)],
+                                               world.bodies()[at(b)], world.states()[at(b)])
+                                       .distance);
+  return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("A pair goes to the contact stage when its hop is no longer than the resolution",
+          "[exact][timewarp]") {
+  const double g = 9.81;
+  ContactStage stage({.resolution = 1e-3, .pair_events = 4});
+  const IndexPair pair{1, 2};
+  stage.begin();
+  CHECK_FALSE(stage.holds(pair));
+  CHECK_FALSE(stage.count(pair, 0.5e-3 * g * 1.001, g));  // a hop of 1.001 ms
+  CHECK_FALSE(stage.holds(pair));
+  CHECK(stage.count(pair, 0.5e-3 * g * 0.999, g));
+  CHECK(stage.holds(pair));
+  CHECK(stage.entered() == 1);
+  CHECK_FALSE(stage.holds({0, 1}));
+
+  // Without gravity there are no hops: only those that do not part at all.
+  const IndexPair other{0, 1};
+  CHECK_FALSE(stage.count(other, 1e-9, 0.0));
+  CHECK(stage.count(other, 0.0, 0.0));
+  REQUIRE(stage.pairs().size() == 2);
+  CHECK(stage.pairs()[0] == other);
+  CHECK(stage.pairs()[1] == pair);
+
+  // Released by a push, but not for ever.
+  stage.release(2);
+  CHECK_FALSE(stage.holds(pair));
+  CHECK(stage.holds(other));
+  CHECK_FALSE(stage.count(pair, 1.0, g));
+  CHECK(stage.count(pair, 1.0, g));  // the fourth
+  stage.release(2);
+  CHECK(stage.holds(pair));
+
+  stage.begin();
+  CHECK_FALSE(stage.holds(pair));
+  CHECK(stage.entered() == 0);
+  CHECK(stage.pairs().empty());
+}
+
+TEST_CASE("Two bodies that part without a push are told to part", "[unit][timewarp]") {
+  // Such a pair meets nobody at once, and must not be left to the end of the frame.
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
+  for (const double x : {0.0, 1.0})
+    world.add(cube, make_state(cube, Vec3(x, 0.0, 0.0), Quat::Identity(), Vec3(x, 0.0, 0.0)));
+  InstantImpacts impacts;
+  StepReport report;
+  const std::array<IndexPair, 1> pairs = {IndexPair{0, 1}};
+  impacts.resolve(world, pairs, {.margin = 1e-6}, report);
+  CHECK(report.impulses == 0);
+  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == 1.0);
+
+  // Pushed at 1 m/s with e = 0.5.
+  world.states()[0].linear_momentum_w.x() = 2.0;
+  impacts.resolve(world, pairs, {.margin = 1e-6}, report);
+  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == near(0.5).margin(1e-15));
+
+  // Rounding is no parting.
+  world.states()[0].linear_momentum_w.x() = 1.0;
+  world.states()[1].linear_momentum_w.x() = 1.0 + 1e-15;
+  impacts.resolve(world, pairs, {.margin = 1e-6}, report);
+  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == 0.0);
+}
+
+TEST_CASE("Cubes that touch after an impact from both sides do not meet again and again",
+          "[unit][timewarp]") {
+  // The two in the middle are hit at one time and part with the rounding of it, 6e-16 m/s.
+  for (const char* name : kTimewarps) {
+    CAPTURE(name);
+    World world = world_of("line", {{"boxes", "0:1,1.5:0,2.5:0,4:-1"}});
+    CHECK(make_timewarp(name)->step(world, 1.0).events <= 5);
+  }
+}
+
+TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timewarp]") {
+  for (const char* name : kTimewarps) {
+    for (const int count : {1, 5}) {
+      for (const double e : {0.0, 0.5}) {
+        CAPTURE(name, count, e);
+        World world = tower(count, e);
+        const World start = world;
+        const double energy = energy_of(world).total();
+        const auto technique = make_timewarp(name);
+        Listener heard;
+        technique->observe(&heard);
+        double highest = energy;
+        double deepest = 0.0;
+        double fastest = 0.0;
+        for (int k = 0; k < 300; ++k) {
+          technique->step(world, kFrame);
+          highest = std::max(highest, energy_of(world).total());
+          deepest = std::max(deepest, deepest_overlap(world));
+          if (k < 60) continue;  // until it has settled
+          for (int body = 1; body <= count; ++body)
+            fastest = std::max(fastest,
+                               velocity(world.bodies()[at(body)], world.states()[at(body)]).norm());
+        }
+        const double slop = tolerance::repair_slop * (1.0 + tolerance::repair_closeness);
+        CAPTURE(deepest, fastest, highest - energy, heard.events.size());
+        CHECK(deepest <= slop);
+        // Each cube lies a slop deeper than the one below it.
+        for (int body = 1; body <= count; ++body) {
+          const Vec3 way_w =
+              world.states()[at(body)].position_w - start.states()[at(body)].position_w;
+          CHECK(way_w.y() <= 1e-9);
+          CHECK(way_w.y() >= -slop * body - 1e-9);
+          CHECK(Vec3(way_w.x(), 0.0, way_w.z()).norm() < 1e-6);
+        }
+        CHECK(highest - energy <= 1e-9 * energy);
+        CHECK(fastest < 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("A box at rest has no collisions", "[unit][timewarp]") {
+  for (const char* name : kTimewarps) {
+    CAPTURE(name);
+    World world = tower(1, 0.5);
+    const auto technique = make_timewarp(name);
+    Listener heard;
+    technique->observe(&heard);
+    for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
+    heard.events.clear();
+    std::int64_t events = 0;
+    std::int64_t left = 0;
+    for (int k = 0; k < 60; ++k) {
+      const StepReport report = technique->step(world, kFrame);
+      events += report.events;
+      left += report.fallbacks;
+    }
+    CHECK(events == 0);
+    CHECK(heard.events.empty());
+    CHECK(left == 60);
+  }
+}
+
+TEST_CASE("A hit on a resting stack is passed on within the frame", "[unit][timewarp]") {
+  for (const char* name : kTimewarps) {
+    CAPTURE(name);
+    World world = tower(3, 0.8);
+    const auto technique = make_timewarp(name);
+    for (int k = 0; k < 5; ++k) technique->step(world, kFrame);
+    // It falls onto the top at 30 m/s, 0.1 m away: after 3.3 ms of a frame.
+    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, 0.8);
+    const double top = world.states()[3].position_w.y() + 0.5;
+    world.add(cube,
+              make_state(cube, Vec3(0.0, top + 0.6, 0.0), Quat::Identity(), Vec3(0.0, -30.0, 0.0)));
+    Listener heard;
+    technique->observe(&heard);
+    const double start = world.time();
+    technique->step(world, kFrame);
+    double first = 1.0;
+    std::array<double, 4> impulse = {};  // [N s] downwards, on the ground and the three cubes
+    for (const Event& event : heard.events) {
+      const int lower = std::min(world.index_of(event.first), world.index_of(event.second));
+      impulse[at(lower)] += std::abs(event.impulse_w.y());
+      if (lower == 3) first = std::min(first, event.time - start);
+    }
+    CHECK(first == near(0.1 / 30.0).margin(2e-5));
+    for (const double each : impulse) CHECK(each > 10.0);
+    for (int body = 1; body <= 4; ++body) CHECK(world.states()[at(body)].position_w.y() > 0.3);
+  }
+}

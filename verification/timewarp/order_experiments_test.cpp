@@ -1,0 +1,273 @@
+/// \file
+/// \brief Stories of collisions and how they differ, figure 5.1, and the queue at work (5.1).
+#include "timewarp/order_experiments.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+#include "timewarp/bands.hpp"
+#include "timewarp/event_story.hpp"
+#include "timewarp/order_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// A story in which the k-th collision is at the time k; pairs as letters, such as "AB".
+std::vector<Collision> story(const std::vector<std::string>& pairs) {
+  std::vector<Collision> collisions;
+  for (const std::string& pair : pairs)
+    collisions.push_back({static_cast<double>(collisions.size()), pair[0] - 'A', pair[1] - 'A'});
+  return collisions;
+}
+
+std::vector<int> counts(const std::vector<std::string>& reference,
+                        const std::vector<std::string>& tested) {
+  const StoryDifference found = compare_stories(story(reference), story(tested));
+  return {found.missed, found.misordered, found.invented};
+}
+
+std::string wrong(const std::vector<std::string>& reference,
+                  const std::vector<std::string>& tested) {
+  std::string marks;
+  for (const char mark : compare_stories(story(reference), story(tested)).wrong)
+    marks += mark != 0 ? 'x' : '.';
+  return marks;
+}
+
+World world_of(const std::string& scene, const std::vector<std::string>& settings = {}) {
+  const SceneRecipe& recipe = scene_recipe(scene);
+  Parameters parameters = recipe.parameters();
+  set_all(parameters, settings);
+  return build_world(recipe.build(parameters, Random(1)));
+}
+
+// [m s] The area within an outline.
+double area_of(const Outline& outline) {
+  double twice = 0.0;
+  for (std::size_t k = 1; k < outline.size(); ++k)
+    twice += outline[k - 1].place * outline[k].time - outline[k].place * outline[k - 1].time;
+  return 0.5 * std::abs(twice);
+}
+
+}  // namespace
+
+TEST_CASE("Equal stories of collisions differ in nothing", "[unit][timewarp]") {
+  const std::vector<std::string> reference = {"AB", "BC", "CD", "DE", "CD"};
+  CHECK(counts(reference, reference) == std::vector<int>{0, 0, 0});
+  CHECK(wrong(reference, reference) == ".....");
+  CHECK(compare_stories(story(reference), {}).reference == 5);
+}
+
+TEST_CASE("A collision is missed, misordered or invented by its partner in the true story",
+          "[unit][timewarp]") {
+  CHECK(counts({"AB", "BC", "CD"}, {"AB", "CD"}) == std::vector<int>{1, 0, 0});
+  CHECK(counts({"AB", "CD"}, {"AB", "BC", "CD"}) == std::vector<int>{0, 0, 1});
+  CHECK(counts({"AB", "CD"}, {"CD", "AB"}) == std::vector<int>{0, 1, 0});
+  CHECK(counts({}, {"AB"}) == std::vector<int>{0, 0, 1});
+  CHECK(counts({"AB"}, {}) == std::vector<int>{1, 0, 0});
+  // The second meeting of a pair has the second one as its partner, and no other.
+  CHECK(counts({"AB", "CD", "AB"}, {"AB", "AB"}) == std::vector<int>{1, 0, 0});
+  CHECK(counts({"AB", "CD"}, {"AB", "CD", "AB"}) == std::vector<int>{0, 0, 1});
+  // One that comes much too late is one out of place, not all that it lets pass.
+  CHECK(counts({"AB", "BC", "CD", "DE"}, {"BC", "CD", "DE", "AB"}) == std::vector<int>{0, 1, 0});
+  CHECK(wrong({"AB", "BC", "CD", "DE"}, {"BC", "CD", "DE", "AB"}) == "...x");
+  // Of equally long choices, the one that ends first in the true story: here CD and not DE.
+  CHECK(wrong({"AB", "BC", "CD", "DE"}, {"DE", "AC", "CD"}) == "xx.");
+}
+
+TEST_CASE("A longest common story leaves out no more collisions than any other choice",
+          "[reference][timewarp]") {
+  // Against all 2^n choices of the tested story.
+  const std::vector<std::string> reference = {"AB", "BC", "CD", "DE", "EF", "FG", "GH", "HI"};
+  Random random(3);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<std::string> tested = reference;
+    for (std::size_t k = tested.size(); k > 1; --k)
+      std::swap(tested[k - 1],
+                tested[static_cast<std::size_t>(random.unit() * static_cast<double>(k))]);
+    int most = 0;
+    for (unsigned choice = 0; choice < (1U << tested.size()); ++choice) {
+      std::vector<std::string> chosen;
+      for (std::size_t k = 0; k < tested.size(); ++k)
+        if ((choice >> k & 1U) != 0) chosen.push_back(tested[k]);
+      if (std::is_sorted(chosen.begin(), chosen.end()))
+        most = std::max(most, static_cast<int>(chosen.size()));
+    }
+    CHECK(counts(reference, tested)[1] == static_cast<int>(tested.size()) - most);
+  }
+}
+
+TEST_CASE("A story goes on over frames and takes its observer away", "[unit][timewarp]") {
+  const World start = world_of("line");
+  const auto technique = technique_with("timewarp_simple");
+  CHECK(story_of(*technique, start, 1.0).size() == 3);
+  World again = start;
+  CHECK_NOTHROW(technique->step(again, 1.0));
+  // [s] times go on from frame to frame; a few times the resolution.
+  const std::vector<Collision> frames = story_of(*technique, start, 0.25, 4);
+  REQUIRE(frames.size() == 3);
+  CHECK(frames[2].time == near(0.9).margin(1e-5));
+  CHECK(frames[2].first == 0);
+  CHECK(frames[2].second == 1);
+  // [s] and of a world that has run for a while they count from its start.
+  REQUIRE(technique->step(again, 1.0).events == 0);
+  again.set_velocity(again.ids()[0], Vec3(2.0, 0.0, 0.0), Vec3::Zero());
+  const std::vector<Collision> late = story_of(*technique, again, 1.0);
+  REQUIRE(!late.empty());
+  CHECK(late[0].time == near(0.55).margin(1e-5));
+}
+
+TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]") {
+  for (const char* name : {"timewarp_simple", "timewarp_safer", "timewarp_swept"}) {
+    for (const char* scene : {"fig5_1", "line"}) {
+      CAPTURE(name, scene);
+      const double frame = std::string(scene) == "line" ? 1.0 : 1.0 / 60.0;
+      const World start = world_of(scene);
+      World end = start;
+      const EventLog events = events_of(*technique_with(name), end, frame);
+      const std::vector<Way> ways = ways_of(start, events, frame);
+      REQUIRE(ways.size() == end.states().size());
+      for (std::size_t body = 0; body < ways.size(); ++body) {
+        // [m] rounding: each flight ends at a knot.
+        CHECK(place_at(ways[body], frame) == near(end.states()[body].position_w.x()).margin(1e-12));
+        CHECK(ways[body].front().place == start.states()[body].position_w.x());
+      }
+    }
+  }
+}
+
+TEST_CASE("Bands refuse gravity and bodies that go back in time", "[unit][timewarp]") {
+  World start = world_of("line");
+  EventLog events(2);
+  for (Event& event : events) {
+    event.first = start.ids()[0];
+    event.second = start.ids()[1];
+  }
+  events[0].time = 0.5;
+  events[1].time = 0.25;
+  CHECK_THROWS_AS(ways_of(start, events, 1.0), std::invalid_argument);
+  start.gravity_w = Vec3(0.0, -9.81, 0.0);
+  CHECK_THROWS_AS(ways_of(start, {}, 1.0), std::invalid_argument);
+}
+
+TEST_CASE("The area where two bands overlap is that of the parallelogram between them",
+          "[exact][timewarp]") {
+  // One stands, one flies over it: it overlaps from 1 s to 3 s; base 2 s, height 1 m, half of it.
+  const Way stands = {{0.0, 2.0}, {4.0, 2.0}};
+  const Way flies = {{0.0, 0.0}, {4.0, 4.0}};
+  const std::vector<Outline> areas = overlaps_of(stands, flies, 1.0, 1e-9);
+  REQUIRE(areas.size() == 1);
+  CHECK(area_of(areas[0]) == near(1.0).margin(1e-12));
+  CHECK(overlaps_of(flies, stands, 1.0, 1e-9).size() == 1);
+  // [m s] a band is as wide as its body all the time.
+  CHECK(area_of(band_of(flies, 1.0)) == near(4.0).margin(1e-12));
+  // Who only touches does not overlap; who comes back does so twice.
+  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.0}}, 1.0, 1e-9).empty());
+  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.0 + 1e-10}}, 1.0, 1e-9).empty());
+  CHECK(overlaps_of(stands, {{0.0, 0.0}, {2.0, 4.0}, {4.0, 0.0}}, 1.0, 1e-9).size() == 2);
+  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.5}}, 1.0, 1e-9).size() == 1);
+}
+
+TEST_CASE("Simple and safer put the five cubes of figure 5.1 out of order, swept volumes do not",
+          "[claims][timewarp]") {
+  const FigureUnderTest figure(order_figures(), "fig5_1_order");
+  CHECK(figure.number("of three sayings about figure 5.1 those that hold: simple goes wrong, safer "
+                      "goes wrong, swept volumes do not") == 3.0);
+  CHECK(figure.number("collisions of the reference") == 5.0);
+  CHECK(figure.number("collisions out of place, simple") == 3.0);
+  CHECK(figure.number("collisions out of place, safer") == 3.0);
+  CHECK(figure.number("collisions out of place, swept") == 0.0);
+  CHECK(figure.number("collisions of the reference that simple has none for") == 3.0);
+  // [s] five searches in a row, each as exact as the resolution; measured 1.4e-6.
+  CHECK(figure.number("largest difference of the times of collisions, swept and reference") < 5e-6);
+  // [s] A passes two edges at 24 m/s.
+  CHECK(figure.number("time for which pairs of cubes overlap, simple") ==
+        near(0.2 / 24.0).margin(1e-12));
+  CHECK(figure.number("time for which pairs of cubes overlap, swept") == 0.0);
+}
+
+TEST_CASE("The reference of figure 5.1 meets at the times of the closed form",
+          "[exact][timewarp]") {
+  const FigureUnderTest figure(order_figures(), "fig5_1_order");
+  // [m/s] 24 is handed on from A to E, D's 1.2 to C; [m] gaps of 0.06, 0.13, 0.02, 0.013.
+  const double ab = 0.06 / 24.0;
+  const double bc = ab + 0.13 / 24.0;
+  const double cd = bc + (0.02 + 1.2 * bc) / (24.0 - 1.2);
+  const double left = 0.013 - 1.2 * cd;  // [m] between D and E when C meets D
+  const double de = cd + left / 24.0;
+  const double again = cd + left / 1.2;
+  const std::vector<double> times = {ab, bc, cd, de, again};
+  std::vector<std::vector<double>> reference;
+  for (const auto& row : figure.result.tables[0].rows)
+    if (row[0] == 3.0) reference.push_back(row);
+  REQUIRE(reference.size() == times.size());
+  // [edges] A and B meet at B's left face, half an edge from its centre at 1.6.
+  CHECK(reference[0][4] == near(1.1).margin(1e-9));
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    // [ms] measured 1e-5 at the most, in the last of them.
+    CHECK(reference[k][5] == near(1e3 * times[k]).margin(2e-5));
+    CHECK(reference[k][6] == 0.0);
+  }
+}
+
+TEST_CASE("Without the cube in between, all forms tell the story of figure 5.1 alike",
+          "[claims][timewarp]") {
+  // A at a speed at which it ends in B and not beyond it: nothing is hidden.
+  const FigureUnderTest figure(order_figures(), "fig5_1_order", {"fast=8"});
+  CHECK(figure.number("collisions out of place, simple") == 0.0);
+  CHECK(figure.number("collisions out of place, safer") == 0.0);
+  CHECK(figure.number("of three sayings about figure 5.1 those that hold: simple goes wrong, safer "
+                      "goes wrong, swept volumes do not") == 1.0);
+}
+
+TEST_CASE("The queue at work puts one collision in front and resolves four at their times",
+          "[exact][timewarp]") {
+  const FigureUnderTest figure(order_figures(), "queue_at_work");
+  CHECK(figure.number("collisions put in front because a neighbour was looked at") == 1.0);
+  CHECK(figure.number("collisions resolved") == 4.0);
+  CHECK(figure.number("collisions out of place, safer") == 0.0);
+  CHECK(figure.number("collisions out of place, simple") == 3.0);
+  // [s] speeds are handed on: 2.7 m/s over half a metre twice, then towards D's 0.4 m/s, which C
+  // brings back to where it stood.
+  const double ab = 0.5 / 2.7;
+  const double bc = 1.0 / 2.7;
+  const double cd = bc + (0.25 - 0.4 * bc) / 3.1;
+  const double again = 0.25 / 0.4;
+  // [s] a few times the resolution, the last with a speed of 0.4 m/s after one of 2.7.
+  CHECK(figure.number("time of collision 1") == near(ab).margin(2e-6));
+  CHECK(figure.number("time of collision 2") == near(bc).margin(4e-6));
+  CHECK(figure.number("time of collision 3") == near(cd).margin(6e-6));
+  CHECK(figure.number("time of collision 4") == near(again).margin(1e-5));
+}
+
+TEST_CASE("In each panel of the queue at work the earliest collision is the one that is taken",
+          "[unit][timewarp]") {
+  for (const char* form : {"form=safer", "form=simple", "form=swept"}) {
+    CAPTURE(form);
+    const FigureUnderTest figure(order_figures(), "queue_at_work", {form});
+    double panel = 0.0;
+    double last = 0.0;
+    for (const auto& row : figure.result.tables[0].rows) {
+      const bool first_of_panel = row[0] > panel;
+      CHECK((row[5] > 0.0) == first_of_panel);
+      if (!first_of_panel) CHECK(row[3] >= last);
+      panel = row[0];
+      last = row[3];
+    }
+    // Valid parts and test parts join: every panel's bands reach the end of the frame.
+    double end = 0.0;
+    for (const auto& row : figure.result.tables[1].rows) end = std::max(end, row[4]);
+    CHECK(end == 1.0);
+  }
+}

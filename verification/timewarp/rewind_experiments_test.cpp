@@ -1,0 +1,163 @@
+/// \file
+/// \brief What taking back costs, and what waiting for one another costs (thesis 2.4.3).
+#include "timewarp/rewind_experiments.hpp"
+
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+#include "timewarp/cage_runs.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// A cage in which 27 cubes collide some twenty times.
+CageStretch small_cage() {
+  CageStretch stretch;
+  stretch.count = 27;
+  stretch.settle = 8;
+  stretch.frames = 16;
+  return stretch;
+}
+
+// A column of a figure's table.
+std::vector<double> column_of(const Table& table, std::string_view name) {
+  std::vector<double> out;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+    if (table.columns[k].name == name)
+      for (const std::vector<double>& row : table.rows) out.push_back(row[k]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("Work in a cage is counted over the same collisions under every form",
+          "[unit][timewarp]") {
+  const CageStretch stretch = small_cage();
+  const SettledCage cage = settled_cage(led_cage(stretch, 1), stretch);
+  const CageWork swept = work_of(cage, stretch, {"timewarp_swept"});
+  CHECK(swept.events > 10.0);
+  for (const TimewarpForm& form :
+       {TimewarpForm{"basic", {"search=conservative"}}, full_timewarp(), full_timewarp(1.0)}) {
+    INFO(form.name);
+    const CageWork work = work_of(cage, stretch, form);
+    CHECK(work.events == swept.events);
+    CHECK(work.frames == 16.0);
+  }
+  // Those that are synchronised wait for one another at the end, and have nothing to settle.
+  for (const int every : {1, 2, 4, 8})
+    CHECK(work_of(cage, stretch, synchronised_timewarp(every)).events == swept.events);
+}
+
+TEST_CASE("All taken back is a flight of every body for each collision and each frame",
+          "[exact][timewarp]") {
+  const CageStretch stretch = small_cage();
+  const SettledCage cage = settled_cage(led_cage(stretch, 2), stretch);
+  for (const TimewarpForm& form : {all_taken_back(), {"basic", {"search=conservative"}}}) {
+    const CageWork work = work_of(cage, stretch, form);
+    CHECK(work.events > 10.0);
+    CHECK(work.rewinds == 27.0 * work.events);  // no two of them at one time
+    CHECK(work.integrations == work.rewinds + 27.0 * work.frames);
+  }
+}
+
+TEST_CASE("Of those near a collision each body that is taken back flies twice",
+          "[exact][timewarp]") {
+  const CageStretch stretch = small_cage();
+  const SettledCage cage = settled_cage(led_cage(stretch, 2), stretch);
+  for (const char* name : {"timewarp_simple", "timewarp_swept"}) {
+    const CageWork work = work_of(cage, stretch, {name});
+    CHECK(work.rewinds > work.events);        // two cubes,
+    CHECK(work.rewinds < 2.0 * work.events);  // or one and a wall
+    CHECK(work.integrations == 2.0 * work.rewinds + 27.0 * work.frames);
+  }
+}
+
+TEST_CASE("A cage that is hurried has its velocities multiplied and nothing else",
+          "[unit][timewarp]") {
+  CageStretch stretch = small_cage();
+  stretch.lead = 2;
+  const World led = led_cage(stretch, 1);
+  stretch.factor = 0.5;
+  const SettledCage cage = settled_cage(led, stretch);
+  for (int body = 0; body < led.count(); ++body) {
+    const auto k = static_cast<std::size_t>(body);
+    const BodyState& before = led.states()[k];
+    const BodyState& after = cage.before.states()[k];
+    CHECK(after.position_w == before.position_w);
+    CHECK(after.linear_momentum_w == 0.5 * before.linear_momentum_w);
+    CHECK(after.angular_momentum_w == 0.5 * before.angular_momentum_w);
+  }
+  CHECK(cage.after.time() == near(led.time() + 8.0 / 60.0).margin(1e-12));
+}
+
+TEST_CASE("Taking back all bodies costs ten times as much as two of 512, if they are fast enough",
+          "[claims][timewarp]") {
+  const FigureUnderTest figure(rewind_figures(), "claim_2_4_3a_rewinding");
+  // [-] measured 21 over 20 cages; between 10 and 40 is where collisions in a frame put it
+  const double ratio = figure.number(
+      "integrations per event of 512 bodies at constant density, all taken back over those near");
+  CHECK(ratio > 10.0);
+  CHECK(ratio < 40.0);
+  // By counting: all n fly for a collision; those near four times, less one in six for walls.
+  const double fixed = figure.number(
+      "of them under all but full timewarp, the flights of all bodies that each frame has anyway");
+  CHECK(figure.number("integrations per event of 512 bodies, all taken back") ==
+        near(512.0 + fixed).margin(0.05 * fixed));
+  CHECK(
+      figure.number("integrations per event of 512 bodies, simple") ==
+      near(2.0 * figure.number("bodies taken back per event of 512, simple") + fixed).margin(1e-9));
+  CHECK(figure.number("integrations per event of 512 bodies, full timewarp") < fixed);
+  CHECK(figure.number("the first number with a sixteenth of the speeds") < 0.5 * ratio);
+
+  // All taken back grow with the number of bodies, the others hardly do.
+  const Table& table = figure.result.tables.front();
+  CHECK(column_of(table, "all").back() > 20.0 * column_of(table, "all").front());
+  for (const char* form :
+       {"simple", "swept", "full", "simple_tests", "swept_tests", "full_tests"}) {
+    INFO(form);
+    CHECK(column_of(table, form).back() < 4.0 * column_of(table, form).front());
+  }
+}
+
+TEST_CASE("What full timewarp loses by waiting on every frame falls with the collisions in it",
+          "[claims][timewarp]") {
+  const FigureUnderTest figure(rewind_figures(), "claim_2_4_3b_synchronising", {"seeds=8"});
+  for (const std::vector<double>& row : figure.result.tables[1].rows) {
+    INFO("bodies " << row[0] << ", factor " << row[1]);
+    // [-] lost, against 1/(1 + collisions); eight cages of few collisions
+    CHECK(row[3] == near(row[6]).margin(0.1));
+  }
+  CHECK(figure.number("the same, the smaller cage at a sixteenth of the speeds") > 0.5);
+  const Table& periods = figure.result.tables[0];
+  for (const char* cage : {"full_larger", "full_smaller"}) {
+    const std::vector<double> rate = column_of(periods, cage);
+    for (std::size_t k = 1; k < rate.size(); ++k) CHECK(rate[k] < rate[k - 1]);
+  }
+  // Bodies that wait for one another need not be looked at in between.
+  CHECK(figure.number(
+            "the first number if every body is looked at in every frame and that is counted") <
+        0.01);
+}
+
+TEST_CASE("The longer full timewarp flies the less it integrates and the more it takes back",
+          "[claims][timewarp]") {
+  const FigureUnderTest figure(rewind_figures(), "timewarp_stride");
+  const Table& table = figure.result.tables.front();
+  const std::vector<double> integrations = column_of(table, "integrations");
+  for (std::size_t k = 1; k + 1 < integrations.size(); ++k)
+    CHECK(integrations[k] < integrations[k - 1]);
+  CHECK(column_of(table, "taken_back").back() > 1.2 * column_of(table, "taken_back").front());
+  // Pair tests are fewest at about the time between two collisions of a body.
+  const double fewest = figure.number("pair tests per collision, 8 frames at a time");
+  CHECK(fewest < 0.6 * figure.number("pair tests per collision, a frame at a time"));
+  CHECK(fewest < 0.9 * figure.number("pair tests per collision, 64 frames at a time"));
+  const double between = figure.number("frames from one collision of a body to its next");
+  CHECK(between > 4.0);
+  CHECK(between < 20.0);
+}
