@@ -90,13 +90,11 @@ TEST_CASE("Swept, full timewarp and a search over all bodies tell the same story
   constexpr std::size_t kLength = 30;
   constexpr double kResolution = 1e-13;
   double worst = 0.0;
-  int compared = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     CAPTURE(seed);
     const World world = random_cage(seed);
     const Story all = by_all(world, kResolution, kLength);
-    if (!all.complete) continue;  // its searches have a smaller cap
-    ++compared;
+    CHECK(all.complete);
     const Story swept = by_swept(world, kResolution, kLength);
     const Story full = by_full(world, kResolution, kLength);
     CHECK(swept.complete);
@@ -107,8 +105,6 @@ TEST_CASE("Swept, full timewarp and a search over all bodies tell the same story
     CHECK(of_full.length == kLength);
     worst = std::max({worst, of_swept.times, of_full.times});
   }
-  CAPTURE(compared);
-  CHECK(compared >= 95);
   CHECK(worst < 1e-9);
 }
 

@@ -15,6 +15,10 @@ double valid_time(const Flight& flight, int body) {
   return flight.valid_times.empty() ? 0.0 : flight.valid_times[place(body)];
 }
 
+double micro_step_of(const Flight& flight, int body) {
+  return flight.micro_steps.empty() ? flight.micro_step : flight.micro_steps[place(body)];
+}
+
 // The height of the lowest corner: the ground is the first body, so the normal is +y.
 Separation gap_above_ground(const BodyProperties& body, const BodyState& state) {
   Separation out;
@@ -27,7 +31,7 @@ Separation gap_above_ground(const BodyProperties& body, const BodyState& state) 
 double corner_speed(const Flight& flight, int body, double end) {
   const BodyProperties& properties = flight.bodies[place(body)];
   if (!properties.movable()) return 0.0;
-  const double duration = std::min(end - valid_time(flight, body), flight.micro_step);
+  const double duration = std::min(end - valid_time(flight, body), micro_step_of(flight, body));
   const double turning =
       angular_speed_bound(properties, flight.states[place(body)], duration, flight.rule);
   return turning * 0.5 * properties.size.norm();
@@ -44,6 +48,8 @@ void require_valid(const Flight& flight, double start) {
                 "flight.valid_times: expected one for each body, or none");
   require::that(flight.accelerations_w.empty() || flight.accelerations_w.size() == count,
                 "flight.accelerations_w: expected one for each body, or none");
+  require::that(flight.micro_steps.empty() || flight.micro_steps.size() == count,
+                "flight.micro_steps: expected one for each body, or none");
   for (const BodyState& state : flight.states) {
     require::finite(state.position_w, "flight.states.position_w");
     require::unit(state.orientation_wb, "flight.states.orientation_wb");
@@ -59,10 +65,16 @@ void require_valid(const Flight& flight, double start) {
     require::finite(acceleration, "flight.accelerations_w");
 }
 
+bool turns_evenly(const BodyProperties& body, const BodyState& state) {
+  const Vec3& moments = body.inertia_b;
+  return !body.movable() || (moments.x() == moments.y() && moments.y() == moments.z()) ||
+         state.angular_momentum_w.isZero(0.0);
+}
+
 BodyState state_at(const Flight& flight, int body, double time) {
   BodyState state = flight.states[place(body)];
   fly_in_micro_steps(flight.bodies[place(body)], state, acceleration_of(flight, body),
-                     time - valid_time(flight, body), flight.rule, flight.micro_step);
+                     time - valid_time(flight, body), flight.rule, micro_step_of(flight, body));
   return state;
 }
 

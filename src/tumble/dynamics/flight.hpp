@@ -29,7 +29,16 @@ struct Flight {
   RotationRule rule = RotationRule::splitting;  ///< how bodies turn
   /// [s] Bodies turn in steps of this length and a last one for the rest. Infinity: in one step.
   double micro_step = std::numeric_limits<double>::infinity();
+  /// [s] by index: micro-steps of their own. Empty: `micro_step` for all.
+  std::span<const double> micro_steps = {};
 };
+
+/// Whether a body in flight turns at a constant rate, so that any rotation rule takes it where it
+/// would be in any number of steps: all its moments of inertia are equal, or it does not turn.
+/// \param body   its constant part
+/// \param state  its state
+/// \return true for cubes, and for whoever cannot move
+[[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state);
 
 /// Checks a flight before it is searched.
 /// \param flight  how bodies move

@@ -24,10 +24,7 @@ struct Turning {
 Turning turning_of(const Flight& flight, int body, double time) {
   Turning out;
   const BodyProperties& properties = flight.bodies[place(body)];
-  const Vec3& moments = properties.inertia_b;
-  out.constant = !properties.movable() ||
-                 (moments.x() == moments.y() && moments.y() == moments.z()) ||
-                 flight.states[place(body)].angular_momentum_w.isZero(0.0);
+  out.constant = turns_evenly(properties, flight.states[place(body)]);
   if (!out.constant) return out;
   const BodyState state = state_at(flight, body, time);
   out.position_w = state.position_w;

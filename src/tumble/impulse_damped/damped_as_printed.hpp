@@ -4,10 +4,10 @@
 /// Uses the chapter geometric_stability for its listing SETGEOMETRICALLYSTABLE.
 #pragma once
 
+#include "tumble/base/errata_set.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
-#include "tumble/base/errata_set.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 #include "tumble/impulse_damped/printed_objects.hpp"
 #include "tumble/impulse_damped/resolve_as_printed.hpp"

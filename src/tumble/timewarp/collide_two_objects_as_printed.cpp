@@ -56,7 +56,7 @@ void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, doubl
                                          double time) {
   if (pairs.empty()) return;
   const InstantReport impact = impacts_.resolve(
-      *world_, pairs, {.resolution = options_.resolution, .margin = margin}, report);
+      *world_, pairs, {.resolution = options_.resolution, .dt = dt_, .margin = margin}, report);
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
 
@@ -153,24 +153,7 @@ void PrintedQueries::fix_interpenetration() {
     std::copy(start_.begin(), start_.end(), world_->states().begin());
     report.status = StepStatus::not_finite;
   }
-  // What gravity closes within a resolution from rest at the end of the frame touches.
-  const double reach = world_->gravity_w.norm() * dt_ * options_.resolution;
-  repair_bounds(*world_, reach, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
-  if (const std::span<const IndexPair> held = stage_.pairs(); !held.empty()) {
-    std::vector<IndexPair> resting(held.begin(), held.end());
-    report.pair_tests += join_touching(*world_, candidates_, reach, resting);
-    const InstantReport impact = impacts_.resolve(
-        *world_, resting, {.resolution = options_.resolution, .bounce = false, .margin = reach},
-        report);
-    const double end = world_->time() + dt_;
-    for (const Contact& contact : impact.contacts)
-      for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, end));
-  }
-  const RepairReport repaired = repair_.run(*world_, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = repaired.deepest_before;
+  end_.settle(*world_, dt_, options_.resolution, stage_.pairs(), report, records_);
   report.contacts = static_cast<std::int64_t>(records_.size());
   report.fallbacks += stage_.entered();
   world_->finish_step(dt_);

@@ -30,7 +30,7 @@ struct ContactRule {
 ///
 /// Pairs in the contact stage are not searched. They come back when an impact changes the velocity of
 /// one of their bodies by more than gravity does in a frame. At the end of the frame those still in it
-/// are resolved together, without restitution, with whoever touches them (see RestingPairs), and the
+/// are resolved together, without restitution, with whoever touches them (see FrameEnd), and the
 /// overlap that is there is repaired.
 /// \par Cost
 /// O(log n) for a pair that has collided in the frame; no allocation once warm.
@@ -86,41 +86,5 @@ class ContactStage {
   std::vector<Record> records_;  // of the pairs that have collided in this frame, sorted
   std::vector<IndexPair> held_;
 };
-
-/// Who rests at the end of a frame: pairs of the contact stage, and those that touch one another and
-/// hang together with them through movable bodies.
-///
-/// The cubes of a stack fall alike, so that none of them meets another one in a frame; if the lowest
-/// alone were stopped at its end, the others would fall on it in the next.
-/// \par Cost
-/// A separation for each candidate. No allocation once warm.
-/// \verified{A box and a stack of five at rest stay where they are}
-class RestingPairs {
- public:
-  /// Finds them.
-  /// \param world       bodies at the end of the frame
-  /// \param held        pairs of the contact stage
-  /// \param candidates  pairs whose bounds overlap there
-  /// \param reach       [m] up to which gap they touch, from 0
-  /// \param report      gets pair tests added
-  /// \return those held and those that join them, sorted, each once; valid until the next call
-  std::span<const IndexPair> find(const World& world, std::span<const IndexPair> held,
-                                  std::span<const IndexPair> candidates, double reach,
-                                  StepReport& report);
-
- private:
-  std::vector<IndexPair> pairs_;
-  std::vector<IndexPair> touching_;
-  std::vector<char> joined_;  // by index: whether a movable body is in one of the pairs
-};
-
-/// As RestingPairs, for those who keep no storage. Allocates.
-/// \param world       bodies at the end of the frame
-/// \param candidates  pairs whose bounds overlap there
-/// \param reach       [m] up to which gap they touch, from 0
-/// \param pairs       in and out: those held, and then those that join them too; sorted, each once
-/// \return gaps that were computed
-std::int64_t join_touching(const World& world, std::span<const IndexPair> candidates, double reach,
-                           std::vector<IndexPair>& pairs);
 
 }  // namespace tumble

@@ -14,6 +14,18 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+// Whether what is left of approach is what gravity does in a frame, or less than repair leaves.
+bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
+                     const InstantReport& left, double dt) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const IndexPair& pair : pairs)
+    for (const int body : {pair.first, pair.second})
+      if (world.bodies()[at(body)].movable())
+        size = std::min(size, world.bodies()[at(body)].size.minCoeff());
+  return left.approach_left <= world.gravity_w.norm() * dt ||
+         left.approach_left * dt <= tolerance::repair_slop * size;
+}
+
 }  // namespace
 
 double speed_change(const BodyProperties& body, const MovingBody& before, const MovingBody& after) {
@@ -56,6 +68,8 @@ InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> p
     for (const int body : {contact.first, contact.second})
       store_moving_body(moving_[at(body)], world.bodies()[at(body)], world.states()[at(body)]);
   out.contacts = contacts_;
+  if (out.status == ImpactStatus::cap_reached && hardly_approach(world, pairs, out, options.dt))
+    out.status = ImpactStatus::done;
   return out;
 }
 
@@ -104,6 +118,7 @@ void InstantImpacts::resolve_together(std::span<Contact> contacts, InstantReport
   how.most_passes = kPasses;
   const ImpactResult impact = solver_.resolve(contacts, moving_, how);
   out.status = std::max(out.status, impact.status);
+  out.approach_left = std::max(out.approach_left, impact.worst_approach);
   report.impulses += impact.impulses;
   report.iterations += impact.passes;
   report.pivots += impact.pivots;

@@ -19,13 +19,18 @@ struct InstantOptions {
   /// come in that time
   double resolution = tolerance::event_resolution;
   bool bounce = true;   ///< with the restitution of the bodies; else with none
+  double dt = 0.0;      ///< [s] length of the frame, see InstantReport::status
   double margin = 0.0;  ///< [m] contact reaches at least as far as this
 };
 
 /// What collisions of an instant did.
 struct InstantReport {
-  ImpactStatus status = ImpactStatus::done;  ///< how the worst of them ended
-  std::span<const Contact> contacts;         ///< with their impulses; valid until the next call
+  /// How the worst of them ended. A solver that meets its cap counts as done if the approach that it
+  /// leaves brings bodies no closer in a frame than repair leaves them, or is as slow as what gravity
+  /// does in a frame.
+  ImpactStatus status = ImpactStatus::done;
+  double approach_left = 0.0;         ///< [m/s] the fastest
+  std::span<const Contact> contacts;  ///< with their impulses; valid until the next call
 };
 
 /// By how much an impact changes the speed of some point of a body, at most.

@@ -170,7 +170,7 @@ class PrintedQueries {
   std::unique_ptr<BroadPhase> broad_phase_;
   ContactStage stage_;
   InstantImpacts impacts_;
-  OverlapRepair repair_;
+  FrameEnd end_;
 
   World* world_ = nullptr;  // during a frame
   double dt_ = 0.0;         // [s]

@@ -171,7 +171,7 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
     before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
 
   const InstantReport impact =
-      impacts_.resolve(*world_, pairs, {.resolution = options_.resolution}, report);
+      impacts_.resolve(*world_, pairs, {.resolution = options_.resolution, .dt = dt_}, report);
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
   const int moved = static_cast<int>(pushed_.size());
@@ -207,22 +207,7 @@ void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rew
 }
 
 void TimewarpFrame::finish() {
-  // What gravity closes within a resolution from rest at the end of the frame touches.
-  const double reach = world_->gravity_w.norm() * dt_ * options_.resolution;
-  repair_bounds(*world_, reach, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
-  if (const std::span<const IndexPair> held = stage_.pairs(); !held.empty()) {
-    const InstantReport impact = impacts_.resolve(
-        *world_, resting_.find(*world_, held, candidates_, reach, report),
-        {.resolution = options_.resolution, .bounce = false, .margin = reach}, report);
-    const double end = world_->time() + dt_;
-    for (const Contact& contact : impact.contacts)
-      for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, end));
-  }
-  const RepairReport repaired = repair_.run(*world_, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = repaired.deepest_before;
+  end_.settle(*world_, dt_, options_.resolution, stage_.pairs(), report, records_);
   report.contacts = static_cast<std::int64_t>(records_.size());
   report.fallbacks += stage_.entered();
   world_->finish_step(dt_);

@@ -2,11 +2,11 @@
 /// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #pragma once
 
-#include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/collision_heap.hpp"
 #include "tumble/timewarp/contact_stage.hpp"
+#include "tumble/timewarp/frame_end.hpp"
 #include "tumble/timewarp/instant_impacts.hpp"
 
 #include <memory>
@@ -134,7 +134,7 @@ class TimewarpFrame {
   /// \param time   [s] since the start of the frame
   void collide(std::span<const IndexPair> pairs, double time);
 
-  /// Resolves those who rest (see RestingPairs), repairs what overlaps (fixInterpenetration) and ends
+  /// Resolves those who rest (see FrameEnd), repairs what overlaps (fixInterpenetration) and ends
   /// the frame. The valid states must be of its end.
   void finish();
 
@@ -161,9 +161,8 @@ class TimewarpFrame {
   SearchMethod method_;
   std::unique_ptr<BroadPhase> broad_phase_;
   ContactStage stage_;
-  RestingPairs resting_;
   InstantImpacts impacts_;
-  OverlapRepair repair_;
+  FrameEnd end_;
 
   World* world_ = nullptr;  // during a frame
   double dt_ = 0.0;         // [s]

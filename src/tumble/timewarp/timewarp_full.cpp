@@ -25,8 +25,7 @@ bool same_bodies(const World& a, const World& b) {
 
 }  // namespace
 
-TimewarpFull::TimewarpFull(const TimewarpFullOptions& options)
-    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+TimewarpFull::TimewarpFull(const TimewarpFullOptions& options) : options_(options) {
   static_cast<void>(ContactStage({options.resolution, options.pair_events}));  // checks them
   require::not_negative(options.stride, "stride");
   require::that(
@@ -66,6 +65,7 @@ void TimewarpFull::begin(const World& world, double dt) {
     return;
   }
   scratch_ = world;
+  micro_step_ = dt;
   histories_.assign(at(world.count()), {});
   resolved_.clear();
   holds_.clear();
@@ -106,9 +106,7 @@ void TimewarpFull::advance(int body) {
     return;
   }
   BodyHistory& history = histories_[at(body)];
-  Milestone next{end, history.milestones().back().state, Milestone::kNoCollision};
-  fly(scratch_.bodies()[at(body)], next.state, scratch_.gravity_w,
-      end - history.milestones().back().time, options_.rotation);
+  const Milestone next{end, flown(body, history.milestones().back(), end)};
   ++report_.integrations;
   history.add(next, scratch_.bodies()[at(body)], scratch_.gravity_w);
   wait_for_turn(body);
@@ -157,11 +155,14 @@ std::optional<double> TimewarpFull::first_collision(int body, int other,
                                                 scratch_.bodies()[at(std::max(body, other))]};
   const std::array<BodyState, 2> states = {a.state, b.state};
   const std::array<double, 2> times = {a.time, b.time};
+  const std::array<double, 2> micro_steps = {micro_step_of(std::min(body, other), a),
+                                             micro_step_of(std::max(body, other), b)};
   const Flight both{.bodies = bodies,
                     .states = states,
                     .valid_times = times,
                     .gravity_w = scratch_.gravity_w,
-                    .rule = options_.rotation};
+                    .rule = options_.rotation,
+                    .micro_steps = micro_steps};
   const IndexPair pair{0, 1};
   const SearchOptions how{.method = SearchMethod::conservative,
                           .resolution = std::min(options_.resolution, end - start),
@@ -196,14 +197,13 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   for (std::size_t k = 0; k < 2; ++k) {
     const BodyProperties& properties = scratch_.bodies()[at(both[k])];
     BodyState& state = scratch_.states()[at(both[k])];
-    const Milestone& from = histories_[at(both[k])].milestones().back();
-    state = from.state;
-    fly(properties, state, scratch_.gravity_w, meeting.time - from.time, options_.rotation);
+    state = flown(both[k], histories_[at(both[k])].milestones().back(), meeting.time);
     if (properties.movable()) ++report_.integrations;
     old[k] = moving_body_of(properties, state);
   }
-  const InstantReport impact = impacts_.resolve(
-      scratch_, {&collision.pair, 1}, {.resolution = options_.resolution}, collision.booked);
+  const InstantReport impact =
+      impacts_.resolve(scratch_, {&collision.pair, 1},
+                       {.resolution = options_.resolution, .dt = dt_}, collision.booked);
   // [S2.4.3:collide]
 
   if (impact.status != ImpactStatus::done) collision.booked.status = StepStatus::event_cap;

@@ -4,7 +4,6 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/body_history.hpp"
@@ -54,7 +53,9 @@ struct TimewarpWork {
 /// repair of overlap, or between two steps by the user, begin a new history, which takes back all that
 /// has met them since. Collisions at equal times are resolved one after the other.
 ///
-/// Looking at a body between two milestones is not counted as an integration.
+/// Bodies that do not turn evenly fly in micro-steps of the length of the first step, so that their
+/// rotation is as good as that of the other forms however long a flight is. Looking at a body between
+/// two milestones is not counted as an integration.
 /// \par Cost
 /// A flight: n comparisons of bounds and searches with those that are near. A collision: two flights
 /// more, and what it takes back. Does not depend on the number of bodies otherwise.
@@ -69,12 +70,6 @@ class TimewarpFull final : public Technique {
   /// \param options see there
   /// \throws std::invalid_argument for an option out of range
   explicit TimewarpFull(const TimewarpFullOptions& options = {});
-  /// A copy with all histories.
-  /// \param other the original
-  TimewarpFull(const TimewarpFull& other);
-  TimewarpFull& operator=(const TimewarpFull&) = delete;
-  ~TimewarpFull() override = default;
-
   [[nodiscard]] std::string_view name() const override { return "timewarp_full"; }
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
@@ -152,11 +147,12 @@ class TimewarpFull final : public Technique {
   void forget_past(double time);
   void count_from_here();
   [[nodiscard]] bool movable(int body) const;
+  [[nodiscard]] double micro_step_of(int body, const Milestone& from) const;
+  [[nodiscard]] BodyState flown(int body, const Milestone& from, double time) const;
 
   TimewarpFullOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
   InstantImpacts impacts_;
-  OverlapRepair repair_;
+  FrameEnd end_;
 
   World scratch_;  // bodies as they were when the histories began; states are overwritten
   std::vector<BodyState> shown_;  // by index: as the last step has left the world
@@ -167,6 +163,7 @@ class TimewarpFull final : public Technique {
   int next_number_ = 0;
   int flights_since_forgetting_ = 0;
   int frames_ = 0;             // since the last synchronisation
+  double micro_step_ = 0.0;    // [s] of bodies that do not turn evenly: the first step's length
   double dt_ = 0.0;            // [s] of this step
   double horizon_ = 0.0;       // [s] nobody flies beyond
   double known_by_all_ = 0.0;  // [s] the global virtual time
@@ -174,8 +171,6 @@ class TimewarpFull final : public Technique {
   TimewarpWork work_;
   std::vector<int> undone_;  // numbers of collisions to cancel
   std::vector<ContactRecord> records_;
-  std::vector<Bounds> bounds_;
-  std::vector<IndexPair> candidates_;
   std::vector<IndexPair> resting_;
 };
 

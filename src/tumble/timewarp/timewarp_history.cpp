@@ -13,23 +13,22 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-TimewarpFull::TimewarpFull(const TimewarpFull& other)
-    : Technique(other),
-      options_(other.options_),
-      broad_phase_(other.broad_phase_->clone()),
-      scratch_(other.scratch_),
-      shown_(other.shown_),
-      histories_(other.histories_),
-      turns_(other.turns_),
-      resolved_(other.resolved_),
-      holds_(other.holds_),
-      next_number_(other.next_number_),
-      frames_(other.frames_),
-      work_(other.work_),
-      records_(other.records_) {}
-
 std::unique_ptr<Technique> TimewarpFull::clone() const {
   return std::make_unique<TimewarpFull>(*this);
+}
+
+// A brick turns by a rule that errs with the length of its steps: a long flight takes several.
+double TimewarpFull::micro_step_of(int body, const Milestone& from) const {
+  return turns_evenly(scratch_.bodies()[at(body)], from.state)
+             ? std::numeric_limits<double>::infinity()
+             : micro_step_;
+}
+
+BodyState TimewarpFull::flown(int body, const Milestone& from, double time) const {
+  BodyState state = from.state;
+  fly_in_micro_steps(scratch_.bodies()[at(body)], state, scratch_.gravity_w, time - from.time,
+                     options_.rotation, micro_step_of(body, from));
+  return state;
 }
 
 bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].movable(); }
@@ -147,10 +146,7 @@ void TimewarpFull::finish(World& world) {
 void TimewarpFull::show(World& world) {
   for (int body = 0; body < world.count(); ++body) {
     if (!movable(body)) continue;
-    const Milestone& from = histories_[at(body)].before(dt_);
-    BodyState& state = world.states()[at(body)];
-    state = from.state;
-    fly(scratch_.bodies()[at(body)], state, scratch_.gravity_w, dt_ - from.time, options_.rotation);
+    world.states()[at(body)] = flown(body, histories_[at(body)].before(dt_), dt_);
   }
   shown_.assign(world.states().begin(), world.states().end());
 }
@@ -183,23 +179,9 @@ void TimewarpFull::settle(World& world) {
   report_.fallbacks += std::count_if(holds_.begin(), holds_.end(),
                                      [&](const Hold& hold) { return hold.since < dt_; });
   std::erase_if(holds_, [&](const Hold& hold) { return hold.since < dt_; });
-  // What gravity closes within a resolution from rest at the end of the frame touches.
-  const double reach = world.gravity_w.norm() * dt_ * options_.resolution;
-  repair_bounds(world, reach, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
-  if (!resting_.empty()) {
-    report_.pair_tests += join_touching(world, candidates_, reach, resting_);
-    const InstantReport impact = impacts_.resolve(
-        world, resting_, {.resolution = options_.resolution, .bounce = false, .margin = reach},
-        report_);
-    for (const Contact& contact : impact.contacts)
-      for (int p = 0; p < contact.count; ++p)
-        records_.push_back(record_of(contact, p, world.time() + dt_));
-  }
-  const RepairReport repaired = repair_.run(world, candidates_);
-  report_.pair_tests += repaired.pair_tests;
-  report_.energy.repair += repaired.energy;
-  report_.deepest_overlap = repaired.deepest_before;
+  std::sort(resting_.begin(), resting_.end());
+  resting_.erase(std::unique(resting_.begin(), resting_.end()), resting_.end());
+  end_.settle(world, dt_, options_.resolution, resting_, report_, records_);
   report_.contacts = static_cast<std::int64_t>(records_.size());
 }
 

@@ -1,0 +1,70 @@
+/// \file
+/// \brief The end of a timewarp's frame: who rests is stopped, who overlaps is moved apart (thesis
+///        A.1: fixInterpenetration).
+#include "tumble/timewarp/frame_end.hpp"
+
+#include "tumble/contact/told.hpp"
+#include "tumble/dynamics/flight.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+FrameEnd::FrameEnd() : broad_phase_(make_broad_phase("bounding_tree")) {}
+
+void FrameEnd::settle(World& world, double dt, double resolution, std::span<const IndexPair> held,
+                      StepReport& report, std::vector<ContactRecord>& records) {
+  const double reach = world.gravity_w.norm() * dt * resolution;
+  repair_bounds(world, reach, bounds_);
+  broad_phase_->find_pairs(bounds_, candidates_);
+  if (!held.empty()) {
+    resting_.assign(held.begin(), held.end());
+    join_touching(world, reach, report);
+    const InstantReport impact = impacts_.resolve(
+        world, resting_, {.resolution = resolution, .bounce = false, .dt = dt, .margin = reach},
+        report);
+    for (const Contact& contact : impact.contacts)
+      for (int p = 0; p < contact.count; ++p)
+        records.push_back(record_of(contact, p, world.time() + dt));
+  }
+  const RepairReport repaired = repair_.run(world, candidates_);
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = repaired.deepest_before;
+}
+
+// Adds who touches those that rest, directly or over others.
+void FrameEnd::join_touching(const World& world, double reach, StepReport& report) {
+  const auto movable = [&](int body) { return world.bodies()[at(body)].movable(); };
+  const auto join = [&](const IndexPair& pair) {
+    for (const int body : {pair.first, pair.second}) joined_[at(body)] = movable(body) ? 1 : 0;
+  };
+  joined_.assign(at(world.count()), 0);
+  for (const IndexPair& pair : resting_) join(pair);
+
+  touching_.clear();
+  for (const IndexPair& pair : candidates_) {
+    if (!movable(pair.first) && !movable(pair.second)) continue;
+    ++report.pair_tests;
+    const Separation gap =
+        gap_between(world.bodies()[at(pair.first)], world.states()[at(pair.first)],
+                    world.bodies()[at(pair.second)], world.states()[at(pair.second)]);
+    if (gap.distance <= reach) touching_.push_back(pair);
+  }
+  const auto joins = [&](const IndexPair& pair) {
+    if (joined_[at(pair.first)] == 0 && joined_[at(pair.second)] == 0) return false;
+    join(pair);
+    resting_.push_back(pair);
+    return true;
+  };
+  while (std::erase_if(touching_, joins) > 0) continue;
+  std::sort(resting_.begin(), resting_.end());
+  resting_.erase(std::unique(resting_.begin(), resting_.end()), resting_.end());
+}
+
+}  // namespace tumble
