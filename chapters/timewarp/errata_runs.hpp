@@ -73,6 +73,7 @@ struct PrintedRun : FrameRun {
 /// Collects the two numbers of each erratum, and the ways of the bodies on both sides.
 class ErrataTables {
  public:
+  /// Makes empty tables.
   ErrataTables();
 
   /// Adds the numbers of an erratum.
