@@ -3,6 +3,7 @@
 ///        5.1).
 #include "timewarp/event_story.hpp"
 
+#include "tumble/base/error.hpp"
 #include "tumble/techniques.hpp"
 
 #include "driver/settings.hpp"
@@ -76,8 +77,9 @@ std::unique_ptr<Technique> technique_with(std::string_view name,
   return recipe.make(options, 1);
 }
 
-std::unique_ptr<Technique> search_over_all() {
-  return technique_with("basic", {"search=conservative", "resolution=1e-9"});
+std::unique_ptr<Technique> search_over_all(double resolution) {
+  return technique_with("basic", {"search=conservative", "event_cap=100000",
+                                  "resolution=" + require::text(resolution)});
 }
 
 EventLog events_of(Technique& technique, World& world, double dt, int frames) {

@@ -29,8 +29,9 @@ std::unique_ptr<Technique> technique_with(std::string_view name,
 
 /// What stories are held against: a search over all bodies that misses nothing, all of them taken back
 /// for each collision. Meant for steps much smaller than a frame.
-/// \return `basic`, conservative, to a nanosecond
-std::unique_ptr<Technique> search_over_all();
+/// \param resolution  [s] how exactly collisions are searched for
+/// \return `basic`, conservative, with a cap that no frame meets
+std::unique_ptr<Technique> search_over_all(double resolution = 1e-9);
 
 /// Runs a technique and keeps what it tells.
 /// \param technique  afterwards it has no observer

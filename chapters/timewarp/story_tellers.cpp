@@ -35,16 +35,16 @@ StoryTellers::StoryTellers(double resolution)
     : simple_(with<TimewarpOptions>(resolution)),
       safer_(with<TimewarpOptions>(resolution)),
       swept_(with<TimewarpSweptOptions>(resolution)),
-      reference_(resolution),
-      finer_(0.1 * resolution),
+      reference_(search_over_all(resolution)),
+      finer_(search_over_all(0.1 * resolution)),
       discrete_(with<BasicOptions>(resolution)) {}
 
 std::vector<Collision> StoryTellers::truth(const World& world, double dt) {
-  return story_of(reference_, world, dt);
+  return story_of(*reference_, world, dt);
 }
 
 std::vector<Collision> StoryTellers::finer(const World& world, double dt) {
-  return story_of(finer_, world, dt);
+  return story_of(*finer_, world, dt);
 }
 
 std::vector<Collision> StoryTellers::in_steps(const World& world, double dt, int steps) {

@@ -8,10 +8,10 @@
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "timewarp/event_story.hpp"
-#include "timewarp/patient_search.hpp"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tumble::chapters {
@@ -75,8 +75,8 @@ class StoryTellers {
   TimewarpSimple simple_;
   TimewarpSafer safer_;
   TimewarpSwept swept_;
-  PatientSearch reference_;
-  PatientSearch finer_;
+  std::unique_ptr<Technique> reference_;
+  std::unique_ptr<Technique> finer_;
   Basic discrete_;
 };
 

@@ -3,10 +3,12 @@
 ///         against.
 #include "timewarp/crowd_experiments.hpp"
 
+#include "tumble/dynamics/flight.hpp"
+
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 #include "timewarp/crowd_scenes.hpp"
-#include "timewarp/patient_search.hpp"
+#include "timewarp/event_story.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +25,6 @@ constexpr double kFrame = 1.0 / 60.0;  // [s]
 
 bool near_to(double value, double expected, double tolerance) {
   return std::abs(value - expected) <= tolerance;
-}
-
-// A cube between two walls, so fast that it hits them in turn after each distance.
-World between_walls(double gap, double speed) {
-  World world;
-  world.gravity_w = Vec3::Zero();
-  const BodyProperties wall = fixed_box_properties(Vec3::Ones(), 0.0, 1.0);
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
-  world.add(wall, make_state(wall, Vec3(-1.0 - 0.5 * gap, 0.0, 0.0)));
-  world.add(wall, make_state(wall, Vec3(1.0 + 0.5 * gap, 0.0, 0.0)));
-  world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-  return world;
 }
 
 }  // namespace
@@ -58,12 +48,12 @@ TEST_CASE("The closed form of a chain gives the three collisions of a worked exa
 
 TEST_CASE("A search over all bodies tells chains as their closed form does",
           "[reference][timewarp]") {
-  PatientSearch search(1e-9);
+  const auto search = search_over_all();
   int collisions = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Chain chain = random_chain(5, 8.0 / kFrame, Random(seed));
     const std::vector<Collision> truth = exact_story(chain, kFrame);
-    const std::vector<Collision> told = story_of(search, world_of(chain), kFrame);
+    const std::vector<Collision> told = story_of(*search, world_of(chain), kFrame);
     REQUIRE(told.size() == truth.size());
     for (std::size_t k = 0; k < told.size(); ++k) {
       CHECK(told[k].first == truth[k].first);
@@ -73,27 +63,6 @@ TEST_CASE("A search over all bodies tells chains as their closed form does",
     collisions += static_cast<int>(told.size());
   }
   CHECK(collisions > 100);
-}
-
-TEST_CASE("A step in which a search meets its cap is taken again in parts, and nothing is lost",
-          "[exact][timewarp]") {
-  // 0.01 m at 25 m/s from the middle: a wall after 0.2 ms, then every 0.4 ms.
-  const World world = between_walls(0.01, 25.0);
-  PatientSearch search(1e-6);
-  World after = world;
-  CHECK(search.step(after, 0.6).restarts > 0);
-  CHECK(near_to(after.time(), 0.6, 1e-12));
-  // (0.6 - 0.0002) / 0.0004 = 1499.5, and the first one; times drift by a tolerance a collision.
-  const std::vector<Collision> story = story_of(search, world, 0.6);
-  REQUIRE(story.size() >= 1498);
-  CHECK(story.size() <= 1502);
-  for (std::size_t k = 1; k < story.size(); ++k) REQUIRE(story[k].first != story[k - 1].first);
-
-  // The same without it: the technique gives up after a thousand.
-  BasicOptions options;
-  options.search = SearchMethod::conservative;
-  Basic basic(options);
-  CHECK(story_of(basic, world, 0.6).size() == 1000);
 }
 
 TEST_CASE("A stirred cage has cubes apart, in other places each time, and as fast as was asked for",

@@ -5,7 +5,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 #include "timewarp/event_story.hpp"
-#include "timewarp/patient_search.hpp"
 #include "timewarp/tie_scenes.hpp"
 
 #include <algorithm>
@@ -39,8 +38,8 @@ TEST_CASE("Two impacts come as far apart in time as was asked for, the left or t
       for (const int who : {0, 2}) {
         World world = impacts.world;
         world.remove(world.ids()[static_cast<std::size_t>(2 - who)]);
-        PatientSearch search(1e-11);
-        const std::vector<Collision> story = story_of(search, world, kFrame);
+        const auto search = search_over_all(1e-11);
+        const std::vector<Collision> story = story_of(*search, world, kFrame);
         REQUIRE(!story.empty());
         times[who / 2] = story.front().time;
       }
