@@ -26,7 +26,8 @@ std::vector<Figure> errata_figures() {
       "Lines are the ways of cubes, dots collisions. S1, S2: the second cube collides before it "
       "has "
       "flown. S3: the pair is found again, at the end; dotted: the valid time. S4: the third event "
-      "comes before the others. S6, S7: no end but a cap. S8, grey: the true fall. S10 does no "
+      "comes before the others (lines join collisions as they are resolved). S6, S7: no end but a "
+      "cap; of S6 the first bounces. S8, grey: the true fall. S10 does no "
       "harm.";
   simple.experiment = measure_simple_errata;
 

@@ -24,7 +24,8 @@ Figure rewinding_figure() {
       "Cubes in cages of one density, without gravity and loss, frames of 1/60 s. Above, "
       "integrations for a collision: all taken back, they grow with the number of bodies; of those "
       "near it four are enough, and the rest is the flight that every body has in every frame "
-      "(grey). Full timewarp flies eight frames at a time. In the middle, pair tests. Below, 512 "
+      "(thin line). Full timewarp flies eight frames at a time. In the middle, pair tests. Below, "
+      "512 "
       "cubes faster and slower, and what counting gives (line): the fewer collisions a frame has, "
       "the less "
       "there is to be saved.";

@@ -45,6 +45,7 @@ set arrow 1 from 0.1,0.5 to 100,0.5 nohead lt 8 dt (2,4)
 set arrow 2 from 0.1,0.1 to 100,0.1 nohead lt 8 dt (2,4)
 set label 1 'confirmed above' at standard_mean,0.5 right offset -0.7,0.6 textcolor rgb soft
 set label 2 'refuted below' at 0.1,0.1 left offset 0.7,-0.6 textcolor rgb soft
+set label 3 "panel\nabove" at standard_mean,0.9 left offset 0.7,-0.3 textcolor rgb soft
 set arrow 3 from standard_mean,0.01 to standard_mean,1 nohead lt 8 dt (6,4)
 set key at graph 0.02,graph 0.04 left bottom vertical maxrows 3
 plot 1/(1 + x) with lines lt 8 title '1/(1 + collisions)', \

@@ -22,7 +22,7 @@ struct ContactRule {
 /// In the listings of the thesis a resting pair collides infinitely often in a frame. Here a pair
 /// goes to the **contact stage** for the rest of the frame
 /// - after a collision from which gravity would bring the two together again within one resolution
-///   of the search: \f$2 v'_n/g <\f$ resolution, with the speed \f$v'_n\f$ at which they part. So
+///   of the search: \f$2 v'_n/g \le\f$ resolution, with the speed \f$v'_n\f$ at which they part. So
 ///   a bouncing train ends where its hops cannot be told apart any more, and a pair at rest goes
 ///   after one collision that hardly pushes;
 /// - after `pair_events` collisions in the frame;

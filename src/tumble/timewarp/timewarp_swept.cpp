@@ -59,7 +59,7 @@ StepReport TimewarpSwept::step(World& world, double dt) {
 }
 // [S5.1:swept]
 
-// Takes the earliest collision, and those that tie with it and with one another's bodies.
+// Takes the earliest collision, and all that are foreseen within a resolution of it.
 void TimewarpSwept::take_moment() {
   first_ = collision_heap_.remove_first();
   pairs_.assign(1, first_.pair);
