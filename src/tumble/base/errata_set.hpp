@@ -64,7 +64,7 @@ class ErrataSet {
   /// \throws std::invalid_argument for an id that is none
   [[nodiscard]] ErrataSet without(std::string_view id) const;
 
-  /// The set as a list that the constructor reads.
+  /// The set as a list, which the constructor reads if all are of one part.
   /// \return for example "C1,DM3"; "none" if it is empty
   [[nodiscard]] std::string text() const;
 

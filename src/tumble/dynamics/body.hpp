@@ -32,6 +32,17 @@ struct BodyProperties {
   [[nodiscard]] bool movable() const { return inverse_mass > 0.0; }
 };
 
+/// Whether two bodies have the same constant parts.
+/// \param a  the one
+/// \param b  the other
+/// \return true if all numbers agree
+[[nodiscard]] inline bool operator==(const BodyProperties& a, const BodyProperties& b) {
+  return a.shape == b.shape && a.size == b.size && a.mass == b.mass &&
+         a.inverse_mass == b.inverse_mass && a.inertia_b == b.inertia_b &&
+         a.inverse_inertia_b == b.inverse_inertia_b && a.friction == b.friction &&
+         a.restitution == b.restitution;
+}
+
 /// The state of a body: all that changes. The thesis integrates momenta, and so do we.
 struct BodyState {
   Vec3 position_w = Vec3::Zero();          ///< [m] centre of mass, world frame

@@ -65,10 +65,11 @@ void require_valid(const Flight& flight, double start) {
     require::finite(acceleration, "flight.accelerations_w");
 }
 
-bool turns_evenly(const BodyProperties& body, const BodyState& state) {
+bool turns_evenly(const BodyProperties& body, const BodyState& state, RotationRule rule) {
   const Vec3& moments = body.inertia_b;
-  return !body.movable() || (moments.x() == moments.y() && moments.y() == moments.z()) ||
-         state.angular_momentum_w.isZero(0.0);
+  const bool round = moments.x() == moments.y() && moments.y() == moments.z();
+  return !body.movable() || state.angular_momentum_w.isZero(0.0) ||
+         (round && rule != RotationRule::rk4);
 }
 
 BodyState state_at(const Flight& flight, int body, double time) {

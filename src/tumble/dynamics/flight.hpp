@@ -33,12 +33,15 @@ struct Flight {
   std::span<const double> micro_steps = {};
 };
 
-/// Whether a body in flight turns at a constant rate, so that any rotation rule takes it where it
-/// would be in any number of steps: all its moments of inertia are equal, or it does not turn.
+/// Whether a body in flight turns at a constant rate, so that its rotation rule takes it to the same
+/// place in any number of steps: all its moments of inertia are equal, or it does not turn. The rule
+/// `rk4` follows no rotation exactly.
 /// \param body   its constant part
 /// \param state  its state
-/// \return true for cubes, and for whoever cannot move
-[[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state);
+/// \param rule   how it turns
+/// \return true for cubes, but for rk4, and for whoever cannot move
+[[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state,
+                                RotationRule rule);
 
 /// Checks a flight before it is searched.
 /// \param flight  how bodies move

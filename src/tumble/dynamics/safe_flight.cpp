@@ -24,7 +24,7 @@ struct Turning {
 Turning turning_of(const Flight& flight, int body, double time) {
   Turning out;
   const BodyProperties& properties = flight.bodies[place(body)];
-  out.constant = turns_evenly(properties, flight.states[place(body)]);
+  out.constant = turns_evenly(properties, flight.states[place(body)], flight.rule);
   if (!out.constant) return out;
   const BodyState state = state_at(flight, body, time);
   out.position_w = state.position_w;

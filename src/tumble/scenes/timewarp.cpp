@@ -24,7 +24,9 @@ double take_number(std::string_view& text, char end, const std::string& all) {
   const std::string copy(part);
   char* stop = nullptr;
   const double value = std::strtod(copy.c_str(), &stop);
-  const bool good = !copy.empty() && *stop == '\0' && copy.front() != ' ' && std::isfinite(value);
+  const bool good = !copy.empty() && *stop == '\0' &&
+                    copy.find_first_not_of("0123456789+-.eE") == std::string::npos &&
+                    std::abs(value) <= 1e6;
   if (!good)
     require::that(
         false, "boxes = " + all + ": '" + copy + "' is no number; expected x:v, as in 0:2,1.5:0");

@@ -107,7 +107,7 @@ Parameters timewarp_full_options() {
   const TimewarpFullOptions standard;
   Parameters p;
   add_common(p);
-  p.add_number("stride", standard.stride, 0.0, 1e6, "-",
+  p.add_number("stride", standard.stride, 0.0, TimewarpFullOptions::kLongestStride, "-",
                "how far a body flies at a time, in steps; 0: to the end of the step or the next "
                "synchronisation");
   p.add_whole("synchronise_every", standard.synchronise_every, 0, 1000000,

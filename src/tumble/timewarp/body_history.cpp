@@ -19,9 +19,9 @@ Bounds bounds_from(const Milestone& milestone, double until, const BodyPropertie
                           0.5 * body.size.norm());
 }
 
-void BodyHistory::begin(double time, const BodyState& state) {
-  milestones_.assign(1, {time, state, Milestone::kNoCollision});
-  known_until_ = time;
+void BodyHistory::begin(const Milestone& milestone) {
+  milestones_.assign(1, milestone);
+  known_until_ = milestone.time;
 }
 
 void BodyHistory::add(const Milestone& milestone, const BodyProperties& body,

@@ -4,6 +4,8 @@
 
 #include "tumble/dynamics/flight.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,8 +17,10 @@ struct Milestone {
   double time = 0.0;
   BodyState state;  ///< from here on
   /// Number of the collision that has made it; kNoCollision if the body has merely been flown here.
-  int collision = kNoCollision;
-  static constexpr int kNoCollision = -1;  ///< see collision
+  std::int64_t collision = kNoCollision;
+  /// [s] micro-steps of the flight from here, so that it is the same whenever it is looked at
+  double micro_step = std::numeric_limits<double>::infinity();
+  static constexpr std::int64_t kNoCollision = -1;  ///< see collision
 };
 
 /// The way of one body: milestones, between them free flight, and a local time until which it holds.
@@ -25,9 +29,8 @@ struct Milestone {
 class BodyHistory {
  public:
   /// Begins anew.
-  /// \param time   [s] of the state
-  /// \param state  where the body is
-  void begin(double time, const BodyState& state);
+  /// \param milestone  its first one
+  void begin(const Milestone& milestone);
 
   /// Goes on to a milestone, which becomes the local time.
   /// \param milestone  not before the local time

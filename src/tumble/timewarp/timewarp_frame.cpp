@@ -14,11 +14,24 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-void require_step(double dt, const TimewarpOptions& options) {
+void require_step(double dt, const TimewarpOptions& options, double steps) {
   require::positive(dt, "dt");
-  if (dt + options.resolution <= dt)
+  if (steps * dt + options.resolution <= steps * dt)
     require::that(false, "resolution = " + require::text(options.resolution) +
-                             ": expected more than rounding of dt = " + require::text(dt));
+                             ": expected more than rounding of a flight of " +
+                             require::text(steps * dt) + " s");
+}
+
+void require_finite_states(const World& world) {
+  for (int body = 0; body < world.count(); ++body) {
+    const BodyState& state = world.states()[at(body)];
+    const bool finite = state.position_w.allFinite() && state.orientation_wb.coeffs().allFinite() &&
+                        state.linear_momentum_w.allFinite() && state.angular_momentum_w.allFinite();
+    if (!finite)
+      require::that(false,
+                    "state of " + world.name(body) +
+                        " is not finite: expected numbers for place, orientation and momenta");
+  }
 }
 
 TimewarpFrame::TimewarpFrame(const TimewarpOptions& options, SearchMethod method)
@@ -32,6 +45,7 @@ TimewarpFrame::TimewarpFrame(const TimewarpFrame& other)
 
 void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
   require_step(dt, options_);
+  require_finite_states(world);
   world_ = &world;
   dt_ = dt;
   observer_ = observer;

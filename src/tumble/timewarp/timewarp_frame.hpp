@@ -29,9 +29,15 @@ struct TimewarpOptions {
 
 /// Checks the length of a step.
 /// \param dt       [s]
-/// \param options  its resolution has to show in times up to dt
+/// \param options  its resolution has to show in times up to the longest flight
+/// \param steps    [-] how many steps that takes
 /// \throws std::invalid_argument for a dt that is not above 0, or a resolution too small for it
-void require_step(double dt, const TimewarpOptions& options);
+void require_step(double dt, const TimewarpOptions& options, double steps = 1.0);
+
+/// Checks the states of all bodies.
+/// \param world  the bodies
+/// \throws std::invalid_argument naming a body whose place or momenta are not finite
+void require_finite_states(const World& world);
 
 /// What a synchronised timewarp knows between two collisions, for whoever wants to look.
 struct TimewarpLook {

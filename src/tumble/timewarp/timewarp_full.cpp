@@ -15,26 +15,28 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool same_bodies(const World& a, const World& b) {
-  const auto same = [](const BodyProperties& p, const BodyProperties& q) {
-    return p.size == q.size && p.mass == q.mass && p.shape == q.shape;
-  };
-  return a.time() == b.time() && a.gravity_w == b.gravity_w &&
+  return a.time() == b.time() && a.steps() == b.steps() && a.gravity_w == b.gravity_w &&
          std::equal(a.ids().begin(), a.ids().end(), b.ids().begin(), b.ids().end()) &&
-         std::equal(a.bodies().begin(), a.bodies().end(), b.bodies().begin(), same);
+         std::equal(a.bodies().begin(), a.bodies().end(), b.bodies().begin(), b.bodies().end());
 }
 
 }  // namespace
 
 TimewarpFull::TimewarpFull(const TimewarpFullOptions& options) : options_(options) {
   static_cast<void>(ContactStage({options.resolution, options.pair_events}));  // checks them
-  require::not_negative(options.stride, "stride");
+  const bool good =
+      options.stride == 0.0 || (options.stride >= TimewarpFullOptions::kShortestStride &&
+                                options.stride <= TimewarpFullOptions::kLongestStride);
+  require::that(good, "stride = " + require::text(options.stride) +
+                          ": expected 0, or from 0.01 to 1e5 steps");
   require::that(
       options.synchronise_every >= 0,
       "synchronise_every = " + std::to_string(options.synchronise_every) + ": expected 0 or more");
 }
 
 StepReport TimewarpFull::step(World& world, double dt) {
-  require_step(dt, options_);
+  require_step(dt, options_, std::max({options_.stride, 1.0 * options_.synchronise_every, 1.0}));
+  require_finite_states(world);
   begin(world, dt);
 
   // [S2.4.3:loop]
@@ -47,6 +49,7 @@ StepReport TimewarpFull::step(World& world, double dt) {
   // [S2.4.3:loop]
 
   finish(world);
+  whole_ = true;
   return report_;
 }
 
@@ -57,15 +60,18 @@ void TimewarpFull::begin(const World& world, double dt) {
   records_.clear();
   horizon_ = options_.synchronise_every > 0 ? dt * (options_.synchronise_every - frames_)
                                             : std::numeric_limits<double>::infinity();
-  if (same_bodies(world, scratch_)) {
-    for (int body = 0; body < world.count(); ++body) {
-      const BodyState& state = world.states()[at(body)];
-      if (!(state == shown_[at(body)])) begin_anew(body, 0.0, state);
-    }
+  const auto changed = [&](int body) { return !(world.states()[at(body)] == shown_[at(body)]); };
+  // Everything begins anew after a step that was broken off, with other bodies, and if somebody was
+  // moved who cannot move: all that was tested was tested against the old place.
+  bool anew = !whole_ || !same_bodies(world, scratch_);
+  for (int body = 0; body < world.count() && !anew; ++body) anew = !movable(body) && changed(body);
+  whole_ = false;
+  if (!anew) {
+    for (int body = 0; body < world.count(); ++body)
+      if (changed(body)) begin_anew(body, 0.0, world.states()[at(body)]);
     return;
   }
   scratch_ = world;
-  micro_step_ = dt;
   histories_.assign(at(world.count()), {});
   resolved_.clear();
   holds_.clear();
@@ -99,14 +105,14 @@ double TimewarpFull::end_of_flight(int body) const {
 // [S2.4.3:flight]
 // A body flies on by a stride, unless it meets somebody whose way is known.
 void TimewarpFull::advance(int body) {
-  const double end = end_of_flight(body);
-  const Meeting meeting = first_meeting(body, end);
+  const Meeting meeting = first_meeting(body, end_of_flight(body));
   if (meeting.other >= 0) {
     collide(body, meeting);
     return;
   }
   BodyHistory& history = histories_[at(body)];
-  const Milestone next{end, flown(body, history.milestones().back(), end)};
+  const BodyState state = flown(body, history.milestones().back(), meeting.time);
+  const Milestone next = milestone(body, meeting.time, state, Milestone::kNoCollision);
   ++report_.integrations;
   history.add(next, scratch_.bodies()[at(body)], scratch_.gravity_w);
   wait_for_turn(body);
@@ -136,17 +142,17 @@ void TimewarpFull::meet(int body, int other, const Bounds& flight, Meeting& best
     if (!overlap(flight,
                  bounds_from(way[k], next, scratch_.bodies()[at(other)], scratch_.gravity_w)))
       continue;
-    if (const auto time = first_collision(body, other, way[k], start, end)) {
-      best = {*time, other};
+    if (const auto first = first_collision(body, other, way[k], start, end)) {
+      best = *first;
       return;
     }
   }
 }
 
 // When two bodies collide between a start and an end, each flown from its milestone.
-std::optional<double> TimewarpFull::first_collision(int body, int other,
-                                                    const Milestone& other_from, double start,
-                                                    double end) {
+std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int other,
+                                                                   const Milestone& other_from,
+                                                                   double start, double end) {
   const Milestone& own_from = histories_[at(body)].milestones().back();
   const bool own_first = body < other;
   const Milestone& a = own_first ? own_from : other_from;
@@ -155,8 +161,7 @@ std::optional<double> TimewarpFull::first_collision(int body, int other,
                                                 scratch_.bodies()[at(std::max(body, other))]};
   const std::array<BodyState, 2> states = {a.state, b.state};
   const std::array<double, 2> times = {a.time, b.time};
-  const std::array<double, 2> micro_steps = {micro_step_of(std::min(body, other), a),
-                                             micro_step_of(std::max(body, other), b)};
+  const std::array<double, 2> micro_steps = {a.micro_step, b.micro_step};
   const Flight both{.bodies = bodies,
                     .states = states,
                     .valid_times = times,
@@ -167,20 +172,27 @@ std::optional<double> TimewarpFull::first_collision(int body, int other,
   const SearchOptions how{.method = SearchMethod::conservative,
                           .resolution = std::min(options_.resolution, end - start),
                           .cap = TimewarpOptions::kMostSeparations};
-  const double gap = gap_at(both, pair, start).distance;
-  ++report_.pair_tests;
-  if (gap < 0.0) {
+  const auto gap = [&](double time) {
     ++report_.pair_tests;
-    const bool deepening = gap_at(both, pair, start + how.resolution).distance < gap;
-    return deepening ? std::optional(start) : std::nullopt;
+    return gap_at(both, pair, time).distance;
+  };
+  // Bodies that overlap and part are looked at again a frame later, as in the other forms.
+  double from = start;
+  for (double now = gap(from); now < 0.0; now = gap(from)) {
+    if (gap(from + how.resolution) < now) return Meeting{from, other};
+    from += dt_;
+    if (!(from < end)) return std::nullopt;
   }
-  const PairCollision found = advance_to_collision(both, pair, start, end, how);
+  const PairCollision found = advance_to_collision(both, pair, from, end, how);
   report_.pair_tests += found.evaluations;
   report_.searches += found.evaluations;
-  if (found.status == CollisionStatus::cap_reached)
-    holds_.push_back({{std::min(body, other), std::max(body, other)}, start});
+  if (found.status == CollisionStatus::cap_reached) {
+    // Known to be apart until here: the flight ends, and the pair is left to the end of the frame.
+    holds_.push_back({{std::min(body, other), std::max(body, other)}, found.time});
+    return Meeting{found.time, -1};
+  }
   if (found.status != CollisionStatus::found) return std::nullopt;
-  return found.time;
+  return Meeting{found.time, other};
 }
 
 // [S2.4.3:collide]
@@ -225,16 +237,16 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
     if (!properties.movable()) continue;
     const BodyState& state = scratch_.states()[at(both[k])];
     collision.pushes[k] = speed_change(properties, old[k], moving_body_of(properties, state));
-    histories_[at(both[k])].add({meeting.time, state, collision.number}, properties,
-                                scratch_.gravity_w);
+    histories_[at(both[k])].add(milestone(both[k], meeting.time, state, collision.number),
+                                properties, scratch_.gravity_w);
     wait_for_turn(both[k]);
   }
   hold_or_release(collision, impacts_.parting_speed(scratch_, collision.pair, dt_));
   resolved_.push_back(std::move(collision));
 }
 
-// The rule of ContactStage. A hold, and its end, are of the collision that has made it, and are undone
-// with it.
+// The rule of ContactStage, with the collisions of the last dt for those of a frame. A hold, and its
+// end, are of the collision that has made it, and are undone with it.
 void TimewarpFull::hold_or_release(const Resolved& collision, double parting) {
   const auto events_of = [&](const IndexPair& pair) {
     return std::count_if(resolved_.begin(), resolved_.end(), [&](const Resolved& r) {

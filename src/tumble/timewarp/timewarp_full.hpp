@@ -23,6 +23,8 @@ struct TimewarpFullOptions : TimewarpOptions {
   /// synchronisation, lets it. Above 0 a body may be ahead of the step. Reason: of cubes that meet
   /// somebody every ten steps, pairs are tested least with 8 to 16
   double stride = 8.0;
+  static constexpr double kShortestStride = 0.01;  ///< [-] shorter ones would make no progress
+  static constexpr double kLongestStride = 1e5;    ///< [-] longer ones would lose digits
   /// Frames from one synchronisation to the next, in which nobody gets ahead; 0: never
   int synchronise_every = 0;
 };
@@ -53,12 +55,12 @@ struct TimewarpWork {
 /// repair of overlap, or between two steps by the user, begin a new history, which takes back all that
 /// has met them since. Collisions at equal times are resolved one after the other.
 ///
-/// Bodies that do not turn evenly fly in micro-steps of the length of the first step, so that their
-/// rotation is as good as that of the other forms however long a flight is. Looking at a body between
+/// Bodies that do not turn evenly fly in micro-steps as long as the step in which a flight began, so
+/// that their rotation is as good as that of the other forms however long a flight is. Looking at a body between
 /// two milestones is not counted as an integration.
 /// \par Cost
 /// A flight: n comparisons of bounds and searches with those that are near. A collision: two flights
-/// more, and what it takes back. Does not depend on the number of bodies otherwise.
+/// more, and what it takes back; a pair that rests costs a look at all that rest.
 /// \algorithm{Mirtich's timewarp: section 2.4.3}
 /// \deviation{Bodies that stay in contact are left to the end of the frame, where the paper flies contact groups together.}
 /// \see Mirtich, "Timewarp rigid body simulation", SIGGRAPH 2000; Jefferson, "Virtual time", ACM
@@ -80,7 +82,7 @@ class TimewarpFull final : public Technique {
   [[nodiscard]] const TimewarpWork& work() const { return work_; }
 
   /// The history of a body, as the last step has left it.
-  /// \param body  its index
+  /// \param body  its index in that step; there must have been one
   /// \return with times counted from the end of that step
   [[nodiscard]] const BodyHistory& history(int body) const {
     return histories_[static_cast<std::size_t>(body)];
@@ -89,7 +91,7 @@ class TimewarpFull final : public Technique {
  private:
   // A collision that was resolved, and may still be cancelled.
   struct Resolved {
-    int number = 0;
+    std::int64_t number = 0;
     double time = 0.0;  // [s]
     IndexPair pair;
     bool cancelled = false;
@@ -102,11 +104,11 @@ class TimewarpFull final : public Technique {
   struct Hold {
     IndexPair pair;
     double since = 0.0;  // [s]
-    int made_by = Milestone::kNoCollision;
+    std::int64_t made_by = Milestone::kNoCollision;
     double until = std::numeric_limits<double>::infinity();
-    int ended_by = Milestone::kNoCollision;
+    std::int64_t ended_by = Milestone::kNoCollision;
   };
-  // Who is met first on a flight, or nobody until its end.
+  // Who is met first on a flight, or nobody until a time.
   struct Meeting {
     double time = 0.0;  // [s]
     int other = -1;
@@ -127,8 +129,8 @@ class TimewarpFull final : public Technique {
   [[nodiscard]] double end_of_flight(int body) const;
   Meeting first_meeting(int body, double target);
   void meet(int body, int other, const Bounds& flight, Meeting& best);
-  std::optional<double> first_collision(int body, int other, const Milestone& other_from,
-                                        double start, double end);
+  std::optional<Meeting> first_collision(int body, int other, const Milestone& other_from,
+                                         double start, double end);
   void collide(int body, const Meeting& meeting);
   void hold_or_release(const Resolved& collision, double parting);
 
@@ -136,8 +138,9 @@ class TimewarpFull final : public Technique {
   void begin_anew(int body, double time, const BodyState& state);
   void wait_for_turn(int body);
   void take_back(int body, double time, bool also_at_it);
-  void undo(int number);
-  Resolved& resolved(int number);
+  void undo(std::int64_t number);
+  Resolved& resolved(std::int64_t number);
+  void drop_holds_of(int body);
   [[nodiscard]] bool held(const IndexPair& pair, double time) const;
   [[nodiscard]] bool waits_for_frame(int body) const;
   void show(World& world);
@@ -147,7 +150,8 @@ class TimewarpFull final : public Technique {
   void forget_past(double time);
   void count_from_here();
   [[nodiscard]] bool movable(int body) const;
-  [[nodiscard]] double micro_step_of(int body, const Milestone& from) const;
+  [[nodiscard]] Milestone milestone(int body, double time, const BodyState& state,
+                                    std::int64_t collision) const;
   [[nodiscard]] BodyState flown(int body, const Milestone& from, double time) const;
 
   TimewarpFullOptions options_;
@@ -160,16 +164,16 @@ class TimewarpFull final : public Technique {
   std::vector<Turn> turns_;         // a heap
   std::vector<Resolved> resolved_;  // in the order of their numbers
   std::vector<Hold> holds_;
-  int next_number_ = 0;
+  std::int64_t next_number_ = 0;
   int flights_since_forgetting_ = 0;
+  bool whole_ = false;         // the last step came to its end, so that histories and world agree
   int frames_ = 0;             // since the last synchronisation
-  double micro_step_ = 0.0;    // [s] of bodies that do not turn evenly: the first step's length
   double dt_ = 0.0;            // [s] of this step
   double horizon_ = 0.0;       // [s] nobody flies beyond
   double known_by_all_ = 0.0;  // [s] the global virtual time
   StepReport report_;
   TimewarpWork work_;
-  std::vector<int> undone_;  // numbers of collisions to cancel
+  std::vector<std::int64_t> undone_;  // numbers of collisions to cancel
   std::vector<ContactRecord> records_;
   std::vector<IndexPair> resting_;
 };

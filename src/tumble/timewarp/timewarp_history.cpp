@@ -4,6 +4,7 @@
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tumble {
@@ -18,16 +19,16 @@ std::unique_ptr<Technique> TimewarpFull::clone() const {
 }
 
 // A brick turns by a rule that errs with the length of its steps: a long flight takes several.
-double TimewarpFull::micro_step_of(int body, const Milestone& from) const {
-  return turns_evenly(scratch_.bodies()[at(body)], from.state)
-             ? std::numeric_limits<double>::infinity()
-             : micro_step_;
+Milestone TimewarpFull::milestone(int body, double time, const BodyState& state,
+                                  std::int64_t collision) const {
+  const bool evenly = turns_evenly(scratch_.bodies()[at(body)], state, options_.rotation);
+  return {time, state, collision, evenly ? std::numeric_limits<double>::infinity() : dt_};
 }
 
 BodyState TimewarpFull::flown(int body, const Milestone& from, double time) const {
   BodyState state = from.state;
   fly_in_micro_steps(scratch_.bodies()[at(body)], state, scratch_.gravity_w, time - from.time,
-                     options_.rotation, micro_step_of(body, from));
+                     options_.rotation, from.micro_step);
   return state;
 }
 
@@ -37,7 +38,7 @@ bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].
 void TimewarpFull::begin_anew(int body, double time, const BodyState& state) {
   BodyHistory& history = histories_[at(body)];
   if (!history.milestones().empty()) take_back(body, time, true);
-  history.begin(time, state);
+  history.begin(milestone(body, time, state, Milestone::kNoCollision));
   if (!movable(body)) history.end_at(std::numeric_limits<double>::infinity());
   history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
   wait_for_turn(body);
@@ -67,17 +68,18 @@ void TimewarpFull::take_back(int body, double time, bool also_at_it) {
       ++report_.rewinds;
     }
     history.end_at(time);
+    drop_holds_of(body);
   }
   history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
   wait_for_turn(body);
   while (!undone_.empty()) {
-    const int number = undone_.back();
+    const std::int64_t number = undone_.back();
     undone_.pop_back();
     if (number != Milestone::kNoCollision) undo(number);
   }
 }
 
-void TimewarpFull::undo(int number) {
+void TimewarpFull::undo(std::int64_t number) {
   Resolved& collision = resolved(number);
   if (collision.cancelled) return;
   collision.cancelled = true;
@@ -87,13 +89,14 @@ void TimewarpFull::undo(int number) {
     const auto is_it = [&](const Milestone& m) { return m.collision == number; };
     const std::span<const Milestone> way = history.milestones();
     if (std::none_of(way.begin(), way.end(), is_it)) continue;  // the one that was taken back
-    int last = Milestone::kNoCollision;
+    std::int64_t last = Milestone::kNoCollision;
     do {
       last = history.milestones().back().collision;
       if (last != number) undone_.push_back(last);
       history.remove_last();
     } while (last != number);
     history.end_at(std::min(history.known_until(), collision.time));
+    drop_holds_of(body);
     history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
     ++work_.taken_back;
     ++report_.rewinds;
@@ -105,9 +108,21 @@ void TimewarpFull::undo(int number) {
 }
 // [S2.4.3:take_back]
 
-TimewarpFull::Resolved& TimewarpFull::resolved(int number) {
-  return *std::lower_bound(resolved_.begin(), resolved_.end(), number,
-                           [](const Resolved& r, int n) { return r.number < n; });
+TimewarpFull::Resolved& TimewarpFull::resolved(std::int64_t number) {
+  const auto found =
+      std::lower_bound(resolved_.begin(), resolved_.end(), number,
+                       [](const Resolved& r, std::int64_t n) { return r.number < n; });
+  assert(found != resolved_.end() && found->number == number);
+  return *found;
+}
+
+// Whoever was left alone because a search met its cap is searched anew if one of the two goes back.
+void TimewarpFull::drop_holds_of(int body) {
+  const double until = histories_[at(body)].known_until();
+  std::erase_if(holds_, [&](const Hold& hold) {
+    const bool among = hold.pair.first == body || hold.pair.second == body;
+    return among && hold.made_by == Milestone::kNoCollision && hold.since > until;
+  });
 }
 
 bool TimewarpFull::held(const IndexPair& pair, double time) const {
