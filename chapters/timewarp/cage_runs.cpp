@@ -3,10 +3,10 @@
 #include "timewarp/cage_runs.hpp"
 
 #include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
 #include "driver/csv.hpp"
 #include "driver/settings.hpp"
+#include "timewarp/event_story.hpp"
 
 #include <stdexcept>
 
@@ -38,13 +38,6 @@ void multiply_velocities(World& world, double factor) {
 
 }  // namespace
 
-std::unique_ptr<Technique> technique_of(const TimewarpForm& form) {
-  const TechniqueRecipe& recipe = technique_recipe(form.name);
-  Parameters options = recipe.options();
-  set_all(options, form.settings);
-  return recipe.make(options, 1);
-}
-
 TimewarpForm all_taken_back() { return {"basic", {"search=discrete"}}; }
 
 TimewarpForm full_timewarp(double stride) {
@@ -61,7 +54,7 @@ World led_cage(const CageStretch& stretch, int seed) {
   set_all(p, {"count=" + std::to_string(stretch.count), "speed=" + full_text(stretch.speed),
               "spin=" + full_text(stretch.spin)});
   World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
-  run(*technique_of({"timewarp_swept"}), world, stretch.dt, stretch.lead);
+  run(*technique_with("timewarp_swept"), world, stretch.dt, stretch.lead);
   return world;
 }
 
@@ -69,12 +62,12 @@ SettledCage settled_cage(const World& led, const CageStretch& stretch) {
   SettledCage cage{led, led};
   multiply_velocities(cage.before, stretch.factor);
   cage.after = cage.before;
-  run(*technique_of({"timewarp_swept"}), cage.after, stretch.dt, stretch.settle);
+  run(*technique_with("timewarp_swept"), cage.after, stretch.dt, stretch.settle);
   return cage;
 }
 
 CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const TimewarpForm& form) {
-  const std::unique_ptr<Technique> technique = technique_of(form);
+  const std::unique_ptr<Technique> technique = technique_with(form.name, form.settings);
   World world = form.settles ? cage.before : cage.after;
   if (form.settles) run(*technique, world, stretch.dt, stretch.settle);
   return run(*technique, world, stretch.dt, stretch.frames);

@@ -25,12 +25,6 @@ struct TimewarpForm {
       false;  ///< bodies are ahead of the frame, so that a start differs from what follows
 };
 
-/// Makes a technique.
-/// \param form  which
-/// \return it
-/// \throws std::invalid_argument for a name, a key or a value that there is not
-std::unique_ptr<Technique> technique_of(const TimewarpForm& form);
-
 /// All bodies taken back for each collision, whoever overlaps at the end of the frame being searched.
 /// \return the basic technique of 2.1
 TimewarpForm all_taken_back();

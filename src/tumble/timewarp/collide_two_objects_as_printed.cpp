@@ -2,7 +2,6 @@
 /// \brief What collisions do, and how a frame ends, in the listings of the synchronised timewarp as
 ///        printed (thesis A.1).
 #include "tumble/contact/effective_mass.hpp"
-#include "tumble/contact/told.hpp"
 #include "tumble/timewarp/queries_as_printed.hpp"
 
 #include <algorithm>
@@ -62,22 +61,20 @@ void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, doubl
 
   Event moment;
   moment.time = world_->time() + time;
-  moment.rewinds = list_movable(pairs);
+  moment.rewinds = keep_pushed(pairs);
   report.rewinds += margin == 0.0 ? moment.rewinds : 0;  // else they have been counted
-  for (const Contact& contact : impact.contacts) {
-    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
-    const std::optional<Event> event = event_of(contact, moment);
-    if (!event || only_rounding(*world_, *event, dt_)) continue;
-    ++report.events;
-    if (observer_ != nullptr) observer_->on_event(*event);
-  }
+  std::vector<Event> events;
+  tell_impact(*world_, impact.contacts, moment, dt_, records_, events);
+  report.events += static_cast<std::int64_t>(events.size());
+  for (const Event& event : events)
+    if (observer_ != nullptr) observer_->on_event(event);
 
   const auto touched = [&](const IndexPair& pair) {
     return std::any_of(impact.contacts.begin(), impact.contacts.end(), [&](const Contact& c) {
       return c.first == pair.first && c.second == pair.second;
     });
   };
-  release_pushed();
+  stage_.release_pushed(*world_, pushed_, moving_, dt_);
   for (const IndexPair& pair : pairs) {
     if (!touched(pair) && margin == 0.0)
       missed_.push_back(pair);
@@ -100,7 +97,7 @@ bool PrintedQueries::bounce_parting(const IndexPair& pair, double time) {
               .first = contact.first_id,
               .second = contact.second_id,
               .normal_w = contact.normal_w,
-              .rewinds = list_movable({&pair, 1})};
+              .rewinds = keep_pushed({&pair, 1})};
   for (int p = 0; p < contact.count; ++p)
     event.point_w += contact.points[at(p)].position_w / contact.count;
 
@@ -126,25 +123,9 @@ bool PrintedQueries::bounce_parting(const IndexPair& pair, double time) {
   return true;
 }
 
-// Who was pushed harder than gravity does in a frame may collide again with bodies that it rests
-// on.
-void PrintedQueries::release_pushed() {
-  const double hardly = world_->gravity_w.norm() * dt_;
-  for (const int body : pushed_) {
-    const BodyProperties& properties = world_->bodies()[at(body)];
-    const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
-    if (speed_change(properties, moving_[at(body)], now) > hardly) stage_.release(body);
-  }
-}
-
-// The bodies of some pairs that can be pushed, each once; how many.
-int PrintedQueries::list_movable(std::span<const IndexPair> pairs) {
-  pushed_.clear();
-  for (const IndexPair& pair : pairs)
-    for (const int body : {pair.first, pair.second})
-      if (movable(body)) pushed_.push_back(body);
-  std::sort(pushed_.begin(), pushed_.end());
-  pushed_.erase(std::unique(pushed_.begin(), pushed_.end()), pushed_.end());
+// Keeps the bodies of some pairs that can be pushed; how many there are.
+int PrintedQueries::keep_pushed(std::span<const IndexPair> pairs) {
+  list_movable(*world_, pairs, pushed_);
   return static_cast<int>(pushed_.size());
 }
 

@@ -49,6 +49,16 @@ void ContactStage::release(int body) {
   }
 }
 
+void ContactStage::release_pushed(const World& world, std::span<const int> pushed,
+                                  std::span<const MovingBody> before, double dt) {
+  const double hardly = world.gravity_w.norm() * dt;
+  for (const int index : pushed) {
+    const auto body = static_cast<std::size_t>(index);
+    const MovingBody now = moving_body_of(world.bodies()[body], world.states()[body]);
+    if (speed_change(world.bodies()[body], before[body], now) > hardly) release(index);
+  }
+}
+
 std::span<const IndexPair> ContactStage::pairs() {
   held_.clear();
   for (const Record& record : records_)

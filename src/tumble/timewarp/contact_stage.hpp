@@ -65,6 +65,15 @@ class ContactStage {
   /// \param body its index
   void release(int body);
 
+  /// Gives back the pairs of those who were pushed harder than gravity does in a frame: they may
+  /// collide again with bodies that they rest on.
+  /// \param world   bodies after an impact
+  /// \param pushed  indices of its bodies that can move
+  /// \param before  by index: how those moved before it
+  /// \param dt      [s] length of the frame
+  void release_pushed(const World& world, std::span<const int> pushed,
+                      std::span<const MovingBody> before, double dt);
+
   /// How often pairs went to the stage in this frame.
   /// \return from 0
   [[nodiscard]] int entered() const { return entered_; }

@@ -4,6 +4,7 @@
 #include "tumble/timewarp/instant_impacts.hpp"
 
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,24 @@ bool only_rounding(const World& world, const Event& event, double time) {
     if (way > tolerance::rounding_overlap * body.size.maxCoeff()) return false;
   }
   return true;
+}
+
+void tell_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
+                 double dt, std::vector<ContactRecord>& records, std::vector<Event>& events) {
+  for (const Contact& contact : contacts) {
+    for (int p = 0; p < contact.count; ++p) records.push_back(record_of(contact, p, moment.time));
+    const std::optional<Event> event = event_of(contact, moment);
+    if (event && !only_rounding(world, *event, dt)) events.push_back(*event);
+  }
+}
+
+void list_movable(const World& world, std::span<const IndexPair> pairs, std::vector<int>& out) {
+  out.clear();
+  for (const IndexPair& pair : pairs)
+    for (const int body : {pair.first, pair.second})
+      if (world.bodies()[at(body)].movable()) out.push_back(body);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> pairs,

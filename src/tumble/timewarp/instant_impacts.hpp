@@ -49,6 +49,22 @@ struct InstantReport {
 ///         in that time
 [[nodiscard]] bool only_rounding(const World& world, const Event& event, double time);
 
+/// What is told of an impact: all its points, and its collisions but for those of rounding.
+/// \param world     the bodies
+/// \param contacts  with their impulses
+/// \param moment    time and rewinds of all of it
+/// \param dt        [s] length of the frame, see only_rounding()
+/// \param records   gets the points added
+/// \param events    gets the collisions added
+void tell_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
+                 double dt, std::vector<ContactRecord>& records, std::vector<Event>& events);
+
+/// The bodies of some pairs that can be pushed.
+/// \param world  the bodies
+/// \param pairs  by index
+/// \param out    is overwritten: indices, ascending, each once
+void list_movable(const World& world, std::span<const IndexPair> pairs, std::vector<int>& out);
+
 /// Resolves the collisions of some pairs at one instant.
 ///
 /// Only the bodies of these pairs are looked at: in a timewarp the others are at other times. Pairs

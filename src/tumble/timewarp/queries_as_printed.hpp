@@ -160,8 +160,7 @@ class PrintedQueries {
   void collide_valid(const PrintedMoment& moment);
   bool bounce_parting(const IndexPair& pair, double time);
   void collide_approaching(std::span<const IndexPair> pairs, double margin, double time);
-  void release_pushed();
-  int list_movable(std::span<const IndexPair> pairs);
+  int keep_pushed(std::span<const IndexPair> pairs);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   TimewarpAsPrintedOptions options_;

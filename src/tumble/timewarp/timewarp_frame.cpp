@@ -3,7 +3,6 @@
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 
@@ -175,12 +174,7 @@ std::optional<ForeseenCollision> TimewarpFrame::first_of_group(std::span<const i
 }
 
 void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
-  pushed_.clear();
-  for (const IndexPair& pair : pairs)
-    for (const int body : {pair.first, pair.second})
-      if (movable(body)) pushed_.push_back(body);
-  std::sort(pushed_.begin(), pushed_.end());
-  pushed_.erase(std::unique(pushed_.begin(), pushed_.end()), pushed_.end());
+  list_movable(*world_, pairs, pushed_);
   for (const int body : pushed_)
     before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
 
@@ -191,19 +185,9 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
   const int moved = static_cast<int>(pushed_.size());
   report.rewinds += moved;
   tell(impact.contacts, time, moved);
-  release_pushed();
+  stage_.release_pushed(*world_, pushed_, before_, dt_);
   for (const IndexPair& pair : pairs)
     stage_.count(pair, impacts_.parting_speed(*world_, pair, dt_), world_->gravity_w.norm());
-}
-
-// Who was pushed harder than gravity does in a frame may collide again with bodies that it rests on.
-void TimewarpFrame::release_pushed() {
-  const double hardly = world_->gravity_w.norm() * dt_;
-  for (const int body : pushed_) {
-    const BodyProperties& properties = world_->bodies()[at(body)];
-    const MovingBody now = moving_body_of(properties, world_->states()[at(body)]);
-    if (speed_change(properties, before_[at(body)], now) > hardly) stage_.release(body);
-  }
 }
 
 // Tells about the collisions of one time.
@@ -211,13 +195,11 @@ void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rew
   Event moment;
   moment.time = world_->time() + time;
   moment.rewinds = rewinds;
-  for (const Contact& contact : contacts) {
-    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
-    const std::optional<Event> event = event_of(contact, moment);
-    if (!event || only_rounding(*world_, *event, dt_)) continue;
-    ++report.events;
-    if (observer_ != nullptr) observer_->on_event(*event);
-  }
+  events_.clear();
+  tell_impact(*world_, contacts, moment, dt_, records_, events_);
+  report.events += static_cast<std::int64_t>(events_.size());
+  for (const Event& event : events_)
+    if (observer_ != nullptr) observer_->on_event(event);
 }
 
 void TimewarpFrame::finish() {

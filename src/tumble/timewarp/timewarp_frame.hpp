@@ -160,7 +160,6 @@ class TimewarpFrame {
   [[nodiscard]] Bounds bounds_of_body(int body) const;
   void search(const IndexPair& pair, CollisionHeap& heap);
   std::optional<double> first_collision(const IndexPair& pair, double end);
-  void release_pushed();
   void tell(std::span<const Contact> contacts, double time, int rewinds);
 
   TimewarpOptions options_;
@@ -178,6 +177,7 @@ class TimewarpFrame {
   std::vector<int> near_;
   std::vector<int> pushed_;         // the movable bodies of an impact, ascending
   std::vector<MovingBody> before_;  // by index: those, before it
+  std::vector<Event> events_;       // of one impact
   std::vector<ContactRecord> records_;
 };
 

@@ -3,7 +3,6 @@
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,9 @@ TimewarpFull::TimewarpFull(const TimewarpFullOptions& options) : options_(option
   const bool good =
       options.stride == 0.0 || (options.stride >= TimewarpFullOptions::kShortestStride &&
                                 options.stride <= TimewarpFullOptions::kLongestStride);
-  require::that(good, "stride = " + require::text(options.stride) +
-                          ": expected 0, or from 0.01 to 1e5 steps");
+  require::that(good, "stride = " + require::text(options.stride) + ": expected 0, or from " +
+                          require::text(TimewarpFullOptions::kShortestStride) + " to " +
+                          require::text(TimewarpFullOptions::kLongestStride) + " steps");
   require::that(
       options.synchronise_every >= 0,
       "synchronise_every = " + std::to_string(options.synchronise_every) + ": expected 0 or more");
@@ -226,12 +226,7 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   Event moment;
   moment.time = scratch_.time() + meeting.time;
   moment.rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1;
-  for (const Contact& contact : impact.contacts) {
-    for (int p = 0; p < contact.count; ++p)
-      collision.records.push_back(record_of(contact, p, moment.time));
-    const std::optional<Event> event = event_of(contact, moment);
-    if (event && !only_rounding(scratch_, *event, dt_)) collision.events.push_back(*event);
-  }
+  tell_impact(scratch_, impact.contacts, moment, dt_, collision.records, collision.events);
   for (std::size_t k = 0; k < 2; ++k) {
     const BodyProperties& properties = scratch_.bodies()[at(both[k])];
     if (!properties.movable()) continue;

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Timewarp as Mirtich made it: taking back, and the end of a step (thesis 2.4.3).
-#include "tumble/contact/told.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include <algorithm>

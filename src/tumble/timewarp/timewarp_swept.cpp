@@ -34,7 +34,7 @@ StepReport TimewarpSwept::step(World& world, double dt) {
   frame_.show(watcher_, nullptr, collision_heap_);
 
   while (!collision_heap_.empty()) {
-    take_moment();
+    take_moment(world);
     for (const int index : bodies_) {
       collision_heap_.forget(index);
       frame_.integrate_forward(valid[at(index)], index,
@@ -60,7 +60,7 @@ StepReport TimewarpSwept::step(World& world, double dt) {
 // [S5.1:swept]
 
 // Takes the earliest collision, and all that are foreseen within a resolution of it.
-void TimewarpSwept::take_moment() {
+void TimewarpSwept::take_moment(const World& world) {
   first_ = collision_heap_.remove_first();
   pairs_.assign(1, first_.pair);
   const double last = first_.time + options_.resolution;
@@ -68,12 +68,7 @@ void TimewarpSwept::take_moment() {
          collision_heap_.first().time <= last)
     pairs_.push_back(collision_heap_.remove_first().pair);
   std::sort(pairs_.begin(), pairs_.end());
-  bodies_.clear();
-  for (const IndexPair& pair : pairs_)
-    for (const int body : {pair.first, pair.second})
-      if (frame_.movable(body)) bodies_.push_back(body);
-  std::sort(bodies_.begin(), bodies_.end());
-  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  list_movable(world, pairs_, bodies_);
 }
 
 }  // namespace tumble

@@ -52,7 +52,7 @@ class TimewarpSwept final : public Technique {
   void watch(TimewarpWatcher* watcher) { watcher_ = watcher; }
 
  private:
-  void take_moment();
+  void take_moment(const World& world);
 
   TimewarpSweptOptions options_;
   TimewarpFrame frame_;
