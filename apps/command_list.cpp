@@ -1,7 +1,8 @@
 /// \file
-/// \brief `tumble scenes`, `tumble techniques` and `tumble lcp --list`.
+/// \brief `tumble scenes`, `tumble techniques`, `tumble filters` and `tumble lcp --list`.
 #include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/filtering/filters.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/techniques.hpp"
@@ -15,9 +16,10 @@ namespace {
 
 int width(std::string_view text) { return static_cast<int>(text.size()); }
 
-void print_line(std::string_view name, std::string_view section, std::string_view summary) {
-  std::printf("%-21.*s %-14.*s %.*s\n", width(name), name.data(), width(section), section.data(),
-              width(summary), summary.data());
+void print_line(std::string_view name, std::string_view second, std::string_view summary,
+                int second_width = 14) {
+  std::printf("%-21.*s %-*.*s %.*s\n", width(name), name.data(), second_width, width(second),
+              second.data(), width(summary), summary.data());
 }
 
 std::string range_of(const Parameter& p) {
@@ -78,6 +80,13 @@ int list_techniques(const std::string& name) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   print_line(recipe.name, recipe.section, recipe.summary);
   print_settings(recipe.options());
+  return kDone;
+}
+
+int list_filters() {
+  int widest = 0;
+  for (const FilterRecipe& f : filter_library()) widest = std::max(widest, width(f.form));
+  for (const FilterRecipe& f : filter_library()) print_line(f.name, f.form, f.summary, widest);
   return kDone;
 }
 

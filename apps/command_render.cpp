@@ -124,7 +124,8 @@ int render(const RenderRequest& request) {
                          : ""));
   require::that(request.view.size() == 3, "--view: expected X,Y,Z");
   const Vec3 direction_w(request.view[0], request.view[1], request.view[2]);
-  const RecordedRun run = read_run(request.folder);
+  const RecordedRun run =
+      read_run(request.folder, request.filtered ? kFilteredFile : kTrajectoryFile);
   const std::vector<double> times = times_of(request, run);
 
   // One camera for all frames, so that a viewer can compare them.
@@ -147,7 +148,8 @@ int render(const RenderRequest& request) {
     commands += to_gnuplot(draw_boxes(frames[k], camera, floor));
   }
   if (frames.size() > 1) commands += "unset multiplot\n";
-  const std::string stem = request.strip.empty() ? "picture" : "strip";
+  const std::string stem = std::string(request.strip.empty() ? "picture" : "strip") +
+                           (request.filtered ? "_filtered" : "");
   const std::string picture = stem + "." + request.form;
   draw_with_gnuplot(request.folder, stem + ".gp", commands, picture);
   std::printf("%s\n", (std::filesystem::path(request.folder) / picture).c_str());

@@ -59,6 +59,9 @@ int run(const Request& request) {
         run_scene(r.scene, *r.technique, request.run, observers, [] { return stop_signal() != 0; });
     timing.finish();
     files.finish(result);
+    if (const std::string why = files.filter_refusal(); !why.empty())
+      std::fprintf(stderr, "trajectory_filtered.csv has only the frames before a bad one: %s\n",
+                   why.c_str());
     if (const LcpProblem* problem = r.technique->unsolved_problem()) {
       files.write_unsolved(*problem);
       std::fprintf(stderr, "a problem with %d unknowns was not solved: see %s and unsolved_b.mtx\n",
@@ -76,6 +79,12 @@ int run(const Request& request) {
     std::fprintf(stderr, "interrupted at %.6g s: the files in %s are whole up to there\n",
                  result.time, r.folder.c_str());
     return 128 + stop_signal();  // as a shell reports a process ended by a signal
+  }
+  if (!result.refusal.empty()) {
+    std::fprintf(stderr, "%s stopped at %.6g s: %s\nThe files in %s are whole up to there\n",
+                 r.description.technique.c_str(), result.time, result.refusal.c_str(),
+                 r.folder.c_str());
+    return kMathematical;
   }
   if (result.worst != StepStatus::done) {
     std::fprintf(stderr, "%s: worst status %s, %lld steps at the event cap\n",

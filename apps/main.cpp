@@ -20,8 +20,8 @@ namespace {
 using tumble::app::Request;
 
 // The name of a sub-command is the first word; what is said about it tells which are known.
-constexpr std::array<std::string_view, 7> kCommands = {"run",    "compare",   "render",    "lcp",
-                                                       "scenes", "stability", "techniques"};
+constexpr std::array<std::string_view, 8> kCommands = {
+    "run", "compare", "render", "lcp", "scenes", "stability", "techniques", "filters"};
 
 // What a user has typed that is no number is told with what would be one.
 CLI::Validator number() {
@@ -45,6 +45,22 @@ CLI::Validator whole(std::uint64_t most) {
                     : text + ": expected a whole number from 0 to " + std::to_string(most);
       },
       "");
+}
+
+// What `run` alone has.
+void add_recording_options(CLI::App& run, Request& request) {
+  run.add_option("--technique", request.technique, "how to simulate (tumble techniques)");
+  run.add_option("--halvings", request.halvings,
+                 "halve a step up to N times where bodies are fast, overlap or chatter")
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  run.add_option("--every", request.run.every, "record the trajectory every N steps")
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  run.add_flag("--contacts", request.contacts, "write contacts.csv too");
+  run.add_option("--filter", request.filter,
+                 "write trajectory_filtered.csv too, as a filter shows the run (tumble filters), "
+                 "for example box:5");
 }
 
 // The options that `run` and `compare` share.
@@ -77,6 +93,7 @@ void add_render_options(CLI::App& command, tumble::app::RenderRequest& request) 
   command.add_option("--strip", request.strip, "times of several frames, with commas [s]")
       ->delimiter(',')
       ->check(number());
+  command.add_flag("--filtered", request.filtered, "as the filter of the run showed it");
   command.add_option("--view", request.view, "direction from the boxes to the eye, X,Y,Z")
       ->delimiter(',')
       ->check(number());
@@ -114,11 +131,7 @@ int main(int argc, char** argv) {
   Request request;
   CLI::App* run = app.add_subcommand("run", "simulate a scene and write what happened");
   add_run_options(*run, request);
-  run->add_option("--technique", request.technique, "how to simulate (tumble techniques)");
-  run->add_option("--every", request.run.every, "record the trajectory every N steps")
-      ->check(whole(std::numeric_limits<int>::max()))
-      ->capture_default_str();
-  run->add_flag("--contacts", request.contacts, "write contacts.csv too");
+  add_recording_options(*run, request);
 
   CLI::App* compare = app.add_subcommand("compare", "simulate a scene with several techniques");
   std::vector<std::string> techniques;
@@ -162,6 +175,7 @@ int main(int argc, char** argv) {
       ->check(whole(std::numeric_limits<std::uint64_t>::max()));
   CLI::App* list = app.add_subcommand("techniques", "list the techniques, or describe one");
   list->add_option("name", name, "a technique");
+  CLI::App* filters = app.add_subcommand("filters", "list the filters of what is shown of a run");
 
   try {
     app.parse(argc, argv);
@@ -180,6 +194,7 @@ int main(int argc, char** argv) {
     if (lcp->parsed()) return printed(tumble::app::solve_lcp(problem));
     if (render->parsed()) return printed(tumble::app::render(picture));
     if (stability->parsed()) return printed(tumble::app::stability(request, rule));
+    if (filters->parsed()) return printed(tumble::app::list_filters());
     if (scenes->parsed())
       return printed(tumble::app::list_scenes(name, as_toml, request.settings, request.run.seed));
     return printed(tumble::app::list_techniques(name));

@@ -4,6 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/filtering/adaptive_step.hpp"
+#include "tumble/filtering/filters.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/techniques.hpp"
@@ -68,6 +70,8 @@ ResolvedRequest resolve(const Request& request) {
   d.technique = request.technique.empty() ? std::string(kDefaultTechnique) : request.technique;
   d.run = request.run;
   d.contacts = request.contacts;
+  if (request.filter) d.filter = filter_of(*request.filter)->text();
+  d.halvings = request.halvings;
   const TechniqueRecipe& technique = technique_recipe(d.technique);
   d.technique_settings = technique.options();
   const bool from_file = is_file_name(request.scene);
@@ -78,6 +82,9 @@ ResolvedRequest resolve(const Request& request) {
           ? read_scene(request.scene)
           : checked(scene_recipe(request.scene).build(d.scene_settings, Random(request.run.seed)));
   out.technique = technique.make(d.technique_settings, request.run.seed);
+  if (d.halvings > 0)
+    out.technique = std::make_unique<AdaptiveStep>(std::move(out.technique),
+                                                   AdaptiveStepOptions{.halvings = d.halvings});
   d.ignored = out.technique->ignores(build_world(out.scene));
   const std::string scene_name = std::filesystem::path(request.scene).stem().string();
   out.folder = request.out.empty()

@@ -6,6 +6,7 @@
 #include "tumble/scenes/scene.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Request {
   RunSettings run;                    ///< step, duration, seed, every
   std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE
   bool contacts = false;              ///< whether contacts.csv is wanted
+  std::optional<std::string> filter;  ///< as filter_of() takes it; no filtered trajectory without
+  int halvings = 0;                   ///< how often a step may be halved; 0: never
   bool quiet = false;                 ///< no progress line and no summary
 };
 
@@ -80,6 +83,7 @@ struct RenderRequest {
   std::vector<double> at;                      ///< [s] one time; empty: the last recorded frame
   std::vector<double> strip;                   ///< [s] times of several frames in one picture
   std::vector<double> view = {2.0, 1.0, 4.0};  ///< [-] direction from the boxes to the eye
+  bool filtered = false;                       ///< as its filter showed it, not as it was computed
 };
 
 /// `tumble render`.
@@ -122,6 +126,10 @@ int list_scenes(const std::string& name, bool as_toml, const std::vector<std::st
 /// \param name one technique to describe; empty: list all
 /// \return the exit code
 int list_techniques(const std::string& name);
+
+/// `tumble filters`.
+/// \return the exit code
+int list_filters();
 
 /// The signal that asked this process to stop.
 /// \return 0 while there was none

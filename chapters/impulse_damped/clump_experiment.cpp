@@ -5,7 +5,7 @@
 #include "tumble/record/lighting.hpp"
 #include "tumble/record/world_picture.hpp"
 
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
 #include "impulse_damped/scene_experiments.hpp"
 
 #include <algorithm>
@@ -28,35 +28,14 @@ std::uint32_t colour_of(double amplitude) {
   return place < 0.5 ? mixed(cold, middle, 2.0 * place) : mixed(middle, hot, 2.0 * place - 1.0);
 }
 
-// One meter for each body, which sees no other one touch: it tells the worst, and so this one.
-class ChatterOfEach {
- public:
-  explicit ChatterOfEach(const World& world)
-      : meters_(static_cast<std::size_t>(world.count())), touches_(meters_.size(), 0) {}
-
-  void add(const PlayedScene& played) {
-    const World& world = played.world;
-    std::fill(touches_.begin(), touches_.end(), 0);
-    for (const ContactRecord& contact : played.technique->contacts())
-      for (const BodyId id : {contact.first, contact.second})
-        touches_[static_cast<std::size_t>(world.index_of(id))] = 1;
-    std::vector<char> only(meters_.size(), 0);
-    for (std::size_t k = 0; k < meters_.size(); ++k) {
-      if (!world.bodies()[k].movable()) continue;
-      only[k] = touches_[k];
-      meters_[k].add(world, only);
-      only[k] = 0;
-    }
-  }
-
-  [[nodiscard]] Chatter of(std::size_t body, double gravity) const {
-    return meters_[body].measure(gravity);
-  }
-
- private:
-  std::vector<ChatterMeter> meters_;
-  std::vector<char> touches_;
-};
+void watch(const PlayedScene& played, ChatterMeter& meter) {
+  const World& world = played.world;
+  std::vector<char> touches(static_cast<std::size_t>(world.count()), 0);
+  for (const ContactRecord& contact : played.technique->contacts())
+    for (const BodyId id : {contact.first, contact.second})
+      touches[static_cast<std::size_t>(world.index_of(id))] = 1;
+  meter.add(world, touches);
+}
 
 double distance_to_axis(const World& world) {
   double sum = 0.0;
@@ -79,9 +58,9 @@ Result measure_clump_settles(const Parameters& settings) {
                      {"damped"});
   std::vector<std::vector<PictureBox>> frames = {picture_boxes(played.world)};
   const double from_axis = distance_to_axis(played.world);
-  ChatterOfEach meter(played.world);
+  ChatterMeter meter;
   played.advance(duration, [&](const StepReport&) {
-    if (played.world.time() > duration - 0.6) meter.add(played);
+    if (played.world.time() > duration - 0.6) watch(played, meter);
   });
   frames.push_back(picture_boxes(played.world));
 
@@ -95,12 +74,12 @@ Result measure_clump_settles(const Parameters& settings) {
   std::vector<double> amplitudes;
   double travelling = 0.0;
   std::size_t drawn = 0;
-  const double gravity = played.world.gravity_w.norm();
+  const std::vector<BodyChatter> resting = meter.each(played.world.gravity_w.norm());
+  auto next = resting.begin();  // both are in the order of ids
   for (std::size_t k = 0; k < played.world.bodies().size(); ++k) {
     if (!played.world.bodies()[k].movable()) continue;
-    const Chatter chatter = meter.of(k, gravity);
-    const bool rests = chatter.bodies == 1;
-    const double amplitude = 1e3 * chatter.amplitude;
+    const bool rests = next != resting.end() && next->id == played.world.ids()[k];
+    const double amplitude = rests ? 1e3 * (next++)->amplitude : 0.0;
     frames[0][drawn].colour = 0xc9c9c4;
     frames[1][drawn++].colour = rests ? colour_of(amplitude) : moving;
     if (rests) amplitudes.push_back(amplitude);

@@ -2,7 +2,8 @@
 /// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
 #include "impulse_damped/friction_experiments.hpp"
 
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
+#include "impulse_damped/damped_variants.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,9 @@
 
 #include "tumble/math/elementary.hpp"
 
+#include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
-#include "impulse_damped/played_scene.hpp"
+#include "impulse_damped/damped_variants.hpp"
 
 #include <algorithm>
 #include <cmath>

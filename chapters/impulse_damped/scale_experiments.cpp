@@ -2,7 +2,7 @@
 /// \brief The same motion at any size and mass, and Coulomb's stopping distance (thesis 6.3.1).
 #include "impulse_damped/scale_experiments.hpp"
 
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
 
 #include <algorithm>
 #include <array>

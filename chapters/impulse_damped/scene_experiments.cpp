@@ -6,7 +6,8 @@
 #include "tumble/record/metrics.hpp"
 #include "tumble/record/world_picture.hpp"
 
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
+#include "impulse_damped/damped_variants.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,10 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/random.hpp"
 
+#include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
+#include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/friction_experiments.hpp"
-#include "impulse_damped/played_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

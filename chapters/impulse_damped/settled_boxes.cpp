@@ -2,6 +2,7 @@
 /// \brief Boxes that settle under damped integration, and who of them chatters (thesis 5.3).
 #include "impulse_damped/settled_boxes.hpp"
 
+#include "tumble/filtering/corner_motion.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/record/chatter.hpp"
 #include "tumble/scenes/library.hpp"
@@ -19,13 +20,6 @@ constexpr double kStep = 1.0 / 60.0;  // [s]
 constexpr double kShake = 0.1;        // [-] of free fall: a box that rests and shakes more chatters
 constexpr double kStill = 5e-4;       // [-] a corner that moves less in a step, in edges, rests
 constexpr double kPlay = 1e-3;        // [m] between a plank or block and what stops it
-constexpr int kWindow = ChatterMeter::kWindow;  // frames that are watched
-
-// One box by itself, seen by a meter of its own: the meter tells the worst body of a world.
-struct Watched {
-  World alone;
-  ChatterMeter meter;
-};
 
 // [m] Up to this distance two bodies touch: a share of the shortest edge of the two.
 double touching_distance(const BodyProperties& a, const BodyProperties& b) {
@@ -54,15 +48,6 @@ void mark(const World& world, const Contact& contact, std::vector<char>& touches
   if (nearest > elementary::cos(std::numbers::pi / 18.0)) ends[upper].on_face = true;
 }
 
-// [m] how far a box's fastest corner gets.
-double way_of(const BodyProperties& body, const BodyState& from, const BodyState& to) {
-  const auto was = corners_of(box_of(body, from));
-  const auto is = corners_of(box_of(body, to));
-  double way = 0.0;
-  for (std::size_t c = 0; c < was.size(); ++c) way = std::max(way, (is[c] - was[c]).norm());
-  return way;
-}
-
 }  // namespace
 
 bool BoxEnd::chatters() const { return rests && shake > kShake; }
@@ -73,7 +58,7 @@ std::vector<BoxEnd> settle(World world, const DampedOptions& options, double dur
   ContactList contacts;
   const auto count = static_cast<std::size_t>(world.count());
   std::vector<BoxEnd> ends(count);
-  std::vector<Watched> watched(count);
+  ChatterMeter meter;
   double margin = 0.0;  // [m] of the largest box
   for (const BodyProperties& body : world.bodies())
     if (body.movable()) margin = std::max(margin, touching_distance(body, body));
@@ -82,33 +67,29 @@ std::vector<BoxEnd> settle(World world, const DampedOptions& options, double dur
   for (int n = 1; n <= steps; ++n) {
     const std::vector<BodyState> before(world.states().begin(), world.states().end());
     technique.step(world, kStep);
-    const bool last = n > steps - kWindow;
-    std::vector<char> touches(count, 0);
-    if (last) {
-      areas.gather(world, world.states(), world.states(), nullptr, margin, contacts);
-      for (const Contact& contact : contacts) mark(world, contact, touches, ends);
-    }
     for (std::size_t k = 0; k < count; ++k) {
       const BodyProperties& body = world.bodies()[k];
       if (!body.movable()) continue;
-      if (!(way_of(body, before[k], world.states()[k]) <= kStill * body.size.minCoeff()))
-        ends[k].rest_time = world.time();
-      if (!last) continue;
-      World& alone = watched[k].alone;
-      if (alone.count() == 0) alone.add(body, world.states()[k]);
-      alone.states()[0] = world.states()[k];
-      watched[k].meter.add(alone, {&touches[k], 1});
-      alone.finish_step(kStep);
+      const double way = largest_way(corners_of(box_of(body, before[k])),
+                                     corners_of(box_of(body, world.states()[k])));
+      if (!(way <= kStill * body.size.minCoeff())) ends[k].rest_time = world.time();
     }
+    if (n <= steps - ChatterMeter::kWindow) continue;
+    std::vector<char> touches(count, 0);
+    areas.gather(world, world.states(), world.states(), nullptr, margin, contacts);
+    for (const Contact& contact : contacts) mark(world, contact, touches, ends);
+    meter.add(world, touches);
   }
 
+  for (const BodyChatter& chatter : meter.each(world.gravity_w.norm())) {
+    BoxEnd& end = ends[static_cast<std::size_t>(world.index_of(chatter.id))];
+    end.rests = true;
+    end.shake = chatter.acceleration;
+  }
   std::vector<BoxEnd> movable;
   for (std::size_t k = 0; k < count; ++k) {
     if (!world.bodies()[k].movable()) continue;
     BoxEnd& end = ends[k];
-    const Chatter chatter = watched[k].meter.measure(world.gravity_w.norm());
-    end.rests = chatter.bodies > 0;
-    end.shake = chatter.acceleration;
     const Quat& turned = world.states()[k].orientation_wb;
     const double upright = turned.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
     end.tilt = elementary::acos(std::min(1.0, upright));

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Work against what moves, and waking up (thesis 4.5).
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
 #include "impulse_damped/rest_experiments.hpp"
 
 #include <algorithm>

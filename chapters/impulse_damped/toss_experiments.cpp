@@ -2,8 +2,9 @@
 /// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
 #include "impulse_damped/toss_experiments.hpp"
 
+#include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
-#include "impulse_damped/played_scene.hpp"
+#include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/tosses.hpp"
 
 #include <cmath>

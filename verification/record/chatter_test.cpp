@@ -2,12 +2,15 @@
 /// \brief The measure of chatter against paths made by hand.
 #include "tumble/record/chatter.hpp"
 
+#include "tumble/base/random.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -154,6 +157,94 @@ TEST_CASE("Bodies that come and go are measured once they have been seen for hal
   CHECK(step() == 2);
   world.remove(first);
   CHECK(step() == 1);
+}
+
+TEST_CASE("Each body that rests is told with a chatter of its own", "[exact][record][chatter]") {
+  // In turn: one that is fixed, one to and fro in every frame by a, one that slides, one to and fro in
+  // four frames by 3 a, one that lets go, one that is still.
+  const double a = 1e-4;  // [m]
+  World world;
+  world.add_ground();
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  world.add(fixed_box_properties(Vec3::Ones()), at(Vec3(-3.0, 0.5, 0.0)));
+  std::vector<BodyId> ids;
+  for (int k = 0; k < 5; ++k) ids.push_back(world.add(cube, at(Vec3(3.0 * k, 0.5, 0.0))));
+  ChatterMeter meter;
+  std::vector<char> touches(static_cast<std::size_t>(world.count()), 1);
+  const auto add = [&](int step) {
+    const auto lead = [&](std::size_t k, double y) {
+      world.set_state(ids[k], at(Vec3(3.0 * static_cast<double>(k), 0.5 + y, 0.0)));
+    };
+    lead(0, step % 2 == 0 ? 0.0 : a);
+    lead(1, 0.03 * step / 60.0);
+    lead(2, step / 2 % 2 == 0 ? 0.0 : 3.0 * a);
+    touches[5] = step == 20 ? 0 : 1;
+    meter.add(world, touches);
+  };
+  add(0);
+  CHECK(meter.each(kGravity).empty());
+  for (int step = 1; step <= 30; ++step) {
+    world.finish_step(1.0 / 60.0);
+    add(step);
+  }
+  const std::vector<BodyChatter> each = meter.each(kGravity);
+  REQUIRE(each.size() == 3);
+  CHECK(each[0].id == ids[0]);
+  CHECK(each[1].id == ids[2]);
+  CHECK(each[2].id == ids[4]);
+  // Corners are rounded at 1e-16 m, 1e-12 of the amplitude; measured: 2e-12.
+  const double unit = 3600.0 / kGravity;
+  CHECK(each[0].amplitude == near(a).epsilon(1e-10));
+  CHECK(each[0].acceleration == near(2.0 * a * unit).epsilon(1e-10));
+  CHECK(each[1].amplitude == near(3.0 * a).epsilon(1e-10));
+  // Of 0 0 1 1 0 0 ... every second difference is one of 3 a: 29 of 29.
+  CHECK(each[1].acceleration == near(3.0 * a * unit).epsilon(1e-10));
+  CHECK(each[2].amplitude == 0.0);
+  CHECK(each[2].acceleration == 0.0);
+
+  // The worst of all, each measure by itself.
+  const Chatter worst = meter.measure(kGravity);
+  CHECK(worst.bodies == 3);
+  CHECK(worst.amplitude == each[1].amplitude);
+  CHECK(worst.acceleration == each[1].acceleration);
+}
+
+TEST_CASE("The worst chatter of a world is the worst of each body, measure by measure",
+          "[unit][record][chatter]") {
+  // Random shaking of cubes, some loud and slow, some quiet and quick; the window has wrapped around.
+  Random random(7);
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  std::vector<BodyId> ids;
+  for (int k = 0; k < 12; ++k) ids.push_back(world.add(cube, at(Vec3(2.0 * k, 0.0, 0.0))));
+  std::vector<Vec3> place(ids.size(), Vec3::Zero());
+  ChatterMeter meter;
+  const std::vector<char> touches(ids.size(), 1);
+  int amplitude_from_another = 0;
+  for (int step = 0; step <= 120; ++step) {
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const int held = 1 + static_cast<int>(k);  // frames that it stays
+      if (step % held == 0) place[k] = random.in_cube(1e-4 + 1e-5 * held);
+      world.set_state(ids[k], at(Vec3(2.0 * static_cast<double>(k), 0.0, 0.0) + place[k]));
+    }
+    meter.add(world, touches);
+    world.finish_step(1.0 / 60.0);
+    const Chatter worst = meter.measure(kGravity);
+    BodyChatter largest;
+    BodyId loudest{};
+    BodyId quickest{};
+    for (const BodyChatter& body : meter.each(kGravity)) {
+      if (body.amplitude > largest.amplitude) loudest = body.id;
+      if (body.acceleration > largest.acceleration) quickest = body.id;
+      largest.amplitude = std::max(largest.amplitude, body.amplitude);
+      largest.acceleration = std::max(largest.acceleration, body.acceleration);
+    }
+    CHECK(worst.bodies == static_cast<int>(meter.each(kGravity).size()));
+    CHECK(worst.amplitude == largest.amplitude);
+    CHECK(worst.acceleration == largest.acceleration);
+    if (loudest != quickest) ++amplitude_from_another;
+  }
+  CHECK(amplitude_from_another > 60);  // measured: all 91 steps with a whole window
 }
 
 TEST_CASE("One step over many frames fills the window with them", "[unit][record][chatter]") {

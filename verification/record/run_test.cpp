@@ -179,6 +179,32 @@ TEST_CASE("A run ends at a step that solved nothing or made a number infinite",
   }
 }
 
+TEST_CASE("A later step that the technique refuses ends the run and keeps what was before",
+          "[unit][record][run]") {
+  for (const int refused : {1, 3}) {
+    Puppet puppet;
+    puppet.act = [&](World&, int k) -> StepReport {
+      if (k == refused) throw std::invalid_argument("state of box1 is not finite");
+      return {};
+    };
+    Counter counter;
+    const std::array<RunObserver*, 1> observers = {&counter};
+    if (refused == 1) {
+      CHECK_THROWS_AS(run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers),
+                      std::invalid_argument);
+      CHECK(counter.steps == 0);
+      continue;
+    }
+    const RunResult result = run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers);
+    CHECK(result.end == RunEnd::failed);
+    CHECK(result.worst == StepStatus::unsolved);
+    CHECK(result.refusal == "state of box1 is not finite");
+    CHECK(result.steps == 2);
+    CHECK(counter.steps == 2);
+    CHECK(!puppet.is_watched());
+  }
+}
+
 TEST_CASE("A run stops when it is asked to, between two steps", "[unit][record][run]") {
   Puppet puppet;
   Counter counter;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "tumble/base/chapter_tolerance.hpp"
+#include "tumble/base/filtering_tolerance.hpp"
 #include "tumble/base/stability_tolerance.hpp"
 
 /// Names for every small number.

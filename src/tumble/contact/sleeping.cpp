@@ -152,7 +152,7 @@ SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexP
 }
 
 // No point of a body is faster than |v| + |ω| r, r half its diagonal; a body with a momentum that
-// is not finite is not slow.
+// is not finite is not slow, whatever it counts as.
 bool SleepingRule::slow(const World& world, int body, double dt) const {
   const BodyProperties& constant = world.bodies()[at(body)];
   const BodyState& state = world.states()[at(body)];
@@ -162,7 +162,7 @@ bool SleepingRule::slow(const World& world, int body, double dt) const {
       g > 0.0 ? options_.speed * std::sqrt(g * length) : options_.speed_weightless * length / dt;
   const double fastest = velocity(constant, state).norm() +
                          angular_velocity(constant, state).norm() * 0.5 * constant.size.norm();
-  return fastest <= limit;
+  return fastest <= limit || (world.rests()[at(body)].counts_as_slow && std::isfinite(fastest));
 }
 
 // Whether all bodies of an island have been slow for long enough. Under gravity nothing rests

@@ -34,7 +34,8 @@ struct SleepReport {
 /// The thesis (4.5) asks that a group at rest stay at rest until there is a new interaction; what
 /// that means in detail is ours. An island falls asleep when all its bodies have been slow for a
 /// while and, if there is gravity, it touches something immovable: a body whose speed is 0 for an
-/// instant at the top of its way is neither. The momenta of sleepers are 0. They are not to be
+/// instant at the top of its way is neither. Rest::counts_as_slow makes a body slow that shakes, for
+/// FreezeOnChatter. The momenta of sleepers are 0. They are not to be
 /// advanced, and pairs without an awake body need no test.
 ///
 /// The islands that fall asleep become *groups*; a group and the immovable bodies that it touches

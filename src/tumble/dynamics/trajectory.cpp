@@ -9,11 +9,10 @@
 
 namespace tumble {
 
-void Trajectory::record(const World& world) {
-  const std::span<const BodyState> states = world.states();
-  frames_.push_back(Entry{world.time(), world.steps(), states_.size(), states.size()});
-  ids_.insert(ids_.end(), world.ids().begin(), world.ids().end());
-  states_.insert(states_.end(), states.begin(), states.end());
+void Trajectory::record(const Frame& frame) {
+  frames_.push_back(Entry{frame.time, frame.step, states_.size(), frame.states.size()});
+  ids_.insert(ids_.end(), frame.ids.begin(), frame.ids.end());
+  states_.insert(states_.end(), frame.states.begin(), frame.states.end());
 }
 
 Frame Trajectory::frame(int index) const {

@@ -19,6 +19,13 @@ struct Frame {
   std::span<const BodyState> states;  ///< their states, in the same order
 };
 
+/// The bodies of a world as a frame.
+/// \param world  the bodies
+/// \return valid until the world changes
+[[nodiscard]] inline Frame frame_of(const World& world) {
+  return Frame{world.time(), world.steps(), world.ids(), world.states()};
+}
+
 /// One body at one recorded time.
 struct Sample {
   double time = 0.0;  ///< [s]
@@ -30,7 +37,11 @@ class Trajectory {
  public:
   /// Adds a frame.
   /// \param world all its bodies are recorded, the immovable ones too
-  void record(const World& world);
+  void record(const World& world) { record(frame_of(world)); }
+
+  /// Adds a frame.
+  /// \param frame  copied; not of this trajectory
+  void record(const Frame& frame);
 
   /// How many frames there are.
   /// \return from 0

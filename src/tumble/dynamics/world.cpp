@@ -165,4 +165,13 @@ StateHash World::hash() const {
   return hash;
 }
 
+bool all_finite(const World& world) {
+  for (const BodyState& s : world.states()) {
+    if (!(s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
+          s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite()))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace tumble

@@ -17,6 +17,9 @@ namespace tumble {
 struct Rest {
   double quiet_time = 0.0;  ///< [s] how long it has been slower than the sleeping speed
   bool asleep = false;      ///< not simulated until something wakes it
+  /// Counts as slow whatever its speed. Only during a step: set by who knows that a body gets nowhere
+  /// (FreezeOnChatter), false at all other times, so it is no part of a world's hash.
+  bool counts_as_slow = false;
 };
 
 /// All bodies of a simulation, the ground and gravity. A value: a copy is a snapshot.
@@ -151,5 +154,10 @@ class World {
   std::uint32_t next_id_ = 0;
   std::uint32_t boxes_added_ = 0;  // for the default names
 };
+
+/// Whether all states are numbers: a step that fails leaves others behind.
+/// \param world the bodies
+/// \return false if a position, an orientation or a momentum is infinite or NaN
+[[nodiscard]] bool all_finite(const World& world);
 
 }  // namespace tumble

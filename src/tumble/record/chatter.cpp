@@ -14,6 +14,11 @@ constexpr std::size_t place_of(std::int64_t frame) {
   return static_cast<std::size_t>(frame % ChatterMeter::kWindow);
 }
 
+// A second difference [m] as a share of the one of a free fall.
+double in_free_falls(double second_difference, double gravity) {
+  return second_difference * ChatterMeter::kFrameRate * ChatterMeter::kFrameRate / gravity;
+}
+
 }  // namespace
 
 void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
@@ -65,65 +70,47 @@ void ChatterMeter::take_frames(const Corners& corners, bool touches, double now,
     Corners& out = track.frames[place_of(n)];
     for (std::size_t c = 0; c < corners.size(); ++c)
       out[c] = track.last[c] + share * (corners[c] - track.last[c]);
+    track.frames[place_of(n) + kWindow] = out;
     track.touching[place_of(n)] = touches ? 1 : 0;
   }
   track.last = corners;
 }
 
-// By its place in the window: 0 is the oldest frame.
-const ChatterMeter::Corners& ChatterMeter::frame(const Track& track, int place) const {
-  return track.frames[place_of(next_frame_ - kWindow + place)];
+// The frames of the last half second, the oldest first.
+std::span<const Corners> ChatterMeter::window(const Track& track) const {
+  return std::span(track.frames).subspan(place_of(next_frame_), kWindow);
 }
 
 bool ChatterMeter::rests(const Track& track) const {
   if (next_frame_ - track.since < kWindow) return false;
   for (const char touches : track.touching)
     if (touches == 0) return false;
-  const Corners& begin = frame(track, 0);
-  const Corners& end = frame(track, kWindow - 1);
+  const Corners& begin = window(track).front();
+  const Corners& end = window(track).back();
   for (std::size_t c = 0; c < begin.size(); ++c)
-    if (!((end[c] - begin[c]).norm() < track.limit)) return false;
+    if (!((end[c] - begin[c]).norm() < track.limit)) return false;  // nor does what is not finite
   return true;
-}
-
-// Largest distance between two places of a corner; looked for only if it can be above a bound.
-double ChatterMeter::amplitude(const Track& track, double above) const {
-  double largest = above;
-  for (std::size_t c = 0; c < 8; ++c) {
-    Vec3 low = frame(track, 0)[c];
-    Vec3 high = low;
-    for (int f = 1; f < kWindow; ++f) {
-      low = low.cwiseMin(frame(track, f)[c]);
-      high = high.cwiseMax(frame(track, f)[c]);
-    }
-    if (!((high - low).norm() > largest)) continue;
-    for (int f = 1; f < kWindow; ++f)
-      for (int e = 0; e < f; ++e)
-        largest = std::max(largest, (frame(track, f)[c] - frame(track, e)[c]).norm());
-  }
-  return largest;
-}
-
-double ChatterMeter::second_difference(const Track& track) const {
-  double sum = 0.0;
-  for (int f = 2; f < kWindow; ++f) {
-    const Corners& a = frame(track, f - 2);
-    const Corners& b = frame(track, f - 1);
-    const Corners& c = frame(track, f);
-    for (std::size_t k = 0; k < c.size(); ++k) sum += ((c[k] - b[k]) - (b[k] - a[k])).squaredNorm();
-  }
-  return std::sqrt(sum / (8.0 * (kWindow - 2)));
 }
 
 Chatter ChatterMeter::measure(double gravity) const {
   Chatter out;
+  double farthest = 0.0;  // [m] the largest second difference
   for (const Track& track : tracks_) {
     if (!rests(track)) continue;
     ++out.bodies;
-    out.amplitude = amplitude(track, out.amplitude);
-    out.acceleration =
-        std::max(out.acceleration, second_difference(track) * kFrameRate * kFrameRate / gravity);
+    out.amplitude = largest_excursion(window(track), out.amplitude);
+    farthest = std::max(farthest, rms_second_difference(window(track)));
   }
+  out.acceleration = in_free_falls(farthest, gravity);
+  return out;
+}
+
+std::vector<BodyChatter> ChatterMeter::each(double gravity) const {
+  std::vector<BodyChatter> out;
+  for (const Track& track : tracks_)
+    if (rests(track))
+      out.push_back({track.id, largest_excursion(window(track)),
+                     in_free_falls(rms_second_difference(window(track)), gravity)});
   return out;
 }
 

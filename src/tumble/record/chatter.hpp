@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/filtering/corner_motion.hpp"
 
 #include <array>
 #include <span>
@@ -16,6 +17,13 @@ struct Chatter {
   /// [-] of the body with the largest; 1 is as much as a free fall
   double acceleration = 0.0;
   int bodies = 0;  ///< how many bodies rest and were measured
+};
+
+/// How much one body that rests shakes.
+struct BodyChatter {
+  BodyId id{};                ///< the body
+  double amplitude = 0.0;     ///< [m] largest distance between two places of a corner
+  double acceleration = 0.0;  ///< [-] 1 is as much as a free fall
 };
 
 /// Measures chatter from the poses that a viewer sees.
@@ -47,26 +55,31 @@ class ChatterMeter {
 
   /// Measures over the last half second.
   /// \param gravity  [m/s²] size of the gravity that accelerations are divided by, above 0
-  /// \return all zero before half a second has passed or while no body rests
+  /// \return the worst of each(); all zero before half a second has passed or while no body rests
+  /// \par Cost
+  /// O(bodies); a body that cannot be the worst is found out from the bounds of its corners.
   [[nodiscard]] Chatter measure(double gravity) const;
 
+  /// Measures every body that rests over the last half second.
+  /// \param gravity  [m/s²] size of the gravity that accelerations are divided by, above 0
+  /// \return one for each body that rests, by id; none before half a second has passed
+  [[nodiscard]] std::vector<BodyChatter> each(double gravity) const;
+
  private:
-  using Corners = std::array<Vec3, 8>;
   struct Track {
     BodyId id{};
-    double limit = 0.0;                    // [m] net movement up to which the body rests
-    std::int64_t since = 0;                // the first frame that it was seen in
-    Corners last;                          // [m] at the last step
-    std::array<Corners, kWindow> frames;   // frame n is at place n mod kWindow
+    double limit = 0.0;      // [m] net movement up to which the body rests
+    std::int64_t since = 0;  // the first frame that it was seen in
+    Corners last;            // [m] at the last step
+    // Frame n is at place n mod kWindow and again kWindow places on, so that any window lies in a row.
+    std::array<Corners, 2 * kWindow> frames;
     std::array<char, kWindow> touching{};  // whether it was in contact then
   };
 
   void take_frames(const Corners& corners, bool touches, double now, std::int64_t first,
                    std::int64_t end, Track& track) const;
-  [[nodiscard]] const Corners& frame(const Track& track, int place) const;
+  [[nodiscard]] std::span<const Corners> window(const Track& track) const;
   [[nodiscard]] bool rests(const Track& track) const;
-  [[nodiscard]] double amplitude(const Track& track, double above) const;
-  [[nodiscard]] double second_difference(const Track& track) const;
 
   std::vector<Track> tracks_;    // by id, ascending
   bool begun_ = false;           // something has been taken in

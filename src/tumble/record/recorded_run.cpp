@@ -62,9 +62,13 @@ RecordedPose pose_of(const Row& row, const std::map<std::string, int>& boxes) {
 
 }  // namespace
 
-RecordedRun read_run(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "trajectory.csv";
+RecordedRun read_run(const std::filesystem::path& folder, std::string_view table) {
+  const std::filesystem::path path = folder / table;
   std::ifstream in(path);
+  if (table == kFilteredFile && !in.is_open() && std::ifstream(folder / kTrajectoryFile).is_open())
+    require::that(false, path.string() +
+                             ": there is none: run the scene with --filter, for example "
+                             "--filter box:5");
   require::that(in.is_open(), path.string() + ": cannot be read: give the folder of a run");
   RecordedRun run;
   run.scene = read_scene(folder / "scene.toml");

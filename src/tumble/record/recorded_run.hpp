@@ -2,6 +2,7 @@
 /// \brief The folder of a run, read back: its scene and its trajectory.
 #pragma once
 
+#include "tumble/record/trajectory_file.hpp"
 #include "tumble/scenes/scene.hpp"
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace tumble {
 
-/// One body in one recorded frame: a row of trajectory.csv.
+/// One body in one recorded frame: a row of a trajectory.
 struct RecordedPose {
   int box = 0;                             ///< place of the body in the scene, from 0
   Vec3 position_w = Vec3::Zero();          ///< [m] centre of mass, world frame
@@ -29,15 +30,17 @@ struct RecordedFrame {
 /// What a run recorded.
 struct RecordedRun {
   Scene scene;                        ///< of scene.toml
-  std::vector<RecordedFrame> frames;  ///< of trajectory.csv, times ascending, at least one
+  std::vector<RecordedFrame> frames;  ///< of its table, times ascending, at least one
 };
 
-/// Reads scene.toml and trajectory.csv of a run's folder. Numbers have the bits that were written.
+/// Reads scene.toml and the trajectory of a run's folder. Numbers have the bits that were written.
 /// \param folder  of a run
+/// \param table   kTrajectoryFile for the poses as computed, kFilteredFile for those that its filter
+///                showed
 /// \return what was recorded
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
 ///         cannot be read
-RecordedRun read_run(const std::filesystem::path& folder);
+RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
 
 /// The bodies of a frame as a world, at rest.
 /// \param run    what was recorded

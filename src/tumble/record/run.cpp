@@ -5,10 +5,11 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace tumble {
 namespace {
@@ -41,19 +42,9 @@ std::int64_t whole_steps(const RunSettings& settings) {
       std::floor(settings.duration / settings.dt + tolerance::step_remainder));
 }
 
-// Every count of a report, by its name.
-constexpr std::array<std::int64_t StepReport::*, 11> kCounts = {
-    &StepReport::events,       &StepReport::contacts, &StepReport::iterations,
-    &StepReport::pivots,       &StepReport::impulses, &StepReport::pair_tests,
-    &StepReport::integrations, &StepReport::searches, &StepReport::rewinds,
-    &StepReport::restarts,     &StepReport::fallbacks};
-
 void add_up(const StepReport& step, StepReport& total, StepReport& worst) {
-  for (const auto count : kCounts) {
-    total.*count += step.*count;
-    worst.*count = std::max(worst.*count, step.*count);
-  }
-  total.deepest_overlap = std::max(total.deepest_overlap, step.deepest_overlap);
+  add_report(step, total);
+  for (const auto count : kReportCounts) worst.*count = std::max(worst.*count, step.*count);
   worst.deepest_overlap = total.deepest_overlap;
   worst.status = std::max(worst.status, step.status);
 }
@@ -83,15 +74,6 @@ void keep_worst(const Metrics& now, Metrics& worst) {
   worst.chatter.bodies = std::max(worst.chatter.bodies, now.chatter.bodies);
   keep_farther(now.fastest, worst.fastest);
   worst.asleep = std::max(worst.asleep, now.asleep);
-}
-
-bool finite(const World& world) {
-  for (const BodyState& s : world.states()) {
-    if (!(s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
-          s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite()))
-      return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -131,8 +113,17 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
     entered = world.time();
     meter.allow(energy_of(world).total() - before);
 
-    StepReport report = technique.step(world, k < whole ? settings.dt : rest);
-    if (!finite(world)) report.status = StepStatus::not_finite;
+    StepReport report;
+    try {
+      report = technique.step(world, k < whole ? settings.dt : rest);
+    } catch (const std::invalid_argument& error) {
+      if (k == 0) throw;  // the user's mistake: nothing has been simulated
+      result.refusal = error.what();
+      result.end = RunEnd::failed;
+      result.worst_report.status = std::max(result.worst_report.status, StepStatus::unsolved);
+      break;
+    }
+    if (!all_finite(world)) report.status = StepStatus::not_finite;
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
     add_up(report, result.totals, result.worst_report);

@@ -49,6 +49,9 @@ struct RunResult {
   Metrics last;                         ///< after the last step; at the start if there was none
   Metrics worst_metrics;                ///< each number where it was farthest from 0
   std::string state_hash;               ///< 16 hexadecimal digits, of the last state
+  /// Why a later step than the first refused the world, for example because a state overflowed; empty
+  /// if none did. The numbers above are of the step before, the hash of where that step stopped.
+  std::string refusal;
 };
 
 /// Somebody who is told about a run as it goes: files, progress lines, experiments.
@@ -83,7 +86,8 @@ class RunObserver {
 /// Runs a scene.
 ///
 /// Boxes that appear later come in before the first step that begins at their time or after it. A
-/// step that leaves something unsolved or not finite is the last one.
+/// step that leaves something unsolved or not finite is the last one, and so is one, after the first,
+/// that the technique refuses: what was simulated before it is kept.
 /// \param scene      what to start from
 /// \param technique  how to step
 /// \param settings   step, duration
@@ -91,7 +95,7 @@ class RunObserver {
 /// \param stop       asked before every step; true ends the run as interrupted
 /// \return how it ended and what it came to
 /// \throws std::invalid_argument for settings out of range or a scene that the technique cannot
-///         simulate
+///         simulate, from its first step
 /// \throws CannotWrite from an observer that writes; the technique is then watched by nobody, as
 ///         after every run
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,

@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/version.hpp"
+#include "tumble/filtering/filters.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/metrics_table.hpp"
@@ -14,8 +15,6 @@
 namespace tumble {
 namespace {
 
-constexpr std::string_view kTrajectoryHeader =
-    "time_s,body,px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s";
 constexpr std::string_view kEventsHeader =
     "time_s,first,second,px_m,py_m,pz_m,nx,ny,nz,jx_N_s,jy_N_s,jz_N_s,rewinds,restarts";
 constexpr std::string_view kContactsHeader =
@@ -24,9 +23,9 @@ constexpr std::string_view kContactsHeader =
 constexpr std::string_view kUnsolvedMatrix = "unsolved_A.mtx";
 constexpr std::string_view kUnsolvedVector = "unsolved_b.mtx";
 
-constexpr std::array<std::string_view, 9> kFiles = {
-    "trajectory.csv", "metrics.csv", "events.csv",    "contacts.csv", "scene.toml",
-    "summary.json",   "timing.csv",  kUnsolvedMatrix, kUnsolvedVector};
+constexpr std::array<std::string_view, 10> kFiles = {
+    kTrajectoryFile, kFilteredFile,  "metrics.csv", "events.csv",    "contacts.csv",
+    "scene.toml",    "summary.json", "timing.csv",  kUnsolvedMatrix, kUnsolvedVector};
 
 std::string metrics_header() {
   std::string out = "time_s,status";
@@ -64,25 +63,18 @@ RunFiles::RunFiles(const std::filesystem::path& folder, RunDescription descripti
                    const Scene& scene)
     : folder_(folder, kFiles.front(), kFiles),
       description_(std::move(description)),
-      trajectory_(folder / "trajectory.csv", kTrajectoryHeader),
+      trajectory_(folder / kTrajectoryFile),
       metrics_(folder / "metrics.csv", metrics_header()),
       events_(folder / "events.csv", kEventsHeader) {
   if (description_.contacts) contacts_.emplace(folder / "contacts.csv", kContactsHeader);
+  if (!description_.filter.empty())
+    filtered_.emplace(folder / kFilteredFile, *filter_of(description_.filter));
   write_file(folder / "scene.toml", to_toml(scene));
 }
 
 void RunFiles::write_frame(const World& world) {
-  for (int i = 0; i < world.count(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const BodyProperties& body = world.bodies()[k];
-    if (body.shape == Shape::ground) continue;
-    const BodyState& state = world.states()[k];
-    const Quat& q = state.orientation_wb;
-    trajectory_.cell(world.time()).cell(world.name(i)).cell(state.position_w);
-    trajectory_.cell(q.w()).cell(Vec3(q.vec()));
-    trajectory_.cell(velocity(body, state)).cell(angular_velocity(body, state));
-    trajectory_.end_row();
-  }
+  trajectory_.write(world);
+  if (filtered_) filtered_->write(world);
 }
 
 void RunFiles::on_begin(const World& world) { write_frame(world); }
@@ -121,11 +113,16 @@ void RunFiles::write_unsolved(const LcpProblem& problem) {
   write(kUnsolvedVector, problem.b, "b of the problem a = A f + b that ended the run");
 }
 
+std::string RunFiles::filter_refusal() const {
+  return filtered_ ? filtered_->refusal() : std::string();
+}
+
 void RunFiles::finish(const RunResult& result) {
   trajectory_.flush();
   metrics_.flush();
   events_.flush();
   if (contacts_) contacts_->flush();
+  if (filtered_) filtered_->finish();
   const BuildInfo build = build_info();
   Json out;
   out.begin()
@@ -141,7 +138,10 @@ void RunFiles::finish(const RunResult& result) {
       .field("duration_s", description_.run.duration)
       .field("seed", std::to_string(description_.run.seed))
       .field("every", std::int64_t{description_.run.every})
-      .field("contacts", std::string_view(description_.contacts ? "on" : "off"));
+      .field("contacts", std::string_view(description_.contacts ? "on" : "off"))
+      .field("filter", std::string_view(filtered_ ? description_.filter : "none"))
+      .field("filtered_frames", filtered_ ? filtered_->frames() : 0)
+      .field("halvings", std::int64_t{description_.halvings});
   write(description_.scene_settings, out.key("scene_settings"));
   write(description_.technique_settings, out.key("technique_settings"));
   out.key("ignored").begin_list();

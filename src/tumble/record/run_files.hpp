@@ -5,6 +5,7 @@
 #include "tumble/record/output_folder.hpp"
 #include "tumble/record/run.hpp"
 #include "tumble/record/table_file.hpp"
+#include "tumble/record/trajectory_file.hpp"
 
 #include <optional>
 
@@ -18,10 +19,13 @@ struct RunDescription {
   Parameters technique_settings;     ///< options of the technique
   RunSettings run;                   ///< step, duration, seed
   bool contacts = false;             ///< whether contacts.csv is wanted
+  std::string filter;                ///< as filter_of() takes it; empty: what is shown is computed
+  int halvings = 0;                  ///< how often a step may be halved, see AdaptiveStep; 0: never
   std::vector<std::string> ignored;  ///< what the technique leaves out, for example friction
 };
 
-/// Writes trajectory.csv, metrics.csv, events.csv, contacts.csv, scene.toml and summary.json.
+/// Writes trajectory.csv, metrics.csv, events.csv, contacts.csv, scene.toml and summary.json; with a
+/// filter also trajectory_filtered.csv.
 ///
 /// All of them are the same bytes for the same run. Times of the clock are not the library's
 /// business: the command writes them into timing.csv beside these. summary.json is written last: a
@@ -32,7 +36,8 @@ class RunFiles : public RunObserver {
   /// \param folder       where; made if missing. One that is not empty must be a run's
   /// \param description  how the run is made
   /// \param scene        as resolved, for scene.toml
-  /// \throws std::invalid_argument if the folder holds other things than a run
+  /// \throws std::invalid_argument if the folder holds other things than a run, or for a filter that
+  ///         there is not
   /// \throws CannotWrite if it cannot be made or written
   RunFiles(const std::filesystem::path& folder, RunDescription description, const Scene& scene);
 
@@ -53,6 +58,10 @@ class RunFiles : public RunObserver {
   /// \throws std::invalid_argument if a number in it is not finite
   void write_unsolved(const LcpProblem& problem);
 
+  /// Why trajectory_filtered.csv ends before the run does.
+  /// \return what the filter said of the frame that it refused; empty if it refused none
+  [[nodiscard]] std::string filter_refusal() const;
+
   /// Takes everything away again, the folder too if it was made for this run: for a run that turns
   /// out to be a mistake when it has begun.
   void discard() const { folder_.discard(); }
@@ -62,10 +71,11 @@ class RunFiles : public RunObserver {
 
   OutputFolder folder_;
   RunDescription description_;
-  TableFile trajectory_;
+  TrajectoryFile trajectory_;
   TableFile metrics_;
   TableFile events_;
   std::optional<TableFile> contacts_;
+  std::optional<FilteredTrajectoryFile> filtered_;
   std::int64_t step_ = 0;
 };
 

@@ -1,6 +1,7 @@
 /// \file
 /// \brief The techniques of the chapter impulse_damped as a user sets them.
 #include "tumble/base/error.hpp"
+#include "tumble/filtering/freezing.hpp"
 #include "tumble/impulse_damped/contact_damped.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/damped_as_printed.hpp"
@@ -10,8 +11,24 @@
 #include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 namespace tumble {
+namespace {
+
+void add_freeze(Parameters& p) {
+  p.add_flag("freeze", false,
+             "sleeping=on: heaps whose earlier steps tell that they only chatter fall asleep too "
+             "(thesis 6.3.1)");
+}
+
+std::unique_ptr<Technique> frozen_if_asked(const Parameters& p, std::unique_ptr<Technique> made) {
+  if (!p.flag("freeze")) return made;
+  require::that(p.flag("sleeping"), "freeze = on: expected sleeping = on beside it");
+  return std::make_unique<FreezeOnChatter>(std::move(made));
+}
+
+}  // namespace
 
 Parameters impulse_options() {
   const ImpulseOptions standard;
@@ -32,6 +49,7 @@ Parameters impulse_options() {
                "collisions slower than this share of sqrt(g L) stick (thesis 4.3)");
   p.add_flag("repair", standard.repair, "move bodies apart that overlap after the step");
   p.add_flag("sleeping", standard.sleeping, "what rests is left alone (thesis 4.5)");
+  add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
   return p;
 }
@@ -52,7 +70,7 @@ std::unique_ptr<Technique> make_impulse(const Parameters& p, std::uint64_t) {
   options.repair = p.flag("repair");
   options.sleeping = p.flag("sleeping");
   options.rotation = rotation_rule_from(p.word("rotation"));
-  return std::make_unique<Impulse>(options);
+  return frozen_if_asked(p, std::make_unique<Impulse>(options));
 }
 
 Parameters damped_options() {
@@ -86,6 +104,7 @@ Parameters damped_options() {
   p.add_whole("collision_passes", standard.collision_passes, 0, 1000, "passes over collisions");
   p.add_whole("contact_passes", standard.contact_passes, 0, 1000, "passes over contacts");
   p.add_flag("sleeping", standard.sleeping, "bodies at rest are left alone (thesis 4.5)");
+  add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
   p.add_word("reading", {"as_meant", "as_printed"},
              "the listings of appendix A.2 with their slips mended, or as they are printed");
@@ -111,6 +130,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p) {
        {"off", "fast"});  // fast is the default of as_meant; the listings have no chance
   only("stable_boxes", {"corners", "off"});
   require::that(!p.flag("sleeping"), "sleeping = on: reading=as_printed has no sleeping");
+  require::that(!p.flag("freeze"), "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
   options.repaired = ErrataSet(p.text("repaired"));
   options.numbers.eps_scale = p.number("eps_scale");
@@ -144,7 +164,7 @@ std::unique_ptr<Technique> make_damped(const Parameters& p, std::uint64_t seed) 
   options.sleeping = p.flag("sleeping");
   options.rotation = rotation_rule_from(p.word("rotation"));
   options.seed = seed;
-  return std::make_unique<Damped>(options);
+  return frozen_if_asked(p, std::make_unique<Damped>(options));
 }
 
 Parameters contact_damped_options() {
@@ -155,6 +175,7 @@ Parameters contact_damped_options() {
               "of the direct solver, for heaps that sweeps do not settle; 0: none");
   p.add_whole("repair_passes", standard.repair_passes, 1, 1000, "sweeps that end overlap");
   p.add_flag("sleeping", standard.sleeping, "heaps at rest are left alone (thesis 4.5)");
+  add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
   return p;
 }
@@ -166,7 +187,7 @@ std::unique_ptr<Technique> make_contact_damped(const Parameters& p, std::uint64_
   options.repair_passes = p.count("repair_passes");
   options.sleeping = p.flag("sleeping");
   options.rotation = rotation_rule_from(p.word("rotation"));
-  return std::make_unique<ContactDamped>(options);
+  return frozen_if_asked(p, std::make_unique<ContactDamped>(options));
 }
 
 }  // namespace tumble

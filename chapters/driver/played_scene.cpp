@@ -1,6 +1,6 @@
 /// \file
 /// \brief A built-in scene under a technique of the library, step by step.
-#include "impulse_damped/played_scene.hpp"
+#include "driver/played_scene.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/scenes/library.hpp"
@@ -64,15 +64,5 @@ Scene scene_with(std::string_view name, const std::vector<std::string>& settings
 std::string setting(std::string_view key, double value) {
   return std::string(key) + '=' + full_text(value);
 }
-
-std::vector<DampedVariant> damped_variants() {
-  return {{"", {"damped"}},
-          {"half the epsilons", {"damped", {"eps_scale=0.5"}}},
-          {"twice the epsilons", {"damped", {"eps_scale=2"}}},
-          {"half the damping", {"damped", {"k_scale=0.5"}}},
-          {"twice the damping", {"damped", {"k_scale=2"}}}};
-}
-
-PlayedTechnique coulomb_technique() { return {"contact_damped"}; }
 
 }  // namespace tumble::chapters

@@ -1,0 +1,101 @@
+/// \file
+/// \brief Runs with fixed and adaptive sub-steps, and when their bodies come to rest.
+#include "filtering/adaptive_runs.hpp"
+
+#include "tumble/base/tolerance.hpp"
+#include "tumble/dynamics/step_report.hpp"
+#include "tumble/record/chatter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+double time_of_rest(const SettledRun& run, std::size_t index) {
+  const BodyProperties& body = run.world.bodies()[index];
+  const double limit = tolerance::resting_movement * body.size.minCoeff();
+  const auto corners = [&](int frame) {
+    return corners_of(box_of(body, run.frames.frame(frame).states[index]));
+  };
+  constexpr int kWay = ChatterMeter::kWindow - 1;  // steps in half a second
+  for (int end = run.frames.count() - 1; end >= kWay; --end)
+    if (!(largest_way(corners(end - kWay), corners(end)) < limit)) return end * run.interval;
+  return 0.0;
+}
+
+}  // namespace
+
+AdaptiveStepOptions fixed_steps(int halvings) {
+  AdaptiveStepOptions options;
+  options.halvings = halvings;
+  options.fewest = halvings;
+  return options;
+}
+
+SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique> technique,
+                           const AdaptiveStepOptions& options, double settling, double watched) {
+  PlayedScene played(scene, {"damped", {}});
+  auto divided = std::make_unique<AdaptiveStep>(std::move(technique), options);
+  const AdaptiveStep& steps = *divided;
+  played.technique = std::move(divided);
+  SteppedRun out;
+  out.run.interval = PlayedScene::kStep;
+  const auto record = [&] {
+    out.run.frames.record(played.world);
+    std::vector<char> touches(static_cast<std::size_t>(played.world.count()), 0);
+    for (const BodyId id : steps.touched())
+      touches[static_cast<std::size_t>(played.world.index_of(id))] = 1;
+    out.run.touches.push_back(std::move(touches));
+  };
+  record();
+  played.advance(settling + watched, [&](const StepReport& report) {
+    record();
+    add_report(report, out.work);
+    out.substeps.push_back(static_cast<int>(steps.substeps().size()));
+  });
+  out.run.first = static_cast<int>(std::lround(settling / out.run.interval));
+  out.run.world = played.world;
+  return out;
+}
+
+RestingMeasures measure_resting(const SettledRun& run) {
+  RestingMeasures out;
+  for (std::size_t k = 0; k < run.world.bodies().size(); ++k)
+    if (run.world.bodies()[k].movable()) out.times.push_back(time_of_rest(run, k));
+  const double gravity = run.world.gravity_w.norm();
+  for (const std::size_t k : resting_bodies(run))
+    out.amplitudes.push_back(
+        shake_of(settled_path(run, run.frames, k), gravity, run.interval).amplitude);
+  std::sort(out.times.begin(), out.times.end());
+  std::sort(out.amplitudes.begin(), out.amplitudes.end());
+  return out;
+}
+
+double RestingMeasures::chatter() const {
+  if (amplitudes.empty()) return 0.0;
+  const std::size_t half = amplitudes.size() / 2;
+  if (amplitudes.size() % 2 == 1) return amplitudes[half];
+  return 0.5 * (amplitudes[half - 1] + amplitudes[half]);
+}
+
+double RestingMeasures::mean_chatter() const {
+  if (amplitudes.empty()) return 0.0;
+  return std::accumulate(amplitudes.begin(), amplitudes.end(), 0.0) /
+         static_cast<double>(amplitudes.size());
+}
+
+double RestingMeasures::time_to_rest(double share) const {
+  const double bodies = std::ceil(share * static_cast<double>(times.size()));
+  return times[static_cast<std::size_t>(std::max(bodies, 1.0)) - 1];
+}
+
+double share_moving(const RestingMeasures& measured, double time) {
+  const auto moving =
+      measured.times.end() - std::lower_bound(measured.times.begin(), measured.times.end(), time);
+  return static_cast<double>(moving) / static_cast<double>(measured.times.size());
+}
+
+}  // namespace tumble::chapters

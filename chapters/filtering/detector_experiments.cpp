@@ -1,0 +1,222 @@
+/// \file
+/// \brief Hits and false alarms of rules that tell chatter (claim 6.3.1c).
+#include "filtering/detector_experiments.hpp"
+
+#include "tumble/base/tolerance.hpp"
+
+#include "driver/statistics.hpp"
+#include "filtering/motion_corpus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+// What may not be told to chatter, each as much worth as the others: sliding by itself, sliding within
+// a clump that shakes, rolling and rocking.
+constexpr std::array<Doing, 4> kMoving = {Doing::slides, Doing::creeps, Doing::rolls, Doing::rocks};
+constexpr double kPathOverWay = 4.0;  // [-] of the rule that asks for nothing else
+constexpr double kMostRows = 150.0;   // of the table of a curve
+
+using Corpora = std::vector<MotionCorpus>;  // by seed
+using Test = std::function<bool(const Moment&)>;
+using Score = std::function<double(const Moment&)>;  // the higher, the more it chatters
+
+// Share of the moments of a kind that pass a test; without one seed, or with all (-1).
+double share(const Corpora& corpora, Doing doing, int left_out, const Test& test) {
+  double passed = 0.0;
+  double all = 0.0;
+  for (std::size_t seed = 0; seed < corpora.size(); ++seed) {
+    if (static_cast<int>(seed) == left_out) continue;
+    for (const Moment& moment : corpora[seed].moments) {
+      if (moment.doing != doing) continue;
+      all += 1.0;
+      passed += test(moment) ? 1.0 : 0.0;
+    }
+  }
+  return all > 0.0 ? passed / all : 0.0;
+}
+
+double mean_share(const Corpora& corpora, int left_out, const Test& test) {
+  double sum = 0.0;
+  for (const Doing doing : kMoving) sum += share(corpora, doing, left_out, test);
+  return sum / static_cast<double>(kMoving.size());
+}
+
+bool told(const Moment& moment) { return moment.told == Motion::chatters; }
+bool told_to_move(const Moment& moment) { return moment.told == Motion::moves; }
+
+// Hits and false alarms at every threshold between two scores, and the area under them.
+struct Curve {
+  std::vector<std::vector<double>> rows;  // threshold, false alarms, hits
+  double area = 0.0;
+};
+
+Curve curve_of(const Corpora& corpora, const Score& score) {
+  std::array<double, kDoings + 1> count{};
+  for (const MotionCorpus& corpus : corpora)
+    for (const Moment& moment : corpus.moments)
+      count[static_cast<std::size_t>(moment.doing)] += 1.0;
+  struct Scored {
+    double score, hit, alarm;
+  };
+  std::vector<Scored> all;
+  for (const MotionCorpus& corpus : corpora)
+    for (const Moment& moment : corpus.moments) {
+      const double weight = 1.0 / count[static_cast<std::size_t>(moment.doing)];
+      if (moment.doing == Doing::chatters) all.push_back({score(moment), weight, 0.0});
+      if (std::find(kMoving.begin(), kMoving.end(), moment.doing) != kMoving.end())
+        all.push_back({score(moment), 0.0, weight / static_cast<double>(kMoving.size())});
+    }
+  std::sort(all.begin(), all.end(),
+            [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  Curve curve;
+  curve.rows.push_back({all.empty() ? 0.0 : all.front().score, 0.0, 0.0});
+  double alarms = 0.0;
+  double hits = 0.0;
+  for (std::size_t k = 0; k < all.size();) {
+    const double before_alarms = alarms;
+    const double before_hits = hits;
+    const double threshold = all[k].score;
+    for (; k < all.size() && !(all[k].score < threshold); ++k) {
+      hits += all[k].hit;
+      alarms += all[k].alarm;
+    }
+    curve.area += (alarms - before_alarms) * 0.5 * (hits + before_hits);
+    const bool apart =
+        std::abs(hits - curve.rows.back()[2]) + std::abs(alarms - curve.rows.back()[1]) >=
+        1.0 / kMostRows;
+    if (apart || k == all.size() || threshold == 0.0)
+      curve.rows.push_back({threshold, alarms, hits});
+  }
+  return curve;
+}
+
+// A threshold that is infinite, of what does not drift at all, leaves its cell empty.
+Table table_of(const std::string& suffix, const std::string& threshold, const Curve& curve) {
+  Table table{suffix,
+              {{"threshold", "-", threshold},
+               {"alarms", "-", "share of what moves that is told to chatter, mean of four kinds"},
+               {"hits", "-", "share of chatter that is told"}}};
+  for (std::vector<double> row : curve.rows) {
+    if (!std::isfinite(row[0])) row[0] = std::numeric_limits<double>::quiet_NaN();
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+struct Rule {
+  std::string name;
+  Test test;
+};
+
+}  // namespace
+
+Result measure_detector(const Parameters& settings) {
+  const int seeds = settings.count("seeds");
+  Corpora corpora;
+  for (int k = 0; k < seeds; ++k)
+    corpora.push_back(corpus_of(static_cast<std::uint64_t>(settings.count("first_seed") + k),
+                                settings.count("per_edge"), settings.count("boxes")));
+
+  Result result;
+  std::vector<Quantity>& out = result.quantities;
+  const auto add = [&](const std::string& name, const std::function<double(int left_out)>& value) {
+    Quantity quantity = over_seeds(name, "-", seeds, value);
+    quantity.low = std::max(quantity.low, 0.0);  // they are shares
+    quantity.high = std::min(quantity.high, 1.0);
+    out.push_back(quantity);
+  };
+  const auto hits = [&](int left_out) { return share(corpora, Doing::chatters, left_out, told); };
+  const auto kept = [&](int left_out) { return mean_share(corpora, left_out, told_to_move); };
+  add("the smaller of two shares of a corpus with labels: chatter that is told as such, and slow "
+      "sliding, rolling and rocking that is not",
+      [&](int left_out) { return std::min(hits(left_out), kept(left_out)); });
+  add("chatter that is told as such", hits);
+  add("mean share of sliding, creeping, rolling and rocking that is told to move", kept);
+  double least = 1.0;
+  for (const Doing doing : kMoving)
+    least = std::min(least, share(corpora, doing, -1, told_to_move));
+  out.push_back({"the least of these four shares", "-", least});
+  add("falling and fast sliding that is told to move", [&](int left_out) {
+    return 0.5 * (share(corpora, Doing::falls, left_out, told_to_move) +
+                  share(corpora, Doing::speeds, left_out, told_to_move));
+  });
+
+  const Curve rule = curve_of(corpora, [](const Moment& m) { return m.clearness; });
+  const Curve path = curve_of(corpora, [](const Moment& m) { return m.path_over_way; });
+  const Curve speed = curve_of(corpora, [](const Moment& m) { return -m.fastest; });
+  out.push_back({"area under the curve of the rule", "-", rule.area});
+  out.push_back({"area under the curve of path over way", "-", path.area});
+  out.push_back({"area under the curve of speed", "-", speed.area});
+
+  const std::array<Rule, 4> rules = {
+      {{"rule", told},
+       {"path", [](const Moment& m) { return m.path_over_way > kPathOverWay; }},
+       {"slow", [](const Moment& m) { return m.fastest <= tolerance::sleeping_speed; }},
+       {"small", [](const Moment& m) { return m.small; }}}};
+  add("chatter that the sleeping rule calls slow",
+      [&](int left_out) { return share(corpora, Doing::chatters, left_out, rules[2].test); });
+  add("slow sliding whose momenta the damping calls small",
+      [&](int left_out) { return share(corpora, Doing::slides, left_out, rules[3].test); });
+  double moving = 0.0;
+  double freezes = 0.0;
+  for (const MotionCorpus& corpus : corpora) {
+    moving += corpus.moving;
+    freezes += corpus.false_freezes;
+  }
+  out.push_back({"false freezes per second of a moving body", "1/s", freezes / moving});
+
+  Table points{
+      "points",
+      {{"rule", "-", "1: ours, 2: path over way, 3: sleeping rule, 4: damping's thresholds"},
+       {"alarms", "-", "share of what moves that is told to chatter, mean of four kinds"},
+       {"hits", "-", "share of chatter that is told"}}};
+  Table kinds{"kinds",
+              {{"kind", "-",
+                "1: chatters, 2: slides, 3: rolls, 4: rocks, 5: creeps, 6: falls, "
+                "7: slides fast"},
+               {"moments", "-", "how many there are"}}};
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    points.rows.push_back({static_cast<double>(r + 1), mean_share(corpora, -1, rules[r].test),
+                           share(corpora, Doing::chatters, -1, rules[r].test)});
+    kinds.columns.push_back({rules[r].name, "-", "share that is told to chatter, or called slow"});
+  }
+  for (std::size_t k = 0; k < kDoings; ++k) {
+    const auto doing = static_cast<Doing>(k);
+    double count = 0.0;
+    for (const MotionCorpus& corpus : corpora)
+      count +=
+          static_cast<double>(std::count_if(corpus.moments.begin(), corpus.moments.end(),
+                                            [&](const Moment& m) { return m.doing == doing; }));
+    kinds.rows.push_back({static_cast<double>(k + 1), count});
+    for (const Rule& r : rules) kinds.rows.back().push_back(share(corpora, doing, -1, r.test));
+  }
+  Table windows{"windows",
+                {{"frames", "-", "W"},
+                 {"hits", "-", "share of chatter that is told"},
+                 {"kept", "-", "share of what moves that is told to move, mean of four kinds"},
+                 {"least", "-", "the least of the four"}}};
+  for (std::size_t w = 0; w < kWindows.size(); ++w) {
+    const Test chatters = [w](const Moment& m) { return m.others[w] == Motion::chatters; };
+    const Test moves = [w](const Moment& m) { return m.others[w] == Motion::moves; };
+    double worst = 1.0;
+    for (const Doing doing : kMoving) worst = std::min(worst, share(corpora, doing, -1, moves));
+    windows.rows.push_back({static_cast<double>(kWindows[w]),
+                            share(corpora, Doing::chatters, -1, chatters),
+                            mean_share(corpora, -1, moves), worst});
+  }
+  result.tables = {table_of("", "swing over drift", rule),
+                   table_of("path", "path over way", path),
+                   table_of("speed", "speed over sqrt(g L), times -1", speed),
+                   points,
+                   kinds,
+                   windows};
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,107 @@
+/// \file
+/// \brief Recording bodies until they rest, and telling which of them do.
+#include "filtering/settled_run.hpp"
+
+#include "tumble/base/tolerance.hpp"
+#include "tumble/record/chatter.hpp"
+
+#include <cmath>
+#include <span>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kChatters = 1e-3;  // [-] amplitude over the shortest edge; claim 6.1b
+constexpr std::size_t kWindow = ChatterMeter::kWindow;
+
+// A path as half seconds that share their ends.
+std::vector<std::span<const Corners>> half_seconds(const std::vector<Corners>& path) {
+  std::vector<std::span<const Corners>> parts;
+  for (std::size_t begin = 0; begin + kWindow <= path.size(); begin += kWindow - 1)
+    parts.push_back(std::span(path).subspan(begin, kWindow));
+  return parts;
+}
+
+std::vector<char> touching(const PlayedScene& played) {
+  std::vector<char> touches(static_cast<std::size_t>(played.world.count()), 0);
+  for (const ContactRecord& contact : played.technique->contacts())
+    for (const BodyId id : {contact.first, contact.second})
+      if (const auto index = played.world.find(id)) touches[static_cast<std::size_t>(*index)] = 1;
+  return touches;
+}
+
+}  // namespace
+
+SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
+                        double watched, std::uint64_t seed) {
+  PlayedScene scene_now(scene, played, seed);
+  SettledRun run;
+  run.interval = PlayedScene::kStep;
+  const auto record = [&] {
+    run.frames.record(scene_now.world);
+    run.touches.push_back(touching(scene_now));
+  };
+  record();
+  scene_now.advance(settling + watched, [&](const StepReport&) { record(); });
+  run.first = static_cast<int>(std::lround(settling / run.interval));
+  run.world = scene_now.world;
+  return run;
+}
+
+SettledRun settle_clump(const SettledRequest& request) {
+  return settle_scene(
+      scene_with("fig6_7", {"per_edge=" + std::to_string(request.per_edge)}, request.seed),
+      request.technique, request.settling, request.watched, request.seed);
+}
+
+std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
+                                  std::size_t index) {
+  std::vector<Corners> path;
+  for (int k = run.first; k < frames.count(); ++k)
+    path.push_back(corners_of(box_of(run.world.bodies()[index], frames.frame(k).states[index])));
+  return path;
+}
+
+Shake shake_of(const std::vector<Corners>& path, double gravity, double interval) {
+  Shake shake;
+  const auto parts = half_seconds(path);
+  for (const std::span<const Corners> part : parts) {
+    shake.amplitude += largest_excursion(part);
+    shake.acceleration += rms_second_difference(part) / (gravity * interval * interval);
+  }
+  const double count = static_cast<double>(parts.size());
+  shake.amplitude /= count;
+  shake.acceleration /= count;
+  shake.squirm = squirm(path, interval);
+  return shake;
+}
+
+std::vector<std::size_t> resting_bodies(const SettledRun& run) {
+  std::vector<std::size_t> resting;
+  for (std::size_t k = 0; k < run.world.bodies().size(); ++k) {
+    const BodyProperties& body = run.world.bodies()[k];
+    if (!body.movable()) continue;
+    bool rests = true;
+    for (std::size_t f = static_cast<std::size_t>(run.first); f < run.touches.size(); ++f)
+      rests = rests && run.touches[f][k] != 0;
+    const std::vector<Corners> path = settled_path(run, run.frames, k);
+    for (const std::span<const Corners> part : half_seconds(path))
+      rests = rests && largest_way(part.front(), part.back()) <
+                           tolerance::resting_movement * body.size.minCoeff();
+    if (rests) resting.push_back(k);
+  }
+  return resting;
+}
+
+std::vector<std::size_t> chattering_bodies(const SettledRun& run) {
+  std::vector<std::size_t> chattering;
+  const double gravity = run.world.gravity_w.norm();
+  for (const std::size_t k : resting_bodies(run)) {
+    const Shake shake = shake_of(settled_path(run, run.frames, k), gravity, run.interval);
+    if (shake.amplitude >= kChatters * run.world.bodies()[k].size.minCoeff())
+      chattering.push_back(k);
+  }
+  return chattering;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,81 @@
+/// \file
+/// \brief The settled clump of figure 6.7: what is filtered, detected and measured here (thesis 5.5).
+#pragma once
+
+#include "tumble/dynamics/trajectory.hpp"
+#include "tumble/filtering/corner_motion.hpp"
+
+#include "driver/played_scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A run that was recorded at 60 frames a second, the start included.
+struct SettledRun {
+  World world;                             ///< in the end
+  Trajectory frames;                       ///< all of them
+  std::vector<std::vector<char>> touches;  ///< by frame and index: whether the body is in contact
+  int first = 0;                           ///< the first frame in which bodies should rest
+  double interval = 1.0 / 60.0;            ///< [s] between frames
+};
+
+/// What is made of a run, and how long it is watched.
+struct SettledRequest {
+  int per_edge = 5;                            ///< cubes along each edge of the grid at the start
+  std::uint64_t seed = 1;                      ///< of their orientations
+  double settling = 10.0;                      ///< [s] before bodies should rest
+  double watched = 4.0;                        ///< [s] after that, a multiple of half a second
+  PlayedTechnique technique = {"damped", {}};  ///< the thesis's, as meant
+};
+
+/// Lets the cubes of figure 6.7 fly together and settle, and records them.
+/// \param request what to run
+/// \return the run
+SettledRun settle_clump(const SettledRequest& request);
+
+/// Any other scene of 60 steps a second, recorded in the same way.
+/// \param scene     where it starts
+/// \param played    the technique
+/// \param settling  [s] before bodies should rest
+/// \param watched   [s] after that
+/// \param seed      of chance in the technique
+/// \return the run
+SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
+                        double watched, std::uint64_t seed = 1);
+
+/// The corners of a body in the part of a run in which it should rest.
+/// \param run     for its bodies, and which part it is
+/// \param frames  as computed or as shown
+/// \param index   the body
+/// \return one for each frame from run.first on
+std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
+                                  std::size_t index);
+
+/// How a body shakes that rests: means over the half seconds of a path, and its squirm.
+struct Shake {
+  double amplitude = 0.0;     ///< [m] largest distance between two places of a corner
+  double acceleration = 0.0;  ///< [-] root mean square second difference, over g Δt²
+  double squirm = 0.0;        ///< [m/s] see squirm()
+};
+
+/// Measures a path, half second by half second (ChatterMeter::kWindow frames, ends shared).
+/// \param path      at least one half second
+/// \param gravity   [m/s²] that accelerations are divided by
+/// \param interval  [s] between frames
+/// \return means over the half seconds; the squirm of all of it
+Shake shake_of(const std::vector<Corners>& path, double gravity, double interval);
+
+/// Bodies that rest in the watched part, as ChatterMeter says: in every frame in contact, and in each
+/// half second with less than a hundredth of the shortest edge as net movement of every corner.
+/// \param run the run
+/// \return their indices, ascending
+std::vector<std::size_t> resting_bodies(const SettledRun& run);
+
+/// Of these, the ones whose amplitude is a thousandth of the shortest edge or more.
+/// \param run the run
+/// \return their indices, ascending
+std::vector<std::size_t> chattering_bodies(const SettledRun& run);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,98 @@
+/// \file
+/// \brief The settled clump as a filter shows it: medians over the bodies that chatter, and overlap
+///        (thesis 5.5).
+#pragma once
+
+#include "tumble/filtering/pose_filter.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include "driver/figure.hpp"
+#include "filtering/settled_run.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A settled clump and what chatters in it.
+///
+/// The run goes on for half a second after the watched part, so that a filter has later frames to
+/// look at and no window is cut within it.
+struct ChatteringClump {
+  SettledRun run;                   ///< recorded, with the half second
+  std::vector<std::size_t> bodies;  ///< indices of those that chatter
+  std::size_t watched = 0;          ///< frames from run.first on that are measured
+
+  /// A body's corners in the watched part.
+  /// \param frames  as computed or as shown, as many as the run has
+  /// \param index   the body
+  /// \return `watched` of them
+  [[nodiscard]] std::vector<Corners> path(const Trajectory& frames, std::size_t index) const;
+
+  /// How each of the bodies shakes.
+  /// \param frames as computed or as shown
+  /// \return in the order of `bodies`
+  [[nodiscard]] std::vector<Shake> shakes(const Trajectory& frames) const;
+};
+
+/// Lets a clump settle and looks for what chatters.
+/// \param request what to run; `watched` is that of the measured part
+/// \return the clump
+/// \throws std::runtime_error if nothing chatters
+ChatteringClump chattering_clump(SettledRequest request);
+
+/// What the figures on the box filter run.
+/// \param settings  per_edge, settling, watched
+/// \param seed      of the clump
+/// \return the request
+SettledRequest clump_request(const Parameters& settings, int seed);
+
+/// The middle one of some numbers.
+/// \param values at least one; their order does not matter
+/// \return the mean of the middle two if there is an even number of them
+double median_of(std::vector<double> values);
+
+/// The median of each number of some bodies.
+/// \param shakes at least one
+/// \return medians
+Shake median_shake(const std::vector<Shake>& shakes);
+
+/// The mean of what each seed gave.
+/// \param name    of the quantity
+/// \param unit    of the quantity
+/// \param values  one for each seed
+/// \return with the interval of over_seeds(), here Student's
+Quantity mean_over_seeds(std::string name, std::string unit, const std::vector<double>& values);
+
+/// By what boxes of two widths change the squirm of noise that is the same at all frequencies.
+///
+/// Squirm is the root mean square of a sum of samples with fixed weights, and so is squirm after a
+/// box filter; for white noise both are as the root of the sum of the squares of the weights.
+/// \param name    of the quantity
+/// \param frames  width of the one, odd
+/// \param before  width of the other, odd; 1: as computed
+/// \return [-] squirm under the one over that under the other
+Quantity squirm_of_white_noise(std::string name, int frames, int before);
+
+/// How deep shown bodies are in each other.
+class ShownOverlap {
+ public:
+  /// Remembers the bodies.
+  /// \param world all bodies of the run; none may come or go in it
+  explicit ShownOverlap(const World& world);
+
+  /// The deepest penetration over all pairs of which one can move.
+  /// \param frame as computed or as shown
+  /// \return [m] 0 if no pair overlaps
+  [[nodiscard]] double deepest(const Frame& frame);
+
+ private:
+  const World& world_;
+  std::unique_ptr<BroadPhase> broad_phase_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+};
+
+}  // namespace tumble::chapters

@@ -1,0 +1,247 @@
+/// \file
+/// \brief Chatter of every technique, as a table.
+#include "filtering/technique_chatter_experiments.hpp"
+
+#include "tumble/math/elementary.hpp"
+#include "tumble/record/lighting.hpp"
+
+#include "filtering/chatter_ranks.hpp"
+#include "filtering/chatter_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// [m] Differences below it mean nothing: solvers stop there, and then there is rounding.
+constexpr double kStill = 1e-9;
+constexpr double kLoud = 1e-2;  // [m] where the colours end
+constexpr double kFell = 0.5;   // [m] half an edge: what gets farther from its place in a pile fell
+constexpr std::size_t kScenes = 4;
+constexpr std::size_t kDamped = 1;  // a technique that is never left out
+
+struct Rested {
+  std::string words;
+  PlayedTechnique technique;
+  std::array<bool, kScenes> soon = {true, true, true, true};  // false: for the patient
+};
+
+// With Coulomb's friction, forces are searched for in hundreds of unknowns once the boxes of a pyramid
+// touch one another: minutes for a frame, or no solution. Impulses of 27 cubes take four seconds.
+std::vector<Rested> techniques_at_rest() {
+  return {
+      {"impulse", {"impulse"}, {true, true, true, false}},
+      {"damped", {"damped"}},
+      {"the repaired listings of damped", {"damped", {"reading=as_printed", "repaired=all"}}},
+      {"contact_damped", {"contact_damped"}},
+      {"analytic with damping", {"analytic", {"friction=damping"}}},
+      {"analytic", {"analytic"}, {true, false, false, false}},
+      {"time_stepping", {"time_stepping"}, {true, true, true, false}},
+  };
+}
+
+// What has no resting contact, in the order of the thesis.
+constexpr std::array<const char*, 5> kRestless = {"basic", "timewarp_simple", "timewarp_safer",
+                                                  "timewarp_swept", "timewarp_full"};
+
+struct Start {
+  std::string scene;
+  std::vector<std::string> settings;
+  double settling = 0.0;  // [s]
+  bool stands = false;    // a pile: its boxes begin where they should stay
+};
+
+std::array<Start, kScenes> starts_of(const Parameters& p) {
+  const auto whole = [&](const char* key, const char* setting) {
+    return std::string(setting) + '=' + std::to_string(p.count(key));
+  };
+  const std::string shift = setting("scatter", p.number("scatter"));
+  const std::string turn = setting("scatter_angle", p.number("scatter_angle"));
+  const double settling = p.number("settling");
+  const double flying = p.number("flying");
+  return {Start{"stack", {whole("boxes", "count"), shift, turn}, settling, true},
+          Start{"pyramid", {whole("rows", "rows"), shift, turn}, settling, true},
+          Start{"fig6_7", {whole("small", "per_edge")}, flying, false},
+          Start{"fig6_7", {whole("large", "per_edge")}, flying, false}};
+}
+
+// What a technique did with one scene, over seeds.
+struct Cell {
+  MedianRange amplitude = median_range({});  // [m] of the worst body; NaN until there is one
+  double acceleration = kNone;               // [-] of the worst body, median
+  double restless = 0.0;                     // bodies of all seeds that do not rest
+  double cubes = 0.0;                        // in the scene
+  double fell = 0.0;                         // seeds in which a pile fell
+  double unsolved = 0.0;                     // seeds in which a step was not solved
+  double seeds = 0.0;
+  double capped = 0.0;      // share of steps that met the cap of events
+  double collisions = 0.0;  // a step while watched
+  bool calm = true;         // it stands and something rests, whatever the seed
+  int rank = 0;             // among the calm ones of a scene; 0: none
+  bool tied = false;        // others have this rank too
+};
+
+Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTechnique& technique,
+             double technique_number, double scene_number, Table& seeds) {
+  Cell cell;
+  std::vector<double> amplitudes;
+  std::vector<double> accelerations;
+  double steps = 0.0;
+  const double watched = p.number("watched");
+  for (int seed = 1; seed <= count; ++seed) {
+    const auto number = static_cast<std::uint64_t>(seed);
+    const ChatterRun run = chatter_of(scene_with(start.scene, start.settings, number), technique,
+                                      start.settling, watched, number);
+    const bool fell = start.stands && run.displaced > kFell;
+    const bool counts = !fell && run.solved && !run.resting.empty();
+    cell.cubes = run.bodies;
+    cell.restless += run.restless();
+    cell.fell += fell ? 1.0 : 0.0;
+    cell.unsolved += run.solved ? 0.0 : 1.0;
+    cell.seeds += 1.0;
+    cell.capped += static_cast<double>(run.capped);
+    cell.collisions += static_cast<double>(run.last_collisions) / (watched / PlayedScene::kStep);
+    steps += static_cast<double>(run.steps);
+    cell.calm = cell.calm && counts;
+    if (counts) {
+      amplitudes.push_back(run.amplitude());
+      accelerations.push_back(run.acceleration());
+    }
+    seeds.rows.push_back({technique_number, scene_number, static_cast<double>(seed),
+                          run.amplitude(), run.acceleration(), static_cast<double>(run.restless()),
+                          static_cast<double>(run.capped), run.displaced});
+  }
+  cell.amplitude = median_range(amplitudes);
+  cell.acceleration = median_range(accelerations).median;
+  cell.capped /= steps;
+  cell.collisions /= cell.seeds;
+  return cell;
+}
+
+// Pale, so that letters can be read: from blue to vermilion on a scale of powers.
+std::uint32_t colour_of(double amplitude) {
+  constexpr std::uint32_t cold = 0xc4e2f5, middle = 0xf8f3dc, hot = 0xf2a57c;
+  const double clipped = std::clamp(amplitude, kStill, kLoud);
+  const double place = elementary::log(clipped / kStill) / elementary::log(kLoud / kStill);
+  return place < 0.5 ? mixed(cold, middle, 2.0 * place) : mixed(middle, hot, 2.0 * place - 1.0);
+}
+
+void rank(std::vector<Cell>& cells) {
+  std::vector<Cell*> calm;
+  std::vector<MedianRange> ranges;
+  for (Cell& cell : cells) {
+    if (cell.seeds == 0.0 || !cell.calm) continue;
+    calm.push_back(&cell);
+    ranges.push_back(cell.amplitude);
+  }
+  const std::vector<int> ranks = shared_ranks(ranges, kStill);
+  for (std::size_t k = 0; k < calm.size(); ++k) {
+    calm[k]->rank = ranks[k];
+    calm[k]->tied = std::count(ranks.begin(), ranks.end(), ranks[k]) > 1;
+  }
+}
+
+Quantity quantity_from(const std::string& name, const Cell& cell) {
+  const MedianRange& found = cell.amplitude;
+  Quantity out{name, "mm", 1e3 * found.median, 1e3 * found.low, 1e3 * found.high};
+  out.seeds = static_cast<int>(cell.seeds);
+  return out;
+}
+
+Table techniques_without(const Parameters& p, const Start& start, Table& seeds) {
+  Table table{"without",
+              {{"technique", "-", "0: basic, then timewarp simple, safer, swept, full"},
+               {"amplitude_m", "m", "largest of a box that rests, median over seeds; empty: none"},
+               {"acceleration", "-", "the same, over that of a free fall"},
+               {"restless", "-", "boxes that do not rest, share of all"},
+               {"fell", "-", "seeds in which the stack fell"},
+               {"seeds", "-", "of all"},
+               {"capped", "-", "share of steps that met the cap of collisions"},
+               {"collisions", "-", "in a step, while watched"}}};
+  for (std::size_t k = 0; k < kRestless.size(); ++k) {
+    const double number = static_cast<double>(k) + 100.0;
+    const Cell cell = cell_of(p, p.count("others"), start, {kRestless[k]}, number, 0.0, seeds);
+    table.rows.push_back({static_cast<double>(k), cell.amplitude.median, cell.acceleration,
+                          cell.restless / (cell.cubes * cell.seeds), cell.fell, cell.seeds,
+                          cell.capped, cell.collisions});
+  }
+  return table;
+}
+
+Table shades() {
+  Table bar{"bar",
+            {{"amplitude_m", "m", "an amplitude"}, {"colour", "-", "its colour as 0xRRGGBB"}}};
+  constexpr int steps = 70;
+  for (int k = 0; k <= steps; ++k) {
+    const double amplitude =
+        kStill * elementary::pow(kLoud / kStill, static_cast<double>(k) / steps);
+    bar.rows.push_back({amplitude, static_cast<double>(colour_of(amplitude))});
+  }
+  return bar;
+}
+
+}  // namespace
+
+Result tabulate_chatter(const Parameters& settings) {
+  const std::vector<Rested> rested = techniques_at_rest();
+  const std::array<Start, kScenes> starts = starts_of(settings);
+  const bool patient = settings.flag("patient");
+  Table table{
+      "",
+      {{"technique", "-", "its row, from 0"},
+       {"scene", "-", "0: stack, 1: pyramid, 2: small clump, 3: large clump"},
+       {"cubes", "-", "in the scene"},
+       {"run", "-", "0: left out, it would take too long"},
+       {"amplitude_m", "m", "largest of a cube that rests, median over seeds"},
+       {"amplitude_low_m", "m", "lower end of its interval of 95 %"},
+       {"amplitude_high_m", "m", "upper end"},
+       {"acceleration", "-", "largest, over that of a free fall, median over seeds"},
+       {"restless", "-", "cubes that do not rest, of all seeds"},
+       {"all_cubes", "-", "of all seeds"},
+       {"fell", "-", "seeds in which a cube of a pile left its place"},
+       {"unsolved", "-", "seeds in which a step was not solved"},
+       {"rank", "-", "1, and one more for each whose interval is wholly below; empty: none"},
+       {"tied", "-", "1: others have this rank too"},
+       {"colour", "-", "0xRRGGBB"}}};
+  Table seeds{"seeds",
+              {{"technique", "-", "row of the table; from 100 on: of the table without"},
+               {"scene", "-", "column of the table"},
+               {"seed", "-", "of the start, and of chance in the technique"},
+               {"amplitude_m", "m", "largest of a cube that rests"},
+               {"acceleration", "-", "largest, over that of a free fall"},
+               {"restless", "-", "cubes that do not rest"},
+               {"capped", "-", "steps that met the cap of collisions"},
+               {"displaced_m", "m", "of the centre that got farthest from its start"}}};
+  Result result;
+  const std::array<std::string, kScenes> words = {"stack", "pyramid", "small clump", "large clump"};
+  for (std::size_t s = 0; s < kScenes; ++s) {
+    std::vector<Cell> cells(rested.size());
+    for (std::size_t t = 0; t < rested.size(); ++t)
+      if (rested[t].soon[s] || patient)
+        cells[t] = cell_of(settings, settings.count("seeds"), starts[s], rested[t].technique,
+                           static_cast<double>(t), static_cast<double>(s), seeds);
+    rank(cells);
+    const double cubes = cells[kDamped].cubes;
+    for (std::size_t t = 0; t < rested.size(); ++t) {
+      const Cell& cell = cells[t];
+      table.rows.push_back(
+          {static_cast<double>(t), static_cast<double>(s), cubes, cell.seeds > 0.0 ? 1.0 : 0.0,
+           cell.amplitude.median, cell.amplitude.low, cell.amplitude.high, cell.acceleration,
+           cell.restless, cell.cubes * cell.seeds, cell.fell, cell.unsolved,
+           cell.rank > 0 ? cell.rank : kNone, cell.tied ? 1.0 : 0.0,
+           static_cast<double>(cell.rank > 0 ? colour_of(cell.amplitude.median) : 0xeeeeee)});
+      if (cell.rank > 0 && (s == 1 || s == 2))
+        result.quantities.push_back(
+            quantity_from(words[s] + ": amplitude of " + rested[t].words, cell));
+    }
+  }
+  result.tables = {table, techniques_without(settings, starts[0], seeds), seeds, shades()};
+  return result;
+}
+
+}  // namespace tumble::chapters

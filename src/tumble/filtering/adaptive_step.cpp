@@ -1,0 +1,218 @@
+/// \file
+/// \brief A step that is halved as often as the bodies need it.
+#include "tumble/filtering/adaptive_step.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/dynamics/step_report.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+double thickness(const BodyProperties& body) {
+  return body.shape == Shape::ground ? std::numeric_limits<double>::infinity()
+                                     : body.size.minCoeff();
+}
+
+// [m] Of the bodies that move.
+double shortest_edge(const World& world) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) shortest = std::min(shortest, thickness(body));
+  return shortest;
+}
+
+// By how many halvings a sub-step has to be shorter than the whole to begin at this place. Places and
+// lengths are in the shortest sub-steps.
+int aligned(std::int64_t place, int halvings) {
+  int k = 0;
+  while (place % (std::int64_t{1} << (halvings - k)) != 0) ++k;
+  return k;
+}
+
+void sort_and_thin(std::vector<BodyId>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+void require_valid(const AdaptiveStepOptions& options) {
+  const auto above_zero = [](double value, const char* name) {  // infinity: no limit
+    require::that(value > 0.0,
+                  std::string(name) + " = " + require::text(value) + ": expected a number above 0");
+  };
+  require::that(options.halvings >= 0 && options.halvings <= AdaptiveStepOptions::kMostHalvings,
+                "halvings = " + std::to_string(options.halvings) + ": expected 0 to " +
+                    std::to_string(AdaptiveStepOptions::kMostHalvings));
+  require::that(options.fewest >= 0 && options.fewest <= options.halvings,
+                "fewest = " + std::to_string(options.fewest) +
+                    ": expected 0 to halvings = " + std::to_string(options.halvings));
+  above_zero(options.movement, "movement");
+  above_zero(options.turn, "turn");
+  above_zero(options.overlap, "overlap");
+  above_zero(options.shake, "shake");
+  require::that(options.calm >= 1,
+                "calm = " + std::to_string(options.calm) + ": expected 1 or more");
+}
+
+}  // namespace
+
+AdaptiveStep::AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options)
+    : inner_(std::move(inner)),
+      options_(options),
+      broad_phase_(make_broad_phase("bounding_tree")),
+      level_(options.fewest) {
+  require::that(inner_ != nullptr, "inner: expected a technique");
+  require_valid(options);
+}
+
+AdaptiveStep::AdaptiveStep(const AdaptiveStep& other)
+    : Technique(other),
+      inner_(other.inner_->clone()),
+      options_(other.options_),
+      broad_phase_(other.broad_phase_->clone()),
+      level_(other.level_),
+      quiet_(other.quiet_),
+      ways_(other.ways_),
+      substeps_(other.substeps_),
+      touched_(other.touched_) {}
+
+std::unique_ptr<Technique> AdaptiveStep::clone() const {
+  return std::make_unique<AdaptiveStep>(*this);
+}
+
+StepReport AdaptiveStep::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  inner_->observe(observer());
+  const double end = world.time() + dt;
+  const std::int64_t whole = std::int64_t{1} << options_.halvings;
+  substeps_.clear();
+  touched_.clear();
+  StepReport total;
+  for (std::int64_t place = 0; place < whole;) {
+    const int k = halvings_for(world, dt, aligned(place, options_.halvings));
+    const std::int64_t length = whole >> k;
+    double h = dt / static_cast<double>(std::int64_t{1} << k);
+    place += length;
+    // The clock's rounding is made up for at the end. Where it does not tell sub-steps, it cannot be.
+    if (place == whole && k > 0 && end > world.time()) h = end - world.time();
+    remember_corners(world);
+    const StepReport report = inner_->step(world, h);
+    substeps_.push_back(h);
+    add_report(report, total);
+    total.contacts = report.contacts;
+    if (!all_finite(world)) total.status = StepStatus::not_finite;
+    if (total.status >= StepStatus::unsolved) break;
+    take_ways(world);
+    if (takes_call(world, report)) {
+      level_ = std::min(level_ + 1, options_.halvings);
+      quiet_ = 0;
+    } else if ((quiet_ += length) >= whole * options_.calm) {
+      level_ = std::max(level_ - 1, options_.fewest);
+      quiet_ = 0;
+    }
+  }
+  sort_and_thin(touched_);
+  return total;
+}
+
+// [S6.3.1:ahead]
+// Of the lengths that may begin here, the longest that no two near bodies use to move too far.
+int AdaptiveStep::halvings_for(const World& world, double dt, int least) {
+  int k = std::max(least, level_);
+  if (k == options_.halvings) return k;
+  double h = dt / static_cast<double>(std::int64_t{1} << k);
+  find_near(world, h);
+  const double gravity = world.gravity_w.norm();
+  for (const IndexPair& pair : pairs_) {
+    const auto i = static_cast<std::size_t>(pair.first);
+    const auto j = static_cast<std::size_t>(pair.second);
+    const BodyProperties& a = world.bodies()[i];
+    const BodyProperties& b = world.bodies()[j];
+    if (!a.movable() && !b.movable()) continue;
+    const BodyState& s = world.states()[i];
+    const BodyState& t = world.states()[j];
+    // Two bodies that move fall alike.
+    const double fall = a.movable() && b.movable() ? 0.0 : gravity;
+    const double speed = (velocity(a, s) - velocity(b, t)).norm();
+    const double spin = std::max(angular_velocity(a, s).norm(), angular_velocity(b, t).norm());
+    const double room = options_.movement * std::min(thickness(a), thickness(b));
+    while (k < options_.halvings && ((speed + fall * h) * h > room || spin * h > options_.turn)) {
+      ++k;
+      h *= 0.5;
+    }
+  }
+  return k;
+}
+// [S6.3.1:ahead]
+
+// Bodies whose ways within h come near each other.
+void AdaptiveStep::find_near(const World& world, double h) {
+  bounds_.resize(world.bodies().size());
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    const BodyProperties& body = world.bodies()[i];
+    const BodyState& state = world.states()[i];
+    if (!body.movable() || world.rests()[i].asleep) {
+      bounds_[i] = bounds_of(body, state);
+      continue;
+    }
+    const double reach = 0.5 * body.size.norm();
+    const double turn = std::min(1.0, h * angular_velocity(body, state).norm());
+    bounds_[i] = bounds_of(body, state, turn * reach);
+    const Vec3 way_w = h * (velocity(body, state) + h * world.gravity_w);
+    bounds_[i].low += way_w.cwiseMin(0.0);
+    bounds_[i].high += way_w.cwiseMax(0.0);
+  }
+  broad_phase_->find_pairs(bounds_, pairs_);
+}
+
+void AdaptiveStep::remember_corners(const World& world) {
+  before_.resize(world.bodies().size());
+  for (std::size_t i = 0; i < before_.size(); ++i)
+    if (world.bodies()[i].movable())
+      before_[i] = corners_of(box_of(world.bodies()[i], world.states()[i]));
+}
+
+// How the bodies have moved that were in contact.
+void AdaptiveStep::take_ways(const World& world) {
+  touching_.clear();
+  for (const ContactRecord& contact : inner_->contacts()) {
+    touching_.push_back(contact.first);
+    touching_.push_back(contact.second);
+  }
+  sort_and_thin(touching_);
+  touched_.insert(touched_.end(), touching_.begin(), touching_.end());
+  std::swap(ways_, ways_before_);
+  ways_.clear();
+  for (const BodyId id : touching_) {
+    const auto i = static_cast<std::size_t>(world.index_of(id));
+    if (!world.bodies()[i].movable()) continue;
+    Way way{id, corners_of(box_of(world.bodies()[i], world.states()[i]))};
+    for (std::size_t c = 0; c < way.way_w.size(); ++c) way.way_w[c] -= before_[i][c];
+    ways_.push_back(way);
+  }
+}
+
+// [S6.3.1:call]
+// Whether the sub-step asks for smaller ones.
+bool AdaptiveStep::takes_call(const World& world, const StepReport& report) const {
+  if (report.deepest_overlap > options_.overlap * shortest_edge(world)) return true;
+  auto before = ways_before_.begin();
+  for (const Way& now : ways_) {
+    while (before != ways_before_.end() && before->id < now.id) ++before;
+    if (before == ways_before_.end()) break;
+    if (before->id != now.id) continue;
+    const auto i = static_cast<std::size_t>(world.index_of(now.id));
+    const double least = options_.shake * thickness(world.bodies()[i]);
+    for (std::size_t c = 0; c < now.way_w.size(); ++c)
+      if (now.way_w[c].dot(before->way_w[c]) < 0.0 &&
+          std::min(now.way_w[c].norm(), before->way_w[c].norm()) > least)
+        return true;
+  }
+  return false;
+}
+// [S6.3.1:call]
+
+}  // namespace tumble

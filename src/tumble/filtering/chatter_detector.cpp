@@ -1,0 +1,156 @@
+/// \file
+/// \brief The rule that tells chatter, and the memory that it needs.
+#include "tumble/filtering/chatter_detector.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace tumble {
+namespace {
+
+constexpr int kLargestWindow = static_cast<int>(kMostPlaces) - 1;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options) : options_(options) {
+  require::that(options.window >= 2 && options.window <= kLargestWindow,
+                "window = " + std::to_string(options.window) + ": expected 2 to 120 frames");
+  require::that(options.reversals >= 1,
+                "reversals = " + std::to_string(options.reversals) + ": expected at least 1");
+  require::not_negative(options.rest, "rest");
+  require::positive(options.swing, "swing");
+  require::not_negative(options.drift, "drift");
+  require::not_negative(options.speed, "speed");
+  require::not_negative(options.share, "share");
+  require::within(options.contact, 0.0, 1.0, "contact");
+  require::positive(options.frame_rate, "frame_rate");
+}
+
+void ChatterDetector::add(const World& world, std::span<const char> in_contact) {
+  require::that(in_contact.size() == world.states().size(),
+                "in_contact has " + std::to_string(in_contact.size()) + " bodies, the world " +
+                    std::to_string(world.count()));
+  const double now = world.time();
+  require::that(!begun_ || now >= last_time_,
+                "the world's time " + require::text(now) + " s is before the last one");
+  const double passed = now * options_.frame_rate;
+  const std::int64_t frames = options_.window + 1;
+  if (!begun_) {
+    next_frame_ = static_cast<std::int64_t>(std::ceil(passed - tolerance::frame_slack));
+    last_time_ = now;
+  }
+  end_frame_ = std::max(next_frame_,
+                        static_cast<std::int64_t>(std::floor(passed + tolerance::frame_slack)) + 1);
+  next_frame_ = std::max(next_frame_, end_frame_ - frames);  // older ones are out of sight
+
+  // Bodies and tracks are both in the order of ids; what is only in the tracks has been removed.
+  std::size_t place = 0;
+  for (int i = 0; i < world.count(); ++i) {
+    const BodyProperties& body = world.bodies()[at(i)];
+    if (!body.movable()) continue;
+    const BodyId id = world.ids()[at(i)];
+    const auto here = [&] { return tracks_.begin() + static_cast<std::ptrdiff_t>(place); };
+    const auto first_kept =
+        std::find_if(here(), tracks_.end(), [id](const Track& track) { return track.id >= id; });
+    tracks_.erase(here(), first_kept);
+    const Placement now_at = placement_of(body, world.states()[at(i)]);
+    if (place == tracks_.size() || tracks_[place].id != id) {
+      Track track{id, body.size.minCoeff(), 0, now_at};
+      track.places.assign(static_cast<std::size_t>(2 * frames), now_at);
+      track.touching.assign(static_cast<std::size_t>(frames), 0);
+      tracks_.insert(here(), track);
+    }
+    const bool touches = in_contact[at(i)] != 0 || world.rests()[at(i)].asleep;
+    take_frames(now_at, touches, now, tracks_[place]);
+    ++place;
+  }
+  tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(place), tracks_.end());
+  begun_ = true;
+  next_frame_ = end_frame_;
+  last_time_ = now;
+  gravity_ = world.gravity_w.norm();
+}
+
+// The frames between the last step and this one; all of them lie on the line between the two.
+void ChatterDetector::take_frames(const Placement& place, bool touches, double now,
+                                  Track& track) const {
+  const double step = now - last_time_;
+  const std::int64_t frames = options_.window + 1;
+  for (std::int64_t n = next_frame_; n < end_frame_; ++n) {
+    const double since_last = static_cast<double>(n) / options_.frame_rate - last_time_;
+    const double to_come = step > 0.0 ? std::clamp(1.0 - since_last / step, 0.0, 1.0) : 0.0;
+    const auto k = static_cast<std::size_t>(n % frames);
+    track.places[k] = place + to_come * (track.last - place);
+    track.places[k + static_cast<std::size_t>(frames)] = track.places[k];
+    track.touching[k] = touches ? 1 : 0;
+    ++track.frames;
+  }
+  track.last = place;
+}
+
+const ChatterDetector::Track* ChatterDetector::find(BodyId id) const {
+  const auto found = std::lower_bound(tracks_.begin(), tracks_.end(), id,
+                                      [](const Track& track, BodyId b) { return track.id < b; });
+  const bool known = found != tracks_.end() && found->id == id;
+  return known && found->frames > options_.window ? &*found : nullptr;
+}
+
+std::span<const Placement> ChatterDetector::window(const Track& track) const {
+  const auto frames = static_cast<std::size_t>(options_.window + 1);
+  return std::span(track.places).subspan(static_cast<std::size_t>(next_frame_) % frames, frames);
+}
+
+std::optional<MotionHistory> ChatterDetector::history(BodyId id) const {
+  const Track* track = find(id);
+  if (track == nullptr) return {};
+  MotionHistory history = history_of(window(*track));
+  history.swing = swing_of(window(*track), options_.reversals);
+  return history;
+}
+
+// [S6.3.1:chatter]
+// What is cheap to ask comes first; a comparison with what is not a number fails. Without gravity a
+// path is too long.
+double ChatterDetector::clearness(const Track& track, const MotionHistory& history) const {
+  const double frames = options_.window;
+  const double unit = std::sqrt(gravity_ * track.edge) * frames / options_.frame_rate;  // [m] V W h
+  const auto touched =
+      static_cast<double>(std::count(track.touching.begin(), track.touching.end(), 1));
+  if (!(history.path <= options_.speed * unit && history.drift <= options_.drift * unit &&
+        touched >= options_.contact * (frames + 1.0)))
+    return 0.0;
+  const double swing = swing_of(window(track), options_.reversals);
+  if (!(swing >= options_.swing * track.edge)) return 0.0;
+  return history.drift > 0.0 ? swing / history.drift : std::numeric_limits<double>::infinity();
+}
+// [S6.3.1:chatter]
+
+double ChatterDetector::clearness(BodyId id) const {
+  const Track* track = find(id);
+  return track == nullptr ? 0.0 : clearness(*track, history_of(window(*track)));
+}
+
+Motion ChatterDetector::motion(BodyId id) const {
+  const Track* track = find(id);
+  if (track == nullptr) return Motion::moves;
+  const MotionHistory history = history_of(window(*track));
+  if (history.excursion <= options_.rest * track->edge) return Motion::rests;
+  const double clear = clearness(*track, history);
+  return clear > 0.0 && clear >= options_.share ? Motion::chatters : Motion::moves;
+}
+
+void mark_contacts(const World& world, std::span<const ContactRecord> contacts,
+                   std::vector<char>& in_contact) {
+  in_contact.assign(world.states().size(), 0);
+  for (const ContactRecord& contact : contacts)
+    for (const BodyId id : {contact.first, contact.second})
+      if (const auto index = world.find(id)) in_contact[at(*index)] = 1;
+}
+
+}  // namespace tumble

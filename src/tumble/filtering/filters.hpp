@@ -1,0 +1,35 @@
+/// \file
+/// \brief The filters, by name.
+#pragma once
+
+#include "tumble/filtering/pose_filter.hpp"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace tumble {
+
+/// A filter that a user can name.
+struct FilterRecipe {
+  std::string_view name;     ///< what a user calls it
+  std::string_view form;     ///< with its numbers, for example "box:FRAMES[,causal]"
+  std::string_view summary;  ///< one line
+};
+
+/// All filters.
+/// \return in the order of the chapter
+std::span<const FilterRecipe> filter_library();
+
+/// Makes a filter from what a user writes: a name, a colon, numbers with their units.
+///
+/// `box:5`, `box:5,causal`, `envelope:0.01m,1deg`, `soft_envelope:10mm,0.02rad`,
+/// `one_euro:1Hz`, `one_euro:1Hz,16`, `one_euro:1Hz,16,1Hz`. What is left out takes the standard
+/// numbers, and so does a name alone. Lengths are in `m` or `mm`, angles in `deg` or `rad`, cutoffs
+/// in `Hz`; the gain of the one-euro filter is written without its unit.
+/// \param text what the user wrote
+/// \return the filter; its text() gives the same filter again
+/// \throws std::invalid_argument naming what is wrong and what would be right
+std::unique_ptr<PoseFilter> filter_of(std::string_view text);
+
+}  // namespace tumble

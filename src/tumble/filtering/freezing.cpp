@@ -1,0 +1,88 @@
+/// \file
+/// \brief Calm bodies count as slow while the technique steps.
+#include "tumble/filtering/freezing.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+// Sets the marks of calm bodies, and takes them away again however the step ends.
+class Marks {
+ public:
+  Marks(World& world, const CalmBodies& calm) : world_(world) {
+    for (std::size_t k = 0; k < world.ids().size(); ++k)
+      world.rests()[k].counts_as_slow = calm.calm(world.ids()[k]);
+  }
+  Marks(const Marks&) = delete;
+  Marks& operator=(const Marks&) = delete;
+  ~Marks() {
+    for (Rest& rest : world_.rests()) rest.counts_as_slow = false;
+  }
+
+ private:
+  World& world_;
+};
+
+}  // namespace
+
+CalmBodies::CalmBodies(const ChatterDetectorOptions& options) : detector_(options) {}
+
+// [S6.3.1:calm]
+void CalmBodies::add(const World& world, std::span<const char> in_contact) {
+  detector_.add(world, in_contact);
+  next_.clear();
+  auto known = anchors_.begin();  // ascending by id, as the world's bodies are
+  for (std::size_t k = 0; k < world.ids().size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable()) continue;
+    const BodyId id = world.ids()[k];
+    const Placement place = placement_of(body, world.states()[k]);
+    while (known != anchors_.end() && known->id < id) ++known;
+    const bool stays =
+        known != anchors_.end() && known->id == id &&
+        (place - known->place).norm() <= tolerance::resting_movement * body.size.minCoeff();
+    if (stays) {
+      next_.push_back(*known);
+    } else if (detector_.motion(id) != Motion::moves) {
+      next_.push_back({id, place});
+    }
+  }
+  anchors_.swap(next_);
+}
+// [S6.3.1:calm]
+
+bool CalmBodies::calm(BodyId id) const {
+  const auto found = std::lower_bound(anchors_.begin(), anchors_.end(), id,
+                                      [](const Anchor& anchor, BodyId b) { return anchor.id < b; });
+  return found != anchors_.end() && found->id == id;
+}
+
+FreezeOnChatter::FreezeOnChatter(std::unique_ptr<Technique> technique,
+                                 const ChatterDetectorOptions& options)
+    : technique_(std::move(technique)), calm_(options) {
+  require::that(technique_ != nullptr, "FreezeOnChatter: expected a technique");
+}
+
+FreezeOnChatter::FreezeOnChatter(const FreezeOnChatter& other)
+    : Technique(other), technique_(other.technique_->clone()), calm_(other.calm_) {}
+
+std::unique_ptr<Technique> FreezeOnChatter::clone() const {
+  return std::make_unique<FreezeOnChatter>(*this);
+}
+
+StepReport FreezeOnChatter::step(World& world, double dt) {
+  technique_->observe(observer());
+  const StepReport report = [&] {
+    const Marks marks(world, calm_);
+    return technique_->step(world, dt);
+  }();
+  mark_contacts(world, technique_->contacts(), in_contact_);
+  calm_.add(world, in_contact_);
+  return report;
+}
+
+}  // namespace tumble

@@ -1,0 +1,102 @@
+/// \file
+/// \brief Heaps that only chatter are put to sleep (thesis 4.5, 6.3.1).
+#pragma once
+
+#include "tumble/filtering/chatter_detector.hpp"
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// Bodies that were told to rest or chatter, and have not got away since.
+///
+/// A body becomes calm in a frame in which a ChatterDetector does not tell that it moves, and is so
+/// until its corners are, in the root mean square, farther than tolerance::resting_movement of its
+/// shortest edge from where they were in that frame. Then it has to be told anew. So a single doubtful
+/// window does not unsettle a heap, and nobody who goes somewhere stays calm for long.
+class CalmBodies {
+ public:
+  /// Starts with an empty memory.
+  /// \param options of the detector
+  /// \throws std::invalid_argument for a number out of range
+  explicit CalmBodies(const ChatterDetectorOptions& options = {});
+
+  /// Takes in the world after a step (and at the start).
+  /// \param world       the bodies
+  /// \param in_contact  see ChatterDetector::add()
+  /// \throws std::invalid_argument as ChatterDetector::add()
+  void add(const World& world, std::span<const char> in_contact);
+
+  /// Whether a body is calm.
+  /// \param id the body
+  /// \return false for an immovable one or one that is not there too
+  [[nodiscard]] bool calm(BodyId id) const;
+
+  /// Who tells how bodies move.
+  /// \return as of the last step
+  [[nodiscard]] const ChatterDetector& detector() const { return detector_; }
+
+ private:
+  struct Anchor {
+    BodyId id{};
+    Placement place;  // [m] where it became calm
+  };
+
+  ChatterDetector detector_;
+  std::vector<Anchor> anchors_;  // of the calm bodies, ascending by id
+  std::vector<Anchor> next_;     // storage
+};
+
+/// A technique in which heaps fall asleep that do nothing but chatter.
+///
+/// Calm bodies (CalmBodies) count as slow for the technique's SleepingRule, whatever their speed: so
+/// an island sleeps once all of its bodies have been slow or calm for tolerance::sleeping_time, and it
+/// touches something immovable. All else is that rule's: the energy that is lost is booked as damping,
+/// and the island wakes when something touches or pushes it. Poses stay as they are in the
+/// frame in which it falls asleep: nothing jumps.
+///
+/// The technique must have its own sleeping switched on; without it nothing is changed.
+/// \par Cost
+/// A detector's, for each body that is awake and not calm.
+/// \algorithm{Chatter told from earlier steps: section 6.3.1}
+/// \verified{A heap that only chatters falls asleep if chatter is told from history and not else}
+class FreezeOnChatter : public Technique {
+ public:
+  /// Wraps a technique.
+  /// \param technique  with sleeping on; the wrapper's own from here on
+  /// \param options    of the detector
+  /// \throws std::invalid_argument for no technique, or a number out of range
+  explicit FreezeOnChatter(std::unique_ptr<Technique> technique,
+                           const ChatterDetectorOptions& options = {});
+  /// A copy with all memory.
+  /// \param other the original
+  FreezeOnChatter(const FreezeOnChatter& other);
+  FreezeOnChatter& operator=(const FreezeOnChatter&) = delete;
+  ~FreezeOnChatter() override = default;
+
+  [[nodiscard]] std::string_view name() const override { return technique_->name(); }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
+    return technique_->contacts();
+  }
+  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
+    return technique_->unsolved_problem();
+  }
+  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override {
+    return technique_->ignores(world);
+  }
+
+  /// Who is calm.
+  /// \return as of the last step
+  [[nodiscard]] const CalmBodies& calm_bodies() const { return calm_; }
+
+ private:
+  std::unique_ptr<Technique> technique_;
+  CalmBodies calm_;
+  std::vector<char> in_contact_;  // storage
+};
+
+}  // namespace tumble

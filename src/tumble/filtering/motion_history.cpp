@@ -1,0 +1,132 @@
+/// \file
+/// \brief Features of a few frames of motion.
+#include "tumble/filtering/motion_history.hpp"
+
+#include "tumble/base/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+constexpr int kRounds = 8;  // of the power method: each one takes off the ratio of two eigenvalues
+
+// The direction of a line, not its sense; 0 if nothing moves.
+Placement principal_direction(std::span<const Placement> places) {
+  Placement direction = Placement::Zero();
+  double longest = 0.0;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const double length = (places[k] - places[k - 1]).norm();
+    if (!(length > longest)) continue;
+    longest = length;
+    direction = (places[k] - places[k - 1]) / length;
+  }
+  if (longest == 0.0) return direction;
+  for (int round = 0; round < kRounds; ++round) {
+    Placement sum = Placement::Zero();
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      const Placement step = (places[k] - places[k - 1]) / longest;
+      sum += step * step.dot(direction);
+    }
+    direction = sum / sum.norm();
+  }
+  return direction;
+}
+
+using Coordinates = std::array<double, kMostPlaces>;
+
+// Along the principal direction, from the first place [m].
+Coordinates along_principal_direction(std::span<const Placement> places) {
+  require::that(places.size() <= kMostPlaces, "more places than kMostPlaces");
+  const Placement direction = principal_direction(places);
+  Coordinates along;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    along[k] = (places[k] - places.front()).dot(direction);
+  return along;
+}
+
+}  // namespace
+
+Placement placement_of(const BodyProperties& body, const BodyState& state) {
+  const Box box = box_of(body, state);
+  Placement place;
+  place.segment<3>(0) = box.center_w;
+  for (int axis = 0; axis < 3; ++axis)
+    place.segment<3>(3 * (axis + 1)) = box.half[axis] * box.axes_w.col(axis);
+  return place;
+}
+
+MotionHistory history_of(std::span<const Placement> places) {
+  require::that(places.size() >= 2, "history_of: expected at least two places");
+  MotionHistory history;
+  const double last = static_cast<double>(places.size() - 1);
+  Placement slope = Placement::Zero();
+  double squares = 0.0;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const Placement from_first = places[k] - places.front();
+    history.path += (places[k] - places[k - 1]).norm();
+    history.excursion = std::max(history.excursion, from_first.norm());
+    slope += (static_cast<double>(k) - 0.5 * last) * from_first;
+  }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double from_middle = static_cast<double>(k) - 0.5 * last;
+    squares += from_middle * from_middle;
+  }
+  history.way = (places.back() - places.front()).norm();
+  history.drift = slope.norm() * last / squares;
+  return history;
+}
+
+double swing_of(std::span<const Placement> places, int reversals) {
+  require::that(reversals >= 1, "swing_of: expected at least 1 reversal");
+  const Coordinates along = along_principal_direction(places);
+  // The best so far of those that end at each place, by the sense of their last part.
+  Coordinates forth;
+  Coordinates back;
+  forth.fill(std::numeric_limits<double>::infinity());
+  back.fill(std::numeric_limits<double>::infinity());
+  double swing = 0.0;
+  for (int part = 0; part <= reversals; ++part) {
+    swing = 0.0;
+    for (std::size_t end = places.size(); end-- > 0;) {  // places before it are of the part before
+      double best_forth = 0.0;
+      double best_back = 0.0;
+      for (std::size_t begin = 0; begin < end; ++begin) {
+        const double way = along[end] - along[begin];
+        best_forth = std::max(best_forth, std::min(back[begin], way));
+        best_back = std::max(best_back, std::min(forth[begin], -way));
+      }
+      forth[end] = best_forth;
+      back[end] = best_back;
+      swing = std::max({swing, best_forth, best_back});
+    }
+  }
+  return swing;
+}
+
+int reversals_of(std::span<const Placement> places, double least) {
+  require::positive(least, "least of reversals_of()");
+  const Coordinates along = along_principal_direction(places);
+  int reversals = 0;
+  int sense = 0;
+  double low = 0.0;  // since the last turn
+  double high = 0.0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double u = along[k];
+    low = std::min(low, u);
+    high = std::max(high, u);
+    const bool forth = u - low >= least;
+    const bool back = high - u >= least;
+    if ((sense >= 0 && back) || (sense <= 0 && forth)) {
+      if (sense != 0) ++reversals;
+      sense = back && sense >= 0 ? -1 : 1;
+      low = high = u;
+    }
+  }
+  return reversals;
+}
+
+}  // namespace tumble

@@ -1,0 +1,85 @@
+/// \file
+/// \brief What all filters have in common.
+#include "tumble/filtering/pose_filter.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+bool in_order(const BodyState& state) {
+  const double length = state.orientation_wb.norm();
+  return state.position_w.allFinite() && std::abs(length - 1.0) <= tolerance::unit_length;
+}
+
+}  // namespace
+
+std::string PoseFilter::where(const Frame& frame) const {
+  return "frame " + std::to_string(taken_) + " at " + require::text(frame.time) + " s";
+}
+
+void PoseFilter::add(const Frame& frame, const FrameSink& show) {
+  require::finite(frame.time, "time of a frame");
+  if (taken_ > 0 && !(frame.time > last_time_))
+    require::that(false, where(frame) + ": expected a time after " + require::text(last_time_) +
+                             " s, that of the frame before");
+  if (frame.ids.size() != frame.states.size())
+    require::that(false, where(frame) + ": " + std::to_string(frame.ids.size()) + " ids and " +
+                             std::to_string(frame.states.size()) + " states: expected as many");
+  for (std::size_t k = 0; k < frame.states.size(); ++k) {
+    const auto body = [&] {
+      return where(frame) + ", body with id " + std::to_string(number_of(frame.ids[k]));
+    };
+    if (k > 0 && !(frame.ids[k - 1] < frame.ids[k]))
+      require::that(false, body() + ": expected ids that ascend");
+    if (!in_order(frame.states[k]))
+      require::that(false, body() +
+                               ": its position is not finite, or its orientation not of length 1. "
+                               "Filter the frames before it");
+  }
+  take(frame, show);
+  ++taken_;
+  last_time_ = frame.time;
+}
+
+void PoseFilter::finish(const FrameSink& show) {
+  end(show);
+  taken_ = 0;
+}
+
+Trajectory filtered(const Trajectory& run, const PoseFilter& filter) {
+  Trajectory shown;
+  const FrameSink show = [&](const Frame& frame) { shown.record(frame); };
+  const std::unique_ptr<PoseFilter> own = filter.clone();
+  own->finish([](const Frame&) {});  // what the filter may have seen is of another run
+  for (int k = 0; k < run.count(); ++k) own->add(run.frame(k), show);
+  own->finish(show);
+  return shown;
+}
+
+FilteringObserver::FilteringObserver(const World& world, const PoseFilter& filter, int every)
+    : filter_(filter.clone()), every_(every) {
+  require::that(every >= 1, "every = " + std::to_string(every) + ": expected at least 1");
+  filter_->finish([](const Frame&) {});
+  take_in(world);
+}
+
+void FilteringObserver::on_step(const World& world, const StepReport& report) {
+  (void)report;
+  if (++since_last_ < every_) return;
+  since_last_ = 0;
+  take_in(world);
+}
+
+void FilteringObserver::finish() {
+  filter_->finish([&](const Frame& frame) { shown_.record(frame); });
+}
+
+void FilteringObserver::take_in(const World& world) {
+  filter_->add(frame_of(world), [&](const Frame& frame) { shown_.record(frame); });
+}
+
+}  // namespace tumble

@@ -1,0 +1,56 @@
+/// \file
+/// \brief What the tests of adaptive steps step through.
+#pragma once
+
+#include "tumble/filtering/adaptive_step.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include <memory>
+#include <string>
+
+namespace tumble::adaptive_cases {
+
+constexpr double kStep = 1.0 / 60.0;  ///< [s] a whole step
+
+/// A technique with its default options.
+/// \param name  in the library
+/// \return it
+inline std::unique_ptr<Technique> make(const char* name) {
+  const TechniqueRecipe& recipe = technique_recipe(name);
+  return recipe.make(recipe.options(), 1);
+}
+
+/// Options with default tolerances.
+/// \param most    halvings of a step
+/// \param fewest  ditto
+/// \return them
+inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
+  AdaptiveStepOptions options;
+  options.halvings = most;
+  options.fewest = fewest;
+  return options;
+}
+
+/// Cubes that fly together, fall and shake.
+/// \param per_edge  of the grid on which they start
+/// \return the clump of figure 6.7, smaller
+inline World clump(int per_edge) {
+  const SceneRecipe& recipe = scene_recipe("fig6_7");
+  Parameters parameters = recipe.parameters();
+  parameters.set("per_edge", std::to_string(per_edge));
+  return build_world(recipe.build(parameters, Random(1)));
+}
+
+/// A cube of 0.2 m and 1 kg, 5 m above the origin.
+/// \param velocity_w  [m/s]
+/// \param spin_w      [rad/s]
+/// \return a world without ground
+inline World one_cube(const Vec3& velocity_w, const Vec3& spin_w = Vec3::Zero()) {
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0);
+  world.add(cube, make_state(cube, Vec3(0.0, 5.0, 0.0), Quat::Identity(), velocity_w, spin_w));
+  return world;
+}
+
+}  // namespace tumble::adaptive_cases

@@ -1,0 +1,252 @@
+/// \file
+/// \brief When a step is halved, and when it is not (thesis 6.3.1).
+#include "tumble/filtering/adaptive_step.hpp"
+
+#include "filtering/adaptive_cases.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::adaptive_cases;
+
+namespace {
+
+// Does what it is told, and says that some bodies touch the ground, the last body.
+class Scripted : public Technique {
+ public:
+  // Changes a world in the sub-step of this number, from 0; returns who touches the ground.
+  using Script = std::function<std::vector<int>(World&, int, StepReport&)>;
+  explicit Scripted(Script script) : script_(std::move(script)) {}
+  [[nodiscard]] std::string_view name() const override { return "scripted"; }
+  StepReport step(World& world, double dt) override {
+    StepReport report;
+    contacts_.clear();
+    for (const int body : script_(world, done_++, report)) {
+      contacts_.emplace_back();
+      contacts_.back().first = world.ids()[static_cast<std::size_t>(body)];
+      contacts_.back().second = world.ids().back();
+    }
+    world.finish_step(dt);
+    return report;
+  }
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
+    return std::make_unique<Scripted>(*this);
+  }
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return contacts_; }
+
+ private:
+  Script script_;
+  int done_ = 0;
+  std::vector<ContactRecord> contacts_;
+};
+
+// Two cubes of 0.2 m far from each other and the ground, without weight.
+World resting_cubes() {
+  World world = one_cube(Vec3::Zero());
+  BodyState second;
+  second.position_w = Vec3(3.0, 5.0, 0.0);
+  world.add(box_properties(Vec3::Constant(0.2), 1.0), second);
+  world.add_ground();
+  world.gravity_w = Vec3::Zero();
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("A body that flies alone takes whole steps however fast it is", "[unit][filtering]") {
+  World world = one_cube(Vec3(300.0, 0.0, 0.0), Vec3(50.0, 0.0, 0.0));
+  BodyState far;
+  far.position_w = Vec3(0.0, 5.0, 9.0);
+  world.add(box_properties(Vec3::Ones(), 1.0), far);
+  AdaptiveStep adaptive(make("damped"));
+  for (int k = 0; k < 60; ++k) {
+    adaptive.step(world, kStep);
+    REQUIRE(adaptive.substeps().size() == 1);
+  }
+}
+
+TEST_CASE("A step is halved until near bodies move by a fifth of the thinner one",
+          "[exact][filtering]") {
+  // The plank is 0.05 m thick: 0.01 m are allowed. Weightless.
+  const auto first_substep = [](double speed) {
+    World world = one_cube(Vec3(speed, 0.0, 0.0));
+    world.gravity_w = Vec3::Zero();
+    BodyState plank;
+    plank.position_w = Vec3(0.126, 5.0, 0.0);
+    world.add(fixed_box_properties(Vec3(0.05, 2.0, 2.0)), plank);
+    AdaptiveStep adaptive(make("damped"));
+    adaptive.step(world, kStep);
+    return adaptive.substeps()[0];
+  };
+  // 0.01 m in a step are 0.6 m/s.
+  CHECK(first_substep(0.59) == kStep);
+  CHECK(first_substep(0.61) == kStep / 2.0);
+  CHECK(first_substep(1.19) == kStep / 2.0);
+  CHECK(first_substep(1.21) == kStep / 4.0);
+  CHECK(first_substep(100.0) == kStep / 16.0);
+}
+
+TEST_CASE("A step is halved until a near body turns by a tenth of a radian", "[exact][filtering]") {
+  const auto first_substep = [](double spin) {
+    World world = one_cube(Vec3::Zero(), Vec3(spin, 0.0, 0.0));
+    world.gravity_w = Vec3::Zero();
+    BodyState plank;
+    plank.position_w = Vec3(0.21, 5.0, 0.0);
+    world.add(fixed_box_properties(Vec3(0.2, 2.0, 2.0)), plank);
+    AdaptiveStep adaptive(make("damped"));
+    adaptive.step(world, kStep);
+    return adaptive.substeps()[0];
+  };
+  CHECK(first_substep(5.9) == kStep);  // 0.0983 rad
+  CHECK(first_substep(6.1) == kStep / 2.0);
+  CHECK(first_substep(12.1) == kStep / 4.0);
+}
+
+TEST_CASE("A thin plank stops at divided steps what passes through it at whole ones",
+          "[unit][filtering]") {
+  const auto end = [](int most) {
+    World world = one_cube(Vec3(40.0, 0.0, 0.0));
+    BodyState plank;
+    plank.position_w = Vec3(1.0, 5.0, 0.0);  // [m] 40 m/s are 0.67 m in a step
+    world.add(fixed_box_properties(Vec3(0.05, 9.0, 9.0)), plank);
+    AdaptiveStep adaptive(make("damped"), halvings(most));
+    for (int k = 0; k < 6; ++k) adaptive.step(world, kStep);
+    return world.states()[0].position_w.x();
+  };
+  CHECK(end(0) > 3.0);
+  CHECK(end(4) < 1.0);
+}
+
+TEST_CASE("Small steps are given back when nothing calls for them any more", "[unit][filtering]") {
+  // A cube falls flat on the ground and rests there.
+  World world = one_cube(Vec3(0.0, -9.0, 0.0));
+  world.add_ground();
+  AdaptiveStep adaptive(make("damped"));
+  std::size_t most = 0;
+  std::size_t touched = 0;
+  for (int k = 0; k < 90; ++k) {
+    adaptive.step(world, kStep);
+    // Touched is who was in contact in any sub-step, each once.
+    touched = std::max(touched, adaptive.touched().size());
+    if (!adaptive.contacts().empty()) REQUIRE(adaptive.touched().size() == 2);
+    most = std::max(most, adaptive.substeps().size());
+  }
+  CHECK(touched == 2);
+  CHECK(most >= 4);  // measured 5
+  CHECK(adaptive.substeps().size() == 1);
+}
+
+TEST_CASE("What falls towards a fixed body falls farther in a step than it flies",
+          "[exact][filtering]") {
+  // 0.04 m are allowed: 2.4 m/s in a step. Gravity adds 0.16 m/s, but not between two that fall.
+  const auto first_substep = [](double speed, bool fixed) {
+    World world = one_cube(Vec3(0.0, -speed, 0.0));
+    BodyState below;
+    below.position_w = Vec3(0.0, 4.79, 0.0);
+    world.add(fixed ? fixed_box_properties(Vec3::Constant(0.2))
+                    : box_properties(Vec3::Constant(0.2), 1.0),
+              below);
+    AdaptiveStep adaptive(make("damped"));
+    adaptive.step(world, kStep);
+    return adaptive.substeps()[0];
+  };
+  CHECK(first_substep(2.2, true) == kStep);
+  CHECK(first_substep(2.3, true) == kStep / 2.0);
+  CHECK(first_substep(2.3, false) == kStep);
+  CHECK(first_substep(2.5, false) == kStep / 2.0);
+}
+
+TEST_CASE("A corner that is moved to and fro calls for smaller steps, up to its tolerance",
+          "[unit][filtering]") {
+  const auto substeps = [](double shake) {
+    World world = resting_cubes();  // of 0.2 m: a millimetre is 5e-3 of it
+    AdaptiveStepOptions options;
+    options.shake = shake;
+    AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
+                            bodies.states()[0].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
+                            return std::vector<int>{0};
+                          }),
+                          options);
+    for (int k = 0; k < 10; ++k) adaptive.step(world, kStep);
+    return adaptive.substeps().size();
+  };
+  CHECK(substeps(4.9e-3) == 16);
+  CHECK(substeps(5.1e-3) == 1);
+  CHECK(substeps(std::numeric_limits<double>::infinity()) == 1);
+}
+
+TEST_CASE("A body is compared with itself, whoever else was in contact", "[unit][filtering]") {
+  // The second cube goes there and back; the first one touches only in the first step, or in both.
+  for (const bool both : {false, true}) {
+    World world = resting_cubes();
+    AdaptiveStep adaptive(std::make_unique<Scripted>([&](World& bodies, int n, StepReport&) {
+      if (n < 2) bodies.states()[1].position_w.y() += n == 0 ? 1e-3 : -1e-3;
+      return n == 0 || both ? std::vector<int>{0, 1} : std::vector<int>{1};
+    }));
+    adaptive.step(world, kStep);
+    adaptive.step(world, kStep);
+    CHECK(adaptive.substeps().size() == 1);
+    adaptive.step(world, kStep);
+    CHECK(adaptive.substeps().size() == 2);
+  }
+  // One goes there and the other one back.
+  World world = resting_cubes();
+  AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
+    bodies.states()[n % 2 == 0 ? 0 : 1].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
+    return std::vector<int>{n % 2 == 0 ? 0 : 1};
+  }));
+  for (int k = 0; k < 6; ++k) adaptive.step(world, kStep);
+  CHECK(adaptive.substeps().size() == 1);
+}
+
+TEST_CASE("A copy of an adaptive step remembers which way corners went", "[unit][filtering]") {
+  World world = resting_cubes();
+  AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
+    bodies.states()[0].position_w.y() += n == 0 ? 1e-3 : n == 1 ? -1e-3 : 0.0;
+    return std::vector<int>{0};
+  }));
+  adaptive.step(world, kStep);
+  AdaptiveStep copy(adaptive);
+  copy.step(world, kStep);
+  copy.step(world, kStep);
+  CHECK(copy.substeps().size() == 2);
+}
+
+TEST_CASE("Overlap above a fiftieth of an edge calls for smaller steps", "[exact][filtering]") {
+  const auto substeps = [](double overlap) {
+    World world = resting_cubes();  // 4 mm are allowed
+    AdaptiveStep adaptive(std::make_unique<Scripted>([=](World&, int, StepReport& report) {
+      report.deepest_overlap = overlap;
+      return std::vector<int>{};
+    }));
+    for (int k = 0; k < 10; ++k) adaptive.step(world, kStep);
+    return adaptive.substeps().size();
+  };
+  CHECK(substeps(3.9e-3) == 1);
+  CHECK(substeps(4.1e-3) == 16);
+}
+
+TEST_CASE("A halving is taken back after four quiet steps, one at a time", "[exact][filtering]") {
+  World world = resting_cubes();
+  AdaptiveStep adaptive(std::make_unique<Scripted>([](World&, int n, StepReport& report) {
+                          report.deepest_overlap = n < 2 ? 1.0 : 0.0;
+                          return std::vector<int>{};
+                        }),
+                        halvings(2));
+  std::vector<std::size_t> counts;
+  for (int k = 0; k < 11; ++k) {
+    adaptive.step(world, kStep);
+    counts.push_back(adaptive.substeps().size());
+  }
+  // Two calls, in the first step and in the first half of the second one, which goes on in
+  // quarters. Quiet begins in its middle, and so does a longer length, from where it fits.
+  CHECK(counts == std::vector<std::size_t>{1, 3, 4, 4, 4, 3, 2, 2, 2, 2, 1});
+}

@@ -1,0 +1,172 @@
+/// \file
+/// \brief The figures on the box filter (claims 5.5a and 5.5b, erratum P13), and what they measure with.
+#include "filtering/box_experiments.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/filtering/box_filter.hpp"
+
+#include "driver/quick.hpp"
+#include "filtering/shown_clump.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// Corners that jump at random about where they rest, by the same in each frame for all of them.
+std::vector<Corners> white_noise(int count, int width) {
+  Random chance(9);
+  Trajectory run;
+  const std::vector<BodyId> ids = {BodyId{1}};
+  std::vector<BodyState> states(1);
+  for (int n = 0; n < count; ++n) {
+    states[0].position_w = chance.in_cube(1e-3);
+    run.record(Frame{n / 60.0, n, ids, states});
+  }
+  return corner_path(filtered(run, BoxFilter(width)), ids[0], BodyProperties{});
+}
+
+World cubes_at(const std::vector<Vec3>& places) {
+  World world;
+  world.add_ground();
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  for (const Vec3& place : places) world.add(cube, make_state(cube, place));
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("The measured response of a box over five frames is the closed form to 1e-9",
+          "[exact][filtering]") {
+  const FigureUnderTest figure(box_figures(), "box_response");
+  CHECK(figure.number("largest error of the response, moving") < 1e-9);   // [-] measured 2e-14
+  CHECK(figure.number("largest error of the response, turning") < 1e-9);  // [-] measured 2e-14
+  // Evaluated apart, with nine decimals.
+  CHECK(figure.number("first frequency that is removed") == near(0.2).margin(1e-12));
+  CHECK(figure.number("last frequency that is removed") == near(0.4).margin(1e-12));
+  CHECK(figure.number("frequency of the lowest gain") == near(0.290215312).margin(6e-10));
+  CHECK(figure.number("lowest gain") == near(-0.25).margin(1e-12));
+  CHECK(figure.number("frequency at -3 dB") == near(0.0901587151).margin(6e-11));
+  CHECK(figure.number("gain of a body that is elsewhere in every other frame") ==
+        near(0.2).margin(1e-12));
+  CHECK(figure.number("frames by which the causal form is late") == near(2.0).margin(1e-12));
+}
+
+TEST_CASE("At 25 frames a second a box over five frames is at -3 dB at 2.254 Hz",
+          "[exact][filtering]") {
+  const FigureUnderTest figure(box_figures(), "box_response", {"rate=25"});
+  CHECK(figure.number("frequency at -3 dB in hertz") == near(2.25396788).margin(6e-9));
+  CHECK(figure.number("time by which the causal form is late") == near(0.08).margin(1e-12));
+}
+
+TEST_CASE("The response of other widths is found, too, and of even ones refused",
+          "[exact][filtering]") {
+  for (const auto& [width, zero] :
+       {std::pair<int, double>{3, 1.0 / 3.0}, {7, 1.0 / 7.0}, {15, 1.0 / 15.0}}) {
+    const FigureUnderTest figure(box_figures(), "box_response",
+                                 {"frames=" + std::to_string(width), "frequencies=11"});
+    CHECK(figure.number("first frequency that is removed") == near(zero).margin(1e-12));
+    CHECK(figure.number("largest error of the response, turning") < 1e-9);
+    CHECK(figure.number("frames by which the causal form is late") == near(width / 2).margin(1e-9));
+  }
+  CHECK_THROWS_AS(FigureUnderTest(box_figures(), "box_response", {"frames=4"}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("A box over five frames cuts the amplitude of chatter and leaves most of the squirm",
+          "[claims][filtering]") {
+  // Measured over eight clumps of 125 cubes 0.34, 0.70 and 0.14; here two of 64 cubes.
+  const FigureUnderTest figure(box_figures(), "claim_5_5a_spectra");
+  CHECK(figure.number("amplitude after a box of five over before") < 0.6);
+  CHECK(figure.number("squirm after a box of five over before") > 0.5);
+  CHECK(figure.number("squirm after a box of five over before") < 1.0);
+  CHECK(figure.number("acceleration after a box of five over before") < 0.3);
+  CHECK(figure.number("bodies that chatter, all seeds") > 2.0);
+  // The spectrum: next to nothing is left at 12 Hz, where the response is 0.
+  const Table& lines = figure.result.tables[0];
+  for (const std::vector<double>& row : lines.rows)
+    if (std::abs(row[0] - 12.0) < 1e-9) CHECK(row[2] < 0.1 * row[1]);
+  // Raw over raw is 1 for amplitude and squirm.
+  CHECK(figure.result.tables[1].rows[0][1] == 1.0);
+  CHECK(figure.result.tables[1].rows[0][4] == 1.0);
+}
+
+TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third of the sharpness",
+          "[claims][filtering]") {
+  const FigureUnderTest figure(box_figures(), "claim_5_5b_width");
+  // [-] measured over eight clumps 0.42, from 0.39 to 0.45; here two small ones
+  CHECK(figure.number("squirm at 15 frames over that at 5") < 0.6);
+  // An impact within a frame or two, and rest after it: the change of speed is shared by the window.
+  CHECK(figure.number("sharpness of an impact at 15 frames over that at 5") ==
+        near(1.0 / 3.0).margin(1e-12));
+  CHECK(figure.number("sharpness of a bounce at 15 frames over that at 5") < 0.5);
+  // In single frames filtering makes overlap; of a flat fall on the ground, which is convex, none.
+  CHECK(figure.number("most that filtering over 15 frames adds to the overlap of a frame") >
+        5e-3);  // [m] measured 0.036 in 24 clumps
+  const Table& widths = figure.result.tables[0];
+  REQUIRE(widths.columns[12].name == "added_m");
+  CHECK(widths.rows[7][12] > widths.rows[1][12]);  // 15 frames add more than 3
+  CHECK(figure.number(
+            "overlap with the ground of a landing cube that filtering over 15 frames adds") <
+        1e-12);
+  CHECK(figure.number("height by which a falling cube is shown too low at 5 frames") ==
+        near(9.81 / 3600.0).margin(1e-12));
+}
+
+TEST_CASE("A mean of quaternion components jumps back by six turns of a frame as the sign changes",
+          "[exact][filtering]") {
+  const FigureUnderTest figure(box_figures(), "errata_filtering");
+  // a = 5 rad/s / 60 Hz is the turn in a frame. A quaternion has half of the angle: those of the window
+  // are at -a, -a/2, 0, a/2 and a, the last two with the other sign. Their cosines add up to 1 and
+  // their sines to the tangent of half of the error.
+  const double a = 5.0 / 60.0;
+  const double failure = 2.0 * std::atan(2.0 * (std::sin(a) + std::sin(0.5 * a)));
+  CHECK(figure.number("P13: angle to the right mean while a sign changes, mean of components") ==
+        near(failure).margin(1e-12));
+  CHECK(
+      figure.number("P13: angle to the right mean while a sign changes, mean of rotation vectors") <
+      1e-14);  // [rad] measured 6e-16
+  CHECK(figure.number("angle to the right mean of a body that stops, components with one sign") >
+        1e-6);
+  CHECK(figure.number("angle to the right mean of a body that stops, mean of rotation vectors") <
+        1e-14);
+  CHECK(figure.number("by how much that mean of components is shorter than 1") > 1e-3);
+}
+
+TEST_CASE("Squirm of white noise under box filters is the root of summed squares of weights",
+          "[exact][filtering]") {
+  const double raw = squirm(white_noise(20000, 1), 1.0 / 60.0);
+  for (const int width : {5, 9, 15}) {
+    const double ratio = squirm(white_noise(20000, width), 1.0 / 60.0) / raw;
+    // [-] a sum over 20000 samples is off by a hundredth
+    CHECK(ratio == near(squirm_of_white_noise("", width, 1).value).margin(0.02));
+  }
+  CHECK(squirm_of_white_noise("", 5, 5).value == 1.0);
+}
+
+TEST_CASE("The overlap of shown bodies is the deepest of all pairs, the ground included",
+          "[unit][filtering]") {
+  const World world = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.5, 0.0)});
+  ShownOverlap meter(world);
+  CHECK(meter.deepest(frame_of(world)) == near(0.1).margin(1e-12));
+  const World sunk = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.2, 0.0)});
+  CHECK(meter.deepest(frame_of(sunk)) == near(0.3).margin(1e-12));
+  const World apart = cubes_at({Vec3(0.0, 0.6, 0.0), Vec3(1.9, 0.6, 0.0), Vec3(5.0, 0.6, 0.0)});
+  CHECK(meter.deepest(frame_of(apart)) == 0.0);
+}
+
+TEST_CASE("Medians and means over seeds are those of textbooks", "[unit][filtering]") {
+  CHECK(median_of({3.0, 1.0, 2.0}) == 2.0);
+  CHECK(median_of({4.0, 1.0, 2.0, 3.0}) == 2.5);
+  // 1, 2 and 6: mean 3, standard error sqrt(7/3), Student's factor for two degrees of freedom.
+  const Quantity mean = mean_over_seeds("", "-", {1.0, 2.0, 6.0});
+  CHECK(mean.value == 3.0);
+  CHECK(mean.seeds == 3);
+  CHECK(mean.high - mean.value == near(4.30265273 * std::sqrt(7.0 / 3.0)).margin(1e-7));
+}

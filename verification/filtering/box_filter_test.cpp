@@ -1,0 +1,537 @@
+/// \file
+/// \brief The box filter against closed forms, at ends, with bodies that come and go, and live.
+#include "tumble/filtering/box_filter.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "filtering/one_body.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+using namespace one_body;
+
+constexpr std::array<int, 8> kWidths = {1, 3, 5, 7, 9, 11, 13, 15};
+constexpr double kGravity = 9.81;  // [m/s²]
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+// Also the sign of zeros.
+bool same_bits(const BodyState& a, const BodyState& b) {
+  bool same = true;
+  for (int k = 0; k < 3; ++k)
+    same = same && same_bits(a.position_w[k], b.position_w[k]) &&
+           same_bits(a.linear_momentum_w[k], b.linear_momentum_w[k]) &&
+           same_bits(a.angular_momentum_w[k], b.angular_momentum_w[k]);
+  for (int k = 0; k < 4; ++k)
+    same = same && same_bits(a.orientation_wb.coeffs()[k], b.orientation_wb.coeffs()[k]);
+  return same;
+}
+
+Trajectory boxed(const Trajectory& run, int width, BoxWindow window = BoxWindow::centred) {
+  return filtered(run, BoxFilter(width, window));
+}
+
+// The message of a refusal; nothing if there is none.
+template <class Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("The box filter multiplies moves and turns of any frequency by the closed form",
+          "[exact][filtering]") {
+  const Vec3 along = Vec3(2.0, -1.0, 2.0) / 3.0;
+  const Vec3 about = Vec3(6.0, 2.0, -3.0) / 7.0;
+  const Quat start = rotation_from_vector(Vec3(0.3, -1.2, 0.7));
+  constexpr double kSwing = 0.7;  // [m] and [rad]
+  constexpr int kCount = 40;
+  double worst = 0.0;
+  for (const int width : kWidths)
+    for (int step = 0; step <= 50; ++step) {
+      const double f = 0.01 * step;
+      const auto cosine = [&](int n) {
+        return elementary::cos(2.0 * std::numbers::pi * f * n + 0.3);
+      };
+      const Trajectory shown = boxed(
+          run_of(kCount,
+                 [&](int n) {
+                   BodyState state;
+                   state.position_w = kSwing * cosine(n) * along;
+                   state.orientation_wb = rotation_from_vector(kSwing * cosine(n) * about) * start;
+                   return state;
+                 }),
+          width);
+      const double gain = BoxFilter::response(width, f);
+      for (int n = width / 2; n < kCount - width / 2; ++n) {
+        const BodyState& state = body_in(shown, n);
+        const Vec3 turn = rotation_vector(state.orientation_wb * start.conjugate());
+        worst = std::max(worst, (state.position_w / kSwing - gain * cosine(n) * along).norm());
+        worst = std::max(worst, (turn / kSwing - gain * cosine(n) * about).norm());
+      }
+    }
+  CHECK(worst < 1e-9);  // [-] of the amplitude; measured 7e-15
+}
+
+TEST_CASE("The response of a box over five frames has the values of the closed form",
+          "[exact][filtering]") {
+  // (1 + 2 cos 2πf + 2 cos 4πf)/5, evaluated apart with nine decimals.
+  const std::array<std::pair<double, double>, 10> values = {{{0.0, 1.0},
+                                                             {0.05, 0.904029404},
+                                                             {0.1, 0.647213596},
+                                                             {0.15, 0.311507303},
+                                                             {0.2, 0.0},
+                                                             {0.25, -0.2},
+                                                             {0.3, -0.247213596},
+                                                             {0.4, 0.0},
+                                                             {0.45, 0.143184191},
+                                                             {0.5, 0.2}}};
+  for (const auto& [frequency, gain] : values)
+    CHECK(BoxFilter::response(5, frequency) == near(gain).margin(6e-10));
+  CHECK(BoxFilter::response(5, 0.290215312) == near(-0.25).margin(1e-12));
+  CHECK(BoxFilter::response(5, 0.0901587151) == near(std::sqrt(0.5)).margin(1e-9));
+  CHECK(BoxFilter::response(5, 0.122472659) == near(0.5).margin(1e-8));
+  CHECK(BoxFilter::response(1, 0.37) == 1.0);
+}
+
+TEST_CASE("A box filter keeps every bit of a run at rest, of q and -q and of negative zeros",
+          "[exact][filtering]") {
+  Random chance(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    BodyState rest;
+    rest.position_w = chance.in_cube(100.0);
+    rest.position_w[trial % 3] = -0.0;
+    rest.orientation_wb = chance.orientation();
+    rest.linear_momentum_w = Vec3(-0.0, 1.0, 0.0);
+    const auto signs = static_cast<std::uint64_t>(trial < 2 ? 0 : chance.bits());
+    const auto state = [&](int n) {
+      BodyState now = rest;
+      if ((signs >> n & 1U) != 0) now.orientation_wb.coeffs() = -now.orientation_wb.coeffs();
+      return now;
+    };
+    const Trajectory run = run_of(40, state);
+    for (const int width : kWidths)
+      for (const BoxWindow window : {BoxWindow::centred, BoxWindow::causal}) {
+        const Trajectory shown = boxed(run, width, window);
+        const int late = window == BoxWindow::causal ? width / 2 : 0;
+        bool same = true;
+        for (int n = 0; n < run.count(); ++n)
+          same = same && same_bits(body_in(shown, n), state(std::max(0, n - late)));
+        CHECK(same);
+      }
+  }
+}
+
+TEST_CASE("A box filter shows steady motion, straight and turning, where it was computed",
+          "[exact][filtering]") {
+  Random chance(6);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec3 start = chance.in_cube(10.0);
+    const Vec3 move = chance.in_cube(0.5);  // [m] in a frame
+    const Vec3 axis = chance.direction();
+    const Vec3 turn = 0.2 * axis;  // [rad] in a frame: 1.4 to either side of 15
+    const Quat first = chance.orientation();
+    const Trajectory run = run_of(60, [&](int n) {
+      BodyState state;
+      state.position_w = start + n * move;
+      state.orientation_wb = turned(first, turn, n);
+      return state;
+    });
+    for (const int width : kWidths) {
+      const Trajectory shown = boxed(run, width);
+      for (int n = 0; n < run.count(); ++n) {
+        const BodyState& is = body_in(shown, n);
+        const BodyState& was = body_in(run, n);
+        CHECK((is.position_w - was.position_w).norm() < 1e-13);  // [m] measured 7e-15
+        // [rad] measured 2e-15
+        CHECK(angle_between(is.orientation_wb, was.orientation_wb) < 1e-13);
+      }
+    }
+  }
+}
+
+TEST_CASE("A box filter shows a free fall too low by g dt² n (n + 1)/6", "[exact][filtering]") {
+  // The mean of -g k² dt²/2 over k = -n ... n; for n = 2 it is g dt², 2.725 mm at 60 frames a second.
+  const auto height = [](int k) { return 5.0 - 0.5 * kGravity * k * k * kFrameTime * kFrameTime; };
+  const Trajectory run = run_of(40, [&](int n) {
+    BodyState state;
+    state.position_w.y() = height(n);
+    return state;
+  });
+  for (const int width : kWidths) {
+    const int half = width / 2;
+    const double too_low = kGravity * kFrameTime * kFrameTime * half * (half + 1) / 6.0;
+    const Trajectory shown = boxed(run, width);
+    for (int n = half; n < run.count() - half; ++n)
+      CHECK(body_in(shown, n).position_w.y() == near(height(n) - too_low).margin(1e-14));
+  }
+  CHECK(height(10) - body_in(boxed(run, 5), 10).position_w.y() == near(2.725e-3).margin(1e-14));
+}
+
+TEST_CASE("A box filter rounds a bounce off by v dt n (n + 1)/(2n + 1)", "[exact][filtering]") {
+  // The mean of |k| v dt over k = -n ... n; for n = 2 it is 6/5 v dt above the floor.
+  constexpr double kSpeed = 3.0;  // [m/s]
+  const Trajectory run = run_of(61, [&](int n) {
+    BodyState state;
+    state.position_w.y() = std::abs(n - 30) * kSpeed * kFrameTime;
+    return state;
+  });
+  for (const int width : kWidths) {
+    const int half = width / 2;
+    const double above = kSpeed * kFrameTime * half * (half + 1) / width;
+    CHECK(body_in(boxed(run, width), 30).position_w.y() == near(above).margin(1e-15));
+  }
+  CHECK(body_in(boxed(run, 5), 30).position_w.y() == near(1.2 * kSpeed * kFrameTime).margin(1e-15));
+}
+
+TEST_CASE("At the ends of a run the window of a box filter shrinks to what is on both sides",
+          "[exact][filtering]") {
+  // Squares: over 2n + 1 frames the mean is n (n + 1)/3 too large.
+  const Trajectory run = run_of(30, [](int n) { return at(n * n); });
+  for (const int width : kWidths) {
+    const Trajectory shown = boxed(run, width);
+    for (int n = 0; n < run.count(); ++n) {
+      const int half = std::min({width / 2, n, run.count() - 1 - n});
+      CHECK(body_in(shown, n).position_w.x() ==
+            near(n * n + half * (half + 1) / 3.0).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("A run shorter than the window is filtered with the windows that fit in it",
+          "[exact][filtering]") {
+  for (int count = 0; count <= 6; ++count) {
+    const Trajectory run = run_of(count, [](int n) { return at(n * n); });
+    const Trajectory shown = boxed(run, 15);
+    REQUIRE(shown.count() == count);
+    for (int n = 0; n < count; ++n) {
+      const int half = std::min(n, count - 1 - n);
+      CHECK(body_in(shown, n).position_w.x() ==
+            near(n * n + half * (half + 1) / 3.0).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("A box filter takes a body from where it comes in to where it leaves, each time anew",
+          "[exact][filtering]") {
+  // The first body is missing from two frames, where the others change places; the second is in 5 ...
+  // 14 and 17 ... 29, the third in one.
+  const auto there = [](int body, int n) {
+    if (body == 1) return (n >= 5 && n < 15) || n >= 17;
+    return body == 0 ? n < 9 || n > 10 : n == 20;
+  };
+  const auto place = [](int body, int n) { return 100.0 * body + n * n; };
+  Trajectory run;
+  for (int n = 0; n < 30; ++n) {
+    std::vector<BodyId> ids;
+    std::vector<BodyState> states;
+    for (int body = 0; body < 3; ++body) {
+      if (!there(body, n)) continue;
+      ids.push_back(BodyId{static_cast<std::uint32_t>(10 + body)});
+      states.push_back(at(place(body, n)));
+    }
+    run.record(Frame{n * kFrameTime, n, ids, states});
+  }
+  for (const int width : kWidths) {
+    const Trajectory shown = boxed(run, width);
+    const Trajectory late = boxed(run, width, BoxWindow::causal);
+    for (int n = 0; n < 30; ++n) {
+      REQUIRE(shown.frame(n).ids.size() == run.frame(n).ids.size());
+      for (int body = 0; body < 3; ++body) {
+        const BodyId id{static_cast<std::uint32_t>(10 + body)};
+        const auto state = shown.state(n, id);
+        REQUIRE(state.has_value() == there(body, n));
+        if (!state) continue;
+        int half = 0;
+        while (half < width / 2 && n - half - 1 >= 0 && n + half + 1 < 30 &&
+               there(body, n - half - 1) && there(body, n + half + 1))
+          ++half;
+        CHECK(state->position_w.x() ==
+              near(place(body, n) + half * (half + 1) / 3.0).margin(1e-12));
+        // The causal form: half a window ago, or where the body came in.
+        int then = n;
+        while (then > n - width / 2 && then > 0 && there(body, then - 1)) --then;
+        CHECK(same_pose(*late.state(n, id), *shown.state(then, id)));
+      }
+    }
+  }
+}
+
+TEST_CASE("A window ends where a body has turned by half a turn from its middle",
+          "[exact][filtering]") {
+  // A fifth of a turn in a frame, ever faster: the mean tells how many frames were taken.
+  const double turn = 0.4 * std::numbers::pi;
+  const auto angle = [&](int n) { return turn * n + 1e-3 * n * n; };
+  const Trajectory run = run_of(21, [&](int n) { return turned_by(angle(n)); });
+  for (const int width : {1, 3, 5, 15}) {
+    const Trajectory shown = boxed(run, width);
+    for (int n = 7; n < 14; ++n) {
+      const int half = std::min(width / 2, 2);  // 3 · 0.4 π is more than π
+      const double expected = angle(n) + 1e-3 * half * (half + 1) / 3.0;
+      CHECK(angle_between(body_in(shown, n).orientation_wb,
+                          turned_by(expected).orientation_wb) < 1e-13);  // [rad] measured 3e-16
+    }
+  }
+  // Moves end with turns, or a pose would be shown that is of no time.
+  const Trajectory both = run_of(21, [&](int n) {
+    BodyState state = turned_by(angle(n));
+    state.position_w.x() = n * n;
+    return state;
+  });
+  CHECK(body_in(boxed(both, 15), 10).position_w.x() == near(102.0).margin(1e-12));
+}
+
+TEST_CASE("A body that turns by just under half a turn in a window is averaged over all of it",
+          "[exact][filtering]") {
+  for (const double share : {0.999, 1.001}) {  // of half a turn, two frames from the middle
+    const double turn = 0.5 * share * std::numbers::pi;
+    const auto angle = [&](int n) { return turn * n + (n > 10 ? 1e-4 : 0.0); };
+    const Trajectory shown = boxed(run_of(21, [&](int n) { return turned_by(angle(n)); }), 5);
+    // Frames 11 and 12 are ahead by 1e-4: the mean in frame 10 by 2/5 of it, or 1/3 without 12.
+    const double ahead = 1e-4 * (share < 1.0 ? 2.0 / 5.0 : 1.0 / 3.0);
+    CHECK(angle_between(body_in(shown, 10).orientation_wb,
+                        turned_by(angle(10) + ahead).orientation_wb) < 1e-13);
+  }
+}
+
+TEST_CASE("Which of q and -q is stored changes no orientation that a box filter shows",
+          "[exact][filtering]") {
+  const Trajectory run = random_walk(80, 0.1, 0.3, 11);
+  Random chance(12);
+  Trajectory flipped;
+  for (int n = 0; n < run.count(); ++n) {
+    std::vector<BodyState> states = {body_in(run, n)};
+    if (chance.below(2) == 0) states[0].orientation_wb.coeffs() *= -1.0;
+    const Frame frame = run.frame(n);
+    flipped.record(Frame{frame.time, frame.step, frame.ids, states});
+  }
+  for (const int width : {3, 5, 15}) {
+    const Trajectory a = boxed(run, width);
+    const Trajectory b = boxed(flipped, width);
+    for (int n = 0; n < run.count(); ++n) {
+      const Quat& p = body_in(a, n).orientation_wb;
+      const Quat& q = body_in(b, n).orientation_wb;
+      CHECK((p.coeffs() == q.coeffs() || p.coeffs() == -q.coeffs()));
+      CHECK(body_in(flipped, n).orientation_wb.dot(q) > 0.0);  // the sign of the middle frame
+    }
+  }
+}
+
+TEST_CASE("A run played backwards is shown with the same bits backwards", "[exact][filtering]") {
+  const Trajectory run = random_walk(80, 0.1, 0.9, 13);
+  const Trajectory backwards =
+      run_of(run.count(), [&](int n) { return body_in(run, run.count() - 1 - n); });
+  for (const int width : kWidths) {
+    const Trajectory shown = boxed(run, width);
+    const Trajectory other = boxed(backwards, width);
+    bool same = true;
+    for (int n = 0; n < run.count(); ++n)
+      same = same && same_bits(body_in(shown, n), body_in(other, run.count() - 1 - n));
+    CHECK(same);
+  }
+}
+
+TEST_CASE("The causal box filter shows what the centred one does half a window later",
+          "[exact][filtering]") {
+  // Also where windows are cut because the body turns fast.
+  for (const double turn : {0.1, 2.0}) {
+    const Trajectory run = random_walk(80, 0.1, turn, 14);
+    for (const int width : kWidths) {
+      const Trajectory shown = boxed(run, width);
+      const Trajectory late = boxed(run, width, BoxWindow::causal);
+      bool same = true;
+      for (int n = 0; n < run.count(); ++n) {
+        const BodyState& now = body_in(late, n);
+        same = same && same_pose(now, body_in(shown, std::max(0, n - width / 2))) &&
+               late.frame(n).time == run.frame(n).time;
+      }
+      CHECK(same);
+      CHECK(BoxFilter(width, BoxWindow::causal).latency() == 0);
+      CHECK(BoxFilter(width).latency() == width / 2);
+    }
+  }
+}
+
+TEST_CASE("A box filter changes poses only", "[exact][filtering]") {
+  Random chance(15);
+  const Trajectory run = run_of(30, [&](int) {
+    BodyState state;
+    state.position_w = chance.in_cube(0.01);
+    state.linear_momentum_w = chance.in_cube(3.0);
+    state.angular_momentum_w = chance.in_cube(3.0);
+    return state;
+  });
+  for (const BoxWindow window : {BoxWindow::centred, BoxWindow::causal}) {
+    const Trajectory shown = boxed(run, 5, window);
+    REQUIRE(shown.count() == run.count());
+    for (int n = 0; n < run.count(); ++n) {
+      CHECK(shown.frame(n).time == run.frame(n).time);
+      CHECK(shown.frame(n).step == run.frame(n).step);
+      CHECK(body_in(shown, n).linear_momentum_w == body_in(run, n).linear_momentum_w);
+      CHECK(body_in(shown, n).angular_momentum_w == body_in(run, n).angular_momentum_w);
+    }
+    CHECK(body_in(shown, 10).position_w != body_in(run, 10).position_w);
+  }
+}
+
+TEST_CASE("An even width, none and a huge one are refused with the number", "[unit][filtering]") {
+  for (const int width : {0, -1, -5, 2, 4, 1002, 1003, 100001}) {
+    const std::string message = refusal([&] { BoxFilter filter(width); });
+    CHECK(has(message, "over " + std::to_string(width) + " frames"));
+    CHECK(has(message, "an odd number from 1 to 1001"));
+  }
+  CHECK(BoxFilter(1001).frames() == 1001);
+}
+
+TEST_CASE("A last frame that comes early or late is shown as it is and enters no window",
+          "[exact][filtering]") {
+  // Five frames of 20 and one more; as if the run had ended with the 20th.
+  for (const double share : {0.3, 1.5})
+    for (const int width : kWidths) {
+      Trajectory run = run_of(20, [](int n) { return at(n * n); });
+      const Trajectory regular = boxed(run, width);
+      const std::vector<BodyId> ids = {BodyId{7}};
+      const std::vector<BodyState> states = {at(-5.0)};
+      run.record(Frame{(19 + share) * kFrameTime, 20, ids, states});
+      const Trajectory shown = boxed(run, width);
+      const Trajectory late = boxed(run, width, BoxWindow::causal);
+      REQUIRE(shown.count() == 21);
+      for (int n = 0; n < 20; ++n) CHECK(same_pose(body_in(shown, n), body_in(regular, n)));
+      CHECK(same_pose(body_in(shown, 20), states[0]));
+      CHECK(same_pose(body_in(late, 20), body_in(shown, 20 - width / 2)));
+    }
+}
+
+TEST_CASE("A frame after one at another interval is refused, and the filter is as before",
+          "[unit][filtering]") {
+  for (const BoxWindow window : {BoxWindow::centred, BoxWindow::causal}) {
+    const Trajectory run = random_walk(12, 0.1, 0.3, 16);
+    BoxFilter filter(5, window);
+    std::vector<BodyState> seen;
+    const FrameSink show = [&](const Frame& frame) { seen.push_back(frame.states[0]); };
+    for (int n = 0; n < 10; ++n) filter.add(run.frame(n), show);
+    const auto add_at = [&](PoseFilter& to, double time, int n) {
+      Frame frame = run.frame(n);
+      frame.time = time;
+      to.add(frame, show);
+    };
+    add_at(filter, 9.5 * kFrameTime, 10);
+    const std::unique_ptr<PoseFilter> copy = filter.clone();
+    const std::size_t before = seen.size();
+    const std::string message = refusal([&] { add_at(filter, 10.5 * kFrameTime, 11); });
+    CHECK(has(message, "frame 11 at 0.175 s"));
+    CHECK(has(message, "equal times"));
+    CHECK(has(message, "Keep the step constant"));
+    CHECK(seen.size() == before);
+    filter.finish(show);
+    const std::vector<BodyState> after(seen.begin() + static_cast<std::ptrdiff_t>(before),
+                                       seen.end());
+    seen.clear();
+    copy->finish(show);
+    REQUIRE(seen.size() == after.size());
+    for (std::size_t k = 0; k < seen.size(); ++k) CHECK(same_pose(seen[k], after[k]));
+
+    // Ready for another run, of another interval.
+    seen.clear();
+    for (int n = 0; n < 6; ++n) add_at(filter, n * 0.5, n);
+    filter.finish(show);
+    CHECK(seen.size() == 6);
+  }
+}
+
+TEST_CASE("Times may carry rounding, and no more", "[unit][filtering]") {
+  const auto refused = [](double shift) {
+    BoxFilter filter(5);
+    const std::vector<BodyId> ids = {BodyId{7}};
+    const std::vector<BodyState> states(1);
+    return !refusal([&] {
+              for (int n = 0; n < 5; ++n)
+                filter.add(Frame{(n + (n == 3 ? shift : 0.0)) * kFrameTime, n, ids, states},
+                           [](const Frame&) {});
+            }).empty();
+  };
+  CHECK_FALSE(refused(0.0));
+  CHECK_FALSE(refused(0.9e-6));
+  CHECK(refused(1.1e-6));
+  CHECK(refused(-1.1e-6));
+}
+
+TEST_CASE("A frame that makes no sense is refused by frame and body, and can be left out",
+          "[unit][filtering]") {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const auto broken = [](const auto& change) {
+    BodyState state = at(1.0);
+    change(state);
+    return state;
+  };
+  const std::vector<std::pair<BodyState, std::string>> cases = {
+      {broken([](BodyState& s) { s.position_w.y() = kNaN; }), "body with id 9"},
+      {broken([](BodyState& s) { s.position_w.y() = std::numeric_limits<double>::infinity(); }),
+       "body with id 9"},
+      {broken([](BodyState& s) { s.orientation_wb.x() = kNaN; }), "body with id 9"},
+      {broken([](BodyState& s) { s.orientation_wb.coeffs() *= 1.0 + 1e-6; }), "body with id 9"}};
+  const std::vector<BodyId> ids = {BodyId{7}, BodyId{9}};
+  for (const auto& [state, name] : cases) {
+    BoxFilter filter(5);
+    int shown = 0;
+    const FrameSink show = [&](const Frame&) { ++shown; };
+    const std::vector<BodyState> good = {at(0.0), at(1.0)};
+    const std::vector<BodyState> bad = {at(0.0), state};
+    for (int n = 0; n < 3; ++n) filter.add(Frame{n * kFrameTime, n, ids, good}, show);
+    const std::string message = refusal([&] {
+      filter.add(Frame{3 * kFrameTime, 3, ids, bad}, show);
+    });
+    CHECK(has(message, "frame 3 at 0.05 s"));
+    CHECK(has(message, name));
+    filter.add(Frame{3 * kFrameTime, 3, ids, good}, show);  // nothing of the bad one is left
+    filter.finish(show);
+    CHECK(shown == 4);
+  }
+}
+
+TEST_CASE("A frame whose ids do not ascend, are not as many as states or come twice is refused",
+          "[unit][filtering]") {
+  const std::vector<BodyState> states = {at(0.0), at(1.0)};
+  const auto message = [&](const std::vector<BodyId>& ids, double time) {
+    BoxFilter filter(3);
+    return refusal([&] { filter.add(Frame{time, 0, ids, states}, [](const Frame&) {}); });
+  };
+  CHECK(message({BodyId{7}, BodyId{9}}, 0.0).empty());
+  CHECK(has(message({BodyId{9}, BodyId{7}}, 0.0), "body with id 7: expected ids that ascend"));
+  CHECK(has(message({BodyId{7}, BodyId{7}}, 0.0), "expected ids that ascend"));
+  CHECK(has(message({BodyId{7}}, 0.0), "1 ids and 2 states"));
+  CHECK(has(message({BodyId{7}, BodyId{9}}, std::numeric_limits<double>::infinity()),
+            "time of a frame"));
+  BoxFilter filter(3);
+  const std::vector<BodyId> ids = {BodyId{7}, BodyId{9}};
+  const auto add = [&] { filter.add(Frame{1.0, 0, ids, states}, [](const Frame&) {}); };
+  add();
+  CHECK(has(refusal(add), "frame 1 at 1 s: expected a time after 1 s"));
+}

@@ -1,0 +1,262 @@
+/// \file
+/// \brief Tests of telling chatter from earlier frames: motions whose answer is known.
+#include "tumble/filtering/chatter_detector.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+constexpr double kFrame = 1.0 / 60.0;  // [s]
+constexpr double kPi = std::numbers::pi;
+
+using Pose = std::function<BodyState(int frame)>;
+
+BodyState shifted(const Vec3& way_w) {
+  BodyState state;
+  state.position_w = way_w;
+  return state;
+}
+
+BodyState turned(const Vec3& angle_w) {
+  BodyState state;
+  state.orientation_wb = rotation_from_vector(angle_w);
+  return state;
+}
+
+// A film of one box, frame by frame.
+struct Film {
+  Vec3 size = Vec3::Ones();
+  ChatterDetectorOptions options = {};
+  double frame = kFrame;  // [s]
+  double contact = 1.0;   // share of the frames
+  int frames = 40;
+  Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);
+
+  [[nodiscard]] ChatterDetector shown(const Pose& pose) const {
+    ChatterDetector detector(options);
+    World world;
+    world.gravity_w = gravity_w;
+    world.add(box_properties(size, 1.0), pose(0));
+    for (int k = 0; k < frames; ++k) {
+      if (k > 0) world.finish_step(frame);
+      world.states()[0] = pose(k);
+      const bool touches = std::floor((k + 1) * contact) > std::floor(k * contact);
+      detector.add(world, std::vector<char>{touches ? '\1' : '\0'});
+    }
+    return detector;
+  }
+  [[nodiscard]] Motion told(const Pose& pose) const { return shown(pose).motion(BodyId{0}); }
+};
+
+Motion told(const Pose& pose) { return Film().told(pose); }
+
+}  // namespace
+
+TEST_CASE("Chatter of every frequency from a tenth of a cycle in a frame on is told",
+          "[exact][filtering]") {
+  Random chance(7);
+  for (double f = 0.1; f <= 0.5; f += 0.004)
+    for (const double swing : {4e-4, 2e-3, 8e-3}) {
+      if (2.0 * f * swing > 0.9 * tolerance::chatter_speed * std::sqrt(9.81) * kFrame) continue;
+      const double phase = f > 0.49 ? 0.5 * kPi : chance.uniform(0.0, 2.0 * kPi);
+      const Vec3 along = Vec3(chance.unit(), chance.unit(), chance.unit()).normalized();
+      const auto wave = [&](int k) {
+        return 0.5 * swing * elementary::sin(2.0 * kPi * f * k + phase);
+      };
+      INFO("f = " << f << ", swing = " << swing);
+      CHECK(told([&](int k) { return shifted(wave(k) * along); }) == Motion::chatters);
+      CHECK(told([&](int k) { return turned(wave(k) * along); }) == Motion::chatters);
+    }
+}
+
+TEST_CASE("Noise with a slow drift and bursts of it are told to chatter, and not what gets away",
+          "[unit][filtering]") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto noise = [&](int k) {
+      Random chance = Random(seed).fork(static_cast<std::uint64_t>(k));
+      return Vec3(chance.uniform(-1e-3, 1e-3), chance.uniform(-1e-3, 1e-3), 0.0);
+    };
+    const auto drifting = [&](double speed) {
+      return
+          [&noise, speed](int k) { return shifted(noise(k) + Vec3(0.0, 0.0, speed * kFrame * k)); };
+    };
+    CHECK(told(drifting(0.005)) == Motion::chatters);
+    CHECK(told(drifting(0.02)) == Motion::moves);
+    // A creep of 5 mm/s that trembles by a tenth of it, and shaking by three times what gravity does.
+    CHECK(told([&](int k) { return shifted(0.1 * noise(k) + Vec3(0.0, 0.0, 8e-5 * k)); }) ==
+          Motion::moves);
+    CHECK(told([&](int k) { return shifted(9.0 * noise(k)); }) == Motion::moves);
+    // Eight frames of noise, and nothing for as long.
+    CHECK(told([&](int k) { return shifted(k / 8 % 2 == 0 ? noise(k) : Vec3::Zero()); }) ==
+          Motion::chatters);
+  }
+}
+
+TEST_CASE("What slides is never told to chatter, at whatever speed and however it slows down",
+          "[exact][filtering]") {
+  for (const double speed : {1e-3, 5e-3, 0.02, 0.05, 0.1, 0.3, 3.0, 100.0})
+    for (const double friction : {0.0, 1e-3, 0.1, 0.5})
+      for (const double heading : {0.0, 0.4, 2.0}) {
+        const Vec3 along(elementary::cos(heading), 0.0, elementary::sin(heading));
+        const double stop = friction > 0.0 ? speed / (9.81 * friction) : 1e9;  // [s]
+        const auto way = [&](int k) {
+          const double t = std::min(k * kFrame, stop);
+          return shifted((speed - 0.5 * 9.81 * friction * t) * t * along);
+        };
+        INFO("speed " << speed << ", friction " << friction);
+        CHECK(told(way) != Motion::chatters);
+        if (friction == 0.0) CHECK(told(way) == Motion::moves);
+      }
+}
+
+TEST_CASE("What turns, rocks, falls, is thrown or bounces is told to move", "[unit][filtering]") {
+  for (const double spin : {0.01, 0.1, 1.0, 10.0, 40.0}) {
+    CHECK(told([&](int k) { return turned(Vec3(0.0, spin * kFrame * k, 0.0)); }) == Motion::moves);
+    CHECK(told([&](int k) { return turned(Vec3(spin * kFrame * k, 0.0, 0.0)); }) == Motion::moves);
+  }
+  // A rocking block: parabolas of its angle, to and fro, each lower than the one before. It must take
+  // more than a quarter of a second for each: three turns within half a second are chatter.
+  for (const double duration : {0.255, 0.3, 0.4, 0.6}) {
+    const auto rocks = [&](int k) {
+      const double half = std::floor(k * kFrame / duration);
+      const double time = k * kFrame - half * duration;
+      const double top =
+          0.1 * elementary::pow(0.9, half) * (std::fmod(half, 2.0) < 1.0 ? 1.0 : -1.0);
+      return turned(Vec3(0.0, 0.0, top * 4.0 * time * (duration - time) / (duration * duration)));
+    };
+    for (int frames = 31; frames < 80; ++frames) {
+      Film film;
+      film.frames = frames;
+      film.options.speed = 1.0;  // so that it is not its speed that tells
+      INFO("duration " << duration << ", frame " << frames);
+      CHECK(film.told(rocks) == Motion::moves);
+    }
+  }
+  const auto thrown = [](double speed) {
+    return [speed](int k) {
+      return shifted(Vec3(0.0, speed * kFrame * k - 0.5 * 9.81 * kFrame * k * kFrame * k, 0.0));
+    };
+  };
+  for (const double speed : {-1.0, 0.0, 2.0, 0.5 * 9.81 * 30.0 * kFrame, 8.0})
+    CHECK(told(thrown(speed)) == Motion::moves);
+  CHECK(told([](int k) {  // hops of a third of a second
+          const double t = (k % 20) * kFrame;
+          return shifted(Vec3(0.0, 0.5 * 9.81 * t * (20.0 * kFrame - t), 0.0));
+        }) == Motion::moves);
+}
+
+TEST_CASE("Who stands still rests, and who creeps moves", "[exact][filtering]") {
+  CHECK(told([](int) { return shifted(Vec3(1.0, 2.0, 3.0)); }) == Motion::rests);
+  // A creep by `rest` in the window is the limit.
+  const auto creep = [](double share) {
+    const double step = share * tolerance::rest_excursion / 30.0;
+    return [step](int k) { return shifted(Vec3(step * k, 0.0, 0.0)); };
+  };
+  CHECK(told(creep(0.99)) == Motion::rests);
+  CHECK(told(creep(1.01)) == Motion::moves);
+  // A creep that trembles chatters if it does by `swing` at least.
+  const auto trembles = [&](double share) {
+    return [&creep, share](int k) {
+      BodyState state = creep(1.5)(k);
+      state.position_w.y() += k % 2 == 0 ? 0.0 : share * tolerance::chatter_swing;
+      return state;
+    };
+  };
+  CHECK(told(trembles(0.95)) == Motion::moves);
+  CHECK(told(trembles(1.05)) == Motion::chatters);
+}
+
+TEST_CASE("Chatter needs contact, gravity, enough frames and numbers", "[unit][filtering]") {
+  const auto chatter = [](int k) { return shifted(Vec3(0.0, k % 2 == 0 ? 0.0 : 2e-3, 0.0)); };
+  Film film;
+  CHECK(film.told(chatter) == Motion::chatters);
+  film.contact = 0.55;
+  CHECK(film.told(chatter) == Motion::chatters);
+  film.contact = 0.45;
+  CHECK(film.told(chatter) == Motion::moves);
+  film = Film();
+  film.gravity_w.setZero();
+  CHECK(film.told(chatter) == Motion::moves);
+  film = Film();
+  film.frames = 31;
+  CHECK(film.told(chatter) == Motion::chatters);
+  film.frames = 30;
+  CHECK(film.told(chatter) == Motion::moves);
+  CHECK_FALSE(film.shown(chatter).history(BodyId{0}).has_value());
+  CHECK(Film().shown(chatter).motion(BodyId{7}) == Motion::moves);
+  CHECK(told([&](int k) {
+          BodyState state = chatter(k);
+          if (k == 35) state.position_w.y() = std::numeric_limits<double>::quiet_NaN();
+          return state;
+        }) == Motion::moves);
+}
+
+TEST_CASE("A film that is turned, larger and slower is told with the same numbers",
+          "[exact][filtering]") {
+  const auto noisy = [](double length, double yaw) {
+    return [length, yaw](int k) {
+      Random chance = Random(11).fork(static_cast<std::uint64_t>(k));
+      const Quat turn = rotation_from_vector(Vec3(0.0, yaw, 0.0));
+      BodyState state;
+      state.position_w = turn * (length * Vec3(chance.uniform(-1e-3, 1e-3), 2e-4 * k,
+                                               chance.uniform(-2e-3, 2e-3)));
+      state.orientation_wb = turn * rotation_from_vector(Vec3(1e-3 * chance.unit(), 0.0, 0.0));
+      return state;
+    };
+  };
+  const ChatterDetector one = Film().shown(noisy(1.0, 0.0));
+  const MotionHistory expected = *one.history(BodyId{0});
+  REQUIRE(one.clearness(BodyId{0}) > 0.0);
+  for (const double scale : {0.01, 1.0, 100.0})
+    for (const double yaw : {0.0, 0.7, 2.9}) {
+      Film film;
+      film.size = Vec3::Constant(scale);
+      film.frame = kFrame * std::sqrt(scale);
+      film.options.frame_rate = 60.0 / std::sqrt(scale);
+      const ChatterDetector other = film.shown(noisy(scale, yaw));
+      const MotionHistory history = *other.history(BodyId{0});
+      const double margin = 1e-12;  // [-] rounding; measured 1e-14
+      CHECK(history.path / scale == near(expected.path).margin(margin));
+      CHECK(history.drift / scale == near(expected.drift).margin(margin));
+      CHECK(history.swing / scale == near(expected.swing).margin(margin));
+      CHECK(other.motion(BodyId{0}) == one.motion(BodyId{0}));
+    }
+}
+
+TEST_CASE("What is told of a body does not depend on who else comes and goes",
+          "[exact][filtering]") {
+  const auto chatter = [](int k) { return shifted(Vec3(0.0, k % 3 == 0 ? 0.0 : 2e-3, 0.1)); };
+  const ChatterDetector alone = Film().shown(chatter);
+  ChatterDetector detector;
+  World world;
+  const BodyProperties box = box_properties(Vec3::Ones(), 1.0);
+  const BodyId first = world.add(box, shifted(Vec3(9.0, 0.0, 0.0)));
+  const BodyId body = world.add(box, chatter(0));
+  BodyId late{};
+  for (int k = 0; k < 40; ++k) {
+    if (k > 0) world.finish_step(kFrame);
+    if (k == 12) world.remove(first);
+    if (k == 20) late = world.add(box, chatter(0));
+    world.states()[static_cast<std::size_t>(world.index_of(body))] = chatter(k);
+    if (k >= 20) world.states().back() = chatter(k);
+    detector.add(world, std::vector<char>(world.states().size(), 1));
+  }
+  CHECK(detector.motion(body) == Motion::chatters);
+  CHECK(detector.history(body)->swing == alone.history(BodyId{0})->swing);
+  CHECK(detector.history(body)->drift == alone.history(BodyId{0})->drift);
+  CHECK(detector.motion(late) == Motion::moves);  // 20 frames are too few
+  CHECK(detector.motion(first) == Motion::moves);
+}

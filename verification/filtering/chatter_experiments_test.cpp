@@ -1,0 +1,233 @@
+/// \file
+/// \brief The chatter of each technique on a stack, a pyramid and a clump, and what is made of it.
+///
+/// Each technique that has resting contact is tried with each scene, but for those that would take
+/// minutes: Coulomb's friction in exact contact forces beyond a stack, and time stepping with 27 cubes.
+#include "driver/quick.hpp"
+#include "filtering/chatter_ranks.hpp"
+#include "filtering/chatter_run.hpp"
+#include "filtering/technique_chatter_experiments.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// The stack and the pyramid begin up to 1 cm off their places, so that something has to settle.
+ChatterRun on_stack(const PlayedTechnique& technique, std::uint64_t seed = 1) {
+  const Scene scene = scene_with("stack", {"count=5", "scatter=0.01"}, seed);
+  return chatter_of(scene, technique, 2.0, 1.0, seed);
+}
+
+ChatterRun on_pyramid(const PlayedTechnique& technique, std::uint64_t seed = 1) {
+  const Scene scene = scene_with("pyramid", {"rows=5", "scatter=0.01"}, seed);
+  return chatter_of(scene, technique, 2.0, 1.0, seed);
+}
+
+ChatterRun on_clump(const PlayedTechnique& technique, int per_edge, std::uint64_t seed = 1) {
+  const Scene scene = scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
+  return chatter_of(scene, technique, 5.0, 1.0, seed);
+}
+
+// All rest where they should, and the one that shakes most does so by no more than a bound [m].
+void check_pile(const ChatterRun& run, double bound) {
+  CHECK(run.solved);
+  CHECK(run.restless() == 0);
+  CHECK(run.displaced <
+        0.1);  // measured: 0.02 to 0.03 m, most of which is the fall by up to 1 cm each
+  CHECK(run.amplitude() <= bound);
+}
+
+void check_clump(const ChatterRun& run, double bound) {
+  CHECK(run.solved);
+  CHECK(run.restless() == 0);
+  CHECK(run.displaced > 1.0);  // it did fall: measured 1.6 to 5.1 m
+  CHECK(run.amplitude() <= bound);
+}
+
+}  // namespace
+
+TEST_CASE("Shock propagation holds a stack still; a pyramid and a clump shake by millimetres",
+          "[reference][chatter][filtering]") {
+  const PlayedTechnique impulse = {"impulse"};
+  SECTION("stack") { check_pile(on_stack(impulse), 1e-8); }      // measured: 1.3e-10 m
+  SECTION("pyramid") { check_pile(on_pyramid(impulse), 6e-3); }  // measured: 3.7e-3 m
+  SECTION("clump") { check_clump(on_clump(impulse, 2), 6e-3); }  // measured: 3.7e-3 m
+}
+
+TEST_CASE("Damped integration leaves millimetres of chatter in a stack, a pyramid and a clump",
+          "[reference][chatter][filtering]") {
+  // From some starts it does not come to a dead stop; these are such. That it chatters at all is what
+  // the lower bound says: if it ever stops, this test is to be written anew.
+  const PlayedTechnique damped = {"damped"};
+  ChatterRun run;
+  SECTION("stack") {
+    run = on_stack(damped, 1);
+    check_pile(run, 6e-3);  // measured: 3.7e-3 m
+  }
+  SECTION("pyramid") {
+    run = on_pyramid(damped, 3);
+    check_pile(run, 5e-3);  // measured: 2.6e-3 m
+  }
+  SECTION("clump") {
+    run = on_clump(damped, 3, 2);
+    check_clump(run, 5e-3);  // measured: 2.8e-3 m
+  }
+  CHECK(run.amplitude() > 1e-3);
+}
+
+TEST_CASE("The printed listings of damped integration, repaired, chatter by as much, or fall",
+          "[reference][chatter][filtering]") {
+  const PlayedTechnique listings = {"damped", {"reading=as_printed", "repaired=all"}};
+  SECTION("stack") { check_pile(on_stack(listings, 1), 6e-3); }      // measured: 3.8e-3 m
+  SECTION("pyramid") { check_pile(on_pyramid(listings, 1), 5e-3); }  // measured: 2.8e-3 m
+  SECTION("clump") { check_clump(on_clump(listings, 3, 8), 5e-3); }  // measured: 2.5e-3 m
+  // Known to fail: from three of eight starts a box leaves the stack at more than 100 m/s.
+  SECTION("a stack that falls") { CHECK(on_stack(listings, 2).displaced > 10.0); }
+}
+
+TEST_CASE("Stiff contact areas hold a stack, a pyramid and a clump within micrometres",
+          "[reference][chatter][filtering]") {
+  const PlayedTechnique areas = {"contact_damped"};
+  SECTION("stack") { check_pile(on_stack(areas), 1e-7); }      // measured: 3.4e-9 m
+  SECTION("pyramid") { check_pile(on_pyramid(areas), 1e-8); }  // measured: 2.7e-11 m
+  SECTION("clump") { check_clump(on_clump(areas, 3), 1e-5); }  // measured: 2.8e-6 m
+}
+
+TEST_CASE("Exact contact forces with damping for friction do not shake a stack or a pyramid",
+          "[reference][chatter][filtering]") {
+  const PlayedTechnique analytic = {"analytic", {"friction=damping"}};
+  SECTION("stack") { check_pile(on_stack(analytic), 1e-9); }      // measured: 2.4e-15 m
+  SECTION("pyramid") { check_pile(on_pyramid(analytic), 1e-6); }  // measured: 8.7e-8 m, sliding
+  SECTION("clump") {
+    const ChatterRun run = on_clump(analytic, 3);
+    check_clump(run, 1e-3);             // measured: 2.8e-4 m: it slides until it is slow enough
+    CHECK(run.acceleration() <= 1e-3);  // [-] of free fall; measured: 1.6e-4
+  }
+}
+
+TEST_CASE("Exact contact forces with Coulomb's friction do not shake a stack",
+          "[reference][chatter][filtering]") {
+  check_pile(on_stack({"analytic"}), 1e-9);  // measured: 1.7e-14 m
+}
+
+TEST_CASE("Time stepping does not shake a stack, a pyramid or a clump of eight",
+          "[reference][chatter][filtering]") {
+  const PlayedTechnique stepping = {"time_stepping"};
+  SECTION("stack") { check_pile(on_stack(stepping), 1e-9); }      // measured: 3.7e-15 m
+  SECTION("pyramid") { check_pile(on_pyramid(stepping), 1e-9); }  // measured: 1.0e-13 m
+  SECTION("clump") { check_clump(on_clump(stepping, 2), 1e-9); }  // measured: 7.9e-15 m
+}
+
+TEST_CASE("Without resting contact a stack falls from impact to impact and meets the cap",
+          "[reference][chatter][filtering]") {
+  // basic has impacts and nothing else (2.1): a box that lies on another one collides with it without
+  // end. Where a step has more collisions than its cap, the rest of it is flown through them.
+  const ChatterRun run = on_stack({"basic"});
+  CHECK(run.resting.empty());
+  CHECK(run.capped > 20);           // of 180 steps; measured: 41
+  CHECK(run.last_collisions > 60);  // in 60 steps; measured: 356
+}
+
+TEST_CASE(
+    "Timewarps stop what lies at the end of each frame, and a stack creeps but does not shake",
+    "[reference][chatter][filtering]") {
+  // A timewarp is about the order of collisions (5.1) and has no resting contact either: pairs that
+  // collide again and again are left to the frame's end and stopped there.
+  for (const char* name :
+       {"timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"}) {
+    INFO(name);
+    const ChatterRun run = on_stack({name});
+    CHECK(run.last_collisions > 60);  // in 60 steps; measured: 162 to 194
+    CHECK(run.restless() == 0);
+    CHECK(run.amplitude() > 1e-6);  // [m] measured: 3e-5 to 1.4e-4
+    CHECK(run.amplitude() < 1e-3);
+    CHECK(run.acceleration() < 1e-5);  // [-] of free fall; measured: 5e-8 to 7e-8
+  }
+}
+
+TEST_CASE("What a run of chatter counts is what was watched, and a fall is not rest",
+          "[unit][chatter][filtering]") {
+  SceneBox box;
+  box.name = "box";
+  box.position_w = Vec3(0.0, 50.0, 0.0);
+  Scene high;
+  high.boxes = {box};
+  high.ground = SceneGround{};
+  const ChatterRun falls = chatter_of(high, {"contact_damped"}, 0.5, 1.0);
+  CHECK(falls.bodies == 1);
+  CHECK(falls.steps == 90);
+  CHECK(falls.restless() == 1);
+  CHECK(std::isnan(falls.amplitude()));
+  CHECK(std::isnan(falls.acceleration()));
+  high.boxes[0].position_w.y() = 0.5;
+  const ChatterRun lies = chatter_of(high, {"contact_damped"}, 0.5, 0.5);
+  CHECK(lies.steps == 60);
+  CHECK(lies.restless() == 0);
+  CHECK(lies.amplitude() <= 1e-12);  // [m] measured: 0
+}
+
+TEST_CASE("The median of eight lies between the smallest and the largest, of more further inside",
+          "[exact][filtering]") {
+  const MedianRange eight = median_range({8.0, 1.0, 7.0, 2.0, 6.0, 3.0, 5.0, 4.0});
+  CHECK(eight.median == 4.5);
+  CHECK(eight.low == 1.0);  // the second smallest would miss in 18 cases of 256, and so the largest
+  CHECK(eight.high == 8.0);
+  // Of 9 values the second is enough: 2 (1 + 9) of 512; of 20 the sixth: 2 × 21700 of 1048576.
+  const MedianRange nine = median_range({9.0, 8.0, 1.0, 7.0, 2.0, 6.0, 3.0, 5.0, 4.0});
+  CHECK(nine.median == 5.0);
+  CHECK(nine.low == 2.0);
+  CHECK(nine.high == 8.0);
+  std::vector<double> values;
+  for (int k = 1; k <= 20; ++k) values.push_back(k);
+  CHECK(median_range(values).low == 6.0);
+  CHECK(median_range(values).high == 15.0);
+  CHECK(median_range({3.0}).low == 3.0);
+  CHECK(median_range({3.0}).high == 3.0);
+  CHECK(std::isnan(median_range({}).median));
+}
+
+TEST_CASE("A rank counts those that are surely smaller, and who overlaps shares it",
+          "[exact][filtering]") {
+  const std::vector<MedianRange> ranges = {
+      {5.0, 4.0, 6.0}, {1.0, 0.5, 2.0}, {1.5, 1.0, 3.0}, {9.0, 8.0, 9.5}, {4.0, 2.5, 5.0}};
+  CHECK(shared_ranks(ranges, 0.0) == std::vector<int>{3, 1, 1, 5, 2});
+  // What is below the floor is all the same.
+  const std::vector<MedianRange> small = {
+      {1e-12, 1e-12, 1e-11}, {1e-15, 0.0, 1e-14}, {2e-9, 1e-10, 3e-9}, {1e-8, 4e-9, 1e-7}};
+  CHECK(shared_ranks(small, 1e-9) == std::vector<int>{1, 1, 1, 4});
+  CHECK(shared_ranks(small, 0.0) == std::vector<int>{2, 1, 3, 4});
+}
+
+TEST_CASE("The table of chatter has a cell for each technique and scene, and says who was left out",
+          "[unit][filtering]") {
+  const Result result = run_quickly(technique_chatter_figures(), "chatter_table",
+                                    {"small=2", "boxes=2", "flying=0.5", "settling=0.5"});
+  const Table& table = result.tables.at(0);
+  REQUIRE(table.rows.size() == 28);
+  int left_out = 0;
+  for (const std::vector<double>& row : table.rows) {
+    REQUIRE(row.size() == table.columns.size());
+    if (row[3] == 0.0) ++left_out;
+    CHECK((row[3] == 1.0 || std::isnan(row[4])));
+  }
+  CHECK(left_out == 5);
+}
+
+TEST_CASE("Some chatter is left in the settled clump, and none with twice the damping",
+          "[claims][filtering]") {
+  const FigureUnderTest figure(technique_chatter_figures(), "claim_6_1b_chatter",
+                               {"per_edge=4", "settling=8", "varied=1"});
+  const double share = figure.number(
+      "share of the bodies of the settled clump that chatter by a thousandth of an edge or more");
+  CHECK(share >= 0.05);  // measured: 0.3 of 64 cubes, two seeds
+  CHECK(figure.number("the same share of those that rest") >= share);
+  CHECK(figure.number("the same share with twice the damping") < 0.05);
+  CHECK(figure.number("the same share with twice the epsilons") < 0.05);
+}

@@ -1,0 +1,80 @@
+/// \file
+/// \brief Tests of the frames that a detector of chatter sees, and of its options.
+#include "tumble/base/random.hpp"
+#include "tumble/filtering/chatter_detector.hpp"
+
+#include "support/catch.hpp"
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+constexpr double kFrame = 1.0 / 60.0;  // [s]
+
+}  // namespace
+
+TEST_CASE("Half as long steps show a detector the same frames", "[exact][filtering]") {
+  const auto noise = [](int k) {
+    Random chance = Random(2).fork(static_cast<std::uint64_t>(k));
+    return Vec3(chance.uniform(0.0, 2e-3), 0.0, 0.0);
+  };
+  ChatterDetector whole;
+  ChatterDetector halves;
+  World world;
+  world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+  World fine = world;
+  whole.add(world, std::vector<char>{1});
+  halves.add(fine, std::vector<char>{1});
+  for (int k = 1; k < 50; ++k) {
+    world.finish_step(kFrame);
+    world.states()[0].position_w = noise(k);
+    whole.add(world, std::vector<char>{1});
+    for (const Vec3& place : {Vec3(9.0, 9.0, 9.0), noise(k)}) {
+      fine.finish_step(0.5 * kFrame);
+      fine.states()[0].position_w = place;
+      halves.add(fine, std::vector<char>{1});
+    }
+  }
+  CHECK(whole.motion(BodyId{0}) == Motion::chatters);
+  CHECK(halves.motion(BodyId{0}) == Motion::chatters);
+  // [m] what the time of a step is off by, 1e-14 s, times 1000 m/s
+  CHECK(halves.history(BodyId{0})->swing == near(whole.history(BodyId{0})->swing).margin(1e-10));
+}
+
+TEST_CASE("A detector sees 60 frames a second between steps of any length", "[exact][filtering]") {
+  ChatterDetector detector;
+  World world;
+  world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+  for (const double dt : {1.0 / 210.0, 1.0 / 13.0, 1.0 / 47.0})
+    for (double time = 0.0; time < 1.0; time += dt) {
+      detector.add(world, std::vector<char>{1});
+      world.finish_step(dt);
+      world.states()[0].position_w.x() = 0.2 * world.time();
+    }
+  detector.add(world, std::vector<char>{1});
+  const MotionHistory history = *detector.history(BodyId{0});
+  CHECK(history.way == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
+  CHECK(history.path == near(0.1).margin(1e-13));
+}
+
+TEST_CASE("A detector refuses numbers that make no sense", "[unit][filtering]") {
+  using Change = std::function<void(ChatterDetectorOptions&)>;
+  for (const Change& change :
+       std::vector<Change>{[](auto& o) { o.window = 1; }, [](auto& o) { o.window = 121; },
+                           [](auto& o) { o.reversals = 0; }, [](auto& o) { o.swing = 0.0; },
+                           [](auto& o) { o.rest = -1.0; }, [](auto& o) { o.drift = -1.0; },
+                           [](auto& o) { o.share = std::numeric_limits<double>::quiet_NaN(); },
+                           [](auto& o) { o.contact = 1.1; }, [](auto& o) { o.frame_rate = 0.0; }}) {
+    ChatterDetectorOptions options;
+    change(options);
+    CHECK_THROWS_AS(ChatterDetector(options), std::invalid_argument);
+  }
+  ChatterDetector detector;
+  World world;
+  world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+  CHECK_THROWS_AS(detector.add(world, {}), std::invalid_argument);
+}

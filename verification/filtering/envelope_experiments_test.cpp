@@ -1,0 +1,122 @@
+/// \file
+/// \brief The figures on envelopes, run small (claims 5.5c and 5.5d).
+#include "filtering/envelope_experiments.hpp"
+
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// A column of a table.
+std::vector<double> column(const Table& table, const std::string& name) {
+  std::vector<double> values;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].name == name)
+      for (const auto& row : table.rows) values.push_back(row[c]);
+  REQUIRE(values.size() == table.rows.size());
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "The thesis's envelope stills what chatters in nine frames of ten, and pops; ours does not",
+    "[claims][filtering]") {
+  const FigureUnderTest figure(envelope_figures(), "claim_5_5c_envelope");
+  CHECK(figure.number("bodies that chatter, of all seeds") >= 5.0);
+  CHECK(figure.number("of two sayings about the envelope filter those that hold: bodies that "
+                      "chatter stand still in nine frames of ten or more, and there are pops") ==
+        2.0);
+  CHECK(figure.number("share of frames in which bodies that chatter stand still, envelope of the "
+                      "thesis") >= 0.9);
+  CHECK(figure.number("pops of a body that chatters, envelope of the thesis") > 0.0);
+  CHECK(figure.number("pops of a body that chatters, soft envelope") == 0.0);
+  CHECK(figure.number("largest pop, envelope of the thesis") >= 10.0);
+  // Filtering takes most of the movement away, and it costs overlap.
+  CHECK(figure.number("mean speed of the fastest corner at rest, envelope of the thesis") <
+        0.2 * figure.number("mean speed of the fastest corner at rest, computed"));
+  CHECK(figure.number("largest overlap made by filtering, envelope of the thesis") > 1.0);
+}
+
+TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
+          "[claims][filtering]") {
+  const FigureUnderTest figure(envelope_figures(), "claim_5_5c_envelope");
+  const Table& sweep = figure.result.tables[0];
+  for (const std::string whose : {"thesis", "soft"}) {
+    const std::vector<double> still = column(sweep, whose + "_still");
+    CHECK(still.front() < still.back());
+    CHECK(std::all_of(still.begin(), still.end(), [](double s) { return s >= 0.0 && s <= 1.0; }));
+  }
+  // From its own envelope on the thesis's pops are longer than the envelope, by a corner's way.
+  const std::vector<double> radius = column(sweep, "radius_mm");
+  const std::vector<double> step = column(sweep, "thesis_step_mm");
+  const std::vector<double> pops = column(sweep, "thesis_pops");
+  for (std::size_t k = 0; k < radius.size(); ++k)
+    if (pops[k] > 0.0) CHECK(step[k] >= 0.8 * radius[k]);
+}
+
+TEST_CASE("Bodies faster than the envelope are shown where they are, but for a hundredth",
+          "[claims][filtering]") {
+  const FigureUnderTest figure(envelope_figures(), "claim_5_5d_fast");
+  CHECK(figure.number("frames of fast bodies, of all seeds") > 1000.0);
+  CHECK(
+      figure.number("share of the frames of bodies faster than the envelope in a frame which show "
+                    "the computed pose") >= 0.99);
+  CHECK(figure.number("the same, tossed cubes alone") == 1.0);
+  CHECK(figure.number("the same, soft envelope") == 1.0);
+  CHECK(figure.number(
+            "largest distance from shown to computed of a tossed cube while it is fast") == 0.0);
+}
+
+TEST_CASE("At constant speed all three filters show what their closed forms say",
+          "[exact][filtering]") {
+  const FigureUnderTest figure(envelope_figures(), "claim_5_5d_fast");
+  // [m] rounding of places of up to 48 m
+  CHECK(figure.number("largest difference from closed forms at constant speed") <= 1e-12);
+  CHECK(figure.number("pop of a ramp of 3 mm a frame") == near(12.0).margin(1e-9));
+  CHECK(figure.number("frames from pop to pop of a ramp of 3 mm a frame") == 4.0);
+  // Between half the envelope's speed and all of it every other frame is as computed.
+  const Table& speeds = figure.result.tables[1];
+  const std::vector<double> speed = column(speeds, "speed");
+  const std::vector<double> exact = column(speeds, "thesis_exact");
+  const std::vector<double> ours = column(speeds, "soft_exact");
+  for (std::size_t k = 0; k < speed.size(); ++k) {
+    if (speed[k] > 0.5 && speed[k] < 1.0) CHECK(exact[k] == near(0.5).margin(1e-9));
+    if (speed[k] > 1.0) CHECK(exact[k] == near(1.0).margin(1e-9));
+    CHECK(ours[k] == near(speed[k] > 1.0 ? 1.0 : 0.0).margin(1e-9));
+  }
+}
+
+TEST_CASE(
+    "The path of a corner that chatters is drawn for all filters, in the frame of the picture",
+    "[unit][filtering]") {
+  const FigureUnderTest figure(envelope_figures(), "corner_path");
+  const Table& path = figure.result.tables[0];
+  CHECK(path.rows.size() == 61);
+  CHECK(figure.number("amplitude of the cube") >= 1.0);
+  CHECK(figure.number("pops of the cube, envelope") >= 1.0);
+  CHECK(figure.number("pops of the cube, soft envelope") == 0.0);
+  CHECK(figure.number("largest pop of the cube, envelope") >= 10.0);
+  CHECK(figure.number("squirm of the cube, box filter over 15 frames") <
+        figure.number("squirm of the cube, computed"));
+  const double left = column(figure.result.tables[1], "left_mm")[0];
+  const double right = column(figure.result.tables[1], "right_mm")[0];
+  for (const std::string who : {"computed", "box5", "box15", "envelope", "soft", "one_euro"})
+    for (const double x : column(path, who + "_along_mm")) {
+      CHECK(x >= left);
+      CHECK(x <= right);
+    }
+  // The plane is that of the computed path: its middle is the origin.
+  const std::vector<double> along = column(path, "computed_along_mm");
+  double sum = 0.0;
+  for (const double x : along) sum += x;
+  CHECK(sum / static_cast<double>(along.size()) == near(0.0).margin(1e-9));
+  CHECK(figure.result.drawings.at(0).commands.find("polygon") != std::string::npos);
+}

@@ -1,0 +1,160 @@
+/// \file
+/// \brief Filters as a user writes them (thesis 5.5).
+#include "tumble/filtering/filters.hpp"
+
+#include "tumble/filtering/box_filter.hpp"
+#include "tumble/filtering/envelope_filter.hpp"
+#include "tumble/filtering/one_euro_filter.hpp"
+
+#include "filtering/one_body.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace tumble;
+using namespace one_body;
+
+namespace {
+
+// Whether two filters show the same bits of a walk that makes a difference to all of them.
+bool same_filter(const PoseFilter& a, const PoseFilter& b) {
+  const Trajectory run = random_walk(120, 0.006, 0.01, 9);
+  const Trajectory x = filtered(run, a);
+  const Trajectory y = filtered(run, b);
+  for (int n = 0; n < run.count(); ++n)
+    if (!same_pose(body_in(x, n), body_in(y, n))) return false;
+  return true;
+}
+
+// The message of a refusal; empty if the filter is made.
+std::string refusal_of(const std::string& text) {
+  try {
+    (void)filter_of(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool has(const std::string& message, const std::string& part) {
+  return message.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("Every form of a filter's text makes the filter that it says", "[unit][filtering]") {
+  CHECK(same_filter(*filter_of("box"), BoxFilter(5)));
+  CHECK(same_filter(*filter_of("box:5"), BoxFilter(5)));
+  CHECK(same_filter(*filter_of("box:15"), BoxFilter(15)));
+  CHECK(same_filter(*filter_of("box:7,causal"), BoxFilter(7, BoxWindow::causal)));
+  CHECK_FALSE(same_filter(*filter_of("box:7,causal"), *filter_of("box:7")));
+  const double degree = std::numbers::pi / 180.0;
+  for (const char* text : {"envelope", "envelope:0.01m,1deg", "envelope:10mm,1deg",
+                           "envelope:1e-2m,0.017453292519943295rad"})
+    CHECK(same_filter(*filter_of(text), EnvelopeFilter({0.01, degree})));
+  CHECK(same_filter(*filter_of("soft_envelope"), SoftEnvelopeFilter()));
+  CHECK(same_filter(*filter_of("soft_envelope:9mm,0.02rad"), SoftEnvelopeFilter({0.009, 0.02})));
+  CHECK_FALSE(same_filter(*filter_of("soft_envelope"), *filter_of("envelope")));
+  CHECK(same_filter(*filter_of("one_euro"), OneEuroFilter()));
+  CHECK(same_filter(*filter_of("one_euro:2Hz"), OneEuroFilter({2.0, OneEuroOptions{}.gain, 1.0})));
+  CHECK(same_filter(*filter_of("one_euro:2Hz,0"), OneEuroFilter({2.0, 0.0, 1.0})));
+  CHECK(same_filter(*filter_of("one_euro:2Hz,7,3Hz"), OneEuroFilter({2.0, 7.0, 3.0})));
+}
+
+TEST_CASE("Nine millimetres are the same bits as 0.009 metres to a filter", "[exact][filtering]") {
+  for (int k = 1; k <= 99; ++k) {
+    const std::string digits = (k < 10 ? "0" : "") + std::to_string(k);
+    CHECK(filter_of("envelope:" + std::to_string(k) + "mm,1deg")->text() ==
+          filter_of("envelope:0.0" + digits + "m,1deg")->text());
+  }
+}
+
+TEST_CASE("The text of a filter makes the same filter again", "[unit][filtering]") {
+  for (const char* text :
+       {"box", "box:9", "box:9,causal", "envelope", "envelope:3mm,0.7deg", "soft_envelope:7mm,1deg",
+        "one_euro", "one_euro:0.3Hz", "one_euro:0.3Hz,1e2", "one_euro:0.3Hz,0.1,5Hz"}) {
+    const auto filter = filter_of(text);
+    const auto again = filter_of(filter->text());
+    CHECK(again->text() == filter->text());
+    CHECK(again->latency() == filter->latency());
+    CHECK(same_filter(*filter, *again));
+  }
+  CHECK(filter_of("box:5")->text() == "box:5");
+  const OneEuroFilter filter({0.3, 4.0, 5.0});
+  CHECK(same_filter(filter, *filter_of(filter.text())));
+}
+
+TEST_CASE("The library of filters names those that can be made", "[unit][filtering]") {
+  std::size_t count = 0;
+  for (const FilterRecipe& recipe : filter_library()) {
+    CHECK_NOTHROW(filter_of(recipe.name));
+    CHECK(recipe.form.substr(0, recipe.name.size() + 1) == std::string(recipe.name) + ":");
+    CHECK_FALSE(recipe.summary.empty());
+    ++count;
+  }
+  CHECK(count == 4);
+}
+
+TEST_CASE("A filter that there is not is refused with the names that there are",
+          "[unit][filtering]") {
+  for (const char* text : {"bix:5", "Box:5", "", ":5", "box 5", "median", "envelope 1"}) {
+    const std::string message = refusal_of(text);
+    CHECK(has(message, "one_euro"));
+    CHECK(has(message, "soft_envelope"));
+  }
+  CHECK(has(refusal_of("bix:5"), "did you mean box?"));
+  CHECK(has(refusal_of("envelop"), "\"envelop\""));
+}
+
+TEST_CASE("A number that a filter cannot use is refused with the word and with what is expected",
+          "[unit][filtering]") {
+  // The text, the word that is wrong, and part of the remedy.
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"box:", "\"\"", "box:FRAMES[,causal]"},
+      {"box:five", "\"five\"", "box:FRAMES[,causal]"},
+      {"box:5.5", "\"5.5\"", "box:FRAMES[,causal]"},
+      {"box:5m", "\"5m\"", "box:FRAMES[,causal]"},
+      {"box: 5", "\" 5\"", "box:FRAMES[,causal]"},
+      {"box:nan", "\"nan\"", "box:FRAMES[,causal]"},
+      {"box:inf", "\"inf\"", "box:FRAMES[,causal]"},
+      {"box:1e999", "\"1e999\"", "box:FRAMES[,causal]"},
+      {"box:5,", "\"\"", "causal"},
+      {"box:5,late", "\"late\"", "causal"},
+      {"box:5,causal,", "too many commas", "box:FRAMES[,causal]"},
+      {"box:4", "4", "odd"},
+      {"box:0", "0", "odd"},
+      {"box:-5", "-5", "odd"},
+      {"envelope:", "radius", "envelope:RADIUS,ANGLE"},
+      {"envelope:1cm,1deg", "\"1cm\"", "m or mm"},
+      {"envelope:0.01,1deg", "\"0.01\"", "m or mm"},
+      {"envelope:0.01m", "an envelope has a radius and an angle", "envelope:RADIUS,ANGLE"},
+      {"envelope:0.01m,", "\"\"", "rad or deg"},
+      {"envelope:0.01m,1", "\"1\"", "rad or deg"},
+      {"envelope:0.01m,1deg,", "an envelope has a radius and an angle", "envelope:RADIUS,ANGLE"},
+      {"envelope:1e999m,1deg", "\"1e999m\"", "m or mm"},
+      {"envelope:nanm,1deg", "\"nanm\"", "m or mm"},
+      {"envelope:infm,1deg", "\"infm\"", "m or mm"},
+      {"envelope:m,1deg", "\"m\"", "m or mm"},
+      {"envelope:-0.01m,1deg", "-0.01", "above 0"},
+      {"envelope:0m,1deg", "0", "above 0"},
+      {"envelope:1m,-1deg", "angle", "above 0"},
+      {"soft_envelope:1e-400m,1deg", "radius", "above 0"},
+      {"one_euro:1", "\"1\"", "Hz"},
+      {"one_euro:1hz", "\"1hz\"", "Hz"},
+      {"one_euro:0Hz", "cutoff", "above 0"},
+      {"one_euro:1Hz,", "\"\"", "one_euro:CUTOFF"},
+      {"one_euro:1Hz,-1", "gain", "-1"},
+      {"one_euro:1Hz,1,1", "\"1\"", "Hz"},
+      {"one_euro:1Hz,1,1Hz,1", "too many commas", "one_euro:CUTOFF"},
+  };
+  for (const auto& [text, wrong, remedy] : cases) {
+    const std::string message = refusal_of(text);
+    CAPTURE(text, message);
+    CHECK(has(message, wrong));
+    CHECK(has(message, remedy));
+  }
+}

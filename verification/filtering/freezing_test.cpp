@@ -1,0 +1,232 @@
+/// \file
+/// \brief Tests of putting heaps to sleep that only chatter.
+#include "tumble/filtering/freezing.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/contact_damped.hpp"
+#include "tumble/impulse_damped/damped.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+
+World clump(int per_edge) {
+  const SceneRecipe& recipe = scene_recipe("fig6_7");
+  Parameters parameters = recipe.parameters();
+  parameters.set("per_edge", std::to_string(per_edge));
+  return build_world(recipe.build(parameters, Random(1)));
+}
+
+std::unique_ptr<Technique> damped(bool sleeping) {
+  DampedOptions options;
+  options.sleeping = sleeping;
+  return std::make_unique<Damped>(options);
+}
+
+void run(Technique& technique, World& world, double seconds) {
+  for (int k = 0; k < static_cast<int>(std::lround(seconds / kStep)); ++k)
+    technique.step(world, kStep);
+}
+
+int asleep(const World& world) {
+  return static_cast<int>(std::count_if(world.rests().begin(), world.rests().end(),
+                                        [](const Rest& rest) { return rest.asleep; }));
+}
+
+bool any_mark(const World& world) {
+  return std::any_of(world.rests().begin(), world.rests().end(),
+                     [](const Rest& rest) { return rest.counts_as_slow; });
+}
+
+}  // namespace
+
+TEST_CASE("A heap that only chatters falls asleep if chatter is told from history and not else",
+          "[unit][filtering]") {
+  World by_speed = clump(5);
+  World by_history = by_speed;
+  run(*damped(true), by_speed, 4.0);
+  FreezeOnChatter freezing(damped(true));
+  run(freezing, by_history, 4.0);
+  CHECK(asleep(by_speed) <= 10);     // of 125; measured 1
+  CHECK(asleep(by_history) >= 100);  // measured 120
+}
+
+TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its energy is booked",
+          "[exact][filtering]") {
+  World world;
+  world.add_ground();
+  const BodyProperties box = box_properties(Vec3::Ones(), 2.0);
+  world.add(box, make_state(box, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0.0, 3.0, 4.0)));
+  SleepingRule rule;
+  const std::vector<IndexPair> pairs = {{0, 1}};
+  Islands islands;
+  islands.build_from_pairs(world.bodies(), pairs);
+  double energy = 0.0;
+  const auto step = [&] {
+    rule.wake_disturbed(world);
+    energy += rule.update_with_pairs(world, pairs, islands, kStep).energy;
+  };
+  for (int k = 0; k < 60; ++k) step();
+  CHECK(asleep(world) == 0);
+  for (int k = 0; k < 31; ++k) {  // half a second and a step
+    world.rests()[1].counts_as_slow = true;
+    step();
+  }
+  CHECK(asleep(world) == 1);
+  CHECK(energy == -25.0);  // [J] half of 2 kg times 25 m²/s²
+}
+
+TEST_CASE("Freezing moves nobody, books what it stops and leaves no mark behind",
+          "[unit][filtering]") {
+  World world = clump(3);
+  FreezeOnChatter freezing(damped(true));
+  int fell = 0;
+  for (int k = 0; k < 360; ++k) {
+    const std::vector<Rest> before(world.rests().begin(), world.rests().end());
+    freezing.step(world, kStep);
+    CHECK_FALSE(any_mark(world));
+    for (std::size_t b = 0; b < before.size(); ++b) {
+      if (!world.rests()[b].asleep) continue;
+      fell += before[b].asleep ? 0 : 1;
+      CHECK(world.states()[b].linear_momentum_w.isZero(0.0));
+      CHECK(world.states()[b].angular_momentum_w.isZero(0.0));
+    }
+  }
+  CHECK(fell > 0);
+  CHECK_THROWS_AS(freezing.step(world, 0.0), std::invalid_argument);
+  CHECK_FALSE(any_mark(world));
+
+  // From here on what sleeps stays where it is.
+  const World then = world;
+  for (int k = 0; k < 60; ++k) freezing.step(world, kStep);
+  int still = 0;
+  for (std::size_t b = 0; b < then.states().size(); ++b) {
+    if (!then.rests()[b].asleep || !world.rests()[b].asleep) continue;
+    ++still;
+    CHECK(world.states()[b] == then.states()[b]);
+  }
+  CHECK(still >= 20);
+}
+
+TEST_CASE("A frozen heap wakes when a body of it is pushed, and freezes again",
+          "[unit][filtering]") {
+  World world = clump(5);
+  FreezeOnChatter freezing(damped(true));
+  run(freezing, world, 4.0);
+  // The highest of those that sleep: nothing is on top of it.
+  std::size_t top = 0;
+  for (std::size_t k = 1; k < world.states().size(); ++k)
+    if (world.rests()[k].asleep &&
+        (top == 0 || world.states()[k].position_w.y() > world.states()[top].position_w.y()))
+      top = k;
+  REQUIRE(top > 0);
+  const double before = world.states()[top].position_w.y();
+  const int slept = asleep(world);
+  world.set_velocity(world.ids()[top], Vec3(0.0, 4.0, 0.0), Vec3::Zero());
+  freezing.step(world, kStep);
+  CHECK(asleep(world) < slept - 1);  // others with it
+  run(freezing, world, 0.25);
+  CHECK(world.states()[top].position_w.y() > before + 0.5);  // [m] free flight has 0.7
+  CHECK_FALSE(world.rests()[top].asleep);
+  run(freezing, world, 4.0);
+  CHECK(asleep(world) >= slept - 10);
+}
+
+TEST_CASE("A box that slides slowly is not frozen", "[unit][filtering]") {
+  ContactDampedOptions options;
+  options.sleeping = true;
+  for (const double speed : {0.04, 0.1, 0.3}) {
+    World world;
+    world.add_ground(0.0);
+    const BodyProperties box = box_properties(Vec3::Ones(), 1.0, 0.0);
+    world.add(box, make_state(box, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    FreezeOnChatter freezing(std::make_unique<ContactDamped>(options));
+    run(freezing, world, 4.0);
+    CHECK(asleep(world) == 0);
+    CHECK(world.states()[1].position_w.x() == near(4.0 * speed).margin(1e-6));  // [m]
+  }
+}
+
+TEST_CASE("Without sleeping a wrapped technique steps to the same bits", "[exact][filtering]") {
+  World plain = clump(2);
+  World wrapped = plain;
+  const std::unique_ptr<Technique> technique = damped(false);
+  FreezeOnChatter freezing(damped(false));
+  for (int k = 0; k < 180; ++k) {
+    technique->step(plain, kStep);
+    freezing.step(wrapped, kStep);
+  }
+  CHECK(plain.hash().value() == wrapped.hash().value());
+  CHECK(freezing.name() == "damped");
+  CHECK(freezing.contacts().size() == technique->contacts().size());
+}
+
+TEST_CASE("A clone of a freezing technique goes on to the same bits", "[exact][filtering]") {
+  World world = clump(3);
+  FreezeOnChatter freezing(damped(true));
+  run(freezing, world, 2.0);  // some are calm for less than half a second
+  World copy = world;
+  const std::unique_ptr<Technique> clone = freezing.clone();
+  run(freezing, world, 2.0);
+  run(*clone, copy, 2.0);
+  CHECK(world.hash().value() == copy.hash().value());
+}
+
+TEST_CASE("A body is calm until it gets away from where it was told to be", "[exact][filtering]") {
+  CalmBodies calm;
+  World world;
+  const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+  const std::vector<char> touches = {1};
+  const auto go = [&](int frames, double step) {
+    for (int k = 0; k < frames; ++k) {
+      calm.add(world, touches);
+      world.finish_step(kStep);
+      world.states()[0].position_w.x() += step;
+    }
+    calm.add(world, touches);
+  };
+  go(29, 0.0);
+  CHECK_FALSE(calm.calm(id));  // 30 frames are too few
+  world.finish_step(kStep);
+  go(1, 0.0);
+  CHECK(calm.calm(id));
+  world.finish_step(kStep);
+  world.states()[0].position_w.x() = 0.99 * tolerance::resting_movement;
+  calm.add(world, touches);
+  CHECK(calm.calm(id));
+  world.finish_step(kStep);
+  world.states()[0].position_w.x() = 1.01 * tolerance::resting_movement;
+  calm.add(world, touches);
+  CHECK_FALSE(calm.calm(id));
+  CHECK_FALSE(calm.calm(BodyId{5}));
+}
+
+TEST_CASE("The option freeze wants sleeping beside it", "[unit][filtering]") {
+  for (const char* name : {"impulse", "damped", "contact_damped"}) {
+    const TechniqueRecipe& recipe = technique_recipe(name);
+    Parameters options = recipe.options();
+    CHECK_FALSE(options.flag("freeze"));
+    options.set("freeze", "on");
+    CHECK_THROWS_AS(recipe.make(options, 1), std::invalid_argument);
+    options.set("sleeping", "on");
+    const std::unique_ptr<Technique> made = recipe.make(options, 1);
+    CHECK(dynamic_cast<const FreezeOnChatter*>(made.get()) != nullptr);
+    CHECK(made->name() == name);
+  }
+  Parameters printed = technique_recipe("damped").options();
+  printed.set("reading", "as_printed");
+  printed.set("freeze", "on");
+  CHECK_THROWS_AS(technique_recipe("damped").make(printed, 1), std::invalid_argument);
+}

@@ -1,0 +1,100 @@
+/// \file
+/// \brief Runs of one body, frame by frame, to be filtered.
+#pragma once
+
+#include "tumble/base/random.hpp"
+#include "tumble/filtering/pose_filter.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include <functional>
+#include <vector>
+
+/// Helpers of the tests of filters that treat each body by itself.
+namespace one_body {
+
+/// Time between two frames [s].
+inline constexpr double kFrameTime = 1.0 / 60.0;
+
+/// A run of one body.
+/// \param count     frames
+/// \param state     of the body in frame n
+/// \param interval  [s] between frames
+/// \return the frames
+inline tumble::Trajectory run_of(int count, const std::function<tumble::BodyState(int)>& state,
+                                 double interval = kFrameTime) {
+  tumble::Trajectory run;
+  const std::vector<tumble::BodyId> ids = {tumble::BodyId{7}};
+  std::vector<tumble::BodyState> states(1);
+  for (int n = 0; n < count; ++n) {
+    states[0] = state(n);
+    run.record(tumble::Frame{n * interval, n, ids, states});
+  }
+  return run;
+}
+
+/// A body at rest at a place on the x axis.
+/// \param x [m] where
+/// \return its state
+inline tumble::BodyState at(double x) {
+  tumble::BodyState state;
+  state.position_w.x() = x;
+  return state;
+}
+
+/// A body at the origin, turned about the z axis.
+/// \param angle [rad] by how much
+/// \return its state
+inline tumble::BodyState turned_by(double angle) {
+  tumble::BodyState state;
+  state.orientation_wb = tumble::rotation_from_vector(tumble::Vec3(0.0, 0.0, angle));
+  return state;
+}
+
+/// The body in a frame of run_of().
+/// \param run    the run
+/// \param frame  which frame
+/// \return its state
+inline const tumble::BodyState& body_in(const tumble::Trajectory& run, int frame) {
+  return run.frame(frame).states[0];
+}
+
+/// Whether two poses are the same bits.
+/// \param a  the one
+/// \param b  the other
+/// \return true if positions and quaternions agree
+inline bool same_pose(const tumble::BodyState& a, const tumble::BodyState& b) {
+  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
+}
+
+/// Frames in which the body is shown elsewhere than in the frame before.
+/// \param run what is shown
+/// \return their number
+inline int changes_in(const tumble::Trajectory& run) {
+  int changes = 0;
+  for (int n = 1; n < run.count(); ++n)
+    if (!same_pose(body_in(run, n - 1), body_in(run, n))) ++changes;
+  return changes;
+}
+
+/// A random walk of a body, with turns, whose moves have all lengths up to a bound.
+/// \param count  frames
+/// \param way    [m] longest move of the centre in a frame
+/// \param turn   [rad] largest turn in a frame
+/// \param seed   of chance
+/// \return the frames
+inline tumble::Trajectory random_walk(int count, double way, double turn, std::uint64_t seed) {
+  tumble::Random chance(seed);
+  tumble::BodyState now;
+  now.orientation_wb = chance.orientation();
+  return run_of(count, [&, way, turn](int) {
+    const tumble::Vec3 along = chance.direction();
+    const tumble::Vec3 axis = chance.direction();
+    const double share = chance.unit();
+    const double turn_share = chance.unit();
+    now.position_w += share * way * along;
+    now.orientation_wb = tumble::turned(now.orientation_wb, turn_share * turn * axis, 1.0);
+    return now;
+  });
+}
+
+}  // namespace one_body
