@@ -146,12 +146,11 @@ TEST_CASE("Pyramids and the wall stand for a minute",
   }
 }
 
-// Known to fail. The scattered wall stands and nothing moves by 1 mm, but its bricks creep by hundredths of a
-// millimetre now and then, and 0.3 to 3.4 mJ are not booked in ten seconds (five seeds), where 1.2 mJ are allowed:
-// rounds that are broken off leave errors, and three times as many leave as much.
+// What is not booked is half of the weight times the step times the mean velocity: nothing if nothing moves.
 TEST_CASE("The scattered wall stands for a minute and its energy is booked",
-          "[.long][unit][contact_damped][impulse_damped][!shouldfail]") {
-  check_standing(kLarge.back(), kScatter, 1, 60.0);
+          "[.long][unit][contact_damped][impulse_damped]") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    check_standing(kLarge.back(), kScatter, seed, 60.0);
 }
 
 TEST_CASE("A stack carries a top box of a thousand times the mass of the others for a minute",

@@ -230,8 +230,8 @@ inline constexpr double calm_speed = 0.5;
 /// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
 inline constexpr double weightless_unit = 0.05;
 
-/// [-] A heap slower than this share of sqrt(g L) hardly moves. Reason: sweeps alone do not hold a wall that
-/// lands at 0.3 m/s; at a tenth of it they do for a step. (6.3.1)
+/// [-] A heap slower than this share of sqrt(g L) hardly moves. Reason: a wall that lands at 0.3 m/s
+/// needs all rounds; at a tenth of it few hold it. (6.3.1)
 inline constexpr double quiet_speed = 0.01;
 
 /// [-] The same where there is no gravity: the speed scale as a share of L / dt. Reason: gravity moves a

@@ -106,8 +106,8 @@ class ContactDamped : public Technique {
   ContactGraph graph_;
   double last_dt_ = 0.0;  // [s] of the step before
   /// Heaps, named by their first body, that the step before solved as a whole without an end; ascending.
-  std::vector<BodyId> paused_;
-  std::vector<BodyId> pausing_;  // and those of this step
+  std::vector<BodyId> unended_;
+  std::vector<BodyId> unending_;  // and those of this step
   // What heaps were ordered for: how many bodies there were, gravity, the pairs by index and by name.
   int ordered_for_ = -1;
   Vec3 ordered_gravity_w_ = Vec3::Zero();

@@ -21,6 +21,7 @@ constexpr double kFair = 100.0;   // times what is none: as well as sweeps do wh
 constexpr double kWild = 1e6;     // times what is none: sweeps have lost their way
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
 constexpr int kPatience = 3;      // times as many rounds for a small heap
+constexpr int kFewRounds = 20;    // for a heap that did not end in the step before
 constexpr int kSmallSteps = 50;   // of Newton's in a small heap; they cost too much in a large one
 constexpr int kSmallPasses = 50;  // over a small heap
 constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area; one in a hurry
@@ -169,15 +170,17 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   else if (left > kWild * enough)
     forget(heap);
   // If that was not enough, all areas are solved together, in a large heap
-  // only if it is slow. If that did not end in a heap that hardly moves,
-  // sweeps get the next step: they bring areas back to sticking as a whole.
+  // only if it is slow. One that hardly moves may not have ended so in the step
+  // before. Then it gets few rounds a step until it ends. Sweeps alone would let
+  // it swing: the impulses that have stopped it would go on to push.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
-  const bool pause =
-      fastest < tolerance::quiet_speed && std::binary_search(paused_.begin(), paused_.end(), name);
-  if (!settled && options_.rounds > 0 && (small || !fast) && !pause) {
+  const bool again = fastest < tolerance::quiet_speed &&
+                     std::binary_search(unended_.begin(), unended_.end(), name);
+  if (!settled && options_.rounds > 0 && (small || !fast)) {
+    const int most = again ? std::min(options_.rounds, kFewRounds) : options_.rounds;
     const HeapLimits limits{(small ? kToTheEnd : kWellSettled) * enough,
                             enough / tolerance::contact_settled,
-                            small ? kPatience * options_.rounds : options_.rounds,
+                            small ? kPatience * most : most,
                             tolerance::heap_work,
                             small ? hardest(world, heap) : tolerance::heap_hardness,
                             small ? kSmallSteps : 0};
@@ -186,7 +189,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
     report.iterations += solved.rounds;
     report.pivots += solved.factorings;
     settled = solved.tried;
-    if (solved.tried && !solved.solved) pausing_.push_back(name);
+    if (solved.tried && !solved.solved) unending_.push_back(name);
   }
   if (!fast && !sliding && !soon) sweep_on();
   // [S6.3.1:heap]
