@@ -27,7 +27,7 @@ Figure claim_figure() {
       "less chatter and earlier rest. Found are more chatter and later rest, for six times "
       "the pair tests. Once the heap shakes the step stays small: what shakes it is a push that "
       "does not shrink with the step.";
-  figure.parameters = clump_parameters(8, 5, 2);
+  figure.parameters = clump_parameters(20, 5, 2);
   figure.quick = {"seeds=2", "settling=1", "watched=0.5", "halvings=1"};
   figure.experiment = measure_adaptive_claim;
   return figure;
@@ -58,12 +58,12 @@ Figure cause_figure() {
   figure.section = "6.3.1";
   figure.title = "Where chatter comes from";
   figure.caption =
-      "The same clump at fixed steps. Chatter follows the push that damped integration "
-      "gives to bodies that overlap: with a quarter of it there is a third of the chatter "
-      "or less at every step. Where the push shrinks with the square of the step, as what "
-      "gravity does in a step, chatter hardly changes with the step; where velocities are "
-      "stopped and nobody is pushed, little is left. Halving the step alone makes things "
-      "worse.";
+      "A clump of 64 cubes under damped integration at three fixed steps, with four sizes of "
+      "the push that ends overlap. Above, by how much bodies at rest shake; below, how many "
+      "rest. Halving the step alone makes both worse. Chatter follows the push: with a quarter "
+      "of it about a third is left, or less. A push that shrinks with the square of the step, "
+      "as what gravity does in a step, keeps chatter within twice that at 1/60 s; without a "
+      "push least is left at small steps.";
   figure.parameters = clump_parameters(2, 4, 2);
   figure.quick = {"per_edge=3", "settling=1", "watched=0.5", "halvings=1"};
   figure.experiment = measure_chatter_cause;

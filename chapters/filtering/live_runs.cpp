@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace tumble::chapters {
 namespace {
@@ -83,7 +84,7 @@ LiveRun play_live(PlayedScene& played, const std::vector<std::unique_ptr<PoseFil
   played.advance(duration, [&](const StepReport& report) {
     if (played.world.time() > removal) {
       remove_one(played.world);
-      removal = duration;
+      removal = std::numeric_limits<double>::infinity();
     }
     run.computed.record(played.world);
     for (std::size_t k = 0; k < viewers.size(); ++k) {

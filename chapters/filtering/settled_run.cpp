@@ -3,6 +3,7 @@
 #include "filtering/settled_run.hpp"
 
 #include "tumble/base/tolerance.hpp"
+#include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/record/chatter.hpp"
 
 #include <cmath>
@@ -22,14 +23,6 @@ std::vector<std::span<const Corners>> half_seconds(const std::vector<Corners>& p
   return parts;
 }
 
-std::vector<char> touching(const PlayedScene& played) {
-  std::vector<char> touches(static_cast<std::size_t>(played.world.count()), 0);
-  for (const ContactRecord& contact : played.technique->contacts())
-    for (const BodyId id : {contact.first, contact.second})
-      if (const auto index = played.world.find(id)) touches[static_cast<std::size_t>(*index)] = 1;
-  return touches;
-}
-
 }  // namespace
 
 SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
@@ -39,7 +32,7 @@ SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, doubl
   run.interval = PlayedScene::kStep;
   const auto record = [&] {
     run.frames.record(scene_now.world);
-    run.touches.push_back(touching(scene_now));
+    mark_contacts(scene_now.world, scene_now.technique->contacts(), run.touches.emplace_back());
   };
   record();
   scene_now.advance(settling + watched, [&](const StepReport&) { record(); });

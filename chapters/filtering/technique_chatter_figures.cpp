@@ -12,14 +12,12 @@ Figure chatter_table() {
   figure.title = "Chatter of every technique";
   figure.caption =
       "Largest amplitude in a scene, median over eight random starts, shaded; below it the "
-      "smallest "
-      "and largest, the acceleration, and cubes that go on moving. Who overlaps may share a rank. "
-      "Contact areas that are solved stiff hold everything within three micrometres, time stepping "
-      "within rounding. Impulses shake a pyramid by millimetres from every start. Damped "
-      "integration "
-      "comes to a dead stop from some starts and chatters by millimetres from others, so it shares "
-      "first ranks. What is left of analytic in the clump is sliding. Grey: fell, or too slow to "
-      "wait for.";
+      "smallest and largest, the acceleration, and cubes that go on moving. Who overlaps may "
+      "share a rank. Contact areas that are solved stiff hold everything within three "
+      "micrometres, time stepping within rounding. Impulses shake a pyramid by millimetres from "
+      "every start. Damped integration stops dead from some starts and chatters by millimetres "
+      "from others, so it shares first ranks. What is left of analytic in the clump is sliding. "
+      "Grey: fell, or too slow.";
   figure.parameters.add_whole("seeds", 8, 1, 100, "random starts")
       .add_whole("others", 4, 1, 100, "of these, for techniques without resting contact")
       .add_whole("boxes", 5, 1, 20, "of the stack")
@@ -44,13 +42,13 @@ Figure left_chatter() {
   figure.section = "6.1";
   figure.title = "How many cubes of the settled clump chatter?";
   figure.caption =
-      "Above, the cubes of eight settled clumps by the amplitude of their chatter: four in ten "
+      "Above, the cubes of twenty settled clumps by the amplitude of their chatter: four in ten "
       "stand "
       "perfectly still, as many shake by a thousandth of an edge or more, and many lie just below "
       "that line. So some chatter is left, as the thesis says. Below, the same with half and twice "
       "the thresholds and the damping, for which the thesis gives no numbers: twice as much of "
       "either leaves none, half the thresholds leave more.";
-  figure.parameters.add_whole("seeds", 8, 1, 100, "clumps")
+  figure.parameters.add_whole("seeds", 20, 1, 100, "clumps")
       .add_whole("varied", 3, 1, 100, "of these, with other constants")
       .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
       .add_number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest")

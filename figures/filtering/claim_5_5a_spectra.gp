@@ -11,7 +11,7 @@ set xrange [0:30]; set xtics 0,5
 set xlabel 'frequency [Hz]' offset 0,0.3
 set logscale y; set format y powers
 set yrange [4e-7:4e-3]
-side = 'amplitude of a line [m]'; @SIDE
+side = 'amplitude [m]'; @SIDE
 plot stem.'.csv' using 'frequency_hz':'raw_m' with lines lt 8 title 'computed', \
   '' using 'frequency_hz':'box_m' with lines lt 1 title 'box of five', \
   '' using 'frequency_hz':'one_euro_m' with lines lt 2 title 'one-euro', \

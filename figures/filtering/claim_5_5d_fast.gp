@@ -1,10 +1,10 @@
 # A tossed cube under three filters, and bodies of constant speed.
-tall = 1320
+tall = 1360
 @PAGE
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955
 set xrange [0:1.6]; set xtics 0,0.4
-set tmargin at screen 0.935; set bmargin at screen 0.775
+set tmargin at screen 0.92; set bmargin at screen 0.765
 side = 'move [envelopes]'; @SIDE
 set yrange [0:*]; set ytics 0,1
 set label 1 'a tossed cube: its move in a frame' at graph 0.02,1.09 left textcolor rgb '#202020'
@@ -16,7 +16,7 @@ plot stem.'.csv' using 'time_s':'move' with lines lt 8 lw 2 notitle, \
   NaN with linespoints lt 3 title 'one-euro'
 unset key; unset label 2
 
-set tmargin at screen 0.705; set bmargin at screen 0.54
+set tmargin at screen 0.69; set bmargin at screen 0.535
 side = 'off by [mm]'; @SIDE
 set logscale y; set yrange [0.003:60]; set ytics ('none' 0.003, '0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10)
 on(p) = p > 0.003 ? p : 0.003
@@ -39,7 +39,7 @@ plot stem.'_speeds.csv' using 'speed':'thesis_exact' with points lt 1 ps 0.7, \
   '' using 'speed':'euro_exact' with points lt 3 ps 0.5
 
 set tmargin at screen 0.23; set bmargin at screen 0.07
-side = 'off by [mm]'; @SIDE
+side = 'off by at most [mm]'; @SIDE
 unset label 1
 set yrange [-0.4:10.6]; set ytics 0,5
 set xlabel 'way in a frame [radius of the envelope]' offset 0,0.3

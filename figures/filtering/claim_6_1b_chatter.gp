@@ -1,5 +1,5 @@
 # Who of the settled clump shakes by how much; and how that hangs on constants nobody gave.
-tall = 960
+tall = 1060
 @PAGE
 stats stem.'_still.csv' using 'bodies' name 'all' nooutput
 stats stem.'_still.csv' using 'still' name 'still' nooutput
@@ -12,7 +12,7 @@ limit = 1e-3
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955
 
-set tmargin at screen 0.955; set bmargin at screen 0.48
+set tmargin at screen 0.965; set bmargin at screen 0.53
 side = 'bodies that move less'; @SIDE
 set logscale x
 set format x powers
@@ -31,7 +31,7 @@ set arrow 2 from graph 0,first calm to moving_min,calm nohead lc rgb '#0072B2' l
 plot stem.'.csv' using 'amplitude':'share' with lines lt 1 lw 3 notitle
 
 unset object; unset arrow; unset label
-set tmargin at screen 0.345; set bmargin at screen 0.085
+set tmargin at screen 0.375; set bmargin at screen 0.095
 side = 'share that chatters'; @SIDE
 set logscale x 2
 set format x '%g'
@@ -40,11 +40,11 @@ set yrange [-0.04:1.04]
 set xlabel 'constants that the thesis does not give' offset 0,0.2
 set arrow 1 from graph 0,first 0.05 to graph 1,first 0.05 nohead lt 8 dt (6,4)
 set label 1 'confirmed above' at graph 0.985,first 0.105 right textcolor rgb soft
-set key at screen 0.56,0.41 center top horizontal
+set key at screen 0.56,0.45 center top horizontal
 factor(v) = (v == 1 || v == 3) ? 0.5 : (v == 2 || v == 4) ? 2.0 : 1.0
 thresholds(v) = (v <= 2) ? column('share') : NaN
 damping(v) = (v >= 3 || v == 0) ? column('share') : NaN
 shares = stem.'_shares.csv'
 set datafile missing NaN
-plot shares using (factor(column('variant'))*0.985):(thresholds(column('variant'))):'low':'high' with yerrorbars lt 1 ps 1.2 title 'thresholds', \
-  '' using (factor(column('variant'))*1.015):(damping(column('variant'))):'low':'high' with yerrorbars lt 2 ps 1.2 title 'damping factors'
+plot shares using (factor(column('variant'))*0.97):(thresholds(column('variant'))):'low':'high' with yerrorbars lt 1 ps 1.2 title 'thresholds', \
+  '' using (factor(column('variant'))*1.03):(damping(column('variant'))):'low':'high' with yerrorbars lt 2 ps 1.2 title 'damping factors'

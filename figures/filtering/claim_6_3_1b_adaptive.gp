@@ -1,12 +1,12 @@
 # The clump with fixed and with adaptive steps: who moves, sub-steps, and by how much who rests shakes.
-tall = 1180
+tall = 1200
 @PAGE
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955
 amplitudes = stem.'_amplitudes.csv'
 
 set key at screen 0.56,0.985 center top horizontal
-set tmargin at screen 0.935; set bmargin at screen 0.695
+set tmargin at screen 0.935; set bmargin at screen 0.705
 set xrange [0:*]; set xtics 0,1
 set yrange [0:1.05]; set ytics 0,0.25
 side = 'bodies that still move'; @SIDE
@@ -14,11 +14,12 @@ plot stem.'.csv' using 'time_s':'fixed' with lines lt 1 title 'steps of 1/60 s',
   '' using 'time_s':'adaptive' with lines lt 2 title 'adaptive'
 unset key
 
-set tmargin at screen 0.655; set bmargin at screen 0.475
+set tmargin at screen 0.64; set bmargin at screen 0.475
 side = 'sub-steps in a step'; @SIDE
-set yrange [0:*]; set ytics 0,1
+set logscale y 2; set yrange [0.9:*]; set ytics 1,2
 set xlabel 'time [s]' offset 0,0.3
 plot stem.'.csv' using 'time_s':(1) with lines lt 1, '' using 'time_s':'substeps' with lines lt 2
+unset logscale y
 
 set tmargin at screen 0.365; set bmargin at screen 0.085
 side = 'of the bodies at rest'; @SIDE

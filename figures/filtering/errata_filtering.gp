@@ -7,7 +7,7 @@ flip = stem.'_flip.csv'
 set key at screen 0.56,0.995 center top vertical maxcols 1
 
 set tmargin at screen 0.885; set bmargin at screen 0.545
-set xlabel 'frame; from 1 on the stored quaternion has the other sign' offset 0,0.3
+set xlabel 'frame; from 1 on the stored sign is the other one' offset 0,0.3
 set xrange [-8.4:8.4]; set xtics -8,2
 set yrange [-42:42]; set ytics -40,20
 side = 'angle shown [°]'; @SIDE

@@ -1,5 +1,5 @@
 # A clump under damped: who is awake, who chatters, and the work, for three ways to sleep.
-tall = 1180
+tall = 1200
 @PAGE
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955
@@ -10,7 +10,7 @@ set xrange [0:time_max]; set xtics 0,3
 set format x ''
 set key at screen 0.56,0.995 center top horizontal maxcols 3
 
-set tmargin at screen 0.945; set bmargin at screen 0.665
+set tmargin at screen 0.925; set bmargin at screen 0.655
 side = 'bodies awake'; @SIDE
 set yrange [0:140]; set ytics 0,25
 set label 1 'a cube comes in ' at cube_max,60 right textcolor rgb soft
@@ -19,7 +19,7 @@ plot stem.'.csv' using 'time_s':'off_awake' with lines lt 1 title 'nobody sleeps
   '' using 'time_s':'freezing_awake' with lines lt 3 dt 1 lw 3 title 'by history'
 unset key; unset label 1
 
-set tmargin at screen 0.635; set bmargin at screen 0.37
+set tmargin at screen 0.625; set bmargin at screen 0.37
 side = 'bodies that chatter'; @SIDE
 set yrange [0:90]; set ytics 0,20
 plot stem.'.csv' using 'time_s':'off_chatters' with lines lt 1, \
@@ -32,7 +32,7 @@ set format x '%g'
 set xlabel 'time [s]' offset 0,0.3
 # No test at all lies on the lowest line.
 on(n) = n > 10 ? n : 10
-set logscale y; set yrange [10:20000]; set ytics ('10 or less' 10, '100' 100, '1000' 1000, '10000' 10000)
+set logscale y; set yrange [9.99:20000]; set ytics ('≤ 10' 10, '100' 100, '1000' 1000, '10000' 10000)
 plot stem.'.csv' using 'time_s':(on(column('off_pair_tests'))) with lines lt 1, \
   '' using 'time_s':(on(column('sleeping_pair_tests'))) with lines lt 2, \
   '' using 'time_s':(on(column('freezing_pair_tests'))) with lines lt 3 dt 1 lw 3

@@ -202,6 +202,10 @@ TEST_CASE("Chatter needs contact, gravity, enough frames and numbers", "[unit][f
           if (k == 35) state.position_w.y() = std::numeric_limits<double>::quiet_NaN();
           return state;
         }) == Motion::moves);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    CHECK(told([&](int k) { return shifted(Vec3(0.0, k < 20 ? 0.0 : bad, 0.0)); }) ==
+          Motion::moves);
 }
 
 TEST_CASE("A film that is turned, larger and slower is told with the same numbers",

@@ -3,6 +3,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 
+#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
 #include <functional>
@@ -45,6 +46,22 @@ TEST_CASE("Half as long steps show a detector the same frames", "[exact][filteri
   CHECK(halves.history(BodyId{0})->swing == near(whole.history(BodyId{0})->swing).margin(1e-10));
 }
 
+TEST_CASE("Contact in any step since the frame before is contact in a frame",
+          "[exact][filtering]") {
+  // Four steps in a frame, of which one touches. A frame in which no step does would be one too many.
+  for (const int touching_step : {0, 1, 2, 3, 4}) {
+    ChatterDetector detector;
+    World world;
+    world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+    for (int step = 0; step <= 160; ++step) {
+      if (step > 0) world.finish_step(0.25 * kFrame);
+      world.states()[0].position_w.y() = step % 8 < 4 ? 0.0 : 2e-3;
+      detector.add(world, std::vector<char>{step % 4 == touching_step ? '\1' : '\0'});
+    }
+    CHECK((detector.motion(BodyId{0}) == Motion::chatters) == (touching_step < 4));
+  }
+}
+
 TEST_CASE("A detector sees 60 frames a second between steps of any length", "[exact][filtering]") {
   ChatterDetector detector;
   World world;
@@ -77,4 +94,42 @@ TEST_CASE("A detector refuses numbers that make no sense", "[unit][filtering]") 
   World world;
   world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
   CHECK_THROWS_AS(detector.add(world, {}), std::invalid_argument);
+}
+
+TEST_CASE("A body that comes in during a long step is told once it was seen for long enough",
+          "[exact][filtering]") {
+  // Steps of a second hold twice the frames of a window, but not of a body that came in at their end.
+  ChatterDetector detector;
+  World world;
+  const BodyProperties box = box_properties(Vec3::Ones(), 1.0);
+  const BodyId first = world.add(box, BodyState{});
+  detector.add(world, std::vector<char>{1});
+  world.finish_step(1.0);
+  const BodyId late = world.add(box, BodyState{});
+  detector.add(world, std::vector<char>{1, 1});
+  CHECK(detector.motion(first) == Motion::rests);
+  CHECK(detector.motion(late) == Motion::moves);
+  world.finish_step(29.0 * kFrame);
+  detector.add(world, std::vector<char>{1, 1});
+  CHECK(detector.motion(late) == Motion::moves);  // 30 frames, its first one included
+  world.finish_step(kFrame);
+  detector.add(world, std::vector<char>{1, 1});
+  CHECK(detector.motion(late) == Motion::rests);
+}
+
+TEST_CASE("A detector that knows its bodies allocates nothing", "[exact][filtering]") {
+  ChatterDetector detector;
+  World world;
+  world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
+  const std::vector<char> touches = {1};
+  for (int k = 0; k < 40; ++k) {
+    world.states()[0].position_w.x() = k % 2 == 0 ? 0.0 : 2e-3;
+    detector.add(world, touches);
+    world.finish_step(kFrame);
+  }
+  const AllocationCount allocations;
+  detector.add(world, touches);
+  const Motion told = detector.motion(BodyId{0});
+  CHECK(allocations.value() == 0);
+  CHECK(told == Motion::chatters);
 }

@@ -53,6 +53,7 @@ TEST_CASE("The label of a motion is what the whole run shows", "[unit][filtering
   MotionCorpus falling;
   add_run(settle_scene(scene_with("bouncing_box", {}), {"basic", {}}, 0.0, 1.5), 5, Doing::slides,
           falling);
+  REQUIRE_FALSE(falling.moments.empty());
   CHECK(std::all_of(falling.moments.begin(), falling.moments.end(),
                     [](const Moment& m) { return m.doing == Doing::falls; }));
 }

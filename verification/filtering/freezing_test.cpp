@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/filtering/adaptive_step.hpp"
 #include "tumble/impulse_damped/contact_damped.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/scenes/library.hpp"
@@ -61,6 +62,16 @@ TEST_CASE("A heap that only chatters falls asleep if chatter is told from histor
   run(freezing, by_history, 4.0);
   CHECK(asleep(by_speed) <= 10);     // of 125; measured 1
   CHECK(asleep(by_history) >= 100);  // measured 120
+}
+
+TEST_CASE("A clump freezes at divided steps too, where it touches in one sub-step of many",
+          "[unit][filtering]") {
+  World world = clump(3);
+  AdaptiveStep adaptive(std::make_unique<FreezeOnChatter>(damped(true)),
+                        {.halvings = 3, .fewest = 3});
+  run(adaptive, world, 5.0);
+  CHECK(asleep(world) >=
+        20);  // of 27; measured 26, and 0 if frames knew of their own sub-step only
 }
 
 TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its energy is booked",
@@ -182,6 +193,25 @@ TEST_CASE("A clone of a freezing technique goes on to the same bits", "[exact][f
   run(freezing, world, 2.0);
   run(*clone, copy, 2.0);
   CHECK(world.hash().value() == copy.hash().value());
+}
+
+TEST_CASE("A world that is put back in time is stepped, and its bodies are told anew",
+          "[unit][filtering]") {
+  World world = clump(2);
+  FreezeOnChatter freezing(damped(true));
+  run(freezing, world, 4.0);
+  const World settled = world;
+  const auto calm = [&] {
+    return std::count_if(world.ids().begin(), world.ids().end(),
+                         [&](BodyId id) { return freezing.calm_bodies().calm(id); });
+  };
+  run(freezing, world, 1.0);
+  REQUIRE(calm() > 0);
+  world = settled;
+  freezing.step(world, kStep);
+  CHECK(calm() == 0);
+  run(freezing, world, 1.0);
+  CHECK(calm() > 0);
 }
 
 TEST_CASE("A body is calm until it gets away from where it was told to be", "[exact][filtering]") {

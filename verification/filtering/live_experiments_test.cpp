@@ -120,4 +120,11 @@ TEST_CASE("In a live run bodies come, and one is taken away", "[unit][filtering]
   CHECK(static_cast<int>(run.computed.frame(24).ids.size()) == at_first);
   REQUIRE(run.live.size() == filters.size());
   for (const Trajectory& live : run.live) CHECK(live.count() == 25);
+
+  // Nor is another one taken when rounding carries the clock past the end: 60 steps take more than 1 s.
+  PlayedScene longer(scene_with("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
+  const LiveRun second = play_live(longer, filters, 1.0, 0.5);
+  REQUIRE(second.computed.count() == 61);
+  CHECK(longer.world.time() > 1.0);
+  CHECK(static_cast<int>(second.computed.frame(60).ids.size()) == at_first);
 }

@@ -199,7 +199,15 @@ TEST_CASE(
   std::array<BodyState, 1> states;
   states[0].position_w.x() = std::nan("");
   broken.record(Frame{1.0, 1, ids, states});
-  CHECK_THROWS_AS(resampled(broken, 0.3), std::invalid_argument);
+  CHECK_THROWS_WITH(resampled(broken, 0.3),
+                    Catch::Matchers::Contains("frame 1 at 1 s, body with id 0"));
+  CHECK_THROWS_AS(resampled(broken, 1.0), std::invalid_argument);  // a frame that is on the grid
+  states[0] = BodyState{};
+  states[0].linear_momentum_w.z() = std::numeric_limits<double>::infinity();
+  Trajectory endless;
+  record(0.0, 0, {BodyId{0}}, endless);
+  endless.record(Frame{1.0, 1, ids, states});
+  CHECK_THROWS_AS(resampled(endless, 0.3), std::invalid_argument);
   states[0] = BodyState{};
   states[0].orientation_wb.coeffs().setZero();
   Trajectory pointless;

@@ -247,6 +247,27 @@ TEST_CASE("The worst chatter of a world is the worst of each body, measure by me
   CHECK(amplitude_from_another > 60);  // measured: all 91 steps with a whole window
 }
 
+TEST_CASE("Of many bodies every other one may leave at once, and the others are measured on",
+          "[unit][record][chatter]") {
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  for (int k = 0; k < 200; ++k) world.add(cube, at(Vec3(2.0 * k, 0.0, 0.0)));
+  const std::vector<BodyId> ids(world.ids().begin(), world.ids().end());
+  ChatterMeter meter;
+  const auto go = [&](int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      meter.add(world, std::vector<char>(world.states().size(), 1));
+      world.finish_step(1.0 / 60.0);
+    }
+  };
+  go(20);
+  for (std::size_t k = 0; k < ids.size(); k += 2) world.remove(ids[k]);
+  go(11);
+  const std::vector<BodyChatter> each = meter.each(kGravity);
+  REQUIRE(each.size() == 100);
+  for (std::size_t k = 0; k < each.size(); ++k) CHECK(each[k].id == ids[2 * k + 1]);
+}
+
 TEST_CASE("One step over many frames fills the window with them", "[unit][record][chatter]") {
   const Led still{.path = [](double) { return at(Vec3::Zero()); }};
   CHECK(still.measured(1000.0, 1000.0).bodies == 1);

@@ -60,6 +60,14 @@ struct BodyState {
          a.linear_momentum_w == b.linear_momentum_w && a.angular_momentum_w == b.angular_momentum_w;
 }
 
+/// Whether a state is made of numbers.
+/// \param state  a state
+/// \return false if anything in it is infinite or NaN
+[[nodiscard]] inline bool is_finite(const BodyState& state) {
+  return state.position_w.allFinite() && state.orientation_wb.coeffs().allFinite() &&
+         state.linear_momentum_w.allFinite() && state.angular_momentum_w.allFinite();
+}
+
 /// A box of uniform density.
 ///
 /// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).

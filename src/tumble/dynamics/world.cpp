@@ -166,12 +166,7 @@ StateHash World::hash() const {
 }
 
 bool all_finite(const World& world) {
-  for (const BodyState& s : world.states()) {
-    if (!(s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
-          s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite()))
-      return false;
-  }
-  return true;
+  return std::all_of(world.states().begin(), world.states().end(), is_finite);
 }
 
 }  // namespace tumble

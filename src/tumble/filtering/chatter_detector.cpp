@@ -33,44 +33,45 @@ ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options) : option
 }
 
 void ChatterDetector::add(const World& world, std::span<const char> in_contact) {
-  require::that(in_contact.size() == world.states().size(),
-                "in_contact has " + std::to_string(in_contact.size()) + " bodies, the world " +
-                    std::to_string(world.count()));
+  // Messages are made only when they are needed: this is called in every step.
+  if (in_contact.size() != world.states().size())
+    require::that(false, "in_contact has " + std::to_string(in_contact.size()) +
+                             " bodies, the world " + std::to_string(world.count()));
   const double now = world.time();
-  require::that(!begun_ || now >= last_time_,
-                "the world's time " + require::text(now) + " s is before the last one");
+  if (begun_ && !(now >= last_time_))
+    require::that(false, "the world's time " + require::text(now) + " s is before the last one");
   const double passed = now * options_.frame_rate;
   const std::int64_t frames = options_.window + 1;
+  // The first frame that a body which comes in now is there in.
+  const auto since = static_cast<std::int64_t>(std::ceil(passed - tolerance::frame_slack));
   if (!begun_) {
-    next_frame_ = static_cast<std::int64_t>(std::ceil(passed - tolerance::frame_slack));
+    next_frame_ = since;
     last_time_ = now;
   }
   end_frame_ = std::max(next_frame_,
                         static_cast<std::int64_t>(std::floor(passed + tolerance::frame_slack)) + 1);
   next_frame_ = std::max(next_frame_, end_frame_ - frames);  // older ones are out of sight
 
-  // Bodies and tracks are both in the order of ids; what is only in the tracks has been removed.
-  std::size_t place = 0;
+  std::erase_if(tracks_, [&](const Track& track) {
+    const std::optional<int> index = world.find(track.id);
+    return !index || !world.bodies()[at(*index)].movable();
+  });
+  std::size_t place = 0;  // bodies and tracks are both in the order of ids
   for (int i = 0; i < world.count(); ++i) {
     const BodyProperties& body = world.bodies()[at(i)];
     if (!body.movable()) continue;
     const BodyId id = world.ids()[at(i)];
-    const auto here = [&] { return tracks_.begin() + static_cast<std::ptrdiff_t>(place); };
-    const auto first_kept =
-        std::find_if(here(), tracks_.end(), [id](const Track& track) { return track.id >= id; });
-    tracks_.erase(here(), first_kept);
     const Placement now_at = placement_of(body, world.states()[at(i)]);
     if (place == tracks_.size() || tracks_[place].id != id) {
-      Track track{id, body.size.minCoeff(), 0, now_at};
+      Track track{id, body.size.minCoeff(), since, now_at};
       track.places.assign(static_cast<std::size_t>(2 * frames), now_at);
       track.touching.assign(static_cast<std::size_t>(frames), 0);
-      tracks_.insert(here(), track);
+      tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
     const bool touches = in_contact[at(i)] != 0 || world.rests()[at(i)].asleep;
     take_frames(now_at, touches, now, tracks_[place]);
     ++place;
   }
-  tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(place), tracks_.end());
   begun_ = true;
   next_frame_ = end_frame_;
   last_time_ = now;
@@ -82,15 +83,17 @@ void ChatterDetector::take_frames(const Placement& place, bool touches, double n
                                   Track& track) const {
   const double step = now - last_time_;
   const std::int64_t frames = options_.window + 1;
+  track.touched = track.touched || touches;
   for (std::int64_t n = next_frame_; n < end_frame_; ++n) {
     const double since_last = static_cast<double>(n) / options_.frame_rate - last_time_;
     const double to_come = step > 0.0 ? std::clamp(1.0 - since_last / step, 0.0, 1.0) : 0.0;
     const auto k = static_cast<std::size_t>(n % frames);
     track.places[k] = place + to_come * (track.last - place);
     track.places[k + static_cast<std::size_t>(frames)] = track.places[k];
-    track.touching[k] = touches ? 1 : 0;
-    ++track.frames;
+    track.touching[k] = track.touched ? 1 : 0;
+    track.touched = touches;  // all later ones are of this step alone
   }
+  if (next_frame_ < end_frame_) track.touched = false;
   track.last = place;
 }
 
@@ -98,7 +101,7 @@ const ChatterDetector::Track* ChatterDetector::find(BodyId id) const {
   const auto found = std::lower_bound(tracks_.begin(), tracks_.end(), id,
                                       [](const Track& track, BodyId b) { return track.id < b; });
   const bool known = found != tracks_.end() && found->id == id;
-  return known && found->frames > options_.window ? &*found : nullptr;
+  return known && next_frame_ - found->since > options_.window ? &*found : nullptr;
 }
 
 std::span<const Placement> ChatterDetector::window(const Track& track) const {
@@ -140,6 +143,7 @@ Motion ChatterDetector::motion(BodyId id) const {
   const Track* track = find(id);
   if (track == nullptr) return Motion::moves;
   const MotionHistory history = history_of(window(*track));
+  if (!std::isfinite(history.path)) return Motion::moves;  // a largest number leaves NaN out
   if (history.excursion <= options_.rest * track->edge) return Motion::rests;
   const double clear = clearness(*track, history);
   return clear > 0.0 && clear >= options_.share ? Motion::chatters : Motion::moves;

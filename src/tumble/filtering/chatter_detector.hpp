@@ -57,7 +57,8 @@ struct ChatterDetectorOptions {
 /// order.
 /// \par Frames
 /// At multiples of 1/`frame_rate`, whatever the steps are: a pose between two steps lies on
-/// the line between them, as in ChatterMeter.
+/// the line between them, as in ChatterMeter. A body is in contact in a frame if it is in any step since
+/// the frame before: what hops at smaller steps is no more in the air for that.
 /// \par Cost
 /// A step costs O(1) for a body, telling O(W Z) to O(W² Z).
 class ChatterDetector {
@@ -96,12 +97,13 @@ class ChatterDetector {
  private:
   struct Track {
     BodyId id{};
-    double edge = 0.0;        // [m] L
-    std::int64_t frames = 0;  // taken in
-    Placement last;           // [m] at the last step
+    double edge = 0.0;       // [m] L
+    std::int64_t since = 0;  // the first frame that it was there in
+    Placement last;          // [m] at the last step
     std::vector<Placement>
         places{};                  // frame n is at n mod (W + 1), and once more after W + 1 places
     std::vector<char> touching{};  // ditto, once
+    bool touched = false;          // in a step since the last frame
   };
   [[nodiscard]] const Track* find(BodyId id) const;
   [[nodiscard]] std::span<const Placement> window(const Track& track) const;

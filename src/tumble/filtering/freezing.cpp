@@ -68,7 +68,10 @@ FreezeOnChatter::FreezeOnChatter(std::unique_ptr<Technique> technique,
 }
 
 FreezeOnChatter::FreezeOnChatter(const FreezeOnChatter& other)
-    : Technique(other), technique_(other.technique_->clone()), calm_(other.calm_) {}
+    : Technique(other),
+      technique_(other.technique_->clone()),
+      calm_(other.calm_),
+      last_time_(other.last_time_) {}
 
 std::unique_ptr<Technique> FreezeOnChatter::clone() const {
   return std::make_unique<FreezeOnChatter>(*this);
@@ -76,12 +79,14 @@ std::unique_ptr<Technique> FreezeOnChatter::clone() const {
 
 StepReport FreezeOnChatter::step(World& world, double dt) {
   technique_->observe(observer());
+  if (world.time() < last_time_) calm_ = CalmBodies(calm_.detector().options());
   const StepReport report = [&] {
     const Marks marks(world, calm_);
     return technique_->step(world, dt);
   }();
   mark_contacts(world, technique_->contacts(), in_contact_);
   calm_.add(world, in_contact_);
+  last_time_ = world.time();
   return report;
 }
 

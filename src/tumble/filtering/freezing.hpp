@@ -57,9 +57,12 @@ class CalmBodies {
 /// and the island wakes when something touches or pushes it. Poses stay as they are in the
 /// frame in which it falls asleep: nothing jumps.
 ///
-/// The technique must have its own sleeping switched on; without it nothing is changed.
+/// The technique must have its own sleeping switched on; without it nothing is changed. With adaptive
+/// steps, AdaptiveStep goes around this one: the other way round only contacts of the last sub-step
+/// would be seen. A world whose time is before the last one, as of a copy from earlier, is told anew:
+/// nobody in it is calm.
 /// \par Cost
-/// A detector's, for each body that is awake and not calm.
+/// A step of the detector for each body, asleep or not; telling for each that is not calm.
 /// \algorithm{Chatter told from earlier steps: section 6.3.1}
 /// \verified{A heap that only chatters falls asleep if chatter is told from history and not else}
 class FreezeOnChatter : public Technique {
@@ -96,6 +99,7 @@ class FreezeOnChatter : public Technique {
  private:
   std::unique_ptr<Technique> technique_;
   CalmBodies calm_;
+  double last_time_ = 0.0;        // [s] of the world after the last step
   std::vector<char> in_contact_;  // storage
 };
 

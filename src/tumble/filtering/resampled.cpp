@@ -37,7 +37,6 @@ class Mixer {
       if (other == b.ids.size() || b.ids[other] != a.ids[k]) continue;
       ids_.push_back(a.ids[k]);
       states_.push_back(between(a.states[k], b.states[other], share));
-      require::finite(states_.back().position_w, "position of a body in a frame");
     }
     return Frame{time, a.step, ids_, states_};
   }
@@ -47,7 +46,7 @@ class Mixer {
   std::vector<BodyState> states_;
 };
 
-void require_ascending(const Trajectory& run) {
+void require_in_order(const Trajectory& run) {
   for (int k = 0; k < run.count(); ++k) {
     require::finite(run.frame(k).time, "time of a frame");
     if (k > 0 && !(run.frame(k).time > run.frame(k - 1).time))
@@ -55,6 +54,12 @@ void require_ascending(const Trajectory& run) {
                                require::text(run.frame(k).time) + " s: expected a time after " +
                                require::text(run.frame(k - 1).time) +
                                " s, that of the frame before");
+    for (std::size_t b = 0; b < run.frame(k).states.size(); ++b)
+      if (!is_finite(run.frame(k).states[b]))
+        require::that(false, "frame " + std::to_string(k) + " at " +
+                                 require::text(run.frame(k).time) + " s, body with id " +
+                                 std::to_string(number_of(run.frame(k).ids[b])) +
+                                 ": its state is not finite. Resample the frames before it");
   }
 }
 
@@ -62,7 +67,7 @@ void require_ascending(const Trajectory& run) {
 
 Trajectory resampled(const Trajectory& run, double interval) {
   require::positive(interval, "interval of resampled()");
-  require_ascending(run);
+  require_in_order(run);
   Trajectory out;
   if (run.count() == 0) return out;
   const double first = run.frame(0).time;

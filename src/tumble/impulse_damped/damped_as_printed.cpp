@@ -16,13 +16,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-bool finite(std::span<const BodyState> states) {
-  return std::all_of(states.begin(), states.end(), [](const BodyState& s) {
-    return s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite() &&
-           s.position_w.allFinite();
-  });
-}
-
 void require_count(std::int64_t value, std::int64_t least, const char* name) {
   require::that(value >= least, std::string(name) + " = " + std::to_string(value) +
                                     ": give at least " + std::to_string(least));
@@ -87,7 +80,7 @@ StepReport DampedAsPrinted::step(World& world, double dt) {
     integrate_object_velocities(world, dt);
     // [DAMPEDINTEGRATION:3]
   }
-  if (finite(world.states())) {
+  if (all_finite(world)) {
     // [DAMPEDINTEGRATION:4]
     // Damp, and move all bodies.
     dampen_objects(world, dt, report);
@@ -98,7 +91,7 @@ StepReport DampedAsPrinted::step(World& world, double dt) {
     set_geometrically_stable(world, report);
     // [DAMPEDINTEGRATION:5-6]
   }
-  if (!finite(world.states())) {
+  if (!all_finite(world)) {
     std::copy(start_.begin(), start_.end(), world.states().begin());
     report.status = StepStatus::not_finite;
   }

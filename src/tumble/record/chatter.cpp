@@ -33,15 +33,16 @@ void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
                static_cast<std::int64_t>(std::floor(frames_passed + tolerance::frame_slack)) + 1);
   const std::int64_t first = std::max(next_frame_, end - kWindow);  // older ones are out of sight
 
-  // Bodies and tracks are both in the order of ids.
-  std::size_t place = 0;
+  std::erase_if(tracks_, [&](const Track& track) {
+    const std::optional<int> index = world.find(track.id);
+    return !index || !world.bodies()[static_cast<std::size_t>(*index)].movable();
+  });
+  std::size_t place = 0;  // bodies and tracks are both in the order of ids
   for (int i = 0; i < world.count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable()) continue;
     const BodyId id = world.ids()[k];
-    const auto at = [&] { return tracks_.begin() + static_cast<std::ptrdiff_t>(place); };
-    while (place < tracks_.size() && tracks_[place].id < id) tracks_.erase(at());  // removed
     const Corners corners = corners_of(box_of(body, world.states()[k]));
     if (place == tracks_.size() || tracks_[place].id != id) {
       Track track;
@@ -49,12 +50,11 @@ void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
       track.limit = tolerance::resting_movement * body.size.minCoeff();
       track.since = begun_ ? end : first;
       track.last = corners;
-      tracks_.insert(at(), track);
+      tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
     take_frames(corners, in_contact[k] != 0, now, first, end, tracks_[place]);
     ++place;
   }
-  tracks_.resize(place);
   begun_ = true;
   next_frame_ = end;
   last_time_ = now;

@@ -10,13 +10,6 @@
 namespace tumble {
 namespace {
 
-bool finite(std::span<const BodyState> states) {
-  return std::all_of(states.begin(), states.end(), [](const BodyState& s) {
-    return s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
-           s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite();
-  });
-}
-
 // [-] A gap is to be reached across by all corners of a face, in spite of rounding.
 constexpr double kMore = 1.0 + 1e-9;
 
@@ -130,7 +123,7 @@ int PrintedQueries::keep_pushed(std::span<const IndexPair> pairs) {
 }
 
 void PrintedQueries::fix_interpenetration() {
-  if (!finite(world_->states())) {
+  if (!all_finite(*world_)) {
     std::copy(start_.begin(), start_.end(), world_->states().begin());
     report.status = StepStatus::not_finite;
   }

@@ -23,10 +23,7 @@ void require_step(double dt, const TimewarpOptions& options, double steps) {
 
 void require_finite_states(const World& world) {
   for (int body = 0; body < world.count(); ++body) {
-    const BodyState& state = world.states()[at(body)];
-    const bool finite = state.position_w.allFinite() && state.orientation_wb.coeffs().allFinite() &&
-                        state.linear_momentum_w.allFinite() && state.angular_momentum_w.allFinite();
-    if (!finite)
+    if (!is_finite(world.states()[at(body)]))
       require::that(false,
                     "state of " + world.name(body) +
                         " is not finite: expected numbers for place, orientation and momenta");
