@@ -4,9 +4,9 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace tumble::chapters {
 
@@ -50,6 +50,19 @@ double sum_without(std::span<const double> values, int left_out) {
   for (std::size_t k = 0; k < values.size(); ++k)
     if (static_cast<int>(k) != left_out) sum += values[k];
   return sum;
+}
+
+Quantity mean_over_seeds(std::string name, std::string unit, std::span<const double> values) {
+  const int seeds = static_cast<int>(values.size());
+  return over_seeds(std::move(name), std::move(unit), seeds, [&](int left_out) {
+    return sum_without(values, left_out) / (left_out < 0 ? seeds : seeds - 1);
+  });
+}
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 }  // namespace tumble::chapters

@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace tumble::chapters {
 
@@ -41,5 +42,17 @@ Quantity over_seeds(std::string name, std::string unit, int seeds,
 /// \param left_out  index of a seed that is not counted; -1: all are
 /// \return the sum
 double sum_without(std::span<const double> values, int left_out);
+
+/// The mean of what each seed gave.
+/// \param name    of the quantity
+/// \param unit    of the quantity
+/// \param values  one for each seed
+/// \return with the interval of over_seeds(), here Student's
+Quantity mean_over_seeds(std::string name, std::string unit, std::span<const double> values);
+
+/// The middle one of some numbers.
+/// \param values at least one; their order does not matter
+/// \return the mean of the middle two if there is an even number of them
+double median_of(std::vector<double> values);
 
 }  // namespace tumble::chapters

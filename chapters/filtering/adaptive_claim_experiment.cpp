@@ -56,10 +56,7 @@ Quantity mean(const std::string& name, const std::string& unit, const Side& side
               const Measure& measure) {
   std::vector<double> values;
   for (std::size_t seed = 0; seed < side.work.size(); ++seed) values.push_back(measure(side, seed));
-  const int seeds = static_cast<int>(values.size());
-  return over_seeds(name, unit, seeds, [&](int left_out) {
-    return sum_without(values, left_out) / (left_out < 0 ? seeds : seeds - 1);
-  });
+  return mean_over_seeds(name, unit, values);
 }
 
 double chatter(const Side& side, std::size_t seed) { return side.resting[seed].chatter(); }

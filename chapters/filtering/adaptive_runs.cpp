@@ -6,6 +6,8 @@
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/chatter.hpp"
 
+#include "driver/statistics.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -42,22 +44,17 @@ SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique> techni
   const AdaptiveStep& steps = *divided;
   played.technique = std::move(divided);
   SteppedRun out;
-  out.run.interval = PlayedScene::kStep;
-  const auto record = [&] {
-    out.run.frames.record(played.world);
-    std::vector<char> touches(static_cast<std::size_t>(played.world.count()), 0);
-    for (const BodyId id : steps.touched())
-      touches[static_cast<std::size_t>(played.world.index_of(id))] = 1;
-    out.run.touches.push_back(std::move(touches));
-  };
-  record();
-  played.advance(settling + watched, [&](const StepReport& report) {
-    record();
-    add_report(report, out.work);
-    out.substeps.push_back(static_cast<int>(steps.substeps().size()));
-  });
-  out.run.first = static_cast<int>(std::lround(settling / out.run.interval));
-  out.run.world = played.world;
+  out.run = record_run(
+      played, settling, watched,
+      [&](const World& world, std::vector<char>& touches) {
+        touches.assign(static_cast<std::size_t>(world.count()), 0);
+        for (const BodyId id : steps.touched())
+          touches[static_cast<std::size_t>(world.index_of(id))] = 1;
+      },
+      [&](const StepReport& report) {
+        add_report(report, out.work);
+        out.substeps.push_back(static_cast<int>(steps.substeps().size()));
+      });
   return out;
 }
 
@@ -74,12 +71,7 @@ RestingMeasures measure_resting(const SettledRun& run) {
   return out;
 }
 
-double RestingMeasures::chatter() const {
-  if (amplitudes.empty()) return 0.0;
-  const std::size_t half = amplitudes.size() / 2;
-  if (amplitudes.size() % 2 == 1) return amplitudes[half];
-  return 0.5 * (amplitudes[half - 1] + amplitudes[half]);
-}
+double RestingMeasures::chatter() const { return amplitudes.empty() ? 0.0 : median_of(amplitudes); }
 
 double RestingMeasures::mean_chatter() const {
   if (amplitudes.empty()) return 0.0;

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Claim 5.5b: what wider box filters remove, blur and make overlap.
 #include "tumble/filtering/box_filter.hpp"
+#include "tumble/record/overlap.hpp"
 
 #include "driver/statistics.hpp"
 #include "filtering/box_experiments.hpp"
@@ -40,11 +41,11 @@ struct Clumps {
 
 ByWidth<Overlap> overlaps_of(const SettledRun& run, const ByWidth<Trajectory>& shown, int frames) {
   ByWidth<Overlap> out;
-  ShownOverlap meter(run.world);
+  OverlapMeter meter;
   for (int n = 0; n < std::min(frames, run.frames.count()); ++n) {
     double computed = 0.0;
     for (std::size_t w = 0; w < kWidths.size(); ++w) {
-      const double depth = meter.deepest(shown[w].frame(n));
+      const double depth = meter.look(run.world.bodies(), shown[w].frame(n).states);
       if (w == kRaw) computed = depth;
       out[w].deepest = std::max(out[w].deepest, depth);
       out[w].added = std::max(out[w].added, depth - computed);
@@ -201,11 +202,13 @@ Result measure_box_widths(const Parameters& settings) {
   const auto deeper =
       std::count_if(clumps.overlaps.begin(), clumps.overlaps.end(),
                     [](const auto& seed) { return seed[kWidest].deepest > seed[kRaw].deepest; });
-  ShownOverlap meter(landing.run.world);
+  OverlapMeter meter;
+  const auto depth = [&](const Trajectory& frames, int n) {
+    return meter.look(landing.run.world.bodies(), frames.frame(n).states);
+  };
   double landed = 0.0;
   for (int n = 0; n < landing.frames(); ++n)
-    landed = std::max(landed, meter.deepest(landing.shown[kWidest].frame(n)) -
-                                  meter.deepest(landing.run.frames.frame(n)));
+    landed = std::max(landed, depth(landing.shown[kWidest], n) - depth(landing.run.frames, n));
   constexpr int in_flight = kWidths[kFive] / 2;  // the first frame with a whole window of 5
   const double held = (squirm.value <= kHalf ? 1.0 : 0.0) + (blunt <= kHalf ? 1.0 : 0.0) +
                       (overlap.value > 0.0 ? 1.0 : 0.0);

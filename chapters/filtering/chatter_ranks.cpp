@@ -2,6 +2,8 @@
 /// \brief Medians over seeds and ranks with ties.
 #include "filtering/chatter_ranks.hpp"
 
+#include "driver/statistics.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -13,8 +15,8 @@ MedianRange median_range(std::vector<double> values) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none, none};
   }
+  const double median = median_of(values);
   std::sort(values.begin(), values.end());
-  const double median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
   // The distribution's median is below the k-th smallest value with the probability that fewer than
   // k of n tosses of a coin show heads.
   double term = 1.0;  // binomial coefficient over 2^n

@@ -4,6 +4,7 @@
 
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/record/overlap.hpp"
 
 #include "driver/statistics.hpp"
 #include "filtering/settled_run.hpp"
@@ -67,10 +68,10 @@ struct Watched {
   }
 
   [[nodiscard]] std::vector<double> overlaps_in(const Trajectory& frames) const {
-    ShownOverlap meter(run.world);
+    OverlapMeter meter;
     std::vector<double> deepest;
     for (int f = run.first; f < frames.count(); f += kOverlapEvery)
-      deepest.push_back(meter.deepest(frames.frame(f)));
+      deepest.push_back(meter.look(run.world.bodies(), frames.frame(f).states));
     return deepest;
   }
 

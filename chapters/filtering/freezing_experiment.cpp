@@ -15,10 +15,9 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kChatters = 1e-3;  // [-] amplitude over the shortest edge, as claim 6.1b has it
-constexpr double kMoved = 0.01;     // [-] of an edge: who got as far was hit
-constexpr int kFrameRate = 60;      // [1/s]
-constexpr std::size_t kTenth = 6;   // [frame] a tenth of a second
+constexpr double kMoved = 0.01;    // [-] of an edge: who got as far was hit
+constexpr int kFrameRate = 60;     // [1/s]
+constexpr std::size_t kTenth = 6;  // [frame] a tenth of a second
 
 // What a step was like.
 struct Look {
@@ -181,12 +180,9 @@ Result measure_freezing(const Parameters& settings) {
   };
   const auto mean = [&](const std::string& name, const std::string& unit, std::size_t way,
                         const std::function<double(const Story&)>& part) {
-    return over_seeds(name, unit, seeds, [&](int left_out) {
-      double sum = 0.0;
-      for (int s = 0; s < seeds; ++s)
-        if (s != left_out) sum += part(stories[way][static_cast<std::size_t>(s)]);
-      return sum / (left_out < 0 ? seeds : seeds - 1);
-    });
+    std::vector<double> values;
+    for (const Story& story : stories[way]) values.push_back(part(story));
+    return mean_over_seeds(name, unit, values);
   };
   const auto before = [&](double Look::*part) {
     return [&settings, part](const Story& story) { return before_hit(story, settings, part); };

@@ -12,7 +12,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kChatters = 1e-3;  // [-] amplitude over the shortest edge; claim 6.1b
 constexpr std::size_t kWindow = ChatterMeter::kWindow;
 
 // A path as half seconds that share their ends.
@@ -25,20 +24,31 @@ std::vector<std::span<const Corners>> half_seconds(const std::vector<Corners>& p
 
 }  // namespace
 
-SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
-                        double watched, std::uint64_t seed) {
-  PlayedScene scene_now(scene, played, seed);
+SettledRun record_run(PlayedScene& played, double settling, double watched,
+                      const MarkTouches& touches,
+                      const std::function<void(const StepReport&)>& after) {
   SettledRun run;
   run.interval = PlayedScene::kStep;
   const auto record = [&] {
-    run.frames.record(scene_now.world);
-    mark_contacts(scene_now.world, scene_now.technique->contacts(), run.touches.emplace_back());
+    run.frames.record(played.world);
+    touches(played.world, run.touches.emplace_back());
   };
   record();
-  scene_now.advance(settling + watched, [&](const StepReport&) { record(); });
+  played.advance(settling + watched, [&](const StepReport& report) {
+    record();
+    if (after) after(report);
+  });
   run.first = static_cast<int>(std::lround(settling / run.interval));
-  run.world = scene_now.world;
+  run.world = played.world;
   return run;
+}
+
+SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
+                        double watched, std::uint64_t seed) {
+  PlayedScene now(scene, played, seed);
+  return record_run(now, settling, watched, [&](const World& world, std::vector<char>& touches) {
+    mark_contacts(world, now.technique->contacts(), touches);
+  });
 }
 
 SettledRun settle_clump(const SettledRequest& request) {

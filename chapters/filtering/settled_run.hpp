@@ -8,6 +8,7 @@
 #include "driver/played_scene.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace tumble::chapters {
@@ -34,6 +35,20 @@ struct SettledRequest {
 /// \param request what to run
 /// \return the run
 SettledRun settle_clump(const SettledRequest& request);
+
+/// Marks who is in contact, by index.
+using MarkTouches = std::function<void(const World& world, std::vector<char>& touches)>;
+
+/// Plays a scene on and records it.
+/// \param played    the scene, at its start
+/// \param settling  [s] before bodies should rest
+/// \param watched   [s] after that
+/// \param touches   asked for each frame
+/// \param after     told after each step, if there is somebody
+/// \return the run
+SettledRun record_run(PlayedScene& played, double settling, double watched,
+                      const MarkTouches& touches,
+                      const std::function<void(const StepReport&)>& after = {});
 
 /// Any other scene of 60 steps a second, recorded in the same way.
 /// \param scene     where it starts
@@ -73,7 +88,10 @@ Shake shake_of(const std::vector<Corners>& path, double gravity, double interval
 /// \return their indices, ascending
 std::vector<std::size_t> resting_bodies(const SettledRun& run);
 
-/// Of these, the ones whose amplitude is a thousandth of the shortest edge or more.
+/// [-] Amplitude over the shortest edge from which on a body that rests chatters; claim 6.1b.
+inline constexpr double kChatters = 1e-3;
+
+/// Of these, the ones whose amplitude is kChatters of the shortest edge or more.
 /// \param run the run
 /// \return their indices, ascending
 std::vector<std::size_t> chattering_bodies(const SettledRun& run);

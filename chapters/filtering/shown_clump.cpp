@@ -2,11 +2,8 @@
 /// \brief Measuring a settled clump as it is shown.
 #include "filtering/shown_clump.hpp"
 
-#include "tumble/dynamics/flight.hpp"
-
 #include "driver/statistics.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -68,12 +65,6 @@ SettledRequest clump_request(const Parameters& settings, int seed) {
   return request;
 }
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 Shake median_shake(const std::vector<Shake>& shakes) {
   std::vector<double> amplitudes;
   std::vector<double> accelerations;
@@ -86,35 +77,8 @@ Shake median_shake(const std::vector<Shake>& shakes) {
   return {median_of(amplitudes), median_of(accelerations), median_of(squirms)};
 }
 
-Quantity mean_over_seeds(std::string name, std::string unit, const std::vector<double>& values) {
-  const int seeds = static_cast<int>(values.size());
-  return over_seeds(std::move(name), std::move(unit), seeds, [&](int left_out) {
-    return sum_without(values, left_out) / (left_out < 0 ? seeds : seeds - 1);
-  });
-}
-
 Quantity squirm_of_white_noise(std::string name, int frames, int before) {
   return {std::move(name), "-", std::sqrt(weight_of(frames) / weight_of(before))};
-}
-
-ShownOverlap::ShownOverlap(const World& world)
-    : world_(world), broad_phase_(make_broad_phase("bounding_tree")) {}
-
-double ShownOverlap::deepest(const Frame& frame) {
-  const auto bodies = world_.bodies();
-  bounds_.clear();
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    bounds_.push_back(bounds_of(bodies[k], frame.states[k], 0.0));
-  broad_phase_->find_pairs(bounds_, pairs_);
-  double deepest = 0.0;
-  for (const IndexPair& pair : pairs_) {
-    const auto a = static_cast<std::size_t>(pair.first);
-    const auto b = static_cast<std::size_t>(pair.second);
-    if (!bodies[a].movable() && !bodies[b].movable()) continue;
-    const Separation gap = gap_between(bodies[a], frame.states[a], bodies[b], frame.states[b]);
-    deepest = std::max(deepest, -gap.distance);
-  }
-  return deepest;
 }
 
 }  // namespace tumble::chapters

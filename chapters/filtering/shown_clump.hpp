@@ -49,22 +49,10 @@ ChatteringClump chattering_clump(SettledRequest request);
 /// \return the request
 SettledRequest clump_request(const Parameters& settings, int seed);
 
-/// The middle one of some numbers.
-/// \param values at least one; their order does not matter
-/// \return the mean of the middle two if there is an even number of them
-double median_of(std::vector<double> values);
-
 /// The median of each number of some bodies.
 /// \param shakes at least one
 /// \return medians
 Shake median_shake(const std::vector<Shake>& shakes);
-
-/// The mean of what each seed gave.
-/// \param name    of the quantity
-/// \param unit    of the quantity
-/// \param values  one for each seed
-/// \return with the interval of over_seeds(), here Student's
-Quantity mean_over_seeds(std::string name, std::string unit, const std::vector<double>& values);
 
 /// By what boxes of two widths change the squirm of noise that is the same at all frequencies.
 ///
@@ -75,24 +63,5 @@ Quantity mean_over_seeds(std::string name, std::string unit, const std::vector<d
 /// \param before  width of the other, odd; 1: as computed
 /// \return [-] squirm under the one over that under the other
 Quantity squirm_of_white_noise(std::string name, int frames, int before);
-
-/// How deep shown bodies are in each other.
-class ShownOverlap {
- public:
-  /// Remembers the bodies.
-  /// \param world all bodies of the run; none may come or go in it
-  explicit ShownOverlap(const World& world);
-
-  /// The deepest penetration over all pairs of which one can move.
-  /// \param frame as computed or as shown
-  /// \return [m] 0 if no pair overlaps
-  [[nodiscard]] double deepest(const Frame& frame);
-
- private:
-  const World& world_;
-  std::unique_ptr<BroadPhase> broad_phase_;
-  std::vector<Bounds> bounds_;
-  std::vector<IndexPair> pairs_;
-};
 
 }  // namespace tumble::chapters

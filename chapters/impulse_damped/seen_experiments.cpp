@@ -66,12 +66,6 @@ Scene shot(int rows, int seed) {
   return scene;
 }
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 std::vector<double> list_of(const std::vector<Seen>& runs, double Seen::*what) {
   std::vector<double> list;
   for (const Seen& run : runs) list.push_back(run.*what);

@@ -5,6 +5,7 @@
 #include "tumble/filtering/corner_motion.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/record/chatter.hpp"
+#include "tumble/record/overlap.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include <algorithm>
@@ -20,14 +21,6 @@ constexpr double kStep = 1.0 / 60.0;  // [s]
 constexpr double kShake = 0.1;        // [-] of free fall: a box that rests and shakes more chatters
 constexpr double kStill = 5e-4;       // [-] a corner that moves less in a step, in edges, rests
 constexpr double kPlay = 1e-3;        // [m] between a plank or block and what stops it
-
-// [m] Up to this distance two bodies touch: a share of the shortest edge of the two.
-double touching_distance(const BodyProperties& a, const BodyProperties& b) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const BodyProperties* body : {&a, &b})
-    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
-  return tolerance::touching * edge;
-}
 
 // Who touches, and who has a face on what is below: a normal within 45 degrees of up that is across
 // one of its own faces, within 10 degrees. This knows nothing of the alignment test.

@@ -4,8 +4,10 @@
 
 #include "tumble/base/random.hpp"
 #include "tumble/filtering/box_filter.hpp"
+#include "tumble/record/overlap.hpp"
 
 #include "driver/quick.hpp"
+#include "driver/statistics.hpp"
 #include "filtering/shown_clump.hpp"
 #include "support/catch.hpp"
 
@@ -153,19 +155,19 @@ TEST_CASE("Squirm of white noise under box filters is the root of summed squares
 TEST_CASE("The overlap of shown bodies is the deepest of all pairs, the ground included",
           "[unit][filtering]") {
   const World world = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.5, 0.0)});
-  ShownOverlap meter(world);
-  CHECK(meter.deepest(frame_of(world)) == near(0.1).margin(1e-12));
+  OverlapMeter meter;
+  CHECK(meter.look(world.bodies(), world.states()) == near(0.1).margin(1e-12));
   const World sunk = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.2, 0.0)});
-  CHECK(meter.deepest(frame_of(sunk)) == near(0.3).margin(1e-12));
+  CHECK(meter.look(sunk.bodies(), sunk.states()) == near(0.3).margin(1e-12));
   const World apart = cubes_at({Vec3(0.0, 0.6, 0.0), Vec3(1.9, 0.6, 0.0), Vec3(5.0, 0.6, 0.0)});
-  CHECK(meter.deepest(frame_of(apart)) == 0.0);
+  CHECK(meter.look(apart.bodies(), apart.states()) == 0.0);
 }
 
 TEST_CASE("Medians and means over seeds are those of textbooks", "[unit][filtering]") {
   CHECK(median_of({3.0, 1.0, 2.0}) == 2.0);
   CHECK(median_of({4.0, 1.0, 2.0, 3.0}) == 2.5);
   // 1, 2 and 6: mean 3, standard error sqrt(7/3), Student's factor for two degrees of freedom.
-  const Quantity mean = mean_over_seeds("", "-", {1.0, 2.0, 6.0});
+  const Quantity mean = mean_over_seeds("", "-", std::vector<double>{1.0, 2.0, 6.0});
   CHECK(mean.value == 3.0);
   CHECK(mean.seeds == 3);
   CHECK(mean.high - mean.value == near(4.30265273 * std::sqrt(7.0 / 3.0)).margin(1e-7));

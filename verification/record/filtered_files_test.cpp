@@ -142,7 +142,7 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
       CHECK(computed[0] == filtered_rows[0]);
       int different = 0;
       for (std::size_t k = 1; k < computed.size(); ++k) {
-        for (const std::size_t c : {0, 1, 9, 10, 11, 12, 13, 14})
+        for (const std::size_t c : {0u, 1u, 9u, 10u, 11u, 12u, 13u, 14u})
           CHECK(computed[k][c] == filtered_rows[k][c]);
         if (computed[k] != filtered_rows[k]) ++different;
       }

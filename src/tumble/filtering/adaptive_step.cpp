@@ -60,17 +60,15 @@ void require_valid(const AdaptiveStepOptions& options) {
 }  // namespace
 
 AdaptiveStep::AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options)
-    : inner_(std::move(inner)),
+    : WrappedTechnique(std::move(inner)),
       options_(options),
       broad_phase_(make_broad_phase("bounding_tree")),
       level_(options.fewest) {
-  require::that(inner_ != nullptr, "inner: expected a technique");
   require_valid(options);
 }
 
 AdaptiveStep::AdaptiveStep(const AdaptiveStep& other)
-    : Technique(other),
-      inner_(other.inner_->clone()),
+    : WrappedTechnique(other),
       options_(other.options_),
       broad_phase_(other.broad_phase_->clone()),
       level_(other.level_),
@@ -85,7 +83,7 @@ std::unique_ptr<Technique> AdaptiveStep::clone() const {
 
 StepReport AdaptiveStep::step(World& world, double dt) {
   require::positive(dt, "dt");
-  inner_->observe(observer());
+  Technique& technique = inner();
   const double end = world.time() + dt;
   const std::int64_t whole = std::int64_t{1} << options_.halvings;
   substeps_.clear();
@@ -99,7 +97,7 @@ StepReport AdaptiveStep::step(World& world, double dt) {
     // The clock's rounding is made up for at the end. Where it does not tell sub-steps, it cannot be.
     if (place == whole && k > 0 && end > world.time()) h = end - world.time();
     remember_corners(world);
-    const StepReport report = inner_->step(world, h);
+    const StepReport report = technique.step(world, h);
     substeps_.push_back(h);
     add_report(report, total);
     total.contacts = report.contacts;
@@ -178,7 +176,7 @@ void AdaptiveStep::remember_corners(const World& world) {
 // How the bodies have moved that were in contact.
 void AdaptiveStep::take_ways(const World& world) {
   touching_.clear();
-  for (const ContactRecord& contact : inner_->contacts()) {
+  for (const ContactRecord& contact : contacts()) {
     touching_.push_back(contact.first);
     touching_.push_back(contact.second);
   }

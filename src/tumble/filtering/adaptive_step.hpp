@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/base/tolerance.hpp"
-#include "tumble/dynamics/technique.hpp"
+#include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/corner_motion.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
@@ -61,7 +61,7 @@ struct AdaptiveStepOptions {
 /// \algorithm{Synchronised halving of the step: section 6.3.1}
 /// \deviation{Not in the thesis, which only suggests smaller steps.}
 /// \verified{A step without halvings has the bits of the technique alone}
-class AdaptiveStep : public Technique {
+class AdaptiveStep : public WrappedTechnique {
  public:
   /// Wraps a technique.
   /// \param inner    what advances the world; its thresholds should know the step that they are given
@@ -71,23 +71,9 @@ class AdaptiveStep : public Technique {
   /// A copy with all memory.
   /// \param other the original
   AdaptiveStep(const AdaptiveStep& other);
-  AdaptiveStep& operator=(const AdaptiveStep&) = delete;
-  ~AdaptiveStep() override = default;
 
-  /// The name of the technique that is wrapped: this is what users call, with or without halvings.
-  /// \return for example "damped"
-  [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
-  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
-    return inner_->contacts();
-  }
-  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
-    return inner_->unsolved_problem();
-  }
-  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override {
-    return inner_->ignores(world);
-  }
 
   /// The sub-steps of the last step.
   /// \return [s] their lengths in order; valid until the next step
@@ -108,7 +94,6 @@ class AdaptiveStep : public Technique {
   void remember_corners(const World& world);
   void take_ways(const World& world);
 
-  std::unique_ptr<Technique> inner_;
   AdaptiveStepOptions options_;
   std::unique_ptr<BroadPhase> broad_phase_;
 

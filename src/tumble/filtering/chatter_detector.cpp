@@ -18,7 +18,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options) : options_(options) {
+ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options)
+    : options_(options), frames_(options.frame_rate, options.window + 1) {
   require::that(options.window >= 2 && options.window <= kLargestWindow,
                 "window = " + std::to_string(options.window) + ": expected 2 to 120 frames");
   require::that(options.reversals >= 1,
@@ -38,24 +39,11 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
     require::that(false, "in_contact has " + std::to_string(in_contact.size()) +
                              " bodies, the world " + std::to_string(world.count()));
   const double now = world.time();
-  if (begun_ && !(now >= last_time_))
+  if (frames_.begun() && !(now >= frames_.now()))
     require::that(false, "the world's time " + require::text(now) + " s is before the last one");
-  const double passed = now * options_.frame_rate;
-  const std::int64_t frames = options_.window + 1;
-  // The first frame that a body which comes in now is there in.
-  const auto since = static_cast<std::int64_t>(std::ceil(passed - tolerance::frame_slack));
-  if (!begun_) {
-    next_frame_ = since;
-    last_time_ = now;
-  }
-  end_frame_ = std::max(next_frame_,
-                        static_cast<std::int64_t>(std::floor(passed + tolerance::frame_slack)) + 1);
-  next_frame_ = std::max(next_frame_, end_frame_ - frames);  // older ones are out of sight
-
-  std::erase_if(tracks_, [&](const Track& track) {
-    const std::optional<int> index = world.find(track.id);
-    return !index || !world.bodies()[at(*index)].movable();
-  });
+  frames_.go_on(now);
+  forget_removed(world, tracks_);
+  const auto frames = static_cast<std::size_t>(options_.window + 1);
   std::size_t place = 0;  // bodies and tracks are both in the order of ids
   for (int i = 0; i < world.count(); ++i) {
     const BodyProperties& body = world.bodies()[at(i)];
@@ -63,37 +51,30 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
     const BodyId id = world.ids()[at(i)];
     const Placement now_at = placement_of(body, world.states()[at(i)]);
     if (place == tracks_.size() || tracks_[place].id != id) {
-      Track track{id, body.size.minCoeff(), since, now_at};
-      track.places.assign(static_cast<std::size_t>(2 * frames), now_at);
-      track.touching.assign(static_cast<std::size_t>(frames), 0);
+      Track track{id, body.size.minCoeff(), frames_.frame_from(now), now_at};
+      track.places.assign(2 * frames, now_at);
+      track.touching.assign(frames, 0);
       tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
     const bool touches = in_contact[at(i)] != 0 || world.rests()[at(i)].asleep;
-    take_frames(now_at, touches, now, tracks_[place]);
+    take_frames(now_at, touches, tracks_[place]);
     ++place;
   }
-  begun_ = true;
-  next_frame_ = end_frame_;
-  last_time_ = now;
   gravity_ = world.gravity_w.norm();
 }
 
 // The frames between the last step and this one; all of them lie on the line between the two.
-void ChatterDetector::take_frames(const Placement& place, bool touches, double now,
-                                  Track& track) const {
-  const double step = now - last_time_;
-  const std::int64_t frames = options_.window + 1;
+void ChatterDetector::take_frames(const Placement& place, bool touches, Track& track) const {
+  const auto frames = static_cast<std::size_t>(options_.window + 1);
   track.touched = track.touched || touches;
-  for (std::int64_t n = next_frame_; n < end_frame_; ++n) {
-    const double since_last = static_cast<double>(n) / options_.frame_rate - last_time_;
-    const double to_come = step > 0.0 ? std::clamp(1.0 - since_last / step, 0.0, 1.0) : 0.0;
-    const auto k = static_cast<std::size_t>(n % frames);
-    track.places[k] = place + to_come * (track.last - place);
-    track.places[k + static_cast<std::size_t>(frames)] = track.places[k];
+  for (std::int64_t n = frames_.first(); n < frames_.end(); ++n) {
+    const auto k = static_cast<std::size_t>(n) % frames;
+    track.places[k] = place + (1.0 - frames_.share(n)) * (track.last - place);
+    track.places[k + frames] = track.places[k];
     track.touching[k] = track.touched ? 1 : 0;
     track.touched = touches;  // all later ones are of this step alone
   }
-  if (next_frame_ < end_frame_) track.touched = false;
+  if (frames_.first() < frames_.end()) track.touched = false;
   track.last = place;
 }
 
@@ -101,12 +82,12 @@ const ChatterDetector::Track* ChatterDetector::find(BodyId id) const {
   const auto found = std::lower_bound(tracks_.begin(), tracks_.end(), id,
                                       [](const Track& track, BodyId b) { return track.id < b; });
   const bool known = found != tracks_.end() && found->id == id;
-  return known && next_frame_ - found->since > options_.window ? &*found : nullptr;
+  return known && frames_.end() - found->since > options_.window ? &*found : nullptr;
 }
 
 std::span<const Placement> ChatterDetector::window(const Track& track) const {
   const auto frames = static_cast<std::size_t>(options_.window + 1);
-  return std::span(track.places).subspan(static_cast<std::size_t>(next_frame_) % frames, frames);
+  return std::span(track.places).subspan(static_cast<std::size_t>(frames_.end()) % frames, frames);
 }
 
 std::optional<MotionHistory> ChatterDetector::history(BodyId id) const {

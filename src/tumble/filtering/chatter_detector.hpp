@@ -4,6 +4,7 @@
 
 #include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/filtering/display_frames.hpp"
 #include "tumble/filtering/motion_history.hpp"
 
 #include <cstdint>
@@ -108,15 +109,12 @@ class ChatterDetector {
   [[nodiscard]] const Track* find(BodyId id) const;
   [[nodiscard]] std::span<const Placement> window(const Track& track) const;
   [[nodiscard]] double clearness(const Track& track, const MotionHistory& history) const;
-  void take_frames(const Placement& place, bool touches, double now, Track& track) const;
+  void take_frames(const Placement& place, bool touches, Track& track) const;
 
   ChatterDetectorOptions options_;
-  std::vector<Track> tracks_;    // movable bodies, ascending by id
-  bool begun_ = false;           // something has been taken in
-  double gravity_ = 0.0;         // [m/s²] of the last step
-  double last_time_ = 0.0;       // [s] of the last step
-  std::int64_t next_frame_ = 0;  // number of the first frame not yet taken
-  std::int64_t end_frame_ = 0;   // the one after the last frame to be taken now
+  DisplayFrames frames_;
+  std::vector<Track> tracks_;  // movable bodies, ascending by id
+  double gravity_ = 0.0;       // [m/s²] of the last step
 };
 
 /// Who touches another body, from the contacts that a technique tells.

@@ -63,28 +63,19 @@ bool CalmBodies::calm(BodyId id) const {
 
 FreezeOnChatter::FreezeOnChatter(std::unique_ptr<Technique> technique,
                                  const ChatterDetectorOptions& options)
-    : technique_(std::move(technique)), calm_(options) {
-  require::that(technique_ != nullptr, "FreezeOnChatter: expected a technique");
-}
-
-FreezeOnChatter::FreezeOnChatter(const FreezeOnChatter& other)
-    : Technique(other),
-      technique_(other.technique_->clone()),
-      calm_(other.calm_),
-      last_time_(other.last_time_) {}
+    : WrappedTechnique(std::move(technique)), calm_(options) {}
 
 std::unique_ptr<Technique> FreezeOnChatter::clone() const {
   return std::make_unique<FreezeOnChatter>(*this);
 }
 
 StepReport FreezeOnChatter::step(World& world, double dt) {
-  technique_->observe(observer());
   if (world.time() < last_time_) calm_ = CalmBodies(calm_.detector().options());
   const StepReport report = [&] {
     const Marks marks(world, calm_);
-    return technique_->step(world, dt);
+    return inner().step(world, dt);
   }();
-  mark_contacts(world, technique_->contacts(), in_contact_);
+  mark_contacts(world, contacts(), in_contact_);
   calm_.add(world, in_contact_);
   last_time_ = world.time();
   return report;

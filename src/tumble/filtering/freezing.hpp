@@ -2,6 +2,7 @@
 /// \brief Heaps that only chatter are put to sleep (thesis 4.5, 6.3.1).
 #pragma once
 
+#include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include <memory>
@@ -65,7 +66,7 @@ class CalmBodies {
 /// A step of the detector for each body, asleep or not; telling for each that is not calm.
 /// \algorithm{Chatter told from earlier steps: section 6.3.1}
 /// \verified{A heap that only chatters falls asleep if chatter is told from history and not else}
-class FreezeOnChatter : public Technique {
+class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.
   /// \param technique  with sleeping on; the wrapper's own from here on
@@ -73,31 +74,15 @@ class FreezeOnChatter : public Technique {
   /// \throws std::invalid_argument for no technique, or a number out of range
   explicit FreezeOnChatter(std::unique_ptr<Technique> technique,
                            const ChatterDetectorOptions& options = {});
-  /// A copy with all memory.
-  /// \param other the original
-  FreezeOnChatter(const FreezeOnChatter& other);
-  FreezeOnChatter& operator=(const FreezeOnChatter&) = delete;
-  ~FreezeOnChatter() override = default;
 
-  [[nodiscard]] std::string_view name() const override { return technique_->name(); }
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
-  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
-    return technique_->contacts();
-  }
-  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
-    return technique_->unsolved_problem();
-  }
-  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override {
-    return technique_->ignores(world);
-  }
 
   /// Who is calm.
   /// \return as of the last step
   [[nodiscard]] const CalmBodies& calm_bodies() const { return calm_; }
 
  private:
-  std::unique_ptr<Technique> technique_;
   CalmBodies calm_;
   double last_time_ = 0.0;        // [s] of the world after the last step
   std::vector<char> in_contact_;  // storage

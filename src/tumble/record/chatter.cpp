@@ -5,7 +5,6 @@
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tumble {
 namespace {
@@ -22,21 +21,9 @@ double in_free_falls(double second_difference, double gravity) {
 }  // namespace
 
 void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
-  const double now = world.time();
-  const double frames_passed = now * kFrameRate;
-  if (!begun_) {
-    next_frame_ = static_cast<std::int64_t>(std::ceil(frames_passed - tolerance::frame_slack));
-    last_time_ = now;
-  }
-  const auto end =
-      std::max(next_frame_,
-               static_cast<std::int64_t>(std::floor(frames_passed + tolerance::frame_slack)) + 1);
-  const std::int64_t first = std::max(next_frame_, end - kWindow);  // older ones are out of sight
-
-  std::erase_if(tracks_, [&](const Track& track) {
-    const std::optional<int> index = world.find(track.id);
-    return !index || !world.bodies()[static_cast<std::size_t>(*index)].movable();
-  });
+  const bool begun = frames_.begun();
+  frames_.go_on(world.time());
+  forget_removed(world, tracks_);
   std::size_t place = 0;  // bodies and tracks are both in the order of ids
   for (int i = 0; i < world.count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -48,25 +35,19 @@ void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
       Track track;
       track.id = id;
       track.limit = tolerance::resting_movement * body.size.minCoeff();
-      track.since = begun_ ? end : first;
+      track.since = begun ? frames_.end() : frames_.first();
       track.last = corners;
       tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
-    take_frames(corners, in_contact[k] != 0, now, first, end, tracks_[place]);
+    take_frames(corners, in_contact[k] != 0, tracks_[place]);
     ++place;
   }
-  begun_ = true;
-  next_frame_ = end;
-  last_time_ = now;
 }
 
 // The frames between the last step and this one; all of them lie on the line between the two.
-void ChatterMeter::take_frames(const Corners& corners, bool touches, double now, std::int64_t first,
-                               std::int64_t end, Track& track) const {
-  const double step = now - last_time_;
-  for (std::int64_t n = first; n < end; ++n) {
-    const double since_last = static_cast<double>(n) / kFrameRate - last_time_;
-    const double share = step > 0.0 ? std::clamp(since_last / step, 0.0, 1.0) : 1.0;
+void ChatterMeter::take_frames(const Corners& corners, bool touches, Track& track) const {
+  for (std::int64_t n = frames_.first(); n < frames_.end(); ++n) {
+    const double share = frames_.share(n);
     Corners& out = track.frames[place_of(n)];
     for (std::size_t c = 0; c < corners.size(); ++c)
       out[c] = track.last[c] + share * (corners[c] - track.last[c]);
@@ -78,11 +59,11 @@ void ChatterMeter::take_frames(const Corners& corners, bool touches, double now,
 
 // The frames of the last half second, the oldest first.
 std::span<const Corners> ChatterMeter::window(const Track& track) const {
-  return std::span(track.frames).subspan(place_of(next_frame_), kWindow);
+  return std::span(track.frames).subspan(place_of(frames_.end()), kWindow);
 }
 
 bool ChatterMeter::rests(const Track& track) const {
-  if (next_frame_ - track.since < kWindow) return false;
+  if (frames_.end() - track.since < kWindow) return false;
   for (const char touches : track.touching)
     if (touches == 0) return false;
   const Corners& begin = window(track).front();

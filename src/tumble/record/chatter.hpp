@@ -4,6 +4,7 @@
 
 #include "tumble/dynamics/world.hpp"
 #include "tumble/filtering/corner_motion.hpp"
+#include "tumble/filtering/display_frames.hpp"
 
 #include <array>
 #include <span>
@@ -76,15 +77,12 @@ class ChatterMeter {
     std::array<char, kWindow> touching{};  // whether it was in contact then
   };
 
-  void take_frames(const Corners& corners, bool touches, double now, std::int64_t first,
-                   std::int64_t end, Track& track) const;
+  void take_frames(const Corners& corners, bool touches, Track& track) const;
   [[nodiscard]] std::span<const Corners> window(const Track& track) const;
   [[nodiscard]] bool rests(const Track& track) const;
 
-  std::vector<Track> tracks_;    // by id, ascending
-  bool begun_ = false;           // something has been taken in
-  double last_time_ = 0.0;       // [s] of the last step taken in
-  std::int64_t next_frame_ = 0;  // number of the first frame not yet taken
+  std::vector<Track> tracks_;  // by id, ascending
+  DisplayFrames frames_{kFrameRate, kWindow};
 };
 
 }  // namespace tumble

@@ -2,57 +2,21 @@
 /// \brief Measuring a run from outside.
 #include "tumble/record/metrics.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tumble {
 namespace {
 
 constexpr double kEarthGravity = 9.81;  // [m/s²] the unit of accelerations where there is none
 
-// Up to this distance surfaces count as touching: a share of the shortest edge of the two. The
-// ground has no size of its own.
-double touching_distance(const BodyProperties& a, const BodyProperties& b) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const BodyProperties* body : {&a, &b})
-    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
-  return tolerance::touching * edge;
-}
-
 }  // namespace
-
-MetricsMeter::MetricsMeter() : broad_phase_(make_broad_phase("bounding_tree")) {}
 
 Metrics MetricsMeter::begin(const World& world) {
   start_energy_ = energy_of(world).total();
   return measure_now(world);
-}
-
-double MetricsMeter::look_for_contacts(const World& world) {
-  const auto bodies = world.bodies();
-  const auto states = world.states();
-  bounds_.resize(bodies.size());
-  in_contact_.assign(bodies.size(), 0);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    bounds_[i] = bounds_of(bodies[i], states[i], tolerance::touching * bodies[i].size.minCoeff());
-  broad_phase_->find_pairs(bounds_, pairs_);
-  double deepest = 0.0;
-  for (const IndexPair& pair : pairs_) {
-    const auto a = static_cast<std::size_t>(pair.first);
-    const auto b = static_cast<std::size_t>(pair.second);
-    if (!bodies[a].movable() && !bodies[b].movable()) continue;
-    const double distance = gap_between(bodies[a], states[a], bodies[b], states[b]).distance;
-    if (distance > touching_distance(bodies[a], bodies[b])) continue;
-    in_contact_[a] = 1;
-    in_contact_[b] = 1;
-    deepest = std::max(deepest, -distance);
-  }
-  return deepest;
 }
 
 Metrics MetricsMeter::measure(const World& world, const StepReport& report) {
@@ -82,8 +46,8 @@ Metrics MetricsMeter::measure_now(const World& world) {
   }
   if (scale > 0.0) m.energy_error_share = m.energy_error / scale;
   if (!std::isfinite(energy.total())) return m;  // nowhere in particular: nothing to measure
-  m.deepest_overlap = look_for_contacts(world);
-  chatter_.add(world, in_contact_);
+  m.deepest_overlap = overlap_.look(world.bodies(), world.states());
+  chatter_.add(world, overlap_.in_contact());
   m.chatter = chatter_.measure(gravity);
   return m;
 }

@@ -3,11 +3,8 @@
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
-#include "tumble/geometry/broad_phase.hpp"
 #include "tumble/record/chatter.hpp"
-
-#include <memory>
-#include <vector>
+#include "tumble/record/overlap.hpp"
 
 namespace tumble {
 
@@ -35,9 +32,6 @@ struct Metrics {
 /// do not count.
 class MetricsMeter {
  public:
-  /// Makes the storage.
-  MetricsMeter();
-
   /// Begins with the world at the start.
   /// \param world the bodies at time 0
   /// \return the numbers at the start
@@ -54,14 +48,9 @@ class MetricsMeter {
   Metrics measure(const World& world, const StepReport& report);
 
  private:
-  // Deepest overlap of all pairs; marks the bodies that touch another one in in_contact_.
-  double look_for_contacts(const World& world);
   Metrics measure_now(const World& world);
 
-  std::unique_ptr<BroadPhase> broad_phase_;
-  std::vector<Bounds> bounds_;
-  std::vector<IndexPair> pairs_;
-  std::vector<char> in_contact_;
+  OverlapMeter overlap_;
   ChatterMeter chatter_;
   BookedEnergy booked_;
   double start_energy_ = 0.0;

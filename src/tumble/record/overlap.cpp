@@ -1,0 +1,43 @@
+/// \file
+/// \brief Distances of all pairs that are near.
+#include "tumble/record/overlap.hpp"
+
+#include "tumble/base/tolerance.hpp"
+#include "tumble/dynamics/flight.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble {
+
+double touching_distance(const BodyProperties& a, const BodyProperties& b) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const BodyProperties* body : {&a, &b})
+    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
+  return tolerance::touching * edge;
+}
+
+OverlapMeter::OverlapMeter() : broad_phase_(make_broad_phase("bounding_tree")) {}
+
+double OverlapMeter::look(std::span<const BodyProperties> bodies,
+                          std::span<const BodyState> states) {
+  bounds_.resize(bodies.size());
+  in_contact_.assign(bodies.size(), 0);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bounds_[i] = bounds_of(bodies[i], states[i], tolerance::touching * bodies[i].size.minCoeff());
+  broad_phase_->find_pairs(bounds_, pairs_);
+  double deepest = 0.0;
+  for (const IndexPair& pair : pairs_) {
+    const auto a = static_cast<std::size_t>(pair.first);
+    const auto b = static_cast<std::size_t>(pair.second);
+    if (!bodies[a].movable() && !bodies[b].movable()) continue;
+    const double distance = gap_between(bodies[a], states[a], bodies[b], states[b]).distance;
+    if (distance > touching_distance(bodies[a], bodies[b])) continue;
+    in_contact_[a] = 1;
+    in_contact_[b] = 1;
+    deepest = std::max(deepest, -distance);
+  }
+  return deepest;
+}
+
+}  // namespace tumble

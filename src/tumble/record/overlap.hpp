@@ -1,0 +1,45 @@
+/// \file
+/// \brief Who touches whom, and how deep bodies are in each other, from poses alone.
+#pragma once
+
+#include "tumble/dynamics/body.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// Up to which distance two surfaces count as touching: tolerance::touching of the shortest edge of the
+/// two. The ground has no size of its own.
+/// \param a  the one
+/// \param b  the other, not the ground as well
+/// \return [m]
+double touching_distance(const BodyProperties& a, const BodyProperties& b);
+
+/// Looks at poses, whoever made them.
+class OverlapMeter {
+ public:
+  /// Makes the storage.
+  OverlapMeter();
+
+  /// Looks at all pairs of which one can move: the least translation over the 15 axes that parts two
+  /// boxes, and the depth of the lowest corner under the ground.
+  /// \param bodies  the constant parts
+  /// \param states  their poses, finite, in the same order
+  /// \return [m] the deepest penetration; 0 if no pair overlaps
+  double look(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
+
+  /// Who touches another body.
+  /// \return by index as of the last look: 1 for those within touching_distance(), else 0
+  [[nodiscard]] std::span<const char> in_contact() const { return in_contact_; }
+
+ private:
+  std::unique_ptr<BroadPhase> broad_phase_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+  std::vector<char> in_contact_;
+};
+
+}  // namespace tumble
