@@ -1,0 +1,36 @@
+/// \file
+/// \brief The two ways in which techniques with contact put bodies where they are next (thesis 6.2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace tumble {
+
+/// How bodies that touch are moved, once their velocities are known.
+enum class PoseUpdate : std::uint8_t {
+  /// Each body's centre goes straight and the body turns about it, see advance_pose(). Bodies that
+  /// turn together about a point outside of them come apart by \f$\omega^2 h^2 s/2\f$ in a step.
+  separate,
+  /// Each body turns about the point that it stands on, by the exponential of its twist there, see
+  /// CarriedBodies.
+  exponential
+};
+
+/// Both, in the order of the enumeration.
+/// \return each once
+std::span<const PoseUpdate> pose_updates();
+
+/// The name that a user calls it by.
+/// \param update one of the two
+/// \return "separate" or "exponential"
+std::string_view name_of(PoseUpdate update);
+
+/// What a user means.
+/// \param name its name
+/// \return the update
+/// \throws std::invalid_argument for any other name, with the list of choices
+PoseUpdate pose_update_from(std::string_view name);
+
+}  // namespace tumble
