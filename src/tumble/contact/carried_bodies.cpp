@@ -9,6 +9,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tumble {
 namespace {
@@ -20,11 +21,6 @@ bool stays(const MovingBody& body) { return body.inverse_mass.isZero(0.0); }
 // How fast turning moves the ends of a body.
 double end_speed(const BodyProperties& body, const MovingBody& moving) {
   return stays(moving) ? 0.0 : 0.5 * body.size.norm() * moving.angular_velocity_w.norm();
-}
-
-// The acceleration of material at an arm from the centre, as seen from there.
-Vec3 pull(const Vec3& arm_w, const Vec3& spin_w, const Vec3& rate_w) {
-  return rate_w.cross(arm_w) + spin_w.cross(spin_w.cross(arm_w));
 }
 
 }  // namespace
@@ -46,6 +42,7 @@ std::optional<PushedPair> pushed_pair(const Contact& contact) {
 void CarriedBodies::clear() {
   nodes_.clear();
   node_of_.clear();
+  carried_.clear();
   groups_.clear();
   slides_.clear();
   placed_at_ = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +53,7 @@ void CarriedBodies::find(std::span<const BodyProperties> bodies, std::span<const
   require::that(moving.size() == bodies.size(), "moving: one entry for each body is needed");
   clear();
   rigid_at_ = rigid_at;
+  if (pairs.empty()) return;
   node_of_.assign(bodies.size(), -1);
   sort_pairs(bodies, moving, pairs);
 
@@ -85,8 +83,7 @@ void CarriedBodies::find(std::span<const BodyProperties> bodies, std::span<const
     const int node = node_of_[at(body)];
     if (nodes_[at(node)].group < 0) continue;  // it stands elsewhere
     groups_[at(nodes_[at(node)].group)].slides = true;
-    slides_.push_back(
-        {node, pairs[k].point_w - moving[at(body)].position_w, pairs[k].normal_w, Vec3::Zero()});
+    slides_.push_back({node, pairs[k].point_w - moving[at(body)].position_w, pairs[k].normal_w});
   }
   weigh_groups();
 }
@@ -110,7 +107,7 @@ void CarriedBodies::sort_pairs(std::span<const BodyProperties> bodies,
     const double ends = std::max(end_speed(bodies[at(pair.first)], first),
                                  end_speed(bodies[at(pair.second)], second));
     const double slip = relative_velocity(first, second, pair.point_w).norm();
-    if (slip <= tolerance::carried_slip * ends) {
+    if (slip <= tolerance::carried_slip * ends && pair.state != PushedState::slips) {
       sticks_[k] = 1;
       ++stuck_start_[at(pair.first)];
       ++stuck_start_[at(pair.second)];
@@ -145,6 +142,8 @@ void CarriedBodies::grow(std::span<const BodyProperties> bodies, std::span<const
       node.parent = node_of_[at(here)];
       node.arm_w = moving[at(other)].position_w - pair.point_w;
       node.joint_w = pair.point_w - moving[at(here)].position_w;
+      if (pair.state == PushedState::held)
+        node.slip_w = relative_velocity(moving[at(here)], moving[at(other)], pair.point_w);
       queue_.push_back(other);
     }
   }
@@ -153,6 +152,7 @@ void CarriedBodies::grow(std::span<const BodyProperties> bodies, std::span<const
 void CarriedBodies::add_node(const BodyProperties& body, const MovingBody& moving, int index,
                              int group) {
   node_of_[at(index)] = static_cast<int>(nodes_.size());
+  carried_.push_back(index);
   Node& node = nodes_.emplace_back();
   node.body = index;
   node.group = group;
@@ -161,20 +161,8 @@ void CarriedBodies::add_node(const BodyProperties& body, const MovingBody& movin
   node.spin_w = moving.angular_velocity_w;
 }
 
-void CarriedBodies::accelerate(std::span<const Acceleration> rates,
-                               std::span<const MovingBody> there, double time) {
+void CarriedBodies::accelerate(std::span<const Acceleration> rates) {
   for (Node& node : nodes_) node.rate = rates[at(node.body)];
-  // The bodies have turned by then, and so have arms and joints.
-  const auto pull_there = [&](const Node& node, const Vec3& arm_w) {
-    const Vec3 turn_w = time * node.spin_w + 0.5 * time * time * node.rate.angular_w;
-    return pull(rotation_from_vector(turn_w) * arm_w, there[at(node.body)].angular_velocity_w,
-                node.rate.angular_w);
-  };
-  for (Node& node : nodes_) {
-    node.arm_pull_w = pull_there(node, node.arm_w);
-    if (node.parent >= 0) node.joint_pull_w = pull_there(nodes_[at(node.parent)], node.joint_w);
-  }
-  for (Slide& slide : slides_) slide.pull_w = pull_there(nodes_[at(slide.node)], slide.joint_w);
   weigh_groups();
 }
 
@@ -184,6 +172,17 @@ void CarriedBodies::set_velocities(std::span<const MovingBody> moving) {
     node.spin_w = moving[at(node.body)].angular_velocity_w;
   }
   weigh_groups();
+}
+
+void CarriedBodies::set_velocity(int body, const MovingBody& moving) {
+  const std::size_t k = at(node_of_[at(body)]);
+  Node& node = nodes_[k];
+  node.velocity_w = moving.velocity_w;
+  if (std::isnan(placed_at_) || node.spin_w == moving.angular_velocity_w) return;
+  offsets_w_[k] -= bend(node, turns_[k], placed_at_, node.arm_w);
+  node.spin_w = moving.angular_velocity_w;
+  turns_[k] = turn_of(node, placed_at_);
+  offsets_w_[k] += bend(node, turns_[k], placed_at_, node.arm_w);
 }
 
 // Masses of groups, and how their centres move.
@@ -203,39 +202,42 @@ void CarriedBodies::weigh_groups() {
   }
 }
 
-// By how much the end of an arm leaves the way that its velocity, and acceleration, tell.
-Vec3 CarriedBodies::bend(const Node& node, const Turn& turn, double time, const Vec3& arm_w,
-                         const Vec3& pull_w) const {
+// By how much the end of an arm leaves the way that its velocity tells.
+Vec3 CarriedBodies::bend(const Node& node, const Turn& turn, double time, const Vec3& arm_w) const {
   const Vec3 across_w = turn.vector_w.cross(arm_w);
   const Vec3 inwards_w = turn.cosine * turn.vector_w.cross(across_w);
-  if (rigid_at_ == RigidAt::end) {
-    const Vec3 moved_w = turn.sine * across_w + inwards_w;  // Q - 1, applied to the arm
-    return (turn.sine - 1.0) * across_w + inwards_w - time * node.spin_w.cross(moved_w);
-  }
-  const Vec3 rate_w = 0.5 * time * time * (node.rate.angular_w.cross(arm_w) - pull_w);
-  return (turn.sine - 1.0) * across_w + inwards_w + rate_w;
+  const Vec3 arc_w = (turn.sine - 1.0) * across_w + inwards_w;
+  if (rigid_at_ == RigidAt::start)
+    return arc_w + 0.5 * time * time * node.rate.angular_w.cross(arm_w);
+  return arc_w - time * node.spin_w.cross(turn.sine * across_w + inwards_w);
+}
+
+CarriedBodies::Turn CarriedBodies::turn_of(const Node& node, double time) {
+  Turn turn;
+  turn.vector_w = time * node.spin_w + 0.5 * time * time * node.rate.angular_w;
+  const double angle = turn.vector_w.norm();
+  const double half = elementary::sinc(0.5 * angle);
+  turn.sine = elementary::sinc(angle);
+  turn.cosine = 0.5 * half * half;
+  return turn;
 }
 
 // [S6.2:moving]
 // Where everybody is at a time: parents first, then groups as wholes.
 void CarriedBodies::place(double time) const {
   if (placed_at_ == time) return;
+  const double half_square = 0.5 * time * time;
   placed_ = groups_;
+  for (Group& group : placed_) group.shift_w = half_square * group.acceleration_w;
   turns_.resize(nodes_.size());
   offsets_w_.resize(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Node& node = nodes_[k];
-    Turn& turn = turns_[k];
-    turn.vector_w = time * node.spin_w + 0.5 * time * time * node.rate.angular_w;
-    const double angle = turn.vector_w.norm();
-    const double half = elementary::sinc(0.5 * angle);
-    turn.sine = elementary::sinc(angle);
-    turn.cosine = 0.5 * half * half;
-    offsets_w_[k] = bend(node, turn, time, node.arm_w, node.arm_pull_w);
+    turns_[k] = turn_of(node, time);
+    offsets_w_[k] = bend(node, turns_[k], time, node.arm_w) - time * node.slip_w;
     if (node.parent >= 0) {
       const std::size_t p = at(node.parent);
-      offsets_w_[k] +=
-          offsets_w_[p] + bend(nodes_[p], turns_[p], time, node.joint_w, node.joint_pull_w);
+      offsets_w_[k] += offsets_w_[p] + bend(nodes_[p], turns_[p], time, node.joint_w);
     }
     if (node.group >= 0)
       placed_[at(node.group)].shift_w -= node.mass / placed_[at(node.group)].mass * offsets_w_[k];
@@ -243,12 +245,13 @@ void CarriedBodies::place(double time) const {
   for (const Slide& slide : slides_) {
     const std::size_t k = at(slide.node);
     Vec3& shift_w = placed_[at(nodes_[k].group)].shift_w;
-    const Vec3 off_w =
-        offsets_w_[k] + shift_w + bend(nodes_[k], turns_[k], time, slide.joint_w, slide.pull_w);
+    const Vec3 off_w = offsets_w_[k] + shift_w + bend(nodes_[k], turns_[k], time, slide.joint_w);
     shift_w -= slide.normal_w.dot(off_w) * slide.normal_w;
   }
-  for (std::size_t k = 0; k < nodes_.size(); ++k)
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].group >= 0) offsets_w_[k] += placed_[at(nodes_[k].group)].shift_w;
+    offsets_w_[k] -= half_square * nodes_[k].rate.linear_w;
+  }
   placed_at_ = time;
 }
 // [S6.2:moving]
@@ -270,6 +273,19 @@ void CarriedBodies::carry(int body, double time, BodyState& state) const {
   const Group& group = groups_[at(node.group)];
   const Vec3 common_w = group.velocity_w + time * group.acceleration_w;
   state.angular_momentum_w -= offsets_w_[k].cross(state.linear_momentum_w - node.mass * common_w);
+}
+
+double CarriedBodies::move(int body, double time, World& world) const {
+  const BodyProperties& constant = world.bodies()[at(body)];
+  BodyState& state = world.states()[at(body)];
+  state.position_w += time * (constant.inverse_mass * state.linear_momentum_w);
+  const Vec3 straight_w = state.position_w;
+  const Vec3 spin_w = state.angular_momentum_w;
+  carry(body, time, state);
+  const Vec3 more_w = state.angular_momentum_w - spin_w;
+  const double turning =
+      0.5 * more_w.dot(inverse_inertia_w(constant, state.orientation_wb) * (2.0 * spin_w + more_w));
+  return turning - constant.mass * world.gravity_w.dot(state.position_w - straight_w);
 }
 
 }  // namespace tumble

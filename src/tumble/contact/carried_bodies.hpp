@@ -15,12 +15,20 @@
 
 namespace tumble {
 
+/// What is known about the motion of two bodies that push each other, besides their velocities.
+enum class PushedState : std::uint8_t {
+  unknown,  ///< nothing
+  held,     ///< forces hold them together: what velocity is left is an error, and no motion
+  slips     ///< friction gives way, or will: they do not stick, however slow they are
+};
+
 /// Two bodies that push each other.
 struct PushedPair {
   int first = 0;                  ///< index of a body
   int second = 0;                 ///< index of another one
   Vec3 point_w = Vec3::Zero();    ///< [m] where: the mean of the points, by normal impulse
   Vec3 normal_w = Vec3::UnitY();  ///< [-] world frame, length 1
+  PushedState state = PushedState::unknown;  ///< what its impulses tell
 };
 
 /// What a contact says about who pushes whom.
@@ -48,7 +56,8 @@ enum class RigidAt : std::uint8_t {
 /// \f$v_b(p) = v_b + \omega_b\times(p - x_b)\f$ at any time t of the move
 /// \f[ p(t) = a\text{'s motion applied to } p + t\,(v_b(p) - v_a(p)), \qquad
 ///     x_b(t) = p(t) + Q_b(t)\,(x_b - p), \qquad q_b(t) = Q_b(t)\,q_b. \f]
-/// An immovable parent has no motion, and the difference of velocities is what the solver has left. With
+/// An immovable parent has no motion. The difference of velocities is what the solver has left, a gap
+/// that closes or a slow slide; for PushedState::held it is left out. With
 /// \f$A_b(t) = Q_b(t) - 1 - t[\omega_b]_\times\f$, by which an arc leaves its tangent, this is
 /// the straight way and an *offset*,
 /// \f[ x_b(t) = x_b + t\,v_b + e_b, \qquad e_b = e_a + A_a\,(p - x_a) + A_b\,(x_b - p), \f]
@@ -60,8 +69,9 @@ enum class RigidAt : std::uint8_t {
 /// material point does not leave the plane that it moves in. A body by itself that does neither is not
 /// carried.
 ///
-/// **Forces known as well.** With accelerations a and α (accelerate()) the straight way is a parabola,
-/// \f$Q = \exp[t\omega + \tfrac12 t^2\alpha]_\times\f$, and A lacks the terms of order t² too.
+/// **Forces known as well.** With accelerations a and α (accelerate()) the way by itself is a parabola,
+/// \f$Q = \exp[t\omega + \tfrac12 t^2\alpha]_\times\f$, and the offset is less by \f$\tfrac12 t^2 a_b\f$: what
+/// sticks has no acceleration at its pivot, so the circle has a in it.
 ///
 /// **Velocities that agree at the end** of the move (RigidAt::end): the same with
 /// \f$A = Q - 1 - t[\omega]_\times Q\f$, which takes v(p) at the point's place in the end.
@@ -99,14 +109,20 @@ class CarriedBodies {
 
   /// Says how motion changes; after find() with RigidAt::start.
   /// \param rates  accelerations by body index, for all of the move
-  /// \param there  how bodies move where these were found
-  /// \param time   [s] of the move at which that is
-  void accelerate(std::span<const Acceleration> rates, std::span<const MovingBody> there,
-                  double time);
+  void accelerate(std::span<const Acceleration> rates);
 
   /// Gives carried bodies other velocities; who is carried and by whom stays.
   /// \param moving  by body index; velocities are read
   void set_velocities(std::span<const MovingBody> moving);
+
+  /// Gives one body other velocities. Those that it carries follow at the next set_velocities().
+  /// \param body    its index, one that is carried
+  /// \param moving  velocities are read
+  void set_velocity(int body, const MovingBody& moving);
+
+  /// Who is carried.
+  /// \return body indices, whoever carries before those that he carries
+  [[nodiscard]] std::span<const int> bodies() const { return carried_; }
 
   /// Carries nobody.
   void clear();
@@ -134,6 +150,13 @@ class CarriedBodies {
   /// \throws std::invalid_argument if the spin is not finite
   void carry(int body, double time, BodyState& state) const;
 
+  /// Moves a body: straight with its momentum, and carried.
+  /// \param body   its index, one that is carried
+  /// \param time   [s] of the move
+  /// \param world  its state is that of the start; in and out
+  /// \return [J] energy that it has got by not going straight
+  double move(int body, double time, World& world) const;
+
  private:
   struct Node {
     int body = 0;
@@ -142,11 +165,10 @@ class CarriedBodies {
     double mass = 0.0;
     Vec3 arm_w = Vec3::Zero();    // [m] from the pivot to its centre
     Vec3 joint_w = Vec3::Zero();  // [m] from the parent's centre to the pivot
+    Vec3 slip_w = Vec3::Zero();   // [m/s] at the pivot, left out
     Vec3 velocity_w = Vec3::Zero();
     Vec3 spin_w = Vec3::Zero();
     Acceleration rate;
-    Vec3 arm_pull_w = Vec3::Zero();    // [m/s²] what A lacks besides, for the arm
-    Vec3 joint_pull_w = Vec3::Zero();  // ditto, for the joint, as the parent turns
   };
   struct Group {
     double mass = 0.0;
@@ -159,7 +181,6 @@ class CarriedBodies {
     int node = 0;
     Vec3 joint_w = Vec3::Zero();  // [m] from the body's centre to the point
     Vec3 normal_w = Vec3::UnitY();
-    Vec3 pull_w = Vec3::Zero();
   };
   // How far a node has turned at the time looked at.
   struct Turn {
@@ -175,12 +196,13 @@ class CarriedBodies {
   void add_node(const BodyProperties& body, const MovingBody& moving, int index, int group);
   void weigh_groups();
   void place(double time) const;
-  [[nodiscard]] Vec3 bend(const Node& node, const Turn& turn, double time, const Vec3& arm_w,
-                          const Vec3& pull_w) const;
+  [[nodiscard]] static Turn turn_of(const Node& node, double time);
+  [[nodiscard]] Vec3 bend(const Node& node, const Turn& turn, double time, const Vec3& arm_w) const;
 
   RigidAt rigid_at_ = RigidAt::start;
   std::vector<Node> nodes_;   // parents first
   std::vector<int> node_of_;  // by body index; -1: not carried
+  std::vector<int> carried_;  // the nodes' bodies
   std::vector<Group> groups_;
   std::vector<Slide> slides_;
   // Storage of find().
