@@ -72,6 +72,9 @@ Parameters analytic_options() {
   p.add_number("damping_spin", standard.damping.spin, 0.0, 1.0, "-",
                "friction=damping: what 1/60 s leaves of angular velocities (k2)");
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn in flight");
+  p.add_word("pose", {"separate", "exponential"},
+             "how bodies that push each other are moved: each by itself, or about the point it "
+             "stands on (thesis 6.2)");
   return p;
 }
 
@@ -91,6 +94,7 @@ std::unique_ptr<Technique> make_analytic(const Parameters& p, std::uint64_t) {
   options.event_cap = p.count("event_cap");
   options.damping = {p.number("damping_velocity"), p.number("damping_spin")};
   options.rotation = rotation_rule_from(p.word("rotation"));
+  options.pose = pose_update_from(p.word("pose"));
   return std::make_unique<Analytic>(options);
 }
 
@@ -102,6 +106,9 @@ Parameters time_stepping_options() {
   p.add_word("sticky", {"speed", "step_size", "off"},
              "how a collision is told to be too slow to bounce (thesis 4.3)");
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
+  p.add_word("pose", {"separate", "exponential"},
+             "how bodies that push each other are moved: each by itself, or about the point it "
+             "stands on (thesis 6.2)");
   return p;
 }
 
@@ -115,6 +122,7 @@ std::unique_ptr<Technique> make_time_stepping(const Parameters& p, std::uint64_t
                                    : sticky == "step_size" ? StickyRule::step_size
                                                            : StickyRule::off;
   options.rotation = rotation_rule_from(p.word("rotation"));
+  options.pose = pose_update_from(p.word("pose"));
   return std::make_unique<TimeStepping>(options);
 }
 

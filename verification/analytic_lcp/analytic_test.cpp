@@ -9,6 +9,7 @@
 
 #include "analytic_lcp/instant.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <cmath>
 
@@ -110,12 +111,13 @@ AnalyticOptions sticks_below(double speed) {
 
 TEST_CASE("A box dropped from 1 m sticks at its 7th impact with e = 0.5, at its 37th with 0.9",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   for (const auto& [e, impacts] : {std::pair(0.5, 7), std::pair(0.9, 37)}) {
     World world;
     world.add_ground(0.5, e);
     const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, e);
     world.add(cube, make_state(cube, Vec3(0.0, 1.5, 0.0)));
-    Analytic analytic(sticks_below(0.1));
+    Analytic analytic(posed(sticks_below(0.1)));
     Collector seen;
     analytic.observe(&seen);
     const Course course = run(analytic, world, 9.0);
@@ -140,8 +142,9 @@ TEST_CASE("A box dropped from 1 m sticks at its 7th impact with e = 0.5, at its 
 }
 
 TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world = tower(10);
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const Course course = run(analytic, world, 2.0);
   const double drift = drift_of_tower(world);
   CHECK(drift < 1e-8);                         // [m] measured 2.3e-10
@@ -152,8 +155,9 @@ TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic][anal
 }
 
 TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world = tower(10);
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const Course course = run(analytic, world, 60.0);
   const double drift = drift_of_tower(world);
   CHECK(drift < 1e-5);                         // [m] measured 6.8e-7
@@ -164,11 +168,12 @@ TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic][
 }
 
 TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.add_ground(0.3);
   const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
   world.add(box, make_state(box, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const Course course = run(analytic, world, 2.0);
   // v0²/(2 mu g), exact in each flight, and a flight ends where the box does; measured 3e-13.
   CHECK(world.states()[1].position_w.x() == near(9.0 / (0.6 * kG)).margin(1e-11));
@@ -179,14 +184,15 @@ TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic][ana
 
 TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0.6",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   const double angle = std::asin(0.5);
-  Analytic slides;
+  Analytic slides(posed<AnalyticOptions>());
   World slippery = slope(angle, 0.3, 0.0);
   run(slides, slippery, 1.0);
   const double a = kG * (0.5 - 0.3 * std::sqrt(0.75));
   CHECK(way_down(slippery, angle) == near(0.5 * a).margin(1e-10));  // [m] measured 2e-12
 
-  Analytic sticks;
+  Analytic sticks(posed<AnalyticOptions>());
   World rough = slope(angle, 0.6, 0.0);
   run(sticks, rough, 5.0);
   CHECK(std::abs(way_down(rough, angle)) < 1e-13);                       // [m] rounding: no creep
@@ -195,9 +201,10 @@ TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0
 
 TEST_CASE("A box thrown up a slope turns round where it should",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   const double angle = std::asin(0.5);
   World world = slope(angle, 0.3, -3.0);
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   run(analytic, world, 1.0);
   const double up = kG * (0.5 + 0.3 * std::sqrt(0.75));
   const double down = kG * (0.5 - 0.3 * std::sqrt(0.75));
@@ -207,6 +214,7 @@ TEST_CASE("A box thrown up a slope turns round where it should",
 
 TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   for (const auto& [degrees, tips] : {std::pair(26.0, false), std::pair(27.2, true)}) {
     World world;
     const double angle = degrees * std::acos(-1.0) / 180.0;
@@ -215,7 +223,7 @@ TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below",
     const BodyProperties box = box_properties(Vec3(1.0, 2.0, 1.0), 1.0, 1.0);
     world.add(plane, make_state(plane, q * Vec3(0.0, -0.5, 0.0), q));
     world.add(box, make_state(box, q * Vec3(0.0, 1.0, 0.0), q));
-    Analytic analytic;
+    Analytic analytic(posed<AnalyticOptions>());
     run(analytic, world, 1.0);
     const double turned = world.states()[1].orientation_wb.angularDistance(q);
     CAPTURE(degrees, turned);
@@ -226,8 +234,9 @@ TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below",
 
 TEST_CASE("A rocking block comes down after a quarter period, and loses Housner's share",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world = rocking(0.4, 2.0, 0.5 * std::atan(0.2));
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   Collector seen;
   analytic.observe(&seen);
   const double dt = kDt / 4.0;
@@ -249,6 +258,7 @@ TEST_CASE("A rocking block comes down after a quarter period, and loses Housner'
 
 TEST_CASE("A box bounces, sticks, rests, slides and topples in one run",
           "[unit][analytic][analytic_lcp]") {
+  BOTH_POSES;
   // Dropped with restitution onto a slope that is steep enough to slide on, over its end onto the
   // ground.
   World world;
@@ -259,7 +269,7 @@ TEST_CASE("A box bounces, sticks, rests, slides and topples in one run",
   const BodyProperties box = box_properties(Vec3(0.5, 0.8, 0.5), 2.0, 0.4, 0.3);
   world.add(plane, make_state(plane, Vec3(0.0, 2.0, 0.0), q));
   world.add(box, make_state(box, Vec3(-0.5, 3.6, 0.0), q));
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const Course course = run(analytic, world, 6.0);
   CHECK(course.total.status == StepStatus::done);
   CHECK(course.total.events > 3);
@@ -274,6 +284,7 @@ TEST_CASE("A box bounces, sticks, rests, slides and topples in one run",
 
 TEST_CASE("Painleve's rod takes a velocity step, which is counted",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.add_ground(1.5);
   const BodyProperties rod = box_properties(Vec3(2.0, 0.02, 0.5), 1.0, 1.5);
@@ -281,7 +292,7 @@ TEST_CASE("Painleve's rod takes a velocity step, which is counted",
   const Quat q = about(Vec3::UnitZ(), angle);
   const double height = std::sqrt(0.75) + 0.01 * 0.5;
   world.add(rod, make_state(rod, Vec3(0.0, height, 0.0), q, Vec3(-1.0, 0.0, 0.0)));
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const StepReport report = analytic.step(world, kDt);
   CHECK(report.status == StepStatus::done);
   CHECK(report.fallbacks >= 1);
@@ -294,18 +305,19 @@ TEST_CASE("Painleve's rod takes a velocity step, which is counted",
   BodyProperties slick = rod;
   slick.friction = 1.0;
   smooth.add(slick, make_state(slick, Vec3(0.0, height, 0.0), q, Vec3(-1.0, 0.0, 0.0)));
-  Analytic other;
+  Analytic other(posed<AnalyticOptions>());
   CHECK(other.step(smooth, kDt).fallbacks == 0);
 }
 
 TEST_CASE("A run of the analytic technique is the same to the bit, and a clone goes on equally",
           "[determinism][analytic][analytic_lcp]") {
+  BOTH_POSES;
   const SceneRecipe& recipe = scene_recipe("crate_off_table");
   const World start = build_world(recipe.build(recipe.parameters(), Random(1)));
   World one = start;
   World two = start;
-  Analytic first;
-  Analytic second;
+  Analytic first(posed<AnalyticOptions>());
+  Analytic second(posed<AnalyticOptions>());
   run(first, one, 0.7);
   run(second, two, 0.7);
   CHECK(one.hash().text() == two.hash().text());
@@ -320,12 +332,13 @@ TEST_CASE("A run of the analytic technique is the same to the bit, and a clone g
 
 TEST_CASE("Small built-in scenes run a second with the analytic technique",
           "[unit][analytic][analytic_lcp]") {
+  BOTH_POSES;
   for (const char* name : {"box_drop", "bouncing_box", "tumbling_box", "two_boxes",
                            "crate_off_table", "cradle", "stack", "dice"}) {
     CAPTURE(name);
     const SceneRecipe& recipe = scene_recipe(name);
     World world = build_world(recipe.build(recipe.parameters(), Random(1)));
-    Analytic analytic;
+    Analytic analytic(posed<AnalyticOptions>());
     const Course course = run(analytic, world, 1.0);
     CHECK(course.total.status == StepStatus::done);
     CHECK(course.total.energy.friction < 1e-6);  // [J] friction only takes
@@ -336,13 +349,14 @@ TEST_CASE("Small built-in scenes run a second with the analytic technique",
 
 TEST_CASE("Damping keeps what rests on the other, and brakes what slides",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.add_ground(0.3);
   const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
   world.add(box, make_state(box, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
   AnalyticOptions options;
   options.friction = AnalyticFriction::damping;
-  Analytic analytic(options);
+  Analytic analytic(posed(options));
   const Course course = run(analytic, world, 1.0);
   double v = 3.0;
   for (int k = 0; k < 60; ++k) v *= 0.95;
@@ -354,13 +368,14 @@ TEST_CASE("Damping keeps what rests on the other, and brakes what slides",
   World finer;
   finer.add_ground(0.3);
   finer.add(box, make_state(box, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
-  Analytic again(options);
+  Analytic again(posed(options));
   run(again, finer, 1.0, kDt / 2.0);
   CHECK(velocity(box, finer.states()[1]).x() == near(v).margin(1e-12));
 }
 
 TEST_CASE("A box that an impact sets going meets the next one in the same step",
           "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   // Three small cubes in a row without gravity: the first hits the second, and that the third, which
   // was too far away from everybody before.
   World world;
@@ -368,7 +383,7 @@ TEST_CASE("A box that an impact sets going meets the next one in the same step",
   const BodyProperties cube = box_properties(Vec3::Constant(0.1), 1.0, 0.0, 1.0);
   for (const auto& [x, speed] : {std::pair(0.0, 10.0), std::pair(0.11, 0.0), std::pair(0.33, 0.0)})
     world.add(cube, make_state(cube, Vec3(x, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   const StepReport report = analytic.step(world, kDt);
   CHECK(report.events == 2);
   // It has flown what is left of the step with all of the speed; times are found to a microsecond.
@@ -376,8 +391,9 @@ TEST_CASE("A box that an impact sets going meets the next one in the same step",
 }
 
 TEST_CASE("Contact forces of a box at rest carry its weight", "[exact][analytic][analytic_lcp]") {
+  BOTH_POSES;
   World world = tower(1);
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   analytic.step(world, kDt);
   Vec3 sum = Vec3::Zero();
   for (const ContactRecord& record : analytic.contacts()) {
@@ -397,7 +413,7 @@ TEST_CASE(
   World world = tower(10);
   AnalyticOptions options;
   options.solver = "baraff_as_printed";
-  Analytic analytic(options);
+  Analytic analytic(posed(options));
   CHECK(analytic.unsolved_problem() == nullptr);
   StepReport report;
   while (report.status == StepStatus::done && world.time() < 2.0)
@@ -440,7 +456,7 @@ TEST_CASE("The analytic technique refuses options and steps that make no sense",
   options.damping.velocity = 1.5;
   CHECK_THROWS_AS(Analytic(options), std::invalid_argument);
   World world = tower(1);
-  Analytic analytic;
+  Analytic analytic(posed<AnalyticOptions>());
   CHECK_THROWS_AS(analytic.step(world, 0.0), std::invalid_argument);
   CHECK_THROWS_AS(analytic.step(world, std::nan("")), std::invalid_argument);
 }

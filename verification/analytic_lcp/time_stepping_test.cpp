@@ -7,6 +7,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr double kPi = std::numbers::pi;
@@ -92,9 +94,10 @@ World pyramid_of(int rows, double friction = 0.5) {
 
 TEST_CASE("A box that slides stops after 62 steps and 1.5041075 m",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   for (const int directions : {4, 8}) {
     World world = tilted_plane(0.0, 0.3, 3.0);
-    TimeStepping technique(with_directions(directions));
+    TimeStepping technique(posed(with_directions(directions)));
     CHECK(run(world, technique, 61) == 0);
     CHECK(speed_x(world) > 0.001);  // 3 - 61 mu g h = 0.00795 m/s
     CHECK(run(world, technique, 1) == 0);
@@ -108,12 +111,13 @@ TEST_CASE("A box that slides stops after 62 steps and 1.5041075 m",
 
 TEST_CASE("A box slides down an incline as the semi-implicit rule says",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   struct Case {
     double degrees, friction, acceleration;
   };
   for (const Case& c : {Case{30.0, 0.3, 2.35628723666}, Case{20.0, 0.3, 0.589702223}}) {
     World world = tilted_plane(c.degrees, c.friction, 0.0);
-    TimeStepping technique;
+    TimeStepping technique(posed<TimeSteppingOptions>());
     CHECK(run(world, technique, 60) == 0);
     // v = a t and x = a h² N(N+1)/2: 1.19777934517 m at 30 degrees. The accelerations are given
     // to 1e-9 m/s².
@@ -124,18 +128,19 @@ TEST_CASE("A box slides down an incline as the semi-implicit rule says",
 
 TEST_CASE("A box goes up an incline, and slides back or stays",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   // 30 degrees, mu = 0.3: up at 3 m/s it stops after 0.4025 s and 0.6037 m, then goes down with
   // 2.3563 m/s². 15 degrees: it stops after 0.5574 s and 0.8362 m and stays. A step is off by at most
   // half a step at 3 m/s.
   World steep = tilted_plane(30.0, 0.3, -3.0);
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   CHECK(run(steep, technique, 24) == 0);
   CHECK(std::abs(-place_x(steep) - 0.603725974273) < 0.5 * kStep * 3.0);
   const double top = place_x(steep);
   CHECK(run(steep, technique, 60) == 0);
   CHECK(place_x(steep) > top + 1.0);
   World gentle = tilted_plane(15.0, 0.3, -3.0);
-  TimeStepping other;
+  TimeStepping other(posed<TimeSteppingOptions>());
   CHECK(run(gentle, other, 34) == 0);
   const double stop = place_x(gentle);
   CHECK(std::abs(-stop - 0.836161644021) < 0.5 * kStep * 3.0);
@@ -145,9 +150,10 @@ TEST_CASE("A box goes up an incline, and slides back or stays",
 
 TEST_CASE("A box on an incline below the angle of friction does not creep",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   for (const int directions : {4, 8}) {
     World world = tilted_plane(30.0, 0.6, 0.0);
-    TimeStepping technique(with_directions(directions));
+    TimeStepping technique(posed(with_directions(directions)));
     double worst = 0.0;
     for (int k = 0; k < 600; ++k) {
       technique.step(world, kStep);
@@ -160,6 +166,7 @@ TEST_CASE("A box on an incline below the angle of friction does not creep",
 
 TEST_CASE("A slider in any direction is slowed by at least the pyramid's weakest friction",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   for (const int directions : {4, 8}) {
     double weakest = 2.0;
     double strongest = 0.0;
@@ -169,7 +176,7 @@ TEST_CASE("A slider in any direction is slowed by at least the pyramid's weakest
       const Vec3 heading(std::cos(k * kPi / 12.0), 0.0, std::sin(k * kPi / 12.0));
       const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
       world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), 3.0 * heading));
-      TimeStepping technique(with_directions(directions));
+      TimeStepping technique(posed(with_directions(directions)));
       REQUIRE(run(world, technique, 1) == 0);
       const double lost = 3.0 - heading.dot(velocity(world.bodies()[1], world.states()[1]));
       const double strength = lost / (0.3 * kG * kStep);
@@ -187,9 +194,10 @@ TEST_CASE("A slider in any direction is slowed by at least the pyramid's weakest
 // --- rest ---------------------------------------------------------------------------------------
 
 TEST_CASE("A stack of ten and a small pyramid stand", "[unit][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   for (World world : {stack_of(10), pyramid_of(4)}) {
     const World start = world;
-    TimeStepping technique;
+    TimeStepping technique(posed<TimeSteppingOptions>());
     double worst = 0.0;
     double booked = 0.0;
     for (int k = 0; k < 300; ++k) {
@@ -208,8 +216,9 @@ TEST_CASE("A stack of ten and a small pyramid stand", "[unit][time_stepping][ana
 }
 
 TEST_CASE("Contacts at rest carry the weight above them", "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world = stack_of(5);
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   technique.step(world, kStep);
   std::array<double, 6> carried{};
   for (const ContactRecord& record : technique.contacts())
@@ -222,10 +231,11 @@ TEST_CASE("Contacts at rest carry the weight above them", "[exact][time_stepping
 
 TEST_CASE("A falling box closes its gap exactly and then rests",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.add_ground();
   add_cube(world, Vec3(0.0, 1.5, 0.0));
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   double lowest = 1.0;
   for (int k = 0; k < 120; ++k) {
     technique.step(world, kStep);
@@ -236,6 +246,7 @@ TEST_CASE("A falling box closes its gap exactly and then rests",
 }
 
 TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.gravity_w.setZero();
   const BodyProperties wall = fixed_box_properties(Vec3(0.01, 2.0, 2.0));
@@ -245,7 +256,7 @@ TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping][analytic_
     World shot = world;
     shot.add(bullet,
              make_state(bullet, Vec3(-5.0, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-    TimeStepping technique;
+    TimeStepping technique(posed<TimeSteppingOptions>());
     CHECK(run(shot, technique, 60) == 0);
     CHECK(shot.states()[1].position_w.x() == Approx(-0.055));  // [m] at the wall
   }
@@ -253,12 +264,13 @@ TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping][analytic_
 
 TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stopped",
           "[unit][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.add_ground();
   add_cube(world, Vec3(0.0, 0.55, 0.0), Vec3(0.0, -6.0, 0.0));
   TimeSteppingOptions options;
   options.velocities.form = SteppingForm::anitescu_potra;
-  TimeStepping technique(options);
+  TimeStepping technique(posed(options));
   const StepReport report = technique.step(world, kStep);
   // h (6 + g h) - 0.05 m, and then it is moved out again.
   CHECK(report.deepest_overlap == Approx((6.0 + kG * kStep) * kStep - 0.05));
@@ -269,11 +281,12 @@ TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stoppe
 
 TEST_CASE("A box bounces with Newton's restitution and comes to rest",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   for (const double e : {0.5, 1.0}) {
     World world;
     world.add_ground(0.5, e);
     add_cube(world, Vec3(0.0, 1.5, 0.0), Vec3::Zero(), 0.5, e);
-    TimeStepping technique;
+    TimeStepping technique(posed<TimeSteppingOptions>());
     double before = 0.0;
     for (int k = 0; k < 60; ++k) {
       technique.step(world, kStep);
@@ -291,11 +304,12 @@ TEST_CASE("A box bounces with Newton's restitution and comes to rest",
 
 TEST_CASE("Two cubes that collide keep their momentum and part with Newton's speed",
           "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world;
   world.gravity_w.setZero();
   add_cube(world, Vec3(-1.0, 0.0, 0.0), Vec3(2.0, 0.0, 0.0), 0.0, 0.5);
   add_cube(world, Vec3(0.02, 0.0, 0.0), Vec3::Zero(), 0.0, 0.5);
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   const StepReport report = technique.step(world, kStep);
   const double first = velocity(world.bodies()[0], world.states()[0]).x();
   const double second = velocity(world.bodies()[1], world.states()[1]).x();
@@ -307,12 +321,13 @@ TEST_CASE("Two cubes that collide keep their momentum and part with Newton's spe
 }
 
 TEST_CASE("What a step books is what the energy does", "[exact][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   // Beside it there is only the error of the semi-implicit rule: gravity's impulse m g h acts at v+ in
   // the positions and at (v- + v+)/2 in the velocities.
   World world;
   world.add_ground();
   add_cube(world, Vec3(0.0, 0.8, 0.0), Vec3(2.0, -3.0, 0.0));
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   double worst = 0.0;
   for (int k = 0; k < 60; ++k) {
     const Energy before = energy_of(world);
@@ -346,9 +361,9 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
     image.add(world.bodies()[k], state);
     other_order.add(world.bodies()[count - k], world.states()[count - k]);
   }
-  TimeStepping first;
-  TimeStepping second;
-  TimeStepping third;
+  TimeStepping first(posed<TimeSteppingOptions>());
+  TimeStepping second(posed<TimeSteppingOptions>());
+  TimeStepping third(posed<TimeSteppingOptions>());
   double worst = 0.0;
   for (int k = 0; k < 15; ++k) {
     first.step(world, kStep);
@@ -365,9 +380,10 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
 
 TEST_CASE("A copy of the technique goes on with the same bits",
           "[determinism][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   World world = pyramid_of(3);
   add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0));
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   run(world, technique, 8);
   World copy = world;
   const std::unique_ptr<Technique> clone = technique.clone();
@@ -381,17 +397,18 @@ TEST_CASE("Time stepping can be made by name", "[unit][time_stepping][analytic_l
   CHECK(recipe.name == "time_stepping");
   CHECK_THROWS_WITH(TimeStepping(with_directions(6)), Contains("directions = 6"));
   World world = stack_of(1);
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   CHECK_THROWS_WITH(technique.step(world, 0.0), Contains("dt"));
   CHECK(technique.unsolved_problem() == nullptr);
 }
 
 TEST_CASE("A warm time step at the level of velocities asks for no memory",
           "[unit][time_stepping][analytic_lcp]") {
+  BOTH_POSES;
   // A stack at rest: its problems keep their sizes. Where other points rub in each step they do not,
   // and matrices of another size need another place.
   World world = stack_of(3);
-  TimeStepping technique;
+  TimeStepping technique(posed<TimeSteppingOptions>());
   run(world, technique, 5);
   const AllocationCount count;
   run(world, technique, 5);

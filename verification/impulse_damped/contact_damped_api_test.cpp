@@ -5,6 +5,7 @@
 
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 namespace {
 
@@ -35,6 +36,7 @@ int sleepers(const World& world) {
 
 TEST_CASE("A box that is taken out from below lets those above fall, and nobody else move",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(4);
     const std::unique_ptr<Technique> technique = awake(kTechnique, {{"sleeping", sleeping}});
@@ -60,6 +62,7 @@ TEST_CASE("A box that is taken out from below lets those above fall, and nobody 
 
 TEST_CASE("A box that is put onto a stack between two steps stands on it",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(3);
     const std::unique_ptr<Technique> technique = awake(kTechnique, {{"sleeping", sleeping}});
@@ -75,6 +78,7 @@ TEST_CASE("A box that is put onto a stack between two steps stands on it",
 }
 
 TEST_CASE("A push between two steps is not forgotten", "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(1);
     const std::unique_ptr<Technique> technique = awake(kTechnique, {{"sleeping", sleeping}});
@@ -93,6 +97,7 @@ TEST_CASE("A push between two steps is not forgotten", "[unit][contact_damped][i
 
 TEST_CASE("A stack and a pyramid stand while the length of the step changes all the time",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const char* scene : {"stack", "pyramid"}) {
     World world = world_of(scene, {{std::string(scene) == "stack" ? "count" : "rows", "5"}});
     const World start = world;
@@ -110,6 +115,7 @@ TEST_CASE("A stack and a pyramid stand while the length of the step changes all 
 
 TEST_CASE("Without gravity boxes in contact stay, and one that is pushed goes on",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world;
   world.gravity_w = Vec3::Zero();
   const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
@@ -127,6 +133,7 @@ TEST_CASE("Without gravity boxes in contact stay, and one that is pushed goes on
 
 TEST_CASE("When gravity turns, boxes fall the other way and come to rest there",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world;
   const BodyProperties wall = fixed_box_properties(Vec3(1.0, 10.0, 10.0), 0.5);
   const BodyProperties floor = fixed_box_properties(Vec3(10.0, 1.0, 10.0), 0.5);
@@ -151,6 +158,7 @@ TEST_CASE("When gravity turns, boxes fall the other way and come to rest there",
 
 TEST_CASE("A frictionless box keeps its speed, one with friction ten stops within a step",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World smooth = world_of("slide", {{"friction", "0"}});
   const std::unique_ptr<Technique> technique = awake(kTechnique);
   run(smooth, *technique, 2.0);
@@ -167,6 +175,7 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
 
 TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World nothing;
   const std::unique_ptr<Technique> technique = awake(kTechnique);
   CHECK(technique->step(nothing, kFrame).status == StepStatus::done);
@@ -184,6 +193,7 @@ TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing",
 
 TEST_CASE("A box that is wedged between two walls too close for it comes to rest",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Walls that overlap it by 0.1 mm each: nobody can make room, and nothing may run away.
   World world;
   const BodyProperties wall = fixed_box_properties(Vec3(1.0, 4.0, 4.0), 0.5);
@@ -204,6 +214,7 @@ TEST_CASE("A box that is wedged between two walls too close for it comes to rest
 
 TEST_CASE("A cube with restitution a half rises to a quarter of its height, again and again",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world;
   world.add_ground(0.0, 0.5);
   const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
@@ -242,6 +253,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height, agai
 TEST_CASE(
     "A cube with restitution one that falls flat rises as high as it was, in steps of any length",
     "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const double height : {0.7, 1.0, 1.3, 2.0}) {
     for (const double dt : {kFrame, kFrame / 16.0}) {
       World world;
@@ -267,6 +279,7 @@ TEST_CASE(
 
 TEST_CASE("A stack falls asleep, wakes when it is touched, and a step of sleepers costs nothing",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = two_stacks(5);
   const std::unique_ptr<Technique> technique = awake(kTechnique, {{"sleeping", "on"}});
   run(world, *technique, 2.0);

@@ -4,6 +4,7 @@
 
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <numbers>
 
@@ -45,6 +46,7 @@ double threshold(double offset) {
 
 TEST_CASE("Figure 6.5 stands from a top block of two thirds, and of 70/93 if that is off by 0.2",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   const double centred = threshold(0.0);
   const double off = threshold(0.2);
   INFO("thresholds " << centred << " and " << off);
@@ -54,6 +56,7 @@ TEST_CASE("Figure 6.5 stands from a top block of two thirds, and of 70/93 if tha
 
 TEST_CASE("A loaded see-saw tips, one with equal loads stays",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   const auto tilt_after = [](const Settings& set, double seconds) {
     World world = world_of("seesaw", set);
     const std::unique_ptr<Technique> technique = awake(kTechnique);
@@ -77,6 +80,7 @@ TEST_CASE("A loaded see-saw tips, one with equal loads stays",
 
 TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Moments about the foot: the wall pushes with m g (cot/2 - t/(2L)), friction holds mu m g. For
   // mu = 0.3, 2 m and 0.02 m it is 58.62 degrees.
   const double limit = std::atan(1.0 / (2.0 * 0.3 + 0.01)) / kDegree;
@@ -101,6 +105,7 @@ TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on",
 
 TEST_CASE("Planks that lean on blocks, and a table on four legs, stay where they are",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   const std::pair<const char*, Settings> scenes[] = {
       {"leaning", {}}, {"leaning", {{"fixed", "on"}}}, {"table", {}}, {"table", {{"load", "50"}}}};
   for (const auto& [name, set] : scenes) {

@@ -5,6 +5,7 @@
 
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -24,6 +25,7 @@ World column(int boxes) {
 
 TEST_CASE("No friction is too large for a box, a lean or a see-saw",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const char* friction : {"3", "10"}) {
     for (const char* scene : {"leaning", "seesaw", "stack"}) {
       World world = world_of(scene, {{"friction", friction}});
@@ -54,6 +56,7 @@ TEST_CASE("A point without friction does not pull", "[exact][contact_damped][imp
 
 TEST_CASE("A copy of the technique tells the same contacts",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = column(2);
   const std::unique_ptr<Technique> technique = awake("contact_damped");
   run(world, *technique, 0.1);
@@ -65,6 +68,7 @@ TEST_CASE("A copy of the technique tells the same contacts",
 
 TEST_CASE("A box that is replaced by an immovable one in its place disturbs nobody",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = column(10);
   const std::unique_ptr<Technique> technique = awake("contact_damped");
   run(world, *technique, 1.0);
@@ -80,6 +84,7 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs nobo
 
 TEST_CASE("A heavy box that drops on sleepers finds bodies and no walls",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = column(3);
   const std::unique_ptr<Technique> technique = awake("contact_damped", {{"sleeping", "on"}});
   run(world, *technique, 3.0);
@@ -93,6 +98,7 @@ TEST_CASE("A heavy box that drops on sleepers finds bodies and no walls",
 
 TEST_CASE("A sleeper into which an immovable box is put wakes and is pushed out",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = column(1);
   const std::unique_ptr<Technique> technique = awake("contact_damped", {{"sleeping", "on"}});
   run(world, *technique, 3.0);
@@ -104,6 +110,7 @@ TEST_CASE("A sleeper into which an immovable box is put wakes and is pushed out"
 }
 
 TEST_CASE("With sleeping off nobody stays asleep", "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = column(5);
   run(world, *awake("contact_damped", {{"sleeping", "on"}}), 3.0);
   REQUIRE(world.rests()[1].asleep);
@@ -116,6 +123,7 @@ TEST_CASE("With sleeping off nobody stays asleep", "[unit][contact_damped][impul
 
 TEST_CASE("A box that spins in the air touches what it can reach and nothing else",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const double spin : {40.0, 100.0}) {
     World world;
     world.add_ground();
@@ -129,6 +137,7 @@ TEST_CASE("A box that spins in the air touches what it can reach and nothing els
 
 TEST_CASE("An event tells the whole impulse, restitution with it",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   class Ears : public Observer {
    public:
     void on_event(const Event& event) override { heard += event.impulse_w; }

@@ -5,6 +5,7 @@
 #include "impulse_damped/scene_runs.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <numbers>
 
@@ -124,14 +125,18 @@ double yawed_apart(const Example& example) {
 
 TEST_CASE("A scene that is turned about the vertical does the same, turned",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Example& example : kExamples) {
     INFO(example.scene);
-    CHECK(yawed_apart(example) < 1e-9);  // [m] rounding, grown by a hundred steps with impacts
+    // [m] Rounding, grown by a hundred steps with impacts. Who is carried may depend on rounding too: the
+    // see-saw's plank, just before it rests, gets 8e-8 m apart.
+    CHECK(yawed_apart(example) < (pose_under_test == PoseUpdate::separate ? 1e-9 : 1e-6));
   }
 }
 
 TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   const Vec3 boost(3.0, -2.0, 1.0);
   // What flies together meets within a hundred steps: clump without ground and weight, in a row, in
   // pairs.
@@ -167,6 +172,7 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
 TEST_CASE(
     "Four times the length, twice the time and any power of two of the mass give the same bits",
     "[determinism][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const double mass : {1.0, 8.0, 0x1p-10}) {
     for (const Example& example : kExamples) {
       World world = world_of(example.scene, example.settings);
@@ -206,6 +212,7 @@ TEST_CASE(
 
 TEST_CASE("Without gravity no step raises the kinetic energy",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     worst = std::max(worst, largest_rise(heap(seed), 20));
@@ -216,6 +223,7 @@ TEST_CASE("Without gravity no step raises the kinetic energy",
 
 TEST_CASE("Without gravity no step raises the kinetic energy, in many heaps",
           "[.long][exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 100; seed <= 400; ++seed) {
     worst = std::max(worst, largest_rise(heap(seed), 60));
@@ -226,6 +234,7 @@ TEST_CASE("Without gravity no step raises the kinetic energy, in many heaps",
 
 TEST_CASE("A copy of world and technique goes on with the same bits",
           "[determinism][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Example& example : kExamples) {
     World world = world_of(example.scene, example.settings);
     World again = world;
@@ -245,6 +254,7 @@ TEST_CASE("A copy of world and technique goes on with the same bits",
 
 TEST_CASE("The order of the bodies does not decide whether a pile stands",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Sweeps go through contacts in an order, so that what is not settled differs with it.
   for (std::size_t example = 0; example < 2; ++example) {
     World world = world_of(kExamples[example].scene, kExamples[example].settings);
@@ -270,6 +280,7 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
 
 TEST_CASE("A warm step of contact_damped asks for no memory",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   const Example examples[] = {{"stack", {}}, {"pyramid", {{"rows", "5"}}}, {"leaning", {}}};
   for (const Example& example : examples) {
     World world = world_of(example.scene, example.settings);

@@ -4,6 +4,7 @@
 
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <numbers>
 
@@ -56,6 +57,7 @@ class SlopeRun {
 
 TEST_CASE("A box slides as far as Coulomb's law says, less what a step is long",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // v²/(2 μ g) = 1.529051988 m for 3 m/s and 0.3. A step takes the speed at its end, which is short
   // by half a step at the speed of the start: 0.025 m.
   for (const double steps_a_second : {60.0, 240.0}) {
@@ -71,6 +73,7 @@ TEST_CASE("A box slides as far as Coulomb's law says, less what a step is long",
 
 TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   World world = world_of("slide");
   const std::unique_ptr<Technique> technique = awake(kTechnique);
   run(world, *technique, 61.0 * kFrame);
@@ -83,6 +86,7 @@ TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
 
 TEST_CASE("A box slides equally far in every direction, straight on and without turning",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Friction is a cone, not a pyramid: a pyramid of four sides would be weaker by 29 % half way
   // between them.
   double least = 10.0;
@@ -106,6 +110,7 @@ TEST_CASE("A box slides equally far in every direction, straight on and without 
 
 TEST_CASE("A box goes down a slope with g (sin - mu cos)",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   struct Case {
     double degrees, friction;
   };
@@ -126,6 +131,7 @@ TEST_CASE("A box goes down a slope with g (sin - mu cos)",
 
 TEST_CASE("A box goes up a slope, and slides back or stays",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Friction 0.3, 3 m/s. 30 degrees: it stops after 0.6037 m and 0.4025 s, then slides back.
   // 15 degrees: after 0.8362 m and 0.5574 s, and stays. Half a step at 3 m/s is 0.025 m.
   SlopeRun steep(30.0, {{"friction", "0.3"}, {"speed", "-3"}});
@@ -142,6 +148,7 @@ TEST_CASE("A box goes up a slope, and slides back or stays",
 
 TEST_CASE("A box on a slope begins to slide at the angle of friction",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // Friction 0.5: atan 0.5 = 26.565 degrees. 0.15 degrees above it the box goes by 0.018 m/s².
   for (const char* width : {"1", "2"}) {
     SlopeRun below(26.415, {{"friction", "0.5"}, {"width", width}});
@@ -153,6 +160,7 @@ TEST_CASE("A box on a slope begins to slide at the angle of friction",
 
 TEST_CASE("A box on a slope tips at the angle of its diagonal",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   struct Case {
     const char *width, *height;
     double degrees;
@@ -168,6 +176,7 @@ TEST_CASE("A box on a slope tips at the angle of its diagonal",
 
 TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // In a frame that is accelerated sideways gravity has a part along x. 0.5 by 2: 2.4525 m/s².
   for (const double share : {0.98, 1.02}) {
     World world = world_of("rocking_block", {{"width", "0.5"}, {"tilt", "0"}});
@@ -185,6 +194,7 @@ TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
 
 TEST_CASE("Friction drags the lower block of figure 5.2 along until both go at one speed",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // 1 kg at 2 m/s on 2 kg, no friction below: both end at 2/3 m/s; A slows down by mu g and B gains
   // mu g/2. After 0.2 s: 1.019 and 0.4905 m/s.
   World world = world_of("fig5_2");
@@ -200,6 +210,7 @@ TEST_CASE("Friction drags the lower block of figure 5.2 along until both go at o
 
 TEST_CASE("A stack on a sled comes along, the upper box too",
           "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   // 4 kg at 1 m/s and two boxes of 1 kg: 2/3 m/s for all of them. The boxes feel the same mu g, so
   // that neither slides on the other.
   World world = world_of("sled");

@@ -3,6 +3,7 @@
 ///        and nobody asleep.
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 namespace {
 
@@ -108,6 +109,7 @@ std::vector<Structure> heavy_tops() {
 
 TEST_CASE("Stacks stand for four seconds, from exact and from scattered places",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& stack : stacks({1, 2, 3, 5, 10, 20})) {
     check_standing(stack, {}, 1, 4.0);
     check_standing(stack, kScatter, 1, 4.0);
@@ -116,6 +118,7 @@ TEST_CASE("Stacks stand for four seconds, from exact and from scattered places",
 
 TEST_CASE("Small pyramids and walls stand for four seconds, from exact and from scattered places",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& structure : kSmall) {
     check_standing(structure, {}, 1, 4.0);
     check_standing(structure, kScatter, 1, 4.0);
@@ -124,6 +127,7 @@ TEST_CASE("Small pyramids and walls stand for four seconds, from exact and from 
 
 TEST_CASE("A stack carries a top box of a thousand times the mass of the others for four seconds",
           "[unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 4.0);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) check_standing(stack, kScatter, seed, 4.0);
@@ -132,6 +136,7 @@ TEST_CASE("A stack carries a top box of a thousand times the mass of the others 
 
 TEST_CASE("Stacks of one to twenty boxes stand for a minute",
           "[.long][unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& stack : stacks(one_to(20))) {
     check_standing(stack, {}, 1, 60.0);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) check_standing(stack, kScatter, seed, 60.0);
@@ -140,6 +145,7 @@ TEST_CASE("Stacks of one to twenty boxes stand for a minute",
 
 TEST_CASE("Pyramids and the wall stand for a minute",
           "[.long][unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& structure : kLarge) {
     check_standing(structure, {}, 1, 60.0);
     if (std::string_view(structure.scene) != "wall") check_standing(structure, kScatter, 1, 60.0);
@@ -149,12 +155,14 @@ TEST_CASE("Pyramids and the wall stand for a minute",
 // What is not booked is half of the weight times the step times the mean velocity: nothing if nothing moves.
 TEST_CASE("The scattered wall stands for a minute and its energy is booked",
           "[.long][unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     check_standing(kLarge.back(), kScatter, seed, 60.0);
 }
 
 TEST_CASE("A stack carries a top box of a thousand times the mass of the others for a minute",
           "[.long][unit][contact_damped][impulse_damped]") {
+  BOTH_POSES;
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 60.0);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) check_standing(stack, kScatter, seed, 60.0);

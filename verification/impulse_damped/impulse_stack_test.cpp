@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/impulse.hpp"
 
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 
 constexpr double kG = 9.81;
 constexpr double kStep = 1.0 / 60.0;
@@ -59,7 +61,7 @@ struct Chatter {
 };
 
 Chatter chatter_of(World world, const ImpulseOptions& options) {
-  Impulse technique(options);
+  Impulse technique(posed(options));
   for (int k = 0; k < 120; ++k) technique.step(world, kStep);
   const std::size_t top = world.states().size() - 1;
   double sum = 0.0;
@@ -104,7 +106,7 @@ World figure_6_5(double mass) {
 // How far the support block of figure 6.5 has turned after a second [rad].
 double turned(double mass, const ImpulseOptions& options) {
   World world = figure_6_5(mass);
-  Impulse technique(options);
+  Impulse technique(posed(options));
   for (int k = 0; k < 60; ++k) technique.step(world, kStep);
   return std::abs(2.0 * world.states()[2].orientation_wb.z());
 }
@@ -124,7 +126,7 @@ World seesaw(int left, double right) {
 
 // How far the plank has turned after half a second; above 0 its left end is down [rad].
 double tilt(World world, const ImpulseOptions& options) {
-  Impulse technique(options);
+  Impulse technique(posed(options));
   for (int k = 0; k < 30; ++k) technique.step(world, kStep);
   return 2.0 * world.states()[1].orientation_wb.z();
 }
@@ -148,12 +150,13 @@ ImpulseOptions shock_alone() {
 // --- shock propagation --------------------------------------------------------------------------
 
 TEST_CASE("A stack of ten rests under shock propagation", "[exact][impulse][impulse_damped]") {
+  BOTH_POSES;
   for (const int count : {5, 10}) {
     for (const ImpulsePoints points : {ImpulsePoints::area, ImpulsePoints::one}) {
       World world = stack_of(count, 0.9);
       ImpulseOptions options;
       options.points = points;
-      Impulse technique(options);
+      Impulse technique(posed(options));
       double worst = 0.0;
       for (int k = 0; k < 300; ++k) {
         technique.step(world, kStep);
@@ -175,7 +178,7 @@ TEST_CASE("Without shock propagation a stack sags, whatever the passes of contac
   double before = 0.0;
   for (const int count : {1, 2, 5, 10}) {
     World world = stack_of(count);
-    Impulse technique(with(ImpulseShock::off, 1));
+    Impulse technique(posed(with(ImpulseShock::off, 1)));
     for (int k = 0; k < 60; ++k) technique.step(world, kStep);
     if (count == 1) CHECK(std::abs(sunk(world)) < 1e-12);  // [m]
     if (count == 2) CHECK(sunk(world) == near(0.0112).margin(0.001));
@@ -212,7 +215,7 @@ TEST_CASE("Contacts at rest tell a foot that carries a third of a stack of ten",
   // heavy.
   for (const int count : {1, 5, 10}) {
     World world = stack_of(count);
-    Impulse technique;
+    Impulse technique(posed<ImpulseOptions>());
     for (int k = 0; k < 10; ++k) technique.step(world, kStep);
     double foot = 0.0;
     for (const ContactRecord& record : technique.contacts())
@@ -254,7 +257,7 @@ TEST_CASE("A pyramid squirms less if the sweeps of the shock share its load",
     World world = pyramid_of(5);
     ImpulseOptions options;
     options.shock_restitution = k == 0 ? ShockRestitution::zero : ShockRestitution::rising;
-    Impulse technique(options);
+    Impulse technique(posed(options));
     for (int n = 0; n < 60; ++n) {
       technique.step(world, kStep);
       if (n >= 30) speed[k] += corner_speed(world) / 30.0;
@@ -268,8 +271,8 @@ TEST_CASE("Bodies in another order end elsewhere, by a little",
           "[claims][impulse][impulse_damped]") {
   World world = pyramid_of(4);
   World other = pyramid_of(4, true);
-  Impulse first;
-  Impulse second;
+  Impulse first(posed<ImpulseOptions>());
+  Impulse second(posed<ImpulseOptions>());
   for (int k = 0; k < 60; ++k) {
     first.step(world, kStep);
     second.step(other, kStep);

@@ -7,6 +7,8 @@
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
 
+#include "support/pose.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -31,11 +33,12 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// A technique with its defaults, but for sleeping: what stands has to stand without it.
 /// \param name  its name
 /// \param set   options to change
-/// \return the technique, sleeping off if it knows sleep
+/// \return the technique, sleeping off if it knows sleep, with the pose update of the test
 inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& set = {}) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   Parameters options = recipe.options();
   if (options.has("sleeping")) options.set("sleeping", "off");
+  if (options.has("pose")) options.set("pose", name_of(pose_under_test));
   for (const auto& [key, value] : set) options.set(key, value);
   return recipe.make(options, 1);
 }

@@ -8,6 +8,7 @@
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace tumble {
@@ -73,10 +74,10 @@ StepReport Analytic::step(World& world, double dt) {
     // [S3.3.1:join]
     // Collisions of this instant first, so that afterwards no point
     // that touches approaches. Then the forces that keep it so.
-    find_candidates(world, progress.left());
+    find_candidates(world, progress.left(), false);
     find_near(world, report);
     if (!capped && collide(world, progress, report))
-      find_candidates(world, progress.left());  // who moves otherwise may meet others
+      find_candidates(world, progress.left(), false);  // who moves otherwise may meet others
     Plan plan;
     if (!find_forces(world, progress, plan, report)) {
       unsolved_ = true;
@@ -94,13 +95,15 @@ StepReport Analytic::step(World& world, double dt) {
 }
 
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
-// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would.
-void Analytic::find_candidates(const World& world, double left) {
+// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. Who is
+// carried goes beside it.
+void Analytic::find_candidates(const World& world, double left, bool carried) {
   bounds_.resize(place(world.count()));
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
+    const double beside = carried ? flight_.offset_w(static_cast<int>(k), left).norm() : 0.0;
     bounds_[k] = bounds_of_flight(body, world.states()[k], world.gravity_w, left,
-                                  (0.5 + tolerance::contact_margin) * body.size.norm());
+                                  (0.5 + tolerance::contact_margin) * body.size.norm() + beside);
   }
   broad_phase_->find_pairs(bounds_, candidates_);
 }
@@ -127,9 +130,25 @@ bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, S
   report.fallbacks += found.without_solution;
   flight_.begin(world);
   flight_.set_wrenches(forces_.wrenches());
+  if (options_.pose == PoseUpdate::exponential) carry(world);
   plan.time = std::min(progress.left(), found.slip_ends);
   if (resting_.empty() || found.without_solution > 0 || hardly_moves(world, plan.time)) return true;
   return improve_forces(world, progress, plan, report);
+}
+
+// Who is carried by whom in this flight.
+void Analytic::carry(const World& world) {
+  pushed_.clear();
+  for (const Contact& contact : resting_) {
+    std::optional<PushedPair> pair = pushed_pair(contact);
+    if (!pair) continue;
+    pair->state = PushedState::held;
+    for (int k = 0; k < contact.count; ++k)
+      if (state_of(contact, k) == ContactState::slip) pair->state = PushedState::slips;
+    pushed_.push_back(*pair);
+  }
+  flight_.carry(world, moving_, pushed_);
+  flight_.accelerate(forces_.accelerations());
 }
 
 // [S3.3.1:midpoint]
@@ -170,6 +189,7 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
     return true;
   }
   flight_.set_wrenches(forces_.wrenches());
+  flight_.accelerate(forces_.accelerations());
   resting_.swap(midway_);
   return true;
 }
@@ -195,6 +215,7 @@ void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& pr
                    StepReport& report) {
   double time = to_the_end ? progress.left() : plan.time;
   if (!to_the_end) {
+    if (options_.pose == PoseUpdate::exponential) find_candidates(world, time, true);
     const ImpactSearchTask task{.candidates = candidates_,
                                 .near = near_,
                                 .end = time,
@@ -244,6 +265,10 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
     }
   }
   for (int b = 0; b < world.count(); ++b) {
+    report.energy.repair -=
+        world.bodies()[place(b)].movable()
+            ? world.bodies()[place(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
+            : 0.0;
     if (!forces_.held().holds(world, b)) continue;
     const BodyProperties& body = world.bodies()[place(b)];
     const BodyState& start = flight_.start()[place(b)];

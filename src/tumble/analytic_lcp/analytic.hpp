@@ -37,6 +37,7 @@ struct AnalyticOptions {
   double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
   int event_cap = 1000;  ///< flights allowed in one step: collisions and ends of sliding
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other fly
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
 };
 
@@ -58,6 +59,10 @@ struct AnalyticOptions {
 ///
 /// **Sliding** ends within a flight: the flight is cut there, so that friction does not turn a body
 /// round.
+///
+/// **Bodies that turn together** about a point outside of them fly along their arcs with
+/// PoseUpdate::exponential (CarriedBodies): who stands on whom is told from the forces of the start, the
+/// arcs follow the accelerations of the forces that are used. Impacts are searched on them.
 ///
 /// **Drift** is held in three places. A speed and a gap that should not be there are led to 0 by the
 /// forces themselves, as far as they only have to push; overlap above the slop is ended by moving
@@ -121,7 +126,8 @@ class Analytic : public Technique {
     double forces_at = 0.0;  // [s] from its start, the pose for which forces were found
   };
 
-  void find_candidates(const World& world, double left);
+  void find_candidates(const World& world, double left, bool carried);
+  void carry(const World& world);
   void find_near(const World& world, StepReport& report);
   bool collide(World& world, const Progress& progress, StepReport& report);
   void resolve(std::span<const int> which, const World& world, const Progress& progress,
@@ -152,6 +158,7 @@ class Analytic : public Technique {
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> candidates_;
   std::vector<IndexPair> resting_pairs_;
+  std::vector<PushedPair> pushed_;
   std::vector<MovingBody> moving_;  // where the forces are found
   std::vector<MovingBody> ended_;   // where the flight ends
   ContactList near_;                // all points within the margin

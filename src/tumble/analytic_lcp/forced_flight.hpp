@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 
 #include <span>
@@ -20,9 +21,12 @@ namespace tumble {
 /// which is of order 2 in t, and continuous, so that it can be searched for collisions. Every state
 /// is flown to from the start in one go: a body put at a time found by a search has the very bits
 /// that the search saw.
+///
+/// Bodies that stand on others may be carried by them (carry()): then they follow the arcs of
+/// CarriedBodies, of order 2 in t and continuous as well, and their momenta are as above.
 class ForcedFlight {
  public:
-  /// Keeps the present states as the start.
+  /// Keeps the present states as the start; nobody is carried.
   /// \param world  the bodies
   void begin(const World& world);
 
@@ -30,6 +34,23 @@ class ForcedFlight {
   /// \param wrenches  one for each body index; those of immovable bodies are not read
   /// \throws std::invalid_argument if there is not one for each body
   void set_wrenches(std::span<const Wrench> wrenches);
+
+  /// Lets bodies be carried by those that push them.
+  /// \param world   the bodies
+  /// \param bodies  how they move at the start, by index
+  /// \param pushed  who pushes whom
+  void carry(const World& world, std::span<const MovingBody> bodies,
+             std::span<const PushedPair> pushed);
+
+  /// Says how the motion of carried bodies changes, by what set_wrenches() was given and gravity.
+  /// \param rates by body index
+  void accelerate(std::span<const Acceleration> rates);
+
+  /// How far carrying leads a body away from its parabola.
+  /// \param body  its index
+  /// \param time  [s] after the start
+  /// \return [m] world frame; 0 for a body that is not carried
+  [[nodiscard]] Vec3 offset_w(int body, double time) const;
 
   /// Puts all bodies where they are at a time.
   /// \param world  the bodies of begin(); states are overwritten
@@ -53,6 +74,7 @@ class ForcedFlight {
  private:
   std::vector<BodyState> start_;
   std::vector<Wrench> wrenches_;
+  CarriedBodies carried_;
 };
 
 }  // namespace tumble

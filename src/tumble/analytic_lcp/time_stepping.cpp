@@ -7,6 +7,7 @@
 #include "tumble/contact/told.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace tumble {
@@ -60,11 +61,7 @@ StepReport TimeStepping::step(World& world, double dt) {
   store_moving_bodies(moving_, world);
 
   // Then all bodies move with these.
-  for (std::size_t k = 0; k < moving_.size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
-    advance_pose(world.bodies()[k], world.states()[k], dt, options_.rotation);
-    ++report.integrations;
-  }
+  move(world, dt, report);
   // [S2.6.3]
 
   find_pairs(world, 0.0);
@@ -76,9 +73,27 @@ StepReport TimeStepping::step(World& world, double dt) {
   report.contacts = static_cast<std::int64_t>(records_.size());
   report.energy.restitution = result.restitution_energy;
   report.energy.friction = result.friction_energy;
-  report.energy.repair = repaired.energy;
+  report.energy.repair += repaired.energy;
   world.finish_step(dt);
   return report;
+}
+
+// Each by itself, or about what it stands on.
+void TimeStepping::move(World& world, double dt, StepReport& report) {
+  pushed_.clear();
+  if (options_.pose == PoseUpdate::exponential)
+    for (const Contact& contact : contacts_)
+      if (const std::optional<PushedPair> pair = pushed_pair(contact)) pushed_.push_back(*pair);
+  carried_.find(world.bodies(), moving_, pushed_);
+  for (int b = 0; b < world.count(); ++b) {
+    if (!world.bodies()[place(b)].movable()) continue;
+    if (carried_.carries(b)) {
+      report.energy.repair += carried_.move(b, dt, world);
+    } else {
+      advance_pose(world.bodies()[place(b)], world.states()[place(b)], dt, options_.rotation);
+    }
+    ++report.integrations;
+  }
 }
 
 // Contacts of all bodies that can meet in this step: up to as far apart as the two fastest come.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -18,6 +19,7 @@ namespace tumble {
 struct TimeSteppingOptions {
   VelocityStepOptions velocities;                   ///< how velocities are found
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
 /// No event is searched for: each step finds the velocities at its end, then moves all bodies with
@@ -28,6 +30,10 @@ struct TimeSteppingOptions {
 /// \f$x^+ = x + h\,v^+\f$, and orientations by the new angular momentum. What is left of
 /// overlap, of order (hω)² of a body's size as points move on arcs and the problem thinks
 /// of straight lines, is repaired by moving bodies.
+///
+/// **Bodies that turn together** about a point outside of them come apart by this, and are kept together
+/// by PoseUpdate::exponential: velocities agree at the poses of the start, from which bodies are carried
+/// (CarriedBodies).
 ///
 /// **The form.** Stewart and Trinkle's is the default: a body may close its gap and no more, so nothing
 /// is passed at any step. With Anitescu and Potra's a fast body sinks in by \f$h\,v\f$ before it is
@@ -77,12 +83,14 @@ class TimeStepping : public Technique {
   void gather(const World& world, double dt, StepReport& report);
   void find_pairs(const World& world, double margin);
   void record(const World& world);
+  void move(World& world, double dt, StepReport& report);
 
   TimeSteppingOptions options_;
   std::unique_ptr<BroadPhase> broad_phase_;
   VelocityStep velocity_step_;
   VelocityStepResult velocities_;
   OverlapRepair repair_;
+  CarriedBodies carried_;
 
   // Storage of one step, kept so that a warm step asks for no memory.
   std::vector<Bounds> bounds_;
@@ -90,6 +98,7 @@ class TimeStepping : public Technique {
   std::vector<MovingBody> moving_;
   std::vector<Acceleration> free_;
   ContactList contacts_;
+  std::vector<PushedPair> pushed_;
   std::vector<ContactRecord> records_;
 };
 

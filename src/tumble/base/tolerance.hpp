@@ -217,6 +217,10 @@ inline constexpr double rounding_overlap = 1e-12;
 /// differ by half the angle of a step, and only in where what slides is led. (6.2)
 inline constexpr double carried_slip = 1e-2;
 
+/// [-] A body that is carried is predicted anew if what carries it has moved it by more than this share of
+/// its shortest edge. Reason: rounding of a few metres is 1e-15; what rests is not looked at again. (6.2)
+inline constexpr double carried_again = 1e-14;
+
 // --- scenes, record -----------------------------------------------------------------------
 
 /// [-] Overlap at the start of a run up to which a scene is accepted, as a share of the shortest

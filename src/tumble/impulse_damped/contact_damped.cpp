@@ -6,6 +6,7 @@
 #include "tumble/dynamics/integrate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace tumble {
@@ -188,10 +189,35 @@ std::span<const int> ContactDamped::ordered(int heap) const {
   return std::span<const int>(order_).subspan(begin, at(order_start_[at(heap) + 1]) - begin);
 }
 
+// Who is carried by whom: areas push at the centre of their pressure. Where surfaces that touch stick, what
+// they still move against each other is what the solver has left.
+void ContactDamped::find_carried(const World& world) {
+  pushed_.clear();
+  for (const ContactBlock& block : areas_.blocks()) {
+    PushedPair pair{block.first, block.second, Vec3::Zero(), block.frame_w.col(2)};
+    double weight = 0.0;
+    const Six all = impulse_of(block);
+    const double limit = (1.0 - tolerance::friction_limit) * block.friction * all[2];
+    if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
+    for (std::size_t i = 0; i < at(block.count); ++i) {
+      const BlockPoint& p = block.points[i];
+      if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_damped_slop * block.size)
+        pair.state = PushedState::unknown;  // it closes a gap, or there is overlap
+      pair.point_w += p.impulse * position_of(block, start_[at(block.first)], p);
+      weight += p.impulse;
+    }
+    if (!(weight > 0.0)) continue;
+    pair.point_w /= weight;
+    pushed_.push_back(pair);
+  }
+  carried_.find(world.bodies(), bodies_, pushed_);
+}
+
 // Bodies that are pushed move with the velocity at the end of the step, which keeps what contacts ask for;
 // the others fly their parabola.
 void ContactDamped::move(World& world, double dt, StepReport& report) {
   store_moving_bodies(bodies_, world);
+  if (options_.pose == PoseUpdate::exponential) find_carried(world);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (bodies_[k].inverse_mass.x() == 0.0) continue;
@@ -200,7 +226,11 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
       fly(body, state, world.gravity_w, dt, options_.rotation);
     } else {
       state.linear_momentum_w = body.mass * bodies_[k].velocity_w;
-      advance_pose(body, state, dt, options_.rotation);
+      if (carried_.carries(static_cast<int>(k))) {
+        report.energy.repair += carried_.move(static_cast<int>(k), dt, world);
+      } else {
+        advance_pose(body, state, dt, options_.rotation);
+      }
     }
     ++report.integrations;
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/base/tolerance.hpp"
+#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/contact/sleeping.hpp"
@@ -29,6 +30,7 @@ struct ContactDampedOptions {
   int repair_passes = 50;  ///< sweeps that end overlap, at least 1
   bool sleeping = false;   ///< heaps at rest are left alone (thesis 4.5)
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
 /// Damping as friction between bodies, in place of scaled velocities, free of size and mass.
@@ -43,7 +45,8 @@ struct ContactDampedOptions {
 /// and one sweep over its areas (solve_block()). If that does not settle it, sweeps go on where it moves
 /// fast, and all areas are solved together (HeapSolver) where it does not. Bodies that something pushes
 /// move with the velocities at the end of the step; the others fly their parabola. Fast impacts
-/// bounce. What overlap is left is taken away by moves
+/// bounce. Those that turn together are kept together by PoseUpdate::exponential (CarriedBodies), as
+/// velocities agree where the step begins. What overlap is left is taken away by moves
 /// that change no velocity.
 ///
 /// **Why it is stiff, quiet and fast at once.** An area sticks as a whole, by one product with a 6×6
@@ -89,6 +92,7 @@ class ContactDamped : public Technique {
   void release(int heap);
   void bounce_heap(const World& world, int heap, double dt, StepReport& report);
   void guard_energy(const World& world, int heap, StepReport& report);
+  void find_carried(const World& world);
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
   void repair(World& world, double dt, StepReport& report);
@@ -102,6 +106,7 @@ class ContactDamped : public Technique {
   KeptAreas areas_;
   HeapSolver heaps_;
   SleepingRule sleeping_;
+  CarriedBodies carried_;
   Islands islands_;
   ContactGraph graph_;
   double last_dt_ = 0.0;  // [s] of the step before
@@ -130,6 +135,7 @@ class ContactDamped : public Technique {
   std::vector<char> hit_;           // by area: it was, so fast that it does not stick
   bool bounced_ = false;            // something did, in this step
   std::vector<char> flies_;         // by index: nothing pushes it
+  std::vector<PushedPair> pushed_;  // by the areas
   double contact_time_ = 0.0;       // [s] of the poses that the contacts belong to
   mutable std::vector<ContactRecord> records_;
   mutable bool recorded_ = false;

@@ -6,6 +6,7 @@
 #include "tumble/contact/told.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace tumble {
@@ -28,7 +29,7 @@ Impulse::Impulse(const ImpulseOptions& options)
   require::not_negative(options.sticky, "sticky");
 }
 
-// Who sleeps is all there is of memory besides broad phases, whose memory changes no result.
+// Memory besides this is in broad phases, and changes no result.
 Impulse::Impulse(const Impulse& other)
     : Technique(other),
       options_(other.options_),
@@ -36,6 +37,7 @@ Impulse::Impulse(const Impulse& other)
       push_(other.options_.points),
       sleeping_(other.sleeping_),
       repair_phase_(other.repair_phase_->clone()),
+      kept_(other.kept_),
       records_(other.records_) {}
 
 std::unique_ptr<Technique> Impulse::clone() const { return std::make_unique<Impulse>(*this); }
@@ -83,7 +85,9 @@ StepReport Impulse::step(World& world, double dt) {
 
   // [S2.5.2:position]
   // 5. Positions: all bodies go where they were predicted to be.
-  report.integrations += bodies_.predictions() + bodies_.move(world);
+  bodies_.carry(world);
+  const int moved = bodies_.move(world, report.energy.repair);
+  report.integrations += bodies_.predictions() + moved;
   // [S2.5.2:position]
 
   finish(world, dt, report);
@@ -92,14 +96,14 @@ StepReport Impulse::step(World& world, double dt) {
 
 const SleepingRule* Impulse::sleeping() const { return options_.sleeping ? &sleeping_ : nullptr; }
 
-// Velocities and predicted poses; and who is touched where it sleeps, and so wakes, has to be known
-// before.
+// Velocities and predicted poses; who is touched where it sleeps, and so wakes, has to be known before.
 void Impulse::begin(World& world, double dt, StepReport& report) {
   if (!options_.sleeping)
     for (Rest& rest : world.rests()) rest.asleep = false;
   if (options_.sleeping) sleeping_.wake_disturbed(world);
+  list_pushed(world);
   for (bool again = true; again;) {
-    bodies_.begin(world, dt, options_.rotation);
+    bodies_.begin(world, dt, options_.rotation, pushed_);
     // By as much gravity takes a body towards one that it does not take.
     pairs_.begin(dt * dt * world.gravity_w.norm());
     again = false;
@@ -111,9 +115,37 @@ void Impulse::begin(World& world, double dt, StepReport& report) {
   }
 }
 
+// Pairs of the last step whose bodies are still where it has left them.
+void Impulse::list_pushed(const World& world) {
+  pushed_.clear();
+  for (const KeptPush& kept : kept_) {
+    const std::optional<int> first = world.find(kept.first);
+    const std::optional<int> second = world.find(kept.second);
+    if (!first || !second) continue;
+    if (world.states()[at(*first)].position_w == kept.first_position_w &&
+        world.states()[at(*second)].position_w == kept.second_position_w)
+      pushed_.push_back({*first, *second, kept.pair.point_w, kept.pair.normal_w});
+  }
+}
+
+// Impulses were decided where the bodies are by now.
+void Impulse::keep_pushed(const World& world) {
+  kept_.clear();
+  if (options_.pose == PoseUpdate::separate) return;
+  for (const int number : pairs_.all()) {
+    const std::optional<PushedPair> pair = pushed_pair(pairs_[number].contact);
+    if (!pair) continue;
+    const std::size_t i = at(pair->first);
+    const std::size_t j = at(pair->second);
+    kept_.push_back({world.ids()[i], world.ids()[j], world.states()[i].position_w,
+                     world.states()[j].position_w, *pair});
+  }
+}
+
 // One pass over all pairs that overlap at its start. Each is looked at where earlier impulses have
 // it by then. Returns whether there was an impulse.
 bool Impulse::collide_deepest_first(const World& world, double dt, StepReport& report) {
+  bodies_.carry(world);
   const std::span<int> found = pairs_.find(world, bodies_, sleeping());
   std::sort(found.begin(), found.end(), [&](int a, int b) {
     const ImpulsePair& p = pairs_[a];
@@ -172,6 +204,7 @@ void Impulse::build_graph(const World& world) {
 // the level of its upper body. Returns whether there was an impulse.
 bool Impulse::hold_by_level(const World& world, double share, bool freeze, double dt,
                             StepReport& report) {
+  bodies_.carry(world);
   pairs_.find(world, bodies_, sleeping());
   order_.assign(pairs_.all().begin(), pairs_.all().end());
   const auto level = [&](int number) {
@@ -256,6 +289,7 @@ void Impulse::finish(World& world, double dt, StepReport& report) {
   }
   report.contacts = static_cast<std::int64_t>(records_.size());
   if (options_.shock == ImpulseShock::position || options_.repair) repair_overlap(world, report);
+  keep_pushed(world);
   if (options_.sleeping) {
     islands_.build(world.bodies(), contacts_);
     report.energy.damping += sleeping_.update(world, contacts_, islands_, dt).energy;

@@ -42,6 +42,7 @@ struct ImpulseOptions {
   double sticky = 0.0;                              ///< [-] see StickyOptions; 0 as in the paper
   bool sleeping = false;                            ///< whether what rests falls asleep
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
 /// Everything by impulses, decided where bodies are about to be: five stages in a step.
@@ -62,6 +63,9 @@ struct ImpulseOptions {
 ///
 /// After every impulse the two bodies are predicted anew, and each pair is looked at where its
 /// bodies are by then predicted to be.
+///
+/// With PoseUpdate::exponential bodies are predicted, and move, about the points on which they stood when
+/// the step before ended (CarriedBodies); a pair that nobody has moved since counts.
 ///
 /// **What holds.** Newton's approach speed is that of the event, once for each pair and step
 /// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept
@@ -113,6 +117,17 @@ class Impulse : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
  private:
+  // Two bodies that pushed each other when the last step ended, and where they were.
+  struct KeptPush {
+    BodyId first{};
+    BodyId second{};
+    Vec3 first_position_w = Vec3::Zero();
+    Vec3 second_position_w = Vec3::Zero();
+    PushedPair pair;  // indices are those of then
+  };
+
+  void list_pushed(const World& world);
+  void keep_pushed(const World& world);
   void begin(World& world, double dt, StepReport& report);
   [[nodiscard]] const SleepingRule* sleeping() const;
   bool collide_deepest_first(const World& world, double dt, StepReport& report);
@@ -133,8 +148,10 @@ class Impulse : public Technique {
   OverlapRepair repair_;
   SleepingRule sleeping_;
   std::unique_ptr<BroadPhase> repair_phase_;
+  std::vector<KeptPush> kept_;  // PoseUpdate::exponential: for the next step
 
   // Storage of one step, kept so that a warm step asks for no memory.
+  std::vector<PushedPair> pushed_;
   ContactList contacts_;
   std::vector<int> order_;  // pairs in the order of a pass
   std::vector<SupportEdge> edges_;

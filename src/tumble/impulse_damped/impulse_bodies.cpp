@@ -2,6 +2,8 @@
 /// \brief Bodies of a step that is solved by impulses.
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
+#include "tumble/base/tolerance.hpp"
+
 namespace tumble {
 namespace {
 
@@ -13,7 +15,8 @@ bool ImpulseBodies::moves(const World& world, std::size_t k) const {
   return world.bodies()[k].movable() && !world.rests()[k].asleep;
 }
 
-void ImpulseBodies::begin(const World& world, double dt, RotationRule rule) {
+void ImpulseBodies::begin(const World& world, double dt, RotationRule rule,
+                          std::span<const PushedPair> pushed) {
   dt_ = dt;
   rule_ = rule;
   ahead_w_ = dt * world.gravity_w;
@@ -21,13 +24,11 @@ void ImpulseBodies::begin(const World& world, double dt, RotationRule rule) {
   load_moving_bodies(world, moving_);
   predicted_.assign(world.states().begin(), world.states().end());
   version_.assign(moving_.size(), 0);
-  for (int k = 0; k < world.count(); ++k) {
-    if (moves(world, at(k))) {
-      predict(world, k);
-    } else {
-      freeze(k);
-    }
-  }
+  for (int k = 0; k < world.count(); ++k)
+    if (!moves(world, at(k))) freeze(k);
+  carried_.find(world.bodies(), moving_, pushed, RigidAt::end);
+  for (int k = 0; k < world.count(); ++k)
+    if (moves(world, at(k))) predict(world, k);
 }
 
 void ImpulseBodies::predict(const World& world, int body) {
@@ -43,10 +44,29 @@ void ImpulseBodies::predict(const World& world, int body) {
     state.angular_momentum_w = axes_w * Vec3(constant.inertia_b.cwiseProduct(omega_b));
   }
   state.linear_momentum_w = constant.mass * (moving.velocity_w + ahead_w_);
-  advance_pose(constant, state, dt_, rule_);
+  if (carried_.carries(body)) {
+    carried_.set_velocity(body, moving);
+    state.position_w += dt_ * (constant.inverse_mass * state.linear_momentum_w);
+    carried_.carry(body, dt_, state);
+  } else {
+    advance_pose(constant, state, dt_, rule_);
+  }
   moving.position_w = state.position_w;
   ++version_[k];
   ++predictions_;
+}
+
+void ImpulseBodies::carry(const World& world) {
+  if (carried_.bodies().empty()) return;
+  carried_.set_velocities(moving_);
+  for (const int body : carried_.bodies()) {
+    const Vec3 straight_w =
+        world.states()[at(body)].position_w + dt_ * (moving_[at(body)].velocity_w + ahead_w_);
+    const Vec3 now_w = straight_w + carried_.offset_w(body, dt_);
+    const double size = world.bodies()[at(body)].size.minCoeff();
+    if ((now_w - moving_[at(body)].position_w).norm() > tolerance::carried_again * size)
+      predict(world, body);
+  }
 }
 
 void ImpulseBodies::add_gravity(World& world) {
@@ -73,12 +93,17 @@ void ImpulseBodies::thaw(const World& world) {
   }
 }
 
-int ImpulseBodies::move(World& world) {
+int ImpulseBodies::move(World& world, double& energy) {
   store_moving_bodies(moving_, world);
+  carried_.set_velocities(moving_);
   int moved = 0;
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     if (!moves(world, k)) continue;
-    advance_pose(world.bodies()[k], world.states()[k], dt_, rule_);
+    if (carried_.carries(static_cast<int>(k))) {
+      energy += carried_.move(static_cast<int>(k), dt_, world);
+    } else {
+      advance_pose(world.bodies()[k], world.states()[k], dt_, rule_);
+    }
     ++moved;
   }
   return moved;

@@ -2,6 +2,7 @@
 /// \brief Bodies of a step that is solved by impulses: how they move, and where that takes them.
 #pragma once
 
+#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 
@@ -20,6 +21,11 @@ namespace tumble {
 /// step's start, so that the energy of an impulse is exact. As h g is part of the prediction from
 /// the start, adding gravity to the velocities moves no prediction.
 ///
+/// **Carried bodies** (CarriedBodies, with RigidAt::end, as impulses make velocities agree where bodies
+/// will be): a body is predicted about the point on which it stands. Whom it carries follows when carry()
+/// is called, at the beginning of each pass and before the move, so that in between others are predicted
+/// with what carried them when the pass began.
+///
 /// Sleeping bodies count as immovable.
 class ImpulseBodies {
  public:
@@ -27,12 +33,18 @@ class ImpulseBodies {
   /// \param world  the bodies at the start of the step
   /// \param dt     [s] h, above 0
   /// \param rule   how bodies turn
-  void begin(const World& world, double dt, RotationRule rule);
+  /// \param pushed  who pushed whom when the step before ended; empty: nobody is carried
+  void begin(const World& world, double dt, RotationRule rule,
+             std::span<const PushedPair> pushed = {});
 
   /// Predicts where a body will be, after its velocity was changed.
   /// \param world  as for begin(); poses are still those of the start
   /// \param body   its index
   void predict(const World& world, int body);
+
+  /// Predicts all that are carried anew, as far as those who carry them have changed.
+  /// \param world  as for begin()
+  void carry(const World& world);
 
   /// Adds h g to the velocity of every body that moves, and to its momentum in the world.
   /// \param world the bodies; linear momenta in and out
@@ -48,8 +60,9 @@ class ImpulseBodies {
 
   /// Writes the velocities into the world and moves all bodies with them.
   /// \param world the bodies; states in and out
+  /// \param energy [J] what carried bodies have got by not going straight is added
   /// \return how many bodies were moved
-  int move(World& world);
+  int move(World& world, double& energy);
 
   /// How bodies move, the predicted centre as position.
   /// \return one for each body index; whoever changes a velocity calls predict()
@@ -75,6 +88,7 @@ class ImpulseBodies {
   std::vector<MovingBody> moving_;
   std::vector<BodyState> predicted_;
   std::vector<int> version_;
+  CarriedBodies carried_;
 };
 
 }  // namespace tumble

@@ -51,6 +51,9 @@ Parameters impulse_options() {
   p.add_flag("sleeping", standard.sleeping, "what rests is left alone (thesis 4.5)");
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
+  p.add_word("pose", {"separate", "exponential"},
+             "how bodies that push each other are moved: each by itself, or about the point it "
+             "stands on (thesis 6.2)");
   return p;
 }
 
@@ -70,6 +73,7 @@ std::unique_ptr<Technique> make_impulse(const Parameters& p, std::uint64_t) {
   options.repair = p.flag("repair");
   options.sleeping = p.flag("sleeping");
   options.rotation = rotation_rule_from(p.word("rotation"));
+  options.pose = pose_update_from(p.word("pose"));
   return frozen_if_asked(p, std::make_unique<Impulse>(options));
 }
 
@@ -177,6 +181,9 @@ Parameters contact_damped_options() {
   p.add_flag("sleeping", standard.sleeping, "heaps at rest are left alone (thesis 4.5)");
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
+  p.add_word("pose", {"separate", "exponential"},
+             "how bodies that push each other are moved: each by itself, or about the point it "
+             "stands on (thesis 6.2)");
   return p;
 }
 
@@ -187,6 +194,7 @@ std::unique_ptr<Technique> make_contact_damped(const Parameters& p, std::uint64_
   options.repair_passes = p.count("repair_passes");
   options.sleeping = p.flag("sleeping");
   options.rotation = rotation_rule_from(p.word("rotation"));
+  options.pose = pose_update_from(p.word("pose"));
   return frozen_if_asked(p, std::make_unique<ContactDamped>(options));
 }
 

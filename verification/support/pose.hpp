@@ -1,0 +1,39 @@
+/// \file
+/// \brief Tests of continuous motion that techniques have to pass with both ways of moving bodies.
+#pragma once
+
+#include "tumble/dynamics/pose_update.hpp"
+
+#include "support/catch.hpp"
+
+namespace tumble::test {
+
+/// The pose update of the techniques that a test makes by posed(), or by name.
+inline PoseUpdate pose_under_test = PoseUpdate::separate;
+
+/// Sets the pose update for the rest of a scope.
+class PoseScope {
+ public:
+  /// \param update for all techniques that are made from now on
+  explicit PoseScope(PoseUpdate update) { pose_under_test = update; }
+  ~PoseScope() { pose_under_test = PoseUpdate::separate; }
+  PoseScope(const PoseScope&) = delete;
+  PoseScope& operator=(const PoseScope&) = delete;
+};
+
+/// Options with the pose update of the test.
+/// \param options of a technique that has one
+/// \return the same with it
+template <class Options>
+Options posed(Options options = {}) {
+  options.pose = pose_under_test;
+  return options;
+}
+
+}  // namespace tumble::test
+
+/// Runs the rest of a test case with each pose update.
+#define BOTH_POSES                                                              \
+  const tumble::test::PoseScope pose_scope(                                     \
+      GENERATE(tumble::PoseUpdate::separate, tumble::PoseUpdate::exponential)); \
+  INFO("pose=" << tumble::name_of(tumble::test::pose_under_test))
