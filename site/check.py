@@ -23,12 +23,12 @@ import tempfile
 import urllib.parse
 
 PAGES = ("index", "how_to_read", "notation", "basic_colliding", "analytic_lcp", "impulse_damped",
-         "geometric_stability", "timewarp", "filtering", "gallery", "ledger", "errata",
+         "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger", "errata",
          "tolerances", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
 SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
 FORMULAS = {"notation", "basic_colliding", "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp",
-            "filtering", "namespacetumble"}  # pages that must have some
+            "filtering", "exterior_rotation", "namespacetumble"}  # pages that must have some
 WORD = "bisection"
 PATIENCE = 60  # [s] for one answer of the browser
 

@@ -89,8 +89,8 @@ std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
 
 std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& folder) {
   std::vector<Tolerance> all = read_tolerances(folder / "tolerance.hpp");
-  for (const char* name :
-       {"chapter_tolerance.hpp", "stability_tolerance.hpp", "filtering_tolerance.hpp"}) {
+  for (const char* name : {"chapter_tolerance.hpp", "stability_tolerance.hpp",
+                           "filtering_tolerance.hpp", "rotation_tolerance.hpp"}) {
     const std::vector<Tolerance> more = read_tolerances(folder / name);
     all.insert(all.end(), more.begin(), more.end());
   }

@@ -154,6 +154,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"timewarp_full", "2.4.3",
        "every body has a time of its own; who flew past a collision goes back",
        timewarp_full_options, make_timewarp_full},
+      {"glued", "6.2", "what touches at the start sticks for ever, integrated in seven ways",
+       glued_options, make_glued},
   };
   return library;
 }

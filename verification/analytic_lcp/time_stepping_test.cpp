@@ -343,6 +343,7 @@ TEST_CASE("What a step books is what the energy does", "[exact][time_stepping][a
 
 // --- what holds for all scenes ------------------------------------------------------------------
 
+// With pose=separate: of two that a box stands on, the first in the list carries it.
 TEST_CASE("Without friction a scene, its mirror image and its bodies in another order do the same",
           "[unit][time_stepping][analytic_lcp]") {
   // With friction what redundant points share is not determined, and neither is what they do next.

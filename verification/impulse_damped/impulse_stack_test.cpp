@@ -238,6 +238,7 @@ TEST_CASE("Contact passes, not the shock, make figure 6.5 stand where it should"
   CHECK(turned(5.0, shock_alone()) < 0.05);
 }
 
+// With pose=separate: carried, the plank tips as it should although the shock is alone.
 TEST_CASE("A see-saw does not feel a stack beyond what contact passes bring down",
           "[claims][impulse][impulse_damped]") {
   CHECK(tilt(seesaw(1, 2.0), {}) < -0.1);                       // [rad] as it should

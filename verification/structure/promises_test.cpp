@@ -105,7 +105,8 @@ TEST_CASE("Every tolerance is used", "[structure]") {
   const auto files = project_files();
   for (const char* path :
        {"src/tumble/base/tolerance.hpp", "src/tumble/base/chapter_tolerance.hpp",
-        "src/tumble/base/stability_tolerance.hpp", "src/tumble/base/filtering_tolerance.hpp"}) {
+        "src/tumble/base/stability_tolerance.hpp", "src/tumble/base/filtering_tolerance.hpp",
+        "src/tumble/base/rotation_tolerance.hpp"}) {
     const Complaints complaints =
         unused_tolerances(file_called(files, path), code_in(files, "src/"));
     INFO(joined(complaints));

@@ -9,6 +9,7 @@
 
 #include "tumble/base/chapter_tolerance.hpp"
 #include "tumble/base/filtering_tolerance.hpp"
+#include "tumble/base/rotation_tolerance.hpp"
 #include "tumble/base/stability_tolerance.hpp"
 
 /// Names for every small number.

@@ -85,6 +85,9 @@ enum class RigidAt : std::uint8_t {
 /// other contact opens or closes by a length of second order. So do bodies that slide on movable ones,
 /// and a plank that turns while it slides over an edge, as n is taken for fixed.
 ///
+/// **Turning** is by a constant spin, or one that grows evenly: a technique's RotationRule has no say for
+/// bodies that are carried, which have to turn alike where they turn as one.
+///
 /// **Momenta** stay as they are, so linear momentum is kept. They are not turned: of the momentum about a
 /// pivot a step takes the part \f$(\omega h)^2/2\f$, which is of the order of the techniques' own error. For
 /// groups in flight the offset's share \f$e_b\times m_b(v_b - V)\f$, V being the velocity of their

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tumble {
 namespace {
@@ -89,6 +90,33 @@ Vec3 rotation_vector(const Quat& q) {
 
 Quat turned(const Quat& q_wb, const Vec3& omega_w, double dt) {
   return normalised(rotation_from_vector(dt * omega_w) * q_wb);
+}
+
+Vec3 along_arc(const Vec3& rotation_w, const Vec3& straight_w) {
+  require::finite(rotation_w, "rotation_w");
+  const double angle = rotation_w.norm();
+  require::that(angle <= 1e150, "rotation_w: expected a length up to 1e150");
+  const double half = elementary::sinc(0.5 * angle);
+  const double across = 0.5 * half * half;  // (1 - cos θ) / θ²
+  // (θ - sin θ) / θ³ cancels for small angles, and is multiplied by θ² then.
+  const double inwards = angle < tolerance::small_angle
+                             ? 1.0 / 6.0
+                             : (1.0 - elementary::sinc(angle)) / (angle * angle);
+  const Vec3 turned_w = rotation_w.cross(straight_w);
+  return straight_w + across * turned_w + inwards * rotation_w.cross(turned_w);
+}
+
+Vec3 rotation_vector_rate(const Vec3& rotation_w, const Vec3& omega_w) {
+  require::finite(rotation_w, "rotation_w");
+  const double angle = rotation_w.norm();
+  require::that(angle < 2.0 * std::numbers::pi, "rotation_w: expected less than a full turn");
+  double inwards = 1.0 / 12.0;
+  if (angle >= tolerance::small_angle) {
+    const elementary::SinCos half = elementary::sincos(0.5 * angle);
+    inwards = (1.0 - 0.5 * angle * half.cos / half.sin) / (angle * angle);
+  }
+  const Vec3 turned_w = rotation_w.cross(omega_w);
+  return omega_w - 0.5 * turned_w + inwards * rotation_w.cross(turned_w);
 }
 
 double angle_between(const Quat& p, const Quat& q) {

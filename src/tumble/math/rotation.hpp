@@ -46,6 +46,31 @@ Vec3 rotation_vector(const Quat& q);
 /// \throws std::invalid_argument if a value is not finite or q_wb has no direction
 Quat turned(const Quat& q_wb, const Vec3& omega_w, double dt);
 
+/// How far a point gets in a time in which it goes along with a frame that turns at a constant rate.
+///
+/// With \f$\theta = |r|\f$,
+/// \f[ V d, \qquad V = 1 + \frac{1-\cos\theta}{\theta^2}\,[r]_\times
+///     + \frac{\theta-\sin\theta}{\theta^3}\,[r]_\times^2 , \f]
+/// the translation of the exponential of a twist: d is how far it would get on a straight line, at the
+/// velocity that it has at the start. All points of a body that turns about an axis at rest keep their
+/// distance from that axis.
+/// \param rotation_w [rad] r, axis times the angle turned in that time, world frame
+/// \param straight_w [m] d, velocity at the start times the time, world frame
+/// \return [m] world frame
+/// \throws std::invalid_argument for a rotation that is not finite or longer than 1e150
+Vec3 along_arc(const Vec3& rotation_w, const Vec3& straight_w);
+
+/// The rate of a rotation vector whose rotation turns at an angular velocity.
+///
+/// For \f$q(t) = \exp(r(t))\,q_0\f$ and angular velocity \f$\omega\f$,
+/// \f[ \dot r = \omega - \tfrac12\, r\times\omega
+///     + \frac{1 - \frac\theta2\cot\frac\theta2}{\theta^2}\; r\times(r\times\omega). \f]
+/// \param rotation_w [rad] r, shorter than 2π
+/// \param omega_w    [rad/s] world frame
+/// \return [rad/s] \f$\omega\f$ itself if r is 0 or along it
+/// \throws std::invalid_argument for a rotation of 2π or more, or one that is not finite
+Vec3 rotation_vector_rate(const Vec3& rotation_w, const Vec3& omega_w);
+
 /// The smallest angle that turns one orientation into another (their geodesic distance).
 ///
 /// \f$4 \operatorname{atan2}(\min|p \mp q|,\; \max|p \mp q|)\f$: full relative accuracy for small angles,

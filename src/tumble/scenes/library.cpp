@@ -20,6 +20,7 @@ const std::vector<SceneRecipe>& scene_library() {
     recipes::add_stability(list);
     recipes::add_thrown(list);
     recipes::add_lines(list);
+    recipes::add_turning(list);
     return list;
   }();
   return library;

@@ -36,6 +36,10 @@ void add_stability(std::vector<SceneRecipe>& list);
 /// \param list gets the recipes
 void add_thrown(std::vector<SceneRecipe>& list);
 
+/// Boxes that stick together and turn about a point outside them: fig6_1, fig6_2, fig6_3.
+/// \param list gets the recipes
+void add_turning(std::vector<SceneRecipe>& list);
+
 /// Boxes on a line whose collisions have an order: line, fig5_1.
 /// \param list gets the recipes
 void add_lines(std::vector<SceneRecipe>& list);

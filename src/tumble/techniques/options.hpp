@@ -19,6 +19,7 @@ Parameters contact_damped_options();    ///< \return options of `contact_damped`
 Parameters timewarp_listing_options();  ///< \return options of `timewarp_simple`, `timewarp_safer`
 Parameters timewarp_swept_options();    ///< \return options of `timewarp_swept`
 Parameters timewarp_full_options();     ///< \return options of `timewarp_full`
+Parameters glued_options();             ///< \return options of `glued`
 
 /// \param p     its options
 /// \param seed  not used
@@ -51,5 +52,10 @@ std::unique_ptr<Technique> make_timewarp_swept(const Parameters& p, std::uint64_
 /// \param seed  not used
 /// \return `timewarp_full`
 std::unique_ptr<Technique> make_timewarp_full(const Parameters& p, std::uint64_t seed);
+/// \param p     its options
+/// \param seed  not used
+/// \return `glued`
+/// \throws std::invalid_argument for options that do not go together
+std::unique_ptr<Technique> make_glued(const Parameters& p, std::uint64_t seed);
 
 }  // namespace tumble

@@ -1,0 +1,207 @@
+/// \file
+/// \brief A column, or one box, falls over the edge of a larger one (figures 6.1 and 6.2).
+#include "driver/played_scene.hpp"
+#include "exterior_rotation/falling_column.hpp"
+#include "exterior_rotation/film_schemes.hpp"
+#include "exterior_rotation/problem_experiments.hpp"
+#include "exterior_rotation/side_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr int kFrames = 4;
+constexpr double kMostAngle = 1.0;  // [rad] that a scene can begin with
+
+// What was asked for, and the runs.
+struct Fall {
+  int boxes = 4;
+  double angle = 0.3;  // [rad]
+  double dt = 0.0;     // [s]
+  std::vector<HeldRun> runs;
+};
+
+World world_at(int boxes, double angle, double rate) {
+  if (boxes > 1) return column_world(angle, rate, boxes);
+  return build_world(scene_with("fig6_2", {setting("angle", angle), setting("spin", rate)}));
+}
+
+Fall fall_of(const Parameters& settings) {
+  Fall fall;
+  fall.boxes = settings.count("boxes");
+  fall.angle = settings.number("angle");
+  fall.dt = 1.0 / settings.number("rate");
+  const World start = world_at(fall.boxes, fall.angle, 0.0);
+  const auto steps = static_cast<int>(std::lround(settings.number("duration") / fall.dt));
+  for (const FilmScheme& scheme : film_schemes())
+    fall.runs.push_back(run_held(start, options_of(scheme), fall.dt, steps));
+  return fall;
+}
+
+// The gap that the figure is about: in the column's glue, or at the edge if there is one box.
+double gap(const Fall& fall, const HeldRun& run, const HeldFrame& frame) {
+  return widest(run, frame, fall.boxes > 1 ? JointHold::area : JointHold::edge);
+}
+
+Table gaps_over_time(const Fall& fall) {
+  Table table{"", {{"time_s", "s", "since the start"}}};
+  for (const FilmScheme& scheme : film_schemes()) {
+    table.columns.push_back({scheme.column + "_mm", "mm", "gap, below 0 overlap, " + scheme.words});
+    table.columns.push_back(
+        {scheme.column + "_apart_m", "m", "largest distance of a corner from itself, same scheme"});
+  }
+  for (std::size_t k = 0; k < fall.runs[0].frames.size(); ++k) {
+    table.rows.push_back({fall.runs[0].frames[k].time});
+    for (const HeldRun& run : fall.runs) {
+      table.rows.back().push_back(1e3 * gap(fall, run, run.frames[k]));
+      table.rows.back().push_back(farthest_apart(run.frames[k]));
+    }
+  }
+  return table;
+}
+
+// From which point to which the line goes along which a joint comes apart.
+double spacing(const Fall& fall) { return fall.boxes > 1 ? 1.0 : std::sqrt(0.5); }
+
+// What one step makes of an exact state, by schemes whose error can be seen.
+Table gaps_of_steps(const Fall& fall) {
+  Table table{"steps",
+              {{"time_s", "s", "of the exact state that the step starts from"},
+               {"arc_mm", "mm", "omega^2 h^2 s / 2"}}};
+  for (std::size_t s = 0; s < kSeenSchemes; ++s)
+    table.columns.push_back({film_schemes()[s].column + "_mm", "mm",
+                             "gap after one step, below 0 overlap, " + film_schemes()[s].words});
+  for (const HeldFrame& frame : fall.runs[0].frames) {
+    const double angle = column_angle(frame.time, fall.angle, fall.boxes);
+    if (angle > kMostAngle) break;
+    const double rate = column_rate(frame.time, fall.angle, fall.boxes);
+    const World exact = world_at(fall.boxes, angle, rate);
+    table.rows.push_back({frame.time, 1e3 * 0.5 * rate * rate * fall.dt * fall.dt * spacing(fall)});
+    for (std::size_t s = 0; s < kSeenSchemes; ++s)
+      table.rows.back().push_back(1e3 * gap_of_step(exact, options_of(film_schemes()[s]), fall.dt));
+  }
+  return table;
+}
+
+FilmLayout layout_of(const Fall& fall, const Parameters& settings) {
+  FilmLayout layout;
+  const double top = column_pivot().y();
+  layout.magnification = settings.number("magnification");
+  if (fall.boxes > 1) {
+    const double long_ = fall.boxes;
+    layout.low = Vec2(-2.1, top - 1.0);
+    layout.high = Vec2(long_ + 0.25, top + long_ + 0.15);
+    layout.bar = 0.01;
+  } else {
+    layout.low = Vec2(-1.65, top - 0.75);
+    layout.high = Vec2(1.35, top + 1.65);
+    layout.bar = 0.005;
+  }
+  const double inset = layout.inset / layout.scale();
+  const double margin = 2.0 / layout.scale();
+  layout.inset_low = Vec2(layout.low.x() + margin, layout.high.y() - inset - margin);
+  return layout;
+}
+
+void draw(const Fall& fall, const Parameters& settings, Result& result) {
+  const FilmLayout layout = layout_of(fall, settings);
+  const HeldRun& shown = fall.runs.front();
+  const HeldRun& exact = fall.runs.back();
+  const Vec2 pivot(column_pivot().x(), column_pivot().y());
+  Table times{"frames",
+              {{"time_s", "s", "of the frame"}, {"gap_mm", "mm", "gap in it, forward Euler"}}};
+  for (int k = 1; k <= kFrames; ++k) {
+    const double time = settings.number(std::string("t").append(std::to_string(k)));
+    const HeldFrame& frame = shown.at(time);
+    const Joint& joint = shown.joints.back();
+    // What is magnified is the end of the joint on the pivot's side, or the pivot.
+    Vec3 middle_w = held_point(joint, frame.states).first_w;
+    if (joint.hold == JointHold::area) {
+      const double inside = 0.3 * layout.seen();  // [m] from that end
+      middle_w += frame.states[static_cast<std::size_t>(joint.first)].orientation_wb *
+                  Vec3(0.5 - inside, 0.0, 0.0);
+    }
+    const FilmFrame film{
+        frame.states, exact.at(time).states, {pivot}, Vec2(middle_w.x(), middle_w.y())};
+    SideView view = film_view(shown.start, layout, film);
+    for (int n = 0; n < fall.boxes; ++n) {
+      const bool highest = n + 1 == fall.boxes;
+      view.circle(pivot, std::hypot(0.5, n + 0.5),
+                  {film_colour::pivot, highest ? 1.8 : 0.8, false});
+    }
+    result.drawings.push_back({"frame" + std::to_string(k), view.commands()});
+    result.drawings.push_back(
+        {"inset" + std::to_string(k), film_inset(shown.start, layout, film).commands()});
+    times.rows.push_back({frame.time, 1e3 * gap(fall, shown, frame)});
+  }
+  result.drawings.push_back(layout.drawing());
+  result.tables.push_back(times);
+}
+
+// A run's gap by the angle through which its centre has turned.
+double gap_after_turn(const Fall& fall, double turn) {
+  const HeldRun& run = fall.runs.front();
+  double before = 0.0;
+  double gap_before = 0.0;
+  for (const HeldFrame& frame : run.frames) {
+    const double turned = centre_angle(run.world(frame)) - fall.angle;
+    const double apart = farthest_apart(frame);
+    if (turned >= turn)
+      return gap_before + (apart - gap_before) * (turn - before) / (turned - before);
+    before = turned;
+    gap_before = apart;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Result measure_fall(const Parameters& settings) {
+  const Fall fall = fall_of(settings);
+  Result result;
+  result.tables = {gaps_over_time(fall), gaps_of_steps(fall)};
+  draw(fall, settings, result);
+
+  const auto end = [&](std::size_t s) { return fall.runs[s].frames.back(); };
+  for (std::size_t s = 0; s < kSeenSchemes; ++s)
+    result.quantities.push_back({"gap at the end, " + film_schemes()[s].words, "mm",
+                                 1e3 * gap(fall, fall.runs[s], end(s))});
+  result.quantities.push_back(
+      {"largest distance of a corner from itself at the end, rk4", "m", farthest_apart(end(4))});
+  double largest = 0.0;
+  for (const HeldFrame& frame : fall.runs[5].frames)
+    largest = std::max(largest, farthest_apart(frame));
+  result.quantities.push_back(
+      {"largest distance of a corner from itself, reference", "m", largest});
+  const auto angle = [&](std::size_t s) { return centre_angle(fall.runs[s].world(end(s))); };
+  const double exact = column_angle(end(0).time, fall.angle, fall.boxes);
+  result.quantities.push_back(
+      {"angle at the end less that of the closed form, reference", "rad", angle(5) - exact});
+  result.quantities.push_back({"the same, forward Euler", "rad", angle(0) - exact});
+  result.quantities.push_back(
+      {"largest relative acceleration in a joint at the start of a step, over g, forward Euler",
+       "-", fall.runs[0].acceleration / fall.runs[0].start.gravity_w.norm()});
+  const std::vector<double>& last = result.tables[1].rows.back();
+  for (std::size_t s = 0; s < 2; ++s)
+    result.quantities.push_back(
+        {"gap that the last step makes over half the square of the turn times the spacing, " +
+             film_schemes()[s].words,
+         "-", last[2 + s] / last[1]});
+  if (fall.boxes == 1) {
+    Fall column = fall;
+    column.boxes = 4;
+    column.runs = {run_held(column_world(fall.angle), options_of(film_schemes()[0]), fall.dt,
+                            static_cast<int>(std::lround(1.0 / fall.dt)))};
+    constexpr double kTurn = 0.3;  // [rad] that both have turned
+    result.quantities.push_back(
+        {"farthest apart after turning by 0.3 rad, forward Euler, over that of the column of four",
+         "-", gap_after_turn(fall, kTurn) / gap_after_turn(column, kTurn)});
+  }
+  return result;
+}
+
+}  // namespace tumble::chapters

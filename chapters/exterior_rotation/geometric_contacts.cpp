@@ -1,0 +1,143 @@
+/// \file
+/// \brief Joints without glue as a simulator keeps them.
+#include "exterior_rotation/geometric_contacts.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/exterior_rotation/joint_events.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace tumble::chapters {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool touches(const ContactSet& seen, int corner) { return ((seen.touching >> corner) & 1) != 0; }
+
+}  // namespace
+
+ContactSet contact_set_of(const Joint& joint, std::span<const BodyState> states, double tolerance) {
+  const Vec3 normal_w = states[at(joint.first)].orientation_wb * joint.normal_first_b;
+  ContactSet seen;
+  for (int k = 0; k < joint.count; ++k) {
+    const JointPoint corner = corner_of(joint, k, states);
+    const double distance = normal_w.dot(corner.second_w - corner.first_w);
+    if (distance <= tolerance) seen.touching |= 1 << k;
+    if (distance < -tolerance) seen.overlapped = true;
+  }
+  return seen;
+}
+
+void hold_what_touches(const ContactSet& seen, Joint& joint) {
+  const int count = std::popcount(static_cast<unsigned>(seen.touching));
+  joint.hold = joint.is_area() ? JointHold::area : JointHold::edge;
+  joint.side = 0;
+  if (count == joint.count) return;
+  if (count == 0) joint.hold = JointHold::nothing;
+  for (int k = 0; k < joint.count; ++k) {
+    const bool alone = count == 1 && touches(seen, k);
+    const bool side = count == 2 && touches(seen, k) && touches(seen, (k + 1) % joint.count);
+    if (!alone && !side) continue;
+    joint.hold = alone ? JointHold::corner : JointHold::edge;
+    joint.side = k;
+    return;
+  }
+}
+
+const std::vector<ContactScheme>& contact_schemes() {
+  constexpr PoseUpdate exponential = PoseUpdate::exponential;
+  static const std::vector<ContactScheme> schemes = {
+      {"forward Euler", nullptr, SimpleScheme::forward_euler},
+      {"semi-implicit", nullptr, SimpleScheme::semi_implicit},
+      {"impulse", nullptr, SimpleScheme::impulse},
+      {"midpoint", &midpoint_table()},
+      {"rk4", &classical_table()},
+      {"forward Euler, exponential", nullptr, SimpleScheme::forward_euler, exponential},
+      {"semi-implicit, exponential", nullptr, SimpleScheme::semi_implicit, exponential},
+      {"impulse, exponential", nullptr, SimpleScheme::impulse, exponential},
+      {"leapfrog, exponential", nullptr, SimpleScheme::leapfrog, exponential}};
+  return schemes;
+}
+
+GeometricContacts::GeometricContacts(ContactScheme scheme, double tolerance, bool glue)
+    : scheme_(std::move(scheme)), tolerance_(tolerance), glue_(glue) {
+  require::positive(tolerance, "tolerance");
+}
+
+void GeometricContacts::find(const World& world) {
+  joints_ = find_joints(world, tolerance::glue_margin);
+  reach_.clear();
+  for (const Joint& joint : joints_)
+    reach_.push_back(tolerance_ * std::min(world.bodies()[at(joint.first)].size.minCoeff(),
+                                           world.bodies()[at(joint.second)].size.minCoeff()));
+  seen_ = look(world);
+}
+
+std::vector<ContactSet> GeometricContacts::look(const World& world) const {
+  std::vector<ContactSet> seen;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    seen.push_back(contact_set_of(joints_[j], world.states(), reach_[j]));
+  return seen;
+}
+
+void GeometricContacts::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  if (joints_.empty()) find(world);
+  // Who touches, and who touches again.
+  const std::vector<ContactSet> now = look(world);
+  bool back = false;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    hold_what_touches(now[j], joints_[j]);
+    back = back || (now[j].touching & ~seen_[j].touching) != 0;
+  }
+  seen_ = now;
+  if (back) {
+    const std::vector<Joint> held = joints_;
+    load_moving_bodies(world, moving_);
+    release(world, true);
+    forces_.project(moving_, joints_, world.states());
+    store_moving_bodies(moving_, world);
+    joints_ = held;
+  }
+  load_moving_bodies(world, moving_);
+  const bool impulses = scheme_.table == nullptr && scheme_.simple == SimpleScheme::impulse;
+  if (impulses)
+    for (std::size_t k = 0; k < moving_.size(); ++k)
+      if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
+  release(world, impulses);
+  if (scheme_.table != nullptr)
+    runge_kutta_.step(*scheme_.table, dt, joints_, forces_, world);
+  else
+    simple_.step(scheme_.simple, scheme_.pose, dt, joints_, forces_, world);
+  world.finish_step(dt);
+}
+
+// Opens joints, or takes them apart, until no force or impulse has to pull. None closes here, so that this
+// ends: a face can only become an edge, and an edge nothing.
+void GeometricContacts::release(const World& world, bool impulses) {
+  if (glue_) return;
+  for (;;) {
+    if (impulses) {
+      trial_ = moving_;
+      forces_.project(trial_, joints_, world.states());
+    } else {
+      forces_.hold(world, moving_, joints_, wrenches_);
+    }
+    // That a joint closes is told by geometry here: such answers are passed over.
+    std::vector<Joint> asked = joints_;
+    JointChange change;
+    double margin = joint_margin(asked, world, moving_, forces_, change);
+    while (margin < 0.0 && change.hold == JointHold::area) {
+      asked[at(change.joint)].hold = JointHold::nothing;
+      margin = joint_margin(asked, world, moving_, forces_, change);
+    }
+    if (!(margin < 0.0)) return;
+    joints_[at(change.joint)].hold = change.hold;
+    joints_[at(change.joint)].side = change.side;
+  }
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,108 @@
+/// \file
+/// \brief Joints without glue as a simulator keeps them, which knows of a contact only what it sees (thesis
+///        6.2).
+#pragma once
+
+#include "tumble/exterior_rotation/runge_kutta.hpp"
+#include "tumble/exterior_rotation/simple_steps.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// What is seen of a joint.
+struct ContactSet {
+  int touching = 0;         ///< bit k: corner k of the area touches the other body
+  bool overlapped = false;  ///< a test for collisions would find the bodies in each other
+
+  /// Whether two looks are the same.
+  /// \param other the other one
+  /// \return true if all is
+  bool operator==(const ContactSet& other) const = default;
+};
+
+/// Looks at a joint.
+///
+/// A corner of the area touches while its two bodies have it at most a tolerance apart along the normal,
+/// or in each other. The joint is overlapped if a corner is deeper than the tolerance.
+/// \param joint      its area; what is held does not matter
+/// \param states     of all bodies, by index
+/// \param tolerance  [m] above 0
+/// \return what is seen
+ContactSet contact_set_of(const Joint& joint, std::span<const BodyState> states, double tolerance);
+
+/// What corners that touch can hold.
+/// \param seen   what is seen of the joint
+/// \param joint  gets what is held: all corners its area, two of a side this side, one a corner, none
+///               nothing. Three, or two across the area, count as all
+void hold_what_touches(const ContactSet& seen, Joint& joint);
+
+/// A way to step.
+struct ContactScheme {
+  std::string name;                                   ///< as figures call it
+  const ButcherTable* table = nullptr;                ///< of several stages, or nullptr
+  SimpleScheme simple = SimpleScheme::forward_euler;  ///< else
+  PoseUpdate pose = PoseUpdate::separate;             ///< of a simple scheme
+};
+
+/// The schemes that are compared: five that move centre and orientation apart, four that do not.
+/// \return forward Euler, semi-implicit, impulse, midpoint, rk4; then by the exponential forward Euler,
+///         semi-implicit, impulse, leapfrog
+const std::vector<ContactScheme>& contact_schemes();
+
+/// Bodies whose contacts are told by geometry in every step.
+///
+/// `Glued` remembers which joints hold, and opens one when its force says so. A simulator has no such
+/// memory: it looks where bodies are, and takes what touches for a contact. Each step
+/// 1. looks at every joint, and lets the corners that touch hold;
+/// 2. where corners have come back, ends the velocity that is left in the joints, without rebound;
+/// 3. releases what would have to pull, as joint_margin() says;
+/// 4. makes a step of the scheme with what holds.
+/// Friction is never too small. Joints are those of the start; nothing pushes overlap out.
+class GeometricContacts {
+ public:
+  /// Makes it.
+  /// \param scheme     how a step is made
+  /// \param tolerance  [-] surfaces that are up to this apart touch, over the shortest edge of the pair
+  /// \param glue       whether what touches holds even if it has to pull: step 3 is left out
+  /// \throws std::invalid_argument for a tolerance that is not above 0
+  explicit GeometricContacts(ContactScheme scheme, double tolerance, bool glue = false);
+
+  /// Finds the joints now instead of in the first step.
+  /// \param world the bodies
+  void find(const World& world);
+
+  /// One step.
+  /// \param world  in and out
+  /// \param dt     [s] above 0
+  void step(World& world, double dt);
+
+  /// Looks at all joints.
+  /// \param world as it is now
+  /// \return by joint, in the order of find_joints()
+  [[nodiscard]] std::vector<ContactSet> look(const World& world) const;
+
+  /// The joints with what held in the last step.
+  /// \return empty before they are found
+  [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
+
+ private:
+  void release(const World& world, bool impulses);
+
+  ContactScheme scheme_;
+  double tolerance_;
+  bool glue_;
+  std::vector<Joint> joints_;
+  std::vector<double> reach_;       // [m] of the tolerance, by joint
+  std::vector<ContactSet> seen_;    // in the step before
+  std::vector<MovingBody> moving_;  // and whatever else a step works with
+  std::vector<MovingBody> trial_;
+  std::vector<Wrench> wrenches_;
+  JointForces forces_;
+  RungeKutta runge_kutta_;
+  SimpleSteps simple_;
+};
+
+}  // namespace tumble::chapters

@@ -1,0 +1,105 @@
+/// \file
+/// \brief A group of bodies that stick, step by step.
+#include "exterior_rotation/held_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
+
+HeldFrame frame_of(const World& world, std::span<const Joint> joints, double time) {
+  HeldFrame frame;
+  frame.time = time;
+  frame.states.assign(world.states().begin(), world.states().end());
+  for (const Joint& joint : joints) frame.gaps.push_back(gap_of(joint, world.states()));
+  return frame;
+}
+
+// The acceleration of a point of a body's material.
+Vec3 acceleration_of(const BodyProperties& body, const BodyState& state, const Wrench& rate,
+                     const Vec3& point_w) {
+  if (!body.movable()) return Vec3::Zero();
+  const Vec3 omega_w = angular_velocity(body, state);
+  const Vec3 torque_w = rate.torque_w - omega_w.cross(state.angular_momentum_w);
+  const Vec3 alpha_w = inverse_inertia_w(body, state.orientation_wb) * torque_w;
+  const Vec3 lever_w = point_w - state.position_w;
+  return body.inverse_mass * rate.force_w + alpha_w.cross(lever_w) +
+         omega_w.cross(omega_w.cross(lever_w));
+}
+
+}  // namespace
+
+const HeldFrame& HeldRun::at(double time) const {
+  return *std::min_element(frames.begin(), frames.end(),
+                           [&](const HeldFrame& a, const HeldFrame& b) {
+                             return std::abs(a.time - time) < std::abs(b.time - time);
+                           });
+}
+
+World HeldRun::world(const HeldFrame& frame) const {
+  World world = start;
+  std::copy(frame.states.begin(), frame.states.end(), world.states().begin());
+  return world;
+}
+
+HeldRun run_held(const World& start, const GluedOptions& options, double dt, int steps) {
+  HeldRun run;
+  run.start = start;
+  World world = start;
+  Glued glued(options);
+  glued.find(world);
+  run.joints.assign(glued.joints().begin(), glued.joints().end());
+  run.frames.push_back(frame_of(world, run.joints, 0.0));
+  for (int k = 1; k <= steps; ++k) {
+    run.acceleration = std::max(run.acceleration, relative_acceleration(world, run.joints));
+    glued.step(world, dt);
+    if (!all_finite(world)) throw std::runtime_error("a step of glued left no finite state");
+    run.frames.push_back(frame_of(world, run.joints, k * dt));
+  }
+  return run;
+}
+
+double signed_gap(const JointGap& gap) {
+  return gap.opening >= gap.overlap ? gap.opening : -gap.overlap;
+}
+
+double widest(const HeldRun& run, const HeldFrame& frame, JointHold hold) {
+  double widest = 0.0;
+  for (std::size_t j = 0; j < run.joints.size(); ++j) {
+    if (run.joints[j].hold != hold) continue;
+    const double gap = signed_gap(frame.gaps[j]);
+    if (std::abs(gap) > std::abs(widest)) widest = gap;
+  }
+  return widest;
+}
+
+double farthest_apart(const HeldFrame& frame) {
+  double farthest = 0.0;
+  for (const JointGap& gap : frame.gaps) farthest = std::max(farthest, gap.apart);
+  return farthest;
+}
+
+double relative_acceleration(const World& world, std::span<const Joint> joints) {
+  JointForces forces;
+  std::vector<MovingBody> moving;
+  std::vector<Wrench> rates;
+  load_moving_bodies(world, moving);
+  forces.hold(world, moving, joints, rates);
+  double largest = 0.0;
+  for (const Joint& joint : joints) {
+    const JointPoint held = held_point(joint, world.states());
+    const auto of = [&](int body, const Vec3& point_w) {
+      const std::size_t k = at_index(body);
+      return acceleration_of(world.bodies()[k], world.states()[k], rates[k], point_w);
+    };
+    const Vec3 apart_w = of(joint.second, held.second_w) - of(joint.first, held.first_w);
+    largest = std::max(largest, apart_w.norm());
+  }
+  return largest;
+}
+
+}  // namespace tumble::chapters

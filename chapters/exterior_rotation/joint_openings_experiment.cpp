@@ -1,0 +1,217 @@
+/// \file
+/// \brief Where the joints of the falling column open, and what happens then.
+#include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "driver/played_scene.hpp"
+#include "exterior_rotation/falling_column.hpp"
+#include "exterior_rotation/footnote_experiments.hpp"
+#include "exterior_rotation/side_view.hpp"
+#include "exterior_rotation/unilateral_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr int kJoints = 3;  // areas between four cubes; joint 0 is the pivot
+constexpr int kTop = 3;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr std::uint32_t kHeld = 0x303030;   // an area that holds
+constexpr std::uint32_t kHinge = 0xd55e00;  // an edge that a box turns about
+const Vec2 kLow = Vec2(-1.3, 1.0);          // [m] what a frame shows
+const Vec2 kHigh = Vec2(5.0, 6.2);
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// How far a body has turned, falling.
+double tilt_of(const BodyState& state) {
+  const Vec3 up_w = state.orientation_wb * Vec3::UnitY();
+  return elementary::atan2(up_w.x(), up_w.y());
+}
+
+// What a moment of the fall tells.
+struct Look {
+  double time = 0.0;
+  std::array<double, kJoints> pressed{};  // [m] NaN if the area is not held
+  std::array<double, kJoints> hinge{};    // [rad] between the two boxes
+};
+
+Look look_at(const World& world, std::span<const Joint> joints) {
+  Look look;
+  look.time = world.time();
+  std::vector<MovingBody> moving;
+  std::vector<Wrench> rates;
+  JointForces forces;
+  load_moving_bodies(world, moving);
+  forces.hold(world, moving, joints, rates);
+  for (int k = 0; k < kJoints; ++k) {
+    const Joint& joint = joints[at(k + 1)];
+    look.pressed[at(k)] = joint.hold == JointHold::area
+                              ? pressed_at(joint, forces.on_second(k + 1), world.states())
+                              : std::nan("");
+    look.hinge[at(k)] =
+        tilt_of(world.states()[at(joint.first)]) - tilt_of(world.states()[at(joint.second)]);
+  }
+  return look;
+}
+
+struct Fall {
+  UnilateralRun run;
+  std::vector<Look> looks;
+  JointMoment start;
+};
+
+Fall let_fall(double angle, double seconds, double rate) {
+  Fall fall;
+  fall.run = run_unilateral(
+      column_world(angle), unilateral(GluedScheme::dormand_prince, GluedEvents::located), seconds,
+      static_cast<int>(std::lround(seconds * rate)), [&](const World& world, const Glued& glued) {
+        if (fall.looks.empty())
+          fall.start = {world, {glued.joints().begin(), glued.joints().end()}};
+        fall.looks.push_back(look_at(world, glued.joints()));
+      });
+  return fall;
+}
+
+// The first event of a kind.
+const JointEvent& event_of(const Fall& fall, int joint, JointHold hold) {
+  for (const JointEvent& event : fall.run.events)
+    if (event.joint == joint && event.hold == hold) return event;
+  throw std::runtime_error("seconds: the fall is too short, joint " + std::to_string(joint) +
+                           " has not opened by then");
+}
+
+// The column from the side. Thick lines: areas that hold. Dots: edges that boxes turn about.
+Drawing drawing_of(const JointMoment& moment, int number) {
+  SideView view(kLow, kHigh);
+  const auto& bodies = moment.world.bodies();
+  const std::span<const BodyState> states = moment.world.states();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bool moves = bodies[b].movable();
+    if (bodies[b].shape != Shape::box) continue;
+    const Polygon side = side_of(bodies[b], states[b]);
+    view.fill(side, moves ? film_colour::body : film_colour::supporter);
+    view.outline(side, {moves ? film_colour::edge : 0x808080, 1.0});
+  }
+  const auto corner = [&](const Joint& joint, int k) -> Vec2 {
+    return corner_of(joint, k, states).first_w.head<2>();
+  };
+  constexpr double radius = 0.11;  // [m] of a dot
+  for (const Joint& joint : moment.joints) {
+    if (joint.hold == JointHold::edge) view.dot(corner(joint, joint.side), radius, kHinge);
+    if (joint.hold != JointHold::area) continue;
+    // Seen from the side, two neighbouring corners of the area are one point, the next two another.
+    const bool ahead = (corner(joint, 0) - corner(joint, 1)).norm() > radius;
+    view.line(corner(joint, 0), corner(joint, ahead ? 1 : 2), {kHeld, 4.0});
+  }
+  return {"frame" + std::to_string(number), view.commands()};
+}
+
+Table looks_table(const Fall& fall, double angle) {
+  Table table{"",
+              {{"time_s", "s", "since the column was let go"},
+               {"glued_deg", "deg", "closed form: angle of the glued column's centre"}}};
+  const double opens = fall.run.events.front().time;
+  const std::array<std::array<std::string, 3>, 4> parts = {
+      {{"pressed", "m", "centre of pressure from the edge on the pivot's side, joint "},
+       {"glued", "m", "the same of the glued column, closed form, joint "},
+       {"error", "m", "their difference until the first opening, joint "},
+       {"hinge", "deg", "angle between the two boxes, joint "}}};
+  for (const auto& [name, unit, meaning] : parts)
+    for (int k = 1; k <= kJoints; ++k)
+      table.columns.push_back(
+          {name + std::to_string(k) + '_' + unit, unit, meaning + std::to_string(k)});
+  std::array<double, kJoints> opens_at{};  // glue would have to pull from there on
+  for (int k = 0; k < kJoints; ++k) opens_at[at(k)] = opening_angle(k + 1, angle);
+  for (const Look& look : fall.looks) {
+    const double phi = column_angle(look.time, angle);
+    table.rows.push_back({look.time, kDegrees * phi});
+    std::vector<double>& row = table.rows.back();
+    std::array<double, kJoints> glued{};
+    for (int k = 0; k < kJoints; ++k)
+      glued[at(k)] =
+          phi <= opens_at[at(k)] ? glue_force(k + 1, phi, angle).from_edge : std::nan("");
+    row.insert(row.end(), look.pressed.begin(), look.pressed.end());
+    row.insert(row.end(), glued.begin(), glued.end());
+    for (int k = 0; k < kJoints; ++k)
+      row.push_back(look.time < opens ? std::abs(look.pressed[at(k)] - glued[at(k)])
+                                      : std::nan(""));
+    for (const double hinge : look.hinge) row.push_back(kDegrees * hinge);
+  }
+  return table;
+}
+
+Table events_table(const Fall& fall) {
+  Table table{"events",
+              {{"time_s", "s", "since the column was let go"},
+               {"joint", "-", "0: pivot; from 1 areas, the lowest first"},
+               {"hold", "-", "0: area, 1: edge, 3: nothing, from now on"},
+               {"angle_rad", "rad", "of the centre of all cubes"}}};
+  for (const JointEvent& event : fall.run.events)
+    table.rows.push_back({event.time, static_cast<double>(event.joint),
+                          static_cast<double>(event.hold), event.angle});
+  return table;
+}
+
+double largest_error(const Table& looks) {
+  double largest = 0.0;
+  for (const auto& row : looks.rows)
+    for (std::size_t column = 8; column < 11; ++column)
+      if (row[column] > largest) largest = row[column];
+  return largest;
+}
+
+}  // namespace
+
+Result measure_joint_openings(const Parameters& settings) {
+  const double angle = settings.number("angle");
+  const Fall fall = let_fall(angle, settings.number("seconds"), settings.number("rate"));
+  const JointEvent& first = event_of(fall, kTop, JointHold::edge);
+  const JointEvent& second = event_of(fall, kTop - 1, JointHold::edge);
+  const JointEvent& apart = event_of(fall, kTop, JointHold::nothing);
+  const JointEvent& leaves = event_of(fall, 0, JointHold::nothing);
+  const auto [steeper, enough] = std::array<double, 2>{0.3, 0.9};  // another fall: [rad], [s]
+  const Fall other = let_fall(steeper, enough, 60.0);
+
+  Result result;
+  result.tables = {looks_table(fall, angle), events_table(fall)};
+  // The start, the first opening, and each time that a box has come apart.
+  Table frames{"frames", {{"time_s", "s", "of the drawing with this place"}}};
+  const auto draw = [&](double time, const JointMoment& moment) {
+    frames.rows.push_back({time});
+    result.drawings.push_back(drawing_of(moment, static_cast<int>(frames.rows.size())));
+  };
+  draw(0.0, fall.start);
+  for (std::size_t k = 0; k < fall.run.events.size(); ++k)
+    if (k == 0 || fall.run.events[k].hold == JointHold::nothing)
+      draw(fall.run.events[k].time, fall.run.moments[k]);
+  result.tables.push_back(frames);
+
+  const double opening = opening_angle(kTop, angle);
+  const BodyState& lowest = fall.run.moments.front().world.states()[at(fall.start.joints[1].first)];
+  result.quantities = {
+      {"angle of the column's centre at the first opening", "rad", first.angle},
+      {"the same, closed form", "rad", opening},
+      {"tilt of the column at the first opening", "deg", kDegrees * tilt_of(lowest)},
+      {"moment of the first opening", "s", first.time},
+      {"moment of the first opening, closed form", "s", column_time(opening, angle)},
+      {"largest error of a centre of pressure before the first opening", "m",
+       largest_error(result.tables.front())},
+      {"angle at the first opening when let go at 0.3", "rad",
+       event_of(other, kTop, JointHold::edge).angle},
+      {"angle of the centre of all boxes at the second opening", "rad", second.angle},
+      {"angle at the second opening if the first joint held, closed form", "rad",
+       opening_angle(kTop - 1, angle)},
+      {"moment at which the top box comes apart", "s", apart.time},
+      {"moment at which the lowest box leaves the edge", "s", leaves.time},
+      {"changes of joints until then", "-", static_cast<double>(fall.run.events.size())}};
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,189 @@
+/// \file
+/// \brief Nested spins, figure 6.3: one rotation for the group, one for each body, a tree (claim 6.2c).
+#include "tumble/exterior_rotation/glued.hpp"
+
+#include "driver/played_scene.hpp"
+#include "exterior_rotation/best_frame.hpp"
+#include "exterior_rotation/cure_figures.hpp"
+#include "exterior_rotation/cure_runs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tumble::chapters {
+namespace {
+
+// Chosen before the first run. All ways move with the velocities at the start of the step. The gap of a
+// joint is the distance of its two material points, at the middle of its edge, after the step; of the two
+// joints the larger counts. The single rotation is a frame with one centre c and one rate Omega for both
+// boxes, see moved_in_frame(): orientations turn at their own rates, or nothing would be left of the
+// scene's motion. One rotation for each body is the exponential of its own twist. What a tree of pivots
+// leaves instead, which is what the option `pose=exponential` of the techniques makes, is told beside.
+constexpr double kWidest = 30.0;          // [rad/s] of the frames that are tried
+constexpr double kCoarsest = 1.0 / 20.0;  // [s]
+constexpr double kFinest = 1.0 / 2000.0;  // [s]
+constexpr double kSmallest = 1e-17;       // [m] mismatches of 0 are drawn here
+struct Spins {
+  double lower = 0.0;  // [rad/s]
+  double upper = 0.0;
+};
+constexpr std::array kSpins = {Spins{-1.5, 1.5}, Spins{-1.5, -1.0}, Spins{-6.0, 2.0},
+                               Spins{-0.3, 9.0}};
+
+constexpr Spins kSlowBelow{-0.3, -9.0};  // over a lower box that hardly turns
+
+// Figure 6.3 at one instant.
+struct Nested {
+  World world;
+  std::vector<Joint> joints;  // lower, upper
+  Vec3 pivot_w = Vec3::Zero();
+  Vec3 lower_spin_w = Vec3::Zero();
+  double spin_apart = 0.0;   // [rad/s] |Δω|
+  double joint_speed = 0.0;  // [m/s] |v_p| of the upper joint
+
+  /// \param scene  figure 6.3
+  explicit Nested(const Scene& scene) : world(build_world(scene)) {
+    Glued glued;
+    glued.find(world);
+    joints.assign(glued.joints().begin(), glued.joints().end());
+    pivot_w = held_point(joints[0], world.states()).first_w;
+    const auto index = [&](const char* name) {
+      return static_cast<std::size_t>(world.index_of(*world.find(std::string_view(name))));
+    };
+    const auto spin = [&](std::size_t k) {
+      return angular_velocity(world.bodies()[k], world.states()[k]);
+    };
+    lower_spin_w = spin(index("lower"));
+    spin_apart = (spin(index("upper")) - lower_spin_w).norm();
+    joint_speed =
+        lower_spin_w.cross(held_point(joints[1], world.states()).first_w - pivot_w).norm();
+  }
+
+  [[nodiscard]] double predicted(double dt) const {
+    return 0.5 * dt * dt * spin_apart * joint_speed;
+  }
+};
+
+Nested nested(const Spins& spins) {
+  return Nested(scene_with(
+      "fig6_3", {setting("lower_spin", spins.lower), setting("upper_spin", spins.upper)}));
+}
+
+// What each way of moving leaves in a step.
+struct Left {
+  double straight = 0.0;  // [m] centre and orientation apart
+  double pivot = 0.0;     // [m] the frame of the lower box
+  double best = 0.0;      // [m] the best frame
+  double own = 0.0;       // [m] one twist for each body
+  double tree = 0.0;      // [m]
+};
+
+Left left_in_step(const Nested& scene, double dt) {
+  const auto after = [&](const std::vector<BodyState>& states) {
+    return mismatch(scene.joints, states);
+  };
+  return {after(moved_in_frame(scene.world, GroupFrame{}, dt)),
+          after(moved_in_frame(scene.world, {scene.pivot_w, scene.lower_spin_w}, dt)),
+          best_frame(scene.world, scene.joints, dt, kWidest).left,
+          after(moved_by_own_twist(scene.world, dt)),
+          after(moved_in_tree(scene.world, scene.joints, dt))};
+}
+
+// How much more the simplex leaves than the search over rates, from the best of four starts.
+double simplex_excess(const Nested& scene, double dt) {
+  const BestFrame best = best_frame(scene.world, scene.joints, dt, kWidest);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double rate : {-3.0, -1.0, 1.0, 3.0})
+    least = std::min(least, best_frame_by_simplex(scene.world, scene.joints, dt,
+                                                  {scene.pivot_w, Vec3(0.0, 0.0, rate)})
+                                .left);
+  return least / best.left - 1.0;
+}
+
+Table step_table(int steps, std::vector<double>& dts, std::vector<double>& first,
+                 double& worst_at_finest) {
+  Table table{
+      "",
+      {{"spins", "-", "1 to 4: spins of the lower and the upper box as in the next columns"},
+       {"lower_rad_s", "rad/s", "spin of the lower box, anticlockwise"},
+       {"upper_rad_s", "rad/s", "spin of the upper box, anticlockwise"},
+       {"step_s", "s", "length of the step"},
+       {"measured_m", "m", "mismatch of the joints after it, one twist for each body"},
+       {"predicted_m", "m", "half h² |Δω| |v_p|"},
+       {"ratio", "-", "measured over predicted"}}};
+  for (std::size_t s = 0; s < kSpins.size(); ++s) {
+    const Nested scene = nested(kSpins[s]);
+    for (int k = 0; k < steps; ++k) {
+      const double share = static_cast<double>(k) / (steps - 1);
+      const double dt = kFinest * std::exp(share * std::log(kCoarsest / kFinest));
+      const double measured = mismatch(scene.joints, moved_by_own_twist(scene.world, dt));
+      const double ratio = measured / scene.predicted(dt);
+      table.rows.push_back({static_cast<double>(s + 1), kSpins[s].lower, kSpins[s].upper, dt,
+                            measured, scene.predicted(dt), ratio});
+      if (k == 0) worst_at_finest = std::max(worst_at_finest, std::abs(ratio - 1.0));
+      if (s != 0) continue;
+      dts.push_back(dt);
+      first.push_back(measured);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Result measure_one_pivot(const Parameters& settings) {
+  const double dt = 1.0 / settings.number("rate");
+  const int count = settings.count("spins");
+  std::vector<double> dts;
+  std::vector<double> first;
+  double worst_at_finest = 0.0;
+  Table steps = step_table(settings.count("steps"), dts, first, worst_at_finest);
+
+  Table spins{"spins",
+              {{"upper_rad_s", "rad/s", "spin of the upper box, anticlockwise"},
+               {"straight_m", "m", "centres on straight lines"},
+               {"pivot_m", "m", "the lower box's rotation for the whole group"},
+               {"best_m", "m", "the best single rotation for the group"},
+               {"own_m", "m", "one twist for each body"},
+               {"tree_m", "m", "a tree of pivots"}}};
+  const auto drawn = [](double left) { return std::max(left, kSmallest); };
+  double largest_ratio = 0.0;
+  double largest_left = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const double upper = -10.0 + 20.0 * k / (count - 1);
+    const Left left = left_in_step(nested({kSpins[0].lower, upper}), dt);
+    spins.rows.push_back({upper, drawn(left.straight), drawn(left.pivot), drawn(left.best),
+                          drawn(left.own), drawn(left.tree)});
+    largest_ratio = std::max(largest_ratio, left.best / left.own);
+    largest_left = std::max(largest_left, left.best);
+  }
+
+  const Nested scene = Nested(scene_with("fig6_3", {}));
+  const Left left = left_in_step(scene, dt);
+  const Left slow = left_in_step(nested(kSlowBelow), dt);
+  Result result;
+  result.quantities = {
+      {"gap or overlap that the best single rotation leaves in a step of figure 6.3 at 60 steps a "
+       "second, over what one rotation for each body leaves",
+       "-", left.best / left.own},
+      {"what the best single rotation leaves", "m", left.best},
+      {"what one twist for each body leaves", "m", left.own},
+      {"half h² |Δω| |v_p|", "m", scene.predicted(dt)},
+      {"what a tree of pivots leaves", "m", left.tree},
+      {"what centres on straight lines leave", "m", left.straight},
+      {"the same ratio for spins of -0.3 and -9 rad/s", "-", slow.best / slow.own},
+      {"largest ratio of the best single rotation to one twist each, upper box within 10 rad/s",
+       "-", largest_ratio},
+      {"largest mismatch that the best single rotation leaves, upper box within 10 rad/s", "m",
+       largest_left},
+      {"order of the mismatch in the step, one twist each", "-", fitted_order(dts, first)},
+      {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest},
+      {"what a simplex leaves more than the search over rates, over it", "-",
+       simplex_excess(scene, dt)}};
+  result.tables = {std::move(steps), std::move(spins)};
+  return result;
+}
+
+}  // namespace tumble::chapters

@@ -1,0 +1,138 @@
+/// \file
+/// \brief Bodies seen from the side, and a place of them magnified, as commands of gnuplot.
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+#include "tumble/record/polygon.hpp"
+
+#include "driver/figure.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// How a line of a side view looks.
+struct LineLook {
+  std::uint32_t colour = 0x404040;  ///< 0xRRGGBB
+  double width = 1.0;               ///< [pt]
+  bool dashed = false;              ///< or continuous
+};
+
+/// A part of the plane z = 0, drawn in metres: x to the right, y up.
+class SideView {
+ public:
+  /// An empty view.
+  /// \param low   [m] lower left corner
+  /// \param high  [m] upper right corner, above and to the right of the other one
+  SideView(const Vec2& low, const Vec2& high) : low_(low), high_(high) {}
+
+  /// Fills a polygon.
+  /// \param corners  [m] convex
+  /// \param colour   0xRRGGBB
+  /// \param opacity  [-] 0 to 1; below 1 overlap is darker
+  void fill(const Polygon& corners, std::uint32_t colour, double opacity = 0.55);
+  /// Draws the edges of a polygon.
+  /// \param corners  [m] convex
+  /// \param look     of the line
+  void outline(const Polygon& corners, const LineLook& look);
+  /// Draws a circle.
+  /// \param centre  [m]
+  /// \param radius  [m]
+  /// \param look    of the line
+  void circle(const Vec2& centre, double radius, const LineLook& look);
+  /// Fills a circle.
+  /// \param centre  [m]
+  /// \param radius  [m]
+  /// \param colour  0xRRGGBB
+  void dot(const Vec2& centre, double radius, std::uint32_t colour);
+  /// Draws a line.
+  /// \param from  [m]
+  /// \param to    [m]
+  /// \param look  of it
+  void line(const Vec2& from, const Vec2& to, const LineLook& look);
+  /// Draws the border of the view.
+  /// \param look of the line
+  void frame(const LineLook& look);
+  /// Writes a word.
+  /// \param text   printed as it is
+  /// \param where  [m] the middle of its foot
+  void write(std::string_view text, const Vec2& where);
+
+  /// All of it, to be read in a multiplot after margins have been set in the view's proportions.
+  /// \return commands of gnuplot
+  [[nodiscard]] std::string commands() const;
+
+ private:
+  [[nodiscard]] Polygon inside(const Polygon& corners) const;
+
+  Vec2 low_;
+  Vec2 high_;
+  std::string objects_;
+  std::string circles_;
+};
+
+/// The outline of a box seen along z.
+/// \param body   a box that is turned about z only
+/// \param state  where it is
+/// \return [m] its four corners, anticlockwise
+Polygon side_of(const BodyProperties& body, const BodyState& state);
+
+/// A frame of a film, the magnified place in it, and how large they are on paper.
+struct FilmLayout {
+  Vec2 low = Vec2::Zero();        ///< [m] lower left corner of what a frame shows
+  Vec2 high = Vec2::Ones();       ///< [m] upper right corner
+  double width = 294.0;           ///< [pt] of a frame
+  double magnification = 50.0;    ///< [-] of the inset, over the frame
+  Vec2 inset_low = Vec2::Zero();  ///< [m] where in the frame the inset's lower left corner is
+  double inset = 96.0;            ///< [pt] its edge
+  double bar = 0.01;              ///< [m] of the scale bar in the inset
+
+  /// How long a metre of a frame is.
+  /// \return [pt/m]
+  [[nodiscard]] double scale() const { return width / (high.x() - low.x()); }
+  /// How much of the world the inset shows.
+  /// \return [m] its edge
+  [[nodiscard]] double seen() const { return inset / (scale() * magnification); }
+  /// What a script must know to give frames and insets their places.
+  /// \return variables of gnuplot: frame_wide, frame_tall, inset_left, inset_foot and inset_edge in points,
+  ///         and magnification
+  [[nodiscard]] Drawing drawing() const;
+};
+
+/// What a frame shows beside the bodies themselves.
+struct FilmFrame {
+  std::span<const BodyState> states;  ///< of the bodies that are filled, by index
+  std::span<const BodyState> exact;   ///< the same, as they should be: dashed; may be empty
+  std::vector<Vec2> pivots;           ///< [m] marked
+  Vec2 magnified = Vec2::Zero();      ///< [m] the middle of the inset
+};
+
+/// The colours of the film strips.
+namespace film_colour {
+inline constexpr std::uint32_t supporter = 0xdcdcdc;       ///< immovable bodies
+inline constexpr std::uint32_t supporter_edge = 0x808080;  ///< their edges
+inline constexpr std::uint32_t body = 0x56b4e9;            ///< others
+inline constexpr std::uint32_t edge = 0x0072b2;            ///< their edges
+inline constexpr std::uint32_t dark = 0x303030;            ///< what should be, and centres
+inline constexpr std::uint32_t pivot = 0xd55e00;           ///< pivots, and circles about them
+}  // namespace film_colour
+
+/// Draws a frame without circles.
+/// \param world   the constant parts
+/// \param layout  of the film
+/// \param frame   what to draw
+/// \return the view, to which circles may be added
+SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame& frame);
+
+/// Draws the magnified place.
+/// \param world   the constant parts
+/// \param layout  of the film
+/// \param frame   of the same
+/// \return the view with its scale bar
+SideView film_inset(const World& world, const FilmLayout& layout, const FilmFrame& frame);
+
+}  // namespace tumble::chapters

@@ -1,0 +1,150 @@
+/// \file
+/// \brief The point about which a body that sticks, slides or flies has to be turned (thesis 6.2).
+#include "tumble/math/rotation.hpp"
+
+#include "exterior_rotation/cure_figures.hpp"
+#include "exterior_rotation/group_moves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kCoarsest = 1.0 / 5.0;   // [s]
+constexpr double kFinest = 1.0 / 1000.0;  // [s]
+constexpr double kBase = 1.0 / 60.0;      // [s] of which numbers are told
+constexpr double kSmallest = 1e-17;       // [m] errors of 0 are drawn here
+
+enum Situation { sticks, slides, flies };
+enum Way {
+  own_centre,
+  touching_point,
+  resting,
+  put_back
+};  // put_back: own centre, then onto the floor
+
+// A cube of 1 m above the floor y = 0, turned by a tilt; the middle of its lowest edge is what touches.
+struct Cube {
+  Situation situation = sticks;
+  Vec3 x_w = Vec3::Zero();      // [m] centre
+  Vec3 v_w = Vec3::Zero();      // [m/s]
+  Vec3 omega_w = Vec3::Zero();  // [rad/s]
+  Vec3 touch_w = Vec3::Zero();  // [m] the middle of its lowest edge, at the origin
+
+  [[nodiscard]] Vec3 touch_velocity() const { return v_w + omega_w.cross(touch_w - x_w); }
+};
+
+Cube cube_that(Situation situation, double spin, double speed, double tilt) {
+  Cube cube;
+  cube.situation = situation;
+  cube.x_w = rotation_from_vector(Vec3(0.0, 0.0, -tilt)) * Vec3(-0.5, 0.5, 0.0);
+  cube.omega_w = Vec3(0.0, 0.0, -spin);
+  const Vec3 about_touch_w = cube.omega_w.cross(cube.x_w);
+  cube.v_w = situation == sticks   ? about_touch_w
+             : situation == slides ? Vec3(speed * Vec3::UnitX() + about_touch_w)
+                                   : Vec3(speed, speed, 0.0);
+  return cube;
+}
+
+// What is wrong after a step.
+struct Wrong {
+  double gap = 0.0;   // [m] the touching point off what it touches
+  double bend = 0.0;  // [m] the centre off a straight way, as far as no force can bend it
+
+  [[nodiscard]] double most() const { return std::max(gap, bend); }
+};
+
+Vec3 centre_of(const Cube& cube, Way way) {
+  if (way == touching_point) return cube.touch_w;
+  if (way == resting) return resting_point(cube.x_w, cube.v_w, cube.omega_w);
+  return cube.x_w;
+}
+
+Wrong after_step(const Cube& cube, Way way, double dt) {
+  Vec3 x_w = moved_about(cube.x_w, cube.v_w, cube.omega_w, centre_of(cube, way), dt);
+  const Vec3 lever_w = rotation_from_vector(dt * cube.omega_w) * (cube.touch_w - cube.x_w);
+  if (way == put_back) x_w.y() -= (x_w + lever_w).y();
+  const Vec3 off_w = x_w + lever_w - cube.touch_w;
+  const Vec3 bent_w = x_w - (cube.x_w + dt * cube.v_w);
+  if (cube.situation == sticks) return {off_w.norm(), 0.0};
+  if (cube.situation == slides) return {std::abs(off_w.y()), std::abs(bent_w.x())};
+  return {0.0, bent_w.norm()};
+}
+
+// The same to second order: the way of a point r from the centre c bends by h² ω × (ω × r) / 2.
+Wrong predicted(const Cube& cube, Way way, double dt) {
+  const Vec3 c_w = centre_of(cube, way);
+  const auto bend = [&](const Vec3& point_w) -> Vec3 {
+    return 0.5 * dt * dt * cube.omega_w.cross(cube.omega_w.cross(point_w - c_w));
+  };
+  const Vec3 touch_w = bend(cube.touch_w);
+  const Vec3 centre_w = bend(cube.x_w);
+  if (cube.situation == sticks) return {touch_w.norm(), 0.0};
+  if (cube.situation == flies) return {0.0, centre_w.norm()};
+  if (way == put_back) return {};
+  return {std::abs(touch_w.y()), std::abs(centre_w.x())};
+}
+
+struct Case {
+  Situation situation;
+  Way way;
+};
+constexpr std::array kCases = {Case{sticks, own_centre}, Case{sticks, touching_point},
+                               Case{slides, own_centre}, Case{slides, touching_point},
+                               Case{slides, resting},    Case{slides, put_back},
+                               Case{flies, own_centre},  Case{flies, resting}};
+
+}  // namespace
+
+Result measure_which_centre(const Parameters& settings) {
+  const int steps = settings.count("steps");
+  Table table{
+      "",
+      {{"situation", "-", "1 sticks, 2 slides, 3 flies"},
+       {"centre", "-",
+        "1 its own, 2 the touching point, 3 what is at rest, 4 its own, put back on the floor"},
+       {"step_s", "s", "length of the step"},
+       {"gap_m", "m", "the touching point off what it touches, after the step"},
+       {"bend_m", "m", "the centre off the way that no force bends, after the step"},
+       {"error_m", "m", "the larger of both; 0 is drawn as 1e-17"},
+       {"predicted_m", "m", "the larger of both to second order; empty if 0"}}};
+  double worst_at_finest = 0.0;
+  std::vector<Wrong> base;
+  for (const Case& c : kCases) {
+    const Cube cube = cube_that(c.situation, settings.number("spin"), settings.number("speed"),
+                                settings.number("tilt"));
+    base.push_back(after_step(cube, c.way, kBase));
+    for (int k = 0; k < steps; ++k) {
+      const double share = static_cast<double>(k) / (steps - 1);
+      const double dt = kFinest * std::exp(share * std::log(kCoarsest / kFinest));
+      const Wrong wrong = after_step(cube, c.way, dt);
+      const double expected = predicted(cube, c.way, dt).most();
+      const bool right = expected < kSmallest;
+      table.rows.push_back({static_cast<double>(c.situation + 1), static_cast<double>(c.way + 1),
+                            dt, wrong.gap, wrong.bend, std::max(wrong.most(), kSmallest),
+                            right ? std::numeric_limits<double>::quiet_NaN() : expected});
+      if (k == 0 && !right)
+        worst_at_finest = std::max(worst_at_finest, std::abs(wrong.most() / expected - 1.0));
+    }
+  }
+  Result result;
+  result.quantities = {
+      {"sticks, turned about its own centre: gap", "m", base[0].gap},
+      {"sticks, turned about the touching point: gap", "m", base[1].gap},
+      {"slides, turned about its own centre: gap", "m", base[2].gap},
+      {"slides, turned about its own centre: bend", "m", base[2].bend},
+      {"slides, turned about the touching point: gap", "m", base[3].gap},
+      {"slides, turned about the touching point: bend", "m", base[3].bend},
+      {"slides, turned about what is at rest: gap", "m", base[4].gap},
+      {"slides, turned about its own centre and put back: gap or bend", "m", base[5].most()},
+      {"flies, turned about its own centre: bend", "m", base[6].bend},
+      {"flies, turned about what is at rest: bend", "m", base[7].bend},
+      {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}};
+  result.tables = {std::move(table)};
+  return result;
+}
+
+}  // namespace tumble::chapters

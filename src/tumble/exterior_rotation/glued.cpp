@@ -1,0 +1,275 @@
+/// \file
+/// \brief The technique in which whatever touches at the start sticks for ever.
+#include "tumble/exterior_rotation/glued.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/math/bracket.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// The method of several stages, or nullptr.
+const ButcherTable* table_of(GluedScheme scheme) {
+  switch (scheme) {
+    case GluedScheme::rk4:
+      return &classical_table();
+    case GluedScheme::dormand_prince:
+      return &dormand_prince_table();
+    case GluedScheme::midpoint:
+      return &midpoint_table();
+    default:
+      return nullptr;
+  }
+}
+
+SimpleScheme simple_of(GluedScheme scheme) {
+  switch (scheme) {
+    case GluedScheme::semi_implicit:
+      return SimpleScheme::semi_implicit;
+    case GluedScheme::impulse:
+      return SimpleScheme::impulse;
+    case GluedScheme::leapfrog:
+      return SimpleScheme::leapfrog;
+    default:
+      return SimpleScheme::forward_euler;
+  }
+}
+
+constexpr std::size_t kMostJoints = 100;  // up to 600 rows, a tenth of a second for each solve
+
+constexpr std::size_t kMostChanges = 20;  // of each joint in a step, on average
+
+void refuse_too_many(std::size_t joints) {
+  if (joints > kMostJoints)
+    require::that(false,
+                  std::to_string(joints) +
+                      " pairs of bodies touch: glued solves all joints at one stroke and takes " +
+                      std::to_string(kMostJoints) + " at most; give it fewer bodies");
+}
+
+double kinetic_energy_of(const World& world) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    sum += kinetic_energy(world.bodies()[k], world.states()[k]);
+  return sum;
+}
+
+}  // namespace
+
+Glued::Glued(const GluedOptions& options) : options_(options) {
+  require::within(options.accuracy, 1e-14, 1.0, "accuracy");
+  require::that(options.pose == PoseUpdate::separate || table_of(options.scheme) == nullptr,
+                "pose = exponential: scheme = " + std::string(name_of(options.scheme)) +
+                    " moves bodies by its stages; expected forward_euler, semi_implicit, impulse "
+                    "or leapfrog");
+}
+
+std::unique_ptr<Technique> Glued::clone() const { return std::make_unique<Glued>(*this); }
+
+std::vector<std::string> Glued::ignores(const World&) const {
+  return {"collisions", "contacts other than those at the start", "limits of friction"};
+}
+
+void Glued::find(const World& world) {
+  joints_ = find_joints(world, tolerance::glue_margin);
+  refuse_too_many(joints_.size());
+  found_for_.assign(world.ids().begin(), world.ids().end());
+  try_dt_ = 0.0;
+}
+
+// Joins bodies that came since the last step, and leaves out those that are gone. Returns whether there
+// are any such, as in the first step; `fresh` gets the joints that are new.
+bool Glued::join(const World& world, std::vector<Joint>& fresh) {
+  const auto was_there = [&](int body) {
+    return std::binary_search(found_for_.begin(), found_for_.end(), world.ids()[at(body)]);
+  };
+  const bool known =
+      std::equal(found_for_.begin(), found_for_.end(), world.ids().begin(), world.ids().end());
+  if (known && forces_.solves() > 0) return false;
+  if (known) {  // find() was called before the first step
+    fresh = joints_;
+    return true;
+  }
+  std::vector<Joint> now = renewed_joints(joints_, found_for_, world, tolerance::glue_margin);
+  refuse_too_many(now.size());
+  fresh = now;
+  std::erase_if(
+      fresh, [&](const Joint& joint) { return was_there(joint.first) && was_there(joint.second); });
+  joints_ = std::move(now);
+  found_for_.assign(world.ids().begin(), world.ids().end());
+  try_dt_ = 0.0;
+  return true;
+}
+
+StepReport Glued::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  const int solves_before = forces_.solves();
+  const bool unilateral = options_.joints == GluedJoints::unilateral;
+  std::vector<Joint> fresh;
+  if (join(world, fresh)) {
+    end_relative_motion(fresh, world, report);
+    if (unilateral) change_joints(0.0, world, report);
+  }
+  const auto most_events = static_cast<std::int64_t>(kMostChanges * joints_.size());
+  // [S6.2:glued]
+  double passed = 0.0;
+  while (passed < dt) {
+    // One step, or as much of it as the accuracy allows.
+    const double left = dt - passed;
+    start_.assign(world.states().begin(), world.states().end());
+    double taken = options_.scheme == GluedScheme::dormand_prince ? advance_adaptively(left, world)
+                                                                  : advance(left, world);
+    // Has a joint opened on the way? Then only up to there.
+    JointChange change;
+    if (unilateral && report.events >= most_events) report.status = StepStatus::event_cap;
+    if (unilateral && report.events < most_events && margin(world, change) < 0.0) {
+      if (options_.events == GluedEvents::located) taken = find_event(taken, dt, world);
+      change_joints(passed + taken, world, report);
+    }
+    passed = taken < left ? passed + taken : dt;
+  }
+  // [S6.2:glued]
+  report.iterations = forces_.solves() - solves_before;
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) ++report.integrations;
+  report.deepest_overlap = gap_of(joints_, world.states()).overlap;
+  world.finish_step(dt);
+  record(world);
+  report.contacts = static_cast<std::int64_t>(records_.size());
+  return report;
+}
+
+// One step of the scheme. Returns the estimate of its error, which only dormand_prince has; for the
+// others how far it got: the whole step.
+double Glued::advance(double dt, World& world) {
+  if (const ButcherTable* table = table_of(options_.scheme)) {
+    if (!std::isfinite(runge_kutta_.step(*table, dt, joints_, forces_, world)))
+      require::that(false, "dt = " + require::text(dt) +
+                               ": a body makes a full turn or more in it, " +
+                               "or leaves all numbers: expected a shorter dt");
+  } else {
+    simple_.step(simple_of(options_.scheme), options_.pose, dt, joints_, forces_, world);
+  }
+  return dt;
+}
+
+// A step that keeps the accuracy: tried again, shorter, until it does. A step's error shrinks with its
+// fifth power; 0.9 leaves some room, and no step is five times longer or shorter than the one before.
+double Glued::advance_adaptively(double most, World& world) {
+  double dt = try_dt_ > 0.0 ? std::min(try_dt_, most) : most;
+  for (;;) {
+    const double error = runge_kutta_.step(dormand_prince_table(), dt, joints_, forces_, world);
+    const double share = error > 0.0 ? elementary::pow(options_.accuracy / error, 1.0 / 5) : 5.0;
+    const double next = dt * std::clamp(0.9 * share, 0.2, 5.0);
+    if (error <= options_.accuracy) {
+      // A step that had to be short says nothing about how long the next one may be.
+      if (dt < most || next < dt || try_dt_ == 0.0) try_dt_ = next;
+      return dt;
+    }
+    std::copy(start_.begin(), start_.end(), world.states().begin());
+    if (dt <= tolerance::joint_moment * most)
+      require::that(false, "accuracy = " + require::text(options_.accuracy) +
+                               ": not met by steps of " + require::text(dt) +
+                               " s: expected slower bodies or a larger number");
+    dt = next;
+  }
+}
+
+// What the joints say at the present states.
+double Glued::margin(const World& world, JointChange& change) {
+  load_moving_bodies(world, moving_);
+  forces_.hold(world, moving_, joints_, wrenches_);
+  return joint_margin(joints_, world, moving_, forces_, change);
+}
+
+// Searches the step just made for the moment at which a joint changes, and leaves the bodies there.
+double Glued::find_event(double taken, double dt, World& world) {
+  JointChange change;
+  const auto margin_after = [&](double time) {
+    std::copy(start_.begin(), start_.end(), world.states().begin());
+    advance(time, world);
+    return margin(world, change);
+  };
+  const double event =
+      bisect(margin_after, Bracket{0.0, taken}, tolerance::joint_moment * dt, 100).bracket.high;
+  margin_after(event);
+  return event;
+}
+
+// Changes joints until all of them can be as they are, each at most once at an instant.
+void Glued::change_joints(double time, World& world, StepReport& report) {
+  changed_.assign(joints_.size(), 0);
+  for (;;) {
+    JointChange change;
+    if (!(margin(world, change) < 0.0) || changed_[at(change.joint)] != 0) return;
+    Joint& joint = joints_[at(change.joint)];
+    changed_[at(change.joint)] = 1;
+    const JointPoint where = held_point(joint, world.states());
+    joint.hold = change.hold;
+    joint.side = change.side;
+    ++report.events;
+    if (observer() != nullptr) {
+      Event event;
+      event.time = world.time() + time;
+      event.first = world.ids()[at(joint.first)];
+      event.second = world.ids()[at(joint.second)];
+      event.point_w = 0.5 * (where.first_w + where.second_w);
+      event.normal_w = world.states()[at(joint.first)].orientation_wb * joint.normal_first_b;
+      observer()->on_event(event);
+    }
+    if (joint.hold != JointHold::area) continue;
+    end_relative_motion({&joint, 1}, world, report);  // it closes
+  }
+}
+
+// What joints do not allow of the velocities is lost, as in an impact that does not bounce. Nothing
+// happens where those that are new allow them but for rounding.
+void Glued::end_relative_motion(std::span<const Joint> fresh, World& world, StepReport& report) {
+  const auto loss = [&](std::span<const Joint> joints, World& after) {
+    const double before = kinetic_energy_of(after);
+    load_moving_bodies(after, moving_);
+    told_.project(moving_, joints, after.states());
+    store_moving_bodies(moving_, after);
+    return before - kinetic_energy_of(after);
+  };
+  World trial = world;
+  if (loss(fresh, trial) > tolerance::joining_energy * kinetic_energy_of(world))
+    report.energy.restitution -= loss(joints_, world);
+}
+
+void Glued::record(const World& world) {
+  load_moving_bodies(world, moving_);
+  told_.hold(world, moving_, joints_, wrenches_);
+  records_.clear();
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Joint& joint = joints_[j];
+    if (joint.hold == JointHold::nothing) continue;
+    const Wrench& push = told_.on_second(static_cast<int>(j));
+    const JointPoint held = held_point(joint, world.states());
+    ContactRecord record;
+    record.time = world.time();
+    record.first = world.ids()[at(joint.first)];
+    record.second = world.ids()[at(joint.second)];
+    record.normal_w = world.states()[at(joint.first)].orientation_wb * joint.normal_first_b;
+    record.point_w = 0.5 * (held.first_w + held.second_w);
+    record.push_w = push.force_w;
+    record.is_impulse = false;
+    record.state = ContactState::stick;
+    // The centre of pressure: where the force has no moment across the normal.
+    const double normal = push.force_w.dot(record.normal_w);
+    if (normal > 0.0) record.point_w += record.normal_w.cross(push.torque_w) / normal;
+    records_.push_back(record);
+  }
+}
+
+}  // namespace tumble

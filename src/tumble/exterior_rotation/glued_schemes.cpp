@@ -1,0 +1,51 @@
+/// \file
+/// \brief Names of the schemes of the glued technique.
+#include "tumble/base/error.hpp"
+#include "tumble/exterior_rotation/glued.hpp"
+
+#include <array>
+#include <string>
+
+namespace tumble {
+namespace {
+
+constexpr std::array kSchemes = {GluedScheme::rk4,           GluedScheme::dormand_prince,
+                                 GluedScheme::midpoint,      GluedScheme::forward_euler,
+                                 GluedScheme::semi_implicit, GluedScheme::impulse,
+                                 GluedScheme::leapfrog};
+
+}  // namespace
+
+std::span<const GluedScheme> glued_schemes() { return kSchemes; }
+
+std::string_view name_of(GluedScheme scheme) {
+  switch (scheme) {
+    case GluedScheme::rk4:
+      return "rk4";
+    case GluedScheme::dormand_prince:
+      return "dormand_prince";
+    case GluedScheme::midpoint:
+      return "midpoint";
+    case GluedScheme::forward_euler:
+      return "forward_euler";
+    case GluedScheme::semi_implicit:
+      return "semi_implicit";
+    case GluedScheme::impulse:
+      return "impulse";
+    case GluedScheme::leapfrog:
+      return "leapfrog";
+  }
+  return "";
+}
+
+GluedScheme glued_scheme_from(std::string_view name) {
+  std::string choices;
+  for (const GluedScheme scheme : kSchemes) {
+    if (name == name_of(scheme)) return scheme;
+    choices.append(choices.empty() ? "" : ", ").append(name_of(scheme));
+  }
+  require::that(false, "scheme = " + std::string(name) + ": expected one of " + choices);
+  return GluedScheme::rk4;  // not reached
+}
+
+}  // namespace tumble

@@ -1,0 +1,137 @@
+/// \file
+/// \brief Worlds that the tests of bodies in joints share, and how far two of them are apart.
+#pragma once
+
+#include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/scenes/library.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tumble::test {
+
+constexpr double kFrame = 1.0 / 60.0;  ///< [s]
+
+/// Parameters of a scene as words.
+using Settings = std::vector<std::pair<const char*, std::string>>;
+
+/// The start of a built-in scene.
+/// \param name  what it is called
+/// \param set   parameters other than the defaults
+/// \return the world at time 0
+inline World world_of(const char* name, const Settings& set = {}) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters p = recipe.parameters();
+  for (const auto& [key, value] : set) p.set(key, value);
+  return build_world(recipe.build(p, Random(1)));
+}
+
+/// A world whose boxes are those of another one, each changed; grounds stay.
+/// \param world   the other one
+/// \param change  gets properties and state of a box, and changes them
+/// \return the new one, with the same gravity and names
+template <typename Change>
+World changed(const World& world, const Change& change) {
+  World out;
+  out.gravity_w = world.gravity_w;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+    BodyProperties body = world.bodies()[k];
+    BodyState state = world.states()[k];
+    if (body.shape == Shape::ground) {
+      out.add_ground(body.friction, body.restitution);
+      continue;
+    }
+    change(body, state);
+    out.add(body, state, world.name(static_cast<int>(k)));
+  }
+  return out;
+}
+
+/// How far the states of two worlds are apart.
+/// \param one    a world
+/// \param other  with as many bodies
+/// \return [m, -] the largest distance of two centres, or difference of two orientations
+inline double apart(const World& one, const World& other) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < one.states().size(); ++k) {
+    const BodyState& a = one.states()[k];
+    const BodyState& b = other.states()[k];
+    worst = std::max({worst, (a.position_w - b.position_w).norm(),
+                      std::min((a.orientation_wb.coeffs() - b.orientation_wb.coeffs()).norm(),
+                               (a.orientation_wb.coeffs() + b.orientation_wb.coeffs()).norm())});
+  }
+  return worst;
+}
+
+/// Whether two worlds are in the same states to the last bit.
+/// \param one    a world
+/// \param other  another one
+/// \return false also for different numbers of bodies
+inline bool same_states(const World& one, const World& other) {
+  return std::equal(one.states().begin(), one.states().end(), other.states().begin(),
+                    other.states().end());
+}
+
+/// Does steps of one length.
+/// \param world      in and out
+/// \param technique  steps it
+/// \param steps      how many
+/// \param dt         [s] of each
+inline void run(World& world, Technique& technique, int steps, double dt = kFrame) {
+  for (int k = 0; k < steps; ++k) technique.step(world, dt);
+}
+
+/// All ways to integrate: every scheme, with the exponential too where there is a choice.
+/// \return options, bilateral
+inline std::vector<GluedOptions> all_ways() {
+  std::vector<GluedOptions> ways;
+  for (const GluedScheme scheme : glued_schemes()) {
+    GluedOptions options;
+    options.scheme = scheme;
+    ways.push_back(options);
+    if (scheme == GluedScheme::rk4 || scheme == GluedScheme::dormand_prince ||
+        scheme == GluedScheme::midpoint)
+      continue;
+    options.pose = PoseUpdate::exponential;
+    ways.push_back(options);
+  }
+  return ways;
+}
+
+/// What a failed check shows.
+/// \param options a way to integrate
+/// \return for example "leapfrog, exponential"
+inline std::string text_of(const GluedOptions& options) {
+  return std::string(name_of(options.scheme)) + ", " + std::string(name_of(options.pose));
+}
+
+/// Boxes of different sizes and masses that are glued to each other in free flight, tumbling as one.
+/// \param gravity_w [m/s²]
+/// \return three of them
+inline World flying_group(const Vec3& gravity_w) {
+  World world;
+  world.gravity_w = gravity_w;
+  const Vec3 spin_w(1.0, -2.0, 1.5);
+  const auto put = [&](const Vec3& size, double mass, const Vec3& place_w) {
+    const BodyProperties body = box_properties(size, mass);
+    world.add(body, make_state(body, place_w, Quat::Identity(), spin_w.cross(place_w), spin_w));
+  };
+  put(Vec3(1.0, 1.0, 1.0), 1.0, Vec3(0.0, 0.0, 0.0));
+  put(Vec3(2.0, 0.5, 1.0), 3.0, Vec3(0.5, 0.75, 0.0));
+  put(Vec3(0.5, 1.0, 0.5), 0.5, Vec3(0.75, 0.0, 0.25));
+  // The group as a whole is at rest.
+  double mass = 0.0;
+  Vec3 momentum_w = Vec3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    mass += world.bodies()[k].mass;
+    momentum_w += world.states()[k].linear_momentum_w;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    world.states()[k].linear_momentum_w -= world.bodies()[k].mass / mass * momentum_w;
+  return world;
+}
+
+}  // namespace tumble::test

@@ -1,0 +1,269 @@
+/// \file
+/// \brief The footnote for joints without glue: openings, orders across them, wrong contacts (claim 6.2f).
+#include "tumble/base/tolerance.hpp"
+
+#include "driver/quick.hpp"
+#include "exterior_rotation/contact_changes.hpp"
+#include "exterior_rotation/falling_column.hpp"
+#include "exterior_rotation/footnote_figures.hpp"
+#include "exterior_rotation/unilateral_run.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+// A cube of a metre on a fixed one, this far above it.
+World cube_above(double gap, double angle = 0.0) {
+  World world;
+  const BodyProperties base = fixed_box_properties(Vec3::Ones());
+  world.add(base, make_state(base, Vec3::Zero()));
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  const Quat turned(std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle));
+  world.add(cube, make_state(cube, Vec3(0.0, 1.0 + gap, 0.0), turned));
+  return world;
+}
+
+Joint joint_between() { return find_joints(cube_above(0.0), tolerance::glue_margin).at(0); }
+
+// Looks of one joint, step by step.
+std::vector<std::vector<ContactSet>> looks_of(const std::vector<ContactSet>& sets) {
+  std::vector<std::vector<ContactSet>> looks;
+  for (const ContactSet& set : sets) looks.push_back({set});
+  return looks;
+}
+
+const ContactScheme& scheme_called(const std::string& name) {
+  for (const ContactScheme& scheme : contact_schemes())
+    if (scheme.name == name) return scheme;
+  throw std::invalid_argument(name);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "The top joint of the falling column opens where the closed form says, at a tilt of 53.1°",
+    "[reference][exterior_rotation]") {
+  const FigureUnderTest figure(footnote_figures(), "joint_openings");
+  // Evaluated apart, with nine decimals.
+  CHECK(figure.number("angle of the column's centre at the first opening") ==
+        near(0.681721773).margin(1e-9));
+  CHECK(figure.number("the same, closed form") == near(0.681721773).margin(1e-9));
+  CHECK(figure.number("tilt of the column at the first opening") == near(53.096).margin(1e-3));
+  CHECK(figure.number("angle at the first opening when let go at 0.3") ==
+        near(0.719834032).margin(1e-9));
+  CHECK(figure.number("moment of the first opening") ==
+        near(figure.number("moment of the first opening, closed form")).margin(1e-10));
+  CHECK(figure.number("largest error of a centre of pressure before the first opening") <
+        1e-9);  // [m] measured 3e-12
+}
+
+TEST_CASE("Once the top box lags, the next joint opens later than glue would say",
+          "[claims][exterior_rotation]") {
+  const FigureUnderTest figure(footnote_figures(), "joint_openings");
+  const double glued =
+      figure.number("angle at the second opening if the first joint held, closed form");
+  CHECK(glued == near(0.7159189796).margin(1e-10));
+  CHECK(figure.number("angle of the centre of all boxes at the second opening") > glued + 0.04);
+  // Each joint opens from the top down, and then comes apart; last of all the pivot lets go.
+  const Table& events = figure.result.tables.at(1);
+  REQUIRE(events.rows.size() == 7);
+  const std::array<std::array<double, 2>, 7> order = {
+      {{3, 1}, {2, 1}, {3, 3}, {1, 1}, {2, 3}, {1, 3}, {0, 3}}};
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    CHECK(events.rows[k][1] == order[k][0]);
+    CHECK(events.rows[k][2] == order[k][1]);
+  }
+  // The angle between the two upper boxes grows from nothing, and only after the opening.
+  for (const auto& row : figure.result.tables.front().rows)
+    CHECK((row[0] < events.rows[0][0] ? std::abs(row[13]) < 1e-9 : row[13] >= 0.0));
+  CHECK(figure.result.drawings.size() == 6);
+  CHECK_THROWS_AS(FigureUnderTest(footnote_figures(), "joint_openings", {"seconds=1"}),
+                  std::runtime_error);
+}
+
+TEST_CASE("The faces of the column are pressed where statics has them as it is let go",
+          "[reference][exterior_rotation]") {
+  const World world = column_world(0.3);
+  const std::vector<Joint> joints = find_joints(world, tolerance::glue_margin);
+  std::vector<MovingBody> moving;
+  std::vector<Wrench> rates;
+  JointForces forces;
+  load_moving_bodies(world, moving);
+  forces.hold(world, moving, joints, rates);
+  const std::array<double, 3> by_hand = {0.1866083421, 0.3337873452, 0.4415370095};
+  for (int k = 1; k <= 3; ++k)
+    CHECK(pressed_at(joints.at(static_cast<std::size_t>(k)), forces.on_second(k), world.states()) ==
+          near(by_hand.at(static_cast<std::size_t>(k - 1))).margin(1e-10));
+}
+
+TEST_CASE("Located openings leave a method its order, and openings noticed late do not",
+          "[claims][exterior_rotation]") {
+  const FigureUnderTest figure(footnote_figures(), "event_order");
+  CHECK(figure.number("order before any joint opens, classical Runge-Kutta") ==
+        near(4.0).margin(0.1));
+  CHECK(figure.number("order across one opening, located") == near(4.0).margin(0.1));
+  CHECK(figure.number("order across several openings, located") == near(4.0).margin(0.25));
+  CHECK(figure.number("the same, midpoint") == near(2.0).margin(0.1));
+  CHECK(figure.number("order of the first opening's moment, located") == near(4.0).margin(0.1));
+  // A joint opens without a jump, and that costs the square of the delay. A box comes apart with one.
+  CHECK(figure.number("order of what an opening costs against how late it is noticed") ==
+        near(2.0).margin(0.2));
+  CHECK(figure.number("jump of an acceleration as the first joint opens") < 1e-9);  // [m/s²]
+  CHECK(figure.number("jump of an acceleration as the first box comes apart") > 0.1);
+  CHECK(figure.number("order across several openings, noticed at the end of a step") < 1.6);
+  CHECK(figure.number("error after one opening, error-controlled at 1e-12, located") < 1e-11);
+  CHECK(figure.number("the same, noticed at the end of a step") > 1e-8);
+  CHECK_THROWS_AS(FigureUnderTest(footnote_figures(), "event_order", {"after=0.8", "most=24"}),
+                  std::runtime_error);
+}
+
+TEST_CASE("Semi-implicit Euler loses and finds contacts of the column that the right motion keeps",
+          "[claims][exterior_rotation]") {
+  const FigureUnderTest figure(footnote_figures(), "claim_6_2f_wrong_contacts");
+  CHECK(figure.result.quantities.front().value >= 1.0);  // measured 23
+  CHECK(figure.number("of them before the first joint opens") >= 1.0);
+  CHECK(figure.number("changes that the reference solution has") == 4.0);
+  CHECK(figure.number("wrong changes, forward Euler") >
+        figure.number("wrong changes, classical Runge-Kutta"));
+  CHECK(figure.number("wrong changes, classical Runge-Kutta") == 0.0);
+  // By the exponential nothing is wrong as long as the column turns as one.
+  CHECK(figure.number("of these before the first joint opens") == 0.0);
+  // A tolerance that is larger than all gaps hides them.
+  const Table& sweep = figure.result.tables.at(2);
+  CHECK(sweep.rows.front()[3] > 0.0);
+  CHECK(sweep.rows.back()[3] == 0.0);
+}
+
+TEST_CASE("A corner touches up to the tolerance, and deeper than it overlaps",
+          "[exact][exterior_rotation]") {
+  const Joint joint = joint_between();
+  const auto seen = [&](double gap, double angle = 0.0) {
+    const World world = cube_above(gap, angle);
+    return contact_set_of(joint, world.states(), 1e-6);
+  };
+  CHECK(seen(0.0) == ContactSet{15, false});
+  CHECK(seen(0.9e-6) == ContactSet{15, false});
+  CHECK(seen(1.1e-6) == ContactSet{0, false});
+  CHECK(seen(-0.9e-6) == ContactSet{15, false});
+  CHECK(seen(-1.1e-6) == ContactSet{15, true});
+  // Turned by 1e-5 one side is 5 µm up, the other one down.
+  CHECK(seen(0.0, 1e-5).overlapped);
+  const ContactSet tilted = seen(0.0, 1e-5);
+  int left = 0;
+  for (int k = 0; k < joint.count; ++k)
+    if (joint.corners_first_b[static_cast<std::size_t>(k)].x() < 0.0) left |= 1 << k;
+  CHECK(tilted.touching == left);
+}
+
+TEST_CASE("What touches of a joint is what it holds", "[unit][exterior_rotation]") {
+  Joint joint = joint_between();
+  REQUIRE(joint.count == 4);
+  const auto held = [&](int touching) {
+    hold_what_touches({touching, false}, joint);
+    return joint.hold;
+  };
+  CHECK(held(15) == JointHold::area);
+  CHECK(held(0) == JointHold::nothing);
+  for (int k = 0; k < 4; ++k) {
+    CHECK(held(1 << k) == JointHold::corner);
+    CHECK(joint.side == k);
+    CHECK(held((1 << k) | (1 << (k + 1) % 4)) == JointHold::edge);
+    CHECK(joint.side == k);
+    CHECK(held(15 ^ (1 << k)) == JointHold::area);
+  }
+  CHECK(held(5) == JointHold::area);  // across the area
+  joint.count = 2;
+  CHECK(held(3) == JointHold::edge);
+  CHECK(joint.side == 0);
+  CHECK(held(2) == JointHold::corner);
+  CHECK(joint.side == 1);
+}
+
+TEST_CASE("Changes of contact are told step by step, touching and overlap each by itself",
+          "[unit][exterior_rotation]") {
+  const std::vector<ContactChange> changes =
+      changes_of(looks_of({{15, false}, {15, false}, {3, true}, {12, true}, {0, false}}));
+  REQUIRE(changes.size() == 5);
+  CHECK((changes[0].step == 2 && changes[0].kind == ChangeKind::lost && changes[0].touching == 3));
+  CHECK((changes[1].step == 2 && changes[1].kind == ChangeKind::overlap));
+  CHECK(
+      (changes[2].step == 3 && changes[2].kind == ChangeKind::found && changes[2].touching == 12));
+  CHECK((changes[3].step == 4 && changes[3].kind == ChangeKind::lost));
+  CHECK((changes[4].step == 4 && changes[4].kind == ChangeKind::cleared));
+  CHECK(changes_of({}).empty());
+  CHECK(changes_of(looks_of({{15, false}})).empty());
+}
+
+TEST_CASE("A right change answers for one change, of the same joint, within two steps",
+          "[unit][exterior_rotation]") {
+  const ContactChange right{10, 1, ChangeKind::lost, 3};
+  const auto at = [&](int step) {
+    ContactChange change = right;
+    change.step = step;
+    return change;
+  };
+  CHECK(changes_not_in({at(8)}, {right}, 2).empty());
+  CHECK(changes_not_in({at(12)}, {right}, 2).empty());
+  CHECK(changes_not_in({at(7)}, {right}, 2).size() == 1);
+  CHECK(changes_not_in({at(13)}, {right}, 2).size() == 1);
+  CHECK(changes_not_in({at(9), at(11)}, {right}, 2).size() == 1);
+  CHECK(changes_not_in({at(9), at(11)}, {right, at(12)}, 2).empty());
+  CHECK(changes_not_in({{10, 2, ChangeKind::lost, 3}}, {right}, 2).size() == 1);
+  CHECK(changes_not_in({{10, 1, ChangeKind::found, 3}}, {right}, 2).size() == 1);
+  CHECK(changes_not_in({{10, 1, ChangeKind::lost, 12}}, {right}, 2).size() == 1);
+}
+
+TEST_CASE(
+    "Contacts told by geometry hold a box, let go of one that is lifted, and stop one that lands",
+    "[unit][exterior_rotation]") {
+  constexpr double dt = 1.0 / 60.0;
+  for (const char* name : {"semi-implicit", "impulse", "midpoint", "rk4"}) {
+    World world = cube_above(0.0);
+    GeometricContacts contacts(scheme_called(name), 1e-6);
+    for (int n = 0; n < 10; ++n) contacts.step(world, dt);
+    CHECK((world.states()[1].position_w - Vec3(0.0, 1.0, 0.0)).norm() < 1e-12);
+    CHECK(contacts.joints()[0].hold == JointHold::area);
+    // Lifted for a while.
+    world.gravity_w = Vec3(0.0, 9.81, 0.0);
+    for (int n = 0; n < 6; ++n) contacts.step(world, dt);
+    CHECK(contacts.joints()[0].hold == JointHold::nothing);
+    CHECK(world.states()[1].position_w.y() > 1.03);  // [m] g t² / 2 is 0.049
+    // It falls back: at the end it is where a step has taken it, and at rest.
+    world.gravity_w = Vec3(0.0, -9.81, 0.0);
+    for (int n = 0; n < 60; ++n) contacts.step(world, dt);
+    CHECK(contacts.joints()[0].hold == JointHold::area);
+    CHECK(world.states()[1].linear_momentum_w.norm() < 1e-12);
+    CHECK(contacts.look(world)[0].touching == 15);
+    CHECK(world.states()[1].position_w.y() < 1.0 + 1e-6);
+    CHECK(world.states()[1].position_w.y() > 0.9);
+  }
+}
+
+TEST_CASE("With glue what touches holds against a pull, and without it does not",
+          "[unit][exterior_rotation]") {
+  for (const char* name : {"semi-implicit", "impulse"}) {
+    for (const bool glue : {true, false}) {
+      World world = cube_above(0.0);
+      world.gravity_w = Vec3(0.0, 9.81, 0.0);
+      GeometricContacts contacts(scheme_called(name), 1e-6, glue);
+      for (int n = 0; n < 30; ++n) contacts.step(world, 1.0 / 60.0);
+      CHECK((world.states()[1].position_w.y() < 1.0 + 1e-9) == glue);
+    }
+  }
+}
+
+TEST_CASE("Tolerances and steps of geometric contacts out of range are refused",
+          "[unit][exterior_rotation]") {
+  for (const double tolerance : {0.0, -1e-6, std::nan("")})
+    CHECK_THROWS_AS(GeometricContacts(contact_schemes()[0], tolerance), std::invalid_argument);
+  World world = cube_above(0.0);
+  GeometricContacts contacts(contact_schemes()[0], 1e-6);
+  for (const double dt : {0.0, -1.0, std::nan("")})
+    CHECK_THROWS_AS(contacts.step(world, dt), std::invalid_argument);
+}

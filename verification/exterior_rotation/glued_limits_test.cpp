@@ -1,0 +1,177 @@
+/// \file
+/// \brief The technique for bodies that stick: what it refuses, and worlds at its limits.
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/techniques.hpp"
+
+#include "exterior_rotation/cases.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
+  GluedOptions options;
+  options.scheme = scheme;
+  options.pose = pose;
+  return options;
+}
+
+World glued_pair(double spin) {
+  World world;
+  world.gravity_w = Vec3::Zero();
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  const Vec3 spin_w(0.0, 0.0, spin);
+  for (const Vec3& place_w : {Vec3(-0.5, 0.0, 0.0), Vec3(0.5, 0.0, 0.0)})
+    world.add(cube, make_state(cube, place_w, Quat::Identity(), spin_w.cross(place_w), spin_w));
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("Wrong options of the glued technique are refused with what would be right",
+          "[unit][exterior_rotation]") {
+  for (const double accuracy : {0.0, 1e-15, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+    GluedOptions options;
+    options.accuracy = accuracy;
+    CHECK_THROWS_WITH(Glued(options), Catch::Contains("accuracy"));
+  }
+  for (const GluedScheme scheme :
+       {GluedScheme::rk4, GluedScheme::dormand_prince, GluedScheme::midpoint})
+    CHECK_THROWS_WITH(Glued(way(scheme, PoseUpdate::exponential)),
+                      Catch::Contains("pose = exponential") &&
+                          Catch::Contains(std::string(name_of(scheme))) &&
+                          Catch::Contains("leapfrog"));
+  const TechniqueRecipe& recipe = technique_recipe("glued");
+  Parameters p = recipe.options();
+  CHECK_THROWS_WITH(p.set("scheme", "euler"), Catch::Contains("forward_euler"));
+  CHECK_THROWS_WITH(p.set("joints", "loose"), Catch::Contains("unilateral"));
+  CHECK_THROWS_AS(p.set("accuracy", "0"), std::invalid_argument);
+  p.set("pose", "exponential");
+  CHECK_THROWS_WITH(recipe.make(p, 1), Catch::Contains("rk4"));
+  p.set("scheme", "leapfrog");
+  CHECK(recipe.make(p, 1)->name() == "glued");
+
+  World world = world_of("fig6_2");
+  Glued technique;
+  for (const double dt : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+    CHECK_THROWS_WITH(technique.step(world, dt), Catch::Contains("dt"));
+}
+
+TEST_CASE("Worlds without anything that moves, without joints and without weight are stepped",
+          "[unit][exterior_rotation]") {
+  for (const GluedOptions& options : all_ways()) {
+    INFO(text_of(options));
+    World fixed;
+    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+    fixed.add_ground();
+    fixed.add(wall, make_state(wall, Vec3(0.0, 0.5, 0.0)));
+    fixed.add(wall, make_state(wall, Vec3(0.0, 1.5, 0.0)));
+    const World start = fixed;
+    Glued technique(options);
+    const StepReport report = technique.step(fixed, kFrame);
+    CHECK(report.contacts == 0);
+    CHECK(report.integrations == 0);
+    CHECK(same_states(fixed, start));
+    CHECK(fixed.time() == kFrame);
+
+    World empty;
+    Glued(options).step(empty, kFrame);
+    CHECK(empty.steps() == 1);
+
+    World pair = glued_pair(2.0);
+    const double energy = energy_of(pair).kinetic;
+    Glued weightless(options);
+    run(pair, weightless, 60, 1e-3);
+    CHECK(weightless.joints().size() == 1);
+    CHECK(linear_momentum(pair).norm() < 1e-14);
+    CHECK(energy_of(pair).kinetic == near(energy).margin(5e-3 * energy));  // [J] Euler's: 2.4e-4
+  }
+}
+
+TEST_CASE("Bodies without weight and without a push stay in every joint that only presses",
+          "[unit][exterior_rotation]") {
+  for (GluedOptions options : all_ways()) {
+    INFO(text_of(options));
+    options.joints = GluedJoints::unilateral;
+    World pair = glued_pair(0.0);
+    const World start = pair;
+    Glued technique(options);
+    run(pair, technique, 10);
+    CHECK(technique.joints()[0].hold == JointHold::area);
+    CHECK(same_states(pair, start));
+  }
+}
+
+TEST_CASE("Velocities beyond all measure end a step of the glued technique with a reason",
+          "[unit][exterior_rotation]") {
+  for (const GluedOptions& options : all_ways())
+    for (const double speed : {1e4, 1e100, 1e200, 1e300})
+      for (const bool spins : {false, true}) {
+        INFO(text_of(options) << ", " << speed << (spins ? " rad/s" : " m/s"));
+        World world = glued_pair(0.0);
+        world.set_velocity(world.ids()[1], spins ? Vec3::Zero() : Vec3(speed, 0.0, 0.0),
+                           spins ? Vec3(0.0, 0.0, speed) : Vec3::Zero());
+        Glued technique(options);
+        try {
+          const StepReport report = technique.step(world, kFrame);
+          CHECK(report.iterations < 20000);
+        } catch (const std::invalid_argument& error) {
+          CHECK_FALSE(std::string(error.what()).empty());
+        }
+      }
+  // A number that is none, put in past all checks.
+  for (const GluedOptions& options : all_ways()) {
+    World world = glued_pair(1.0);
+    world.states()[0].linear_momentum_w.x() = std::numeric_limits<double>::quiet_NaN();
+    Glued technique(options);
+    bool told = false;
+    try {
+      technique.step(world, kFrame);
+      told = !all_finite(world);
+    } catch (const std::invalid_argument&) {
+      told = true;
+    }
+    INFO(text_of(options));
+    CHECK(told);
+  }
+}
+
+TEST_CASE(
+    "A body that turns more than once in a step is refused by fixed steps and followed by others",
+    "[unit][exterior_rotation]") {
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  const Vec3 spin_w(0.0, 0.0, 500.0);
+  world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), spin_w));
+  const World start = world;
+  Glued fixed(way(GluedScheme::rk4));
+  CHECK_THROWS_WITH(fixed.step(world, kFrame),
+                    Catch::Contains("dt = ") && Catch::Contains("full turn"));
+  CHECK(same_states(world, start));
+  Glued free(way(GluedScheme::dormand_prince));
+  free.step(world, kFrame);
+  CHECK(angle_between(world.states()[0].orientation_wb, rotation_from_vector(kFrame * spin_w)) <
+        1e-12);  // [rad] about a fixed axis: rounding
+}
+
+TEST_CASE("More than a hundred joints are refused with their number and what to do",
+          "[unit][exterior_rotation]") {
+  World world;
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  for (int k = 0; k < 102; ++k) world.add(cube, make_state(cube, Vec3(k, 0.0, 0.0)));
+  const World start = world;
+  Glued technique;
+  CHECK_THROWS_WITH(technique.step(world, kFrame), Catch::Contains("101 pairs") &&
+                                                       Catch::Contains("100 at most") &&
+                                                       Catch::Contains("fewer bodies"));
+  CHECK(same_states(world, start));
+  CHECK_THROWS_WITH(technique.find(world), Catch::Contains("101 pairs"));
+}

@@ -1,0 +1,180 @@
+/// \file
+/// \brief Ways to move the bodies of a group, written out, and the best frame for one.
+#include "tumble/base/random.hpp"
+#include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "driver/played_scene.hpp"
+#include "exterior_rotation/best_frame.hpp"
+#include "exterior_rotation/cure_runs.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+
+std::vector<Joint> joints_of(const World& world) {
+  Glued glued;
+  glued.find(world);
+  return {glued.joints().begin(), glued.joints().end()};
+}
+
+// How far two lists of poses differ.
+double apart(std::span<const BodyState> a, std::span<const BodyState> b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    largest = std::max({largest, (a[k].position_w - b[k].position_w).norm(),
+                        angle_between(a[k].orientation_wb, b[k].orientation_wb)});
+  return largest;
+}
+
+// Three cubes corner on corner on a fixed one, all turned and turning at random, and their joints: the
+// last one first, as no order is asked for.
+struct Tower {
+  World world;
+  std::vector<Joint> joints;
+
+  explicit Tower(Random& chance) {
+    const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
+    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+    const Vec3 up_b(0.5, 0.5, 0.5);
+    Vec3 point_w = up_b;
+    Vec3 point_velocity_w = Vec3::Zero();
+    world.add(fixed, make_state(fixed, Vec3::Zero()));
+    for (int k = 1; k <= 3; ++k) {
+      const Quat q_wb = rotation_from_vector(chance.in_cube(1.0));
+      const Vec3 spin_w = chance.in_cube(5.0);
+      const Vec3 x_w = point_w + q_wb * up_b;
+      const Vec3 v_w = point_velocity_w + spin_w.cross(x_w - point_w);
+      world.add(cube, make_state(cube, x_w, q_wb, v_w, spin_w));
+      Joint joint;
+      joint.first = k % 2 == 0 ? k : k - 1;  // the one below is first or second
+      joint.second = k % 2 == 0 ? k - 1 : k;
+      joint.count = 1;
+      joint.corners_first_b[0] = k % 2 == 0 ? Vec3(-up_b) : up_b;
+      joint.corners_second_b[0] = k % 2 == 0 ? up_b : Vec3(-up_b);
+      joint.hold = JointHold::corner;
+      joints.insert(joints.begin(), joint);
+      point_w = x_w + q_wb * up_b;
+      point_velocity_w = v_w + spin_w.cross(point_w - x_w);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A body turned about its point at rest moves as the exponential of its plane twist",
+          "[exact][exterior_rotation]") {
+  Random chance(4);
+  for (int n = 0; n < 100; ++n) {
+    const Vec3 x_w = chance.in_cube(2.0);
+    const Vec3 omega_w(0.0, 0.0, chance.uniform(0.1, 20.0));
+    Vec3 v_w = chance.in_cube(3.0);
+    v_w.z() = 0.0;
+    const Vec3 c_w = resting_point(x_w, v_w, omega_w);
+    CHECK((v_w + omega_w.cross(c_w - x_w)).norm() < 1e-13);  // [m/s]
+    const Vec3 about_w = moved_about(x_w, v_w, omega_w, c_w, 0.1);
+    CHECK((about_w - x_w - along_arc(0.1 * omega_w, 0.1 * v_w)).norm() < 1e-13);
+    CHECK((moved_about(x_w, v_w, omega_w, x_w, 0.1) - x_w - 0.1 * v_w).norm() < 1e-14);
+    CHECK(std::abs((about_w - c_w).norm() - (x_w - c_w).norm()) < 1e-13);
+  }
+}
+
+TEST_CASE("A forward step of glued puts bodies where the ways of moving say that are written out",
+          "[exact][exterior_rotation]") {
+  for (const char* scene : {"fig6_1", "fig6_2", "fig6_3"}) {
+    World world = build_world(scene_with(scene, {}));
+    for (std::size_t k = 0; k < world.states().size();
+         ++k)  // that of figures 6.1 and 6.2 is at rest
+      if (world.bodies()[k].movable() && world.states()[k].angular_momentum_w.isZero()) {
+        const Vec3 spin_w(0.0, 0.0, -2.0);
+        world.set_velocity(world.ids()[k],
+                           spin_w.cross(world.states()[k].position_w - Vec3(0.0, 2.0, 0.0)),
+                           spin_w);
+      }
+    for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
+      GluedOptions options;
+      options.scheme = GluedScheme::forward_euler;
+      options.pose = pose;
+      World stepped = world;
+      Glued(options).step(stepped, kStep);
+      const auto expected = pose == PoseUpdate::separate
+                                ? moved_in_frame(world, GroupFrame{}, kStep)
+                                : moved_by_own_twist(world, kStep);
+      INFO(scene << ", " << name_of(pose));
+      CHECK(apart(stepped.states(), expected) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("A frame that turns as all bodies of a group do moves them as one about its centre",
+          "[exact][exterior_rotation]") {
+  const Vec3 spin_w(1.0, -3.0, 2.0);
+  const World world = column_in_flight(spin_w.cross(Vec3(0.4, -1.0, 2.0)), spin_w);
+  const Vec3 rest_w(-0.4, 1.0, -2.0);  // [m] moves at v + ω × it = 0
+  const auto states = moved_in_frame(world, {rest_w, spin_w}, 0.1);
+  CHECK(apart(states, moved_by_own_twist(world, 0.1)) < 1e-14);
+  CHECK(mismatch(joints_of(world), states) < 1e-14);  // [m]
+  CHECK(mismatch(joints_of(world), moved_in_frame(world, GroupFrame{}, 0.1)) > 0.01);
+}
+
+TEST_CASE("A tree of pivots closes every joint of a tower that turns at rates of its own in space",
+          "[exact][exterior_rotation]") {
+  Random chance(11);
+  for (int n = 0; n < 20; ++n) {
+    const Tower tower(chance);
+    CHECK(mismatch(tower.joints, tower.world.states()) < 1e-14);
+    for (const double dt : {kStep, 0.2}) {
+      const auto states = moved_in_tree(tower.world, tower.joints, dt);
+      CHECK(mismatch(tower.joints, states) < 1e-14);  // [m]
+      CHECK(mismatch(tower.joints, moved_by_own_twist(tower.world, dt)) > 1e-6);
+      // No orientation is touched, and the way is that of the velocities to first order.
+      for (std::size_t k = 1; k < states.size(); ++k) {
+        const BodyState& before = tower.world.states()[k];
+        const BodyProperties& body = tower.world.bodies()[k];
+        const Quat turned_wb = turned(before.orientation_wb, angular_velocity(body, before), dt);
+        CHECK(angle_between(states[k].orientation_wb, turned_wb) < 1e-14);
+        // Three levers of √3/2 and spins of up to 5√3: half h² ω² times their length.
+        CHECK((states[k].position_w - before.position_w - dt * velocity(body, before)).norm() <
+              0.5 * dt * dt * 75.0 * 4.4);
+      }
+    }
+  }
+}
+
+TEST_CASE("The best frame of figure 6.3 is no worse than what a simplex finds from any start",
+          "[reference][exterior_rotation]") {
+  for (const double upper : {1.5, -10.0, 5.0}) {
+    const World world = build_world(scene_with("fig6_3", {setting("upper_spin", upper)}));
+    const std::vector<Joint> joints = joints_of(world);
+    const BestFrame best = best_frame(world, joints, kStep, 30.0);
+    CHECK(mismatch(joints, moved_in_frame(world, best.frame, kStep)) ==
+          near(best.left).margin(1e-15));
+    const std::vector<Joint> lower(joints.begin(), joints.begin() + 1);
+    CHECK(mismatch(lower, moved_in_frame(world, best.frame, kStep)) < 1e-13);  // [m] closed
+    double least = 1.0;
+    for (const double rate : {-3.0, -1.0, 1.0, 3.0}) {
+      const BestFrame found =
+          best_frame_by_simplex(world, joints, kStep, {Vec3(0.1, 1.9, 0.0), Vec3(0.0, 0.0, rate)});
+      CHECK(found.left > best.left * (1.0 - 1e-6));
+      least = std::min(least, found.left);
+    }
+    INFO("upper box at " << upper);
+    CHECK(least < 1.01 * best.left);
+  }
+}
+
+TEST_CASE("The fitted order of a power law is its exponent", "[exact][exterior_rotation]") {
+  const std::array x = {0.1, 0.3, 0.7, 2.0};
+  std::array<double, 4> y{};
+  for (std::size_t k = 0; k < x.size(); ++k) y[k] = 3.0 * x[k] * x[k] * std::sqrt(x[k]);
+  CHECK(fitted_order(x, y) == near(2.5).margin(1e-13));
+}
