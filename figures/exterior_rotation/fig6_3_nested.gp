@@ -77,7 +77,7 @@ low = low + 145
 set tmargin at screen height(low); set bmargin at screen height(low + 145)
 set format x '%g'
 set xlabel 'time [s]' offset 0,0.3
-set logscale y; set format y powers; set yrange [1e-16:0.05]; set ytics nomirror 1e-15,1e5
+set logscale y; set format y powers; set yrange [1e-16:0.05]; set ytics nomirror 1e-15,1e5,1e-5
 side = 'upper edge [m]'; @SIDE
 set label 2 'leapfrog, both ways' at graph 0.98,first 5e-3 right textcolor rgb '#2E7D9A'
 set label 4 'rk4' at graph 0.98,first 2e-10 right textcolor rgb '#9A6F00'

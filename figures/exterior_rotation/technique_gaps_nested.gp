@@ -14,5 +14,5 @@ set for [k=1:6] ytics add (names[k] k - 1)
 set key at screen 0.6,0.985 center top vertical maxrows 2 samplen 1
 shown(g) = g > 2e-16 ? g : 2e-16
 plot stem.'.csv' using (shown(column('exponential_gap_m'))):'technique':(shown(column('exponential_gap_m'))):'separate_gap_m':'technique':'technique' with boxxyerror lc rgb '#b0b0b0' notitle, \
-  '' using 'separate_gap_m':'technique' with points pt 6 ps 2 lw 2 lc rgb '#D55E00' title 'each body by itself', \
-  '' using (shown(column('exponential_gap_m'))):'technique' with points pt 7 ps 1.7 lc rgb '#0072B2' title 'by what it stands on'
+  '' using 'separate_gap_m':'technique' with points pt 6 ps 2 lw 2 lc rgb '#D55E00' title 'pose=separate', \
+  '' using (shown(column('exponential_gap_m'))):'technique' with points pt 7 ps 1.7 lc rgb '#0072B2' title 'pose=exponential'
