@@ -25,17 +25,6 @@ std::string number_row(const CheckedNumber& number) {
          interval_html(number) + "<br><span class=\"soft\">" + expected + "</span></td></tr>\n";
 }
 
-std::string numbers_table(const DrawnFigure& figure, bool fold) {
-  if (figure.numbers.empty()) return "";
-  std::string text =
-      "<table class=\"numbers\">\n<tr><th>number</th><th>here<br><span class=\"soft\">expected"
-      "</span></th></tr>\n";
-  for (const CheckedNumber& number : figure.numbers) text += number_row(number);
-  text += "</table>\n";
-  if (!fold) return text;
-  return "<details>\n<summary>Numbers, and what was expected</summary>\n" + text + "</details>\n";
-}
-
 // The picture in one form, leading to the other.
 std::string picture(const DrawnFigure& figure, const std::string& folder, const std::string& shown,
                     const std::string& behind) {
@@ -67,6 +56,17 @@ std::string files(const DrawnFigure& figure, const std::string& folder) {
 
 }  // namespace
 
+std::string numbers_html(const DrawnFigure& figure, bool fold) {
+  if (figure.numbers.empty()) return "";
+  std::string text =
+      "<table class=\"numbers\">\n<tr><th>number</th><th>here<br><span class=\"soft\">expected"
+      "</span></th></tr>\n";
+  for (const CheckedNumber& number : figure.numbers) text += number_row(number);
+  text += "</table>\n";
+  if (!fold) return text;
+  return "<details>\n<summary>Numbers, and what was expected</summary>\n" + text + "</details>\n";
+}
+
 std::string head_html(const DrawnFigure& figure, const std::string& key) {
   const auto found = figure.head.find(key);
   if (found != figure.head.end()) return html_text(found->second);
@@ -89,7 +89,7 @@ std::string figure_html(const DrawnFigure& figure, const std::vector<LedgerEntry
   for (const LedgerEntry& entry : ledger) {
     if (entry.claim.figure == figure.name) text += claim_html(entry, "");
   }
-  text += numbers_table(figure, style.fold_numbers);
+  text += numbers_html(figure, style.fold_numbers);
   if (is_drawn(figure)) text += recipe(figure) + files(figure, style.folder);
   return text + "</article>\n";
 }

@@ -55,6 +55,12 @@ struct FigureStyle {
   bool fold_numbers = false;  ///< whether the table of numbers has to be opened first
 };
 
+/// The numbers of a figure, each beside the expected one.
+/// \param figure  the figure
+/// \param fold    whether the table has to be opened first
+/// \return an HTML `table`; empty for a figure without numbers
+std::string numbers_html(const DrawnFigure& figure, bool fold);
+
 /// A figure: picture, caption, claims that it decides, numbers, how to draw it again.
 /// \param figure  the figure
 /// \param ledger  all claims

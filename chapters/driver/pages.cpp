@@ -97,6 +97,19 @@ std::string tolerance_html(const Tolerance& tolerance) {
          html_text(tolerance.section) + ")</p>\n</div>\n";
 }
 
+// What figures measure of each technique on the same scene.
+std::string techniques_md(const std::vector<DrawnFigure>& figures) {
+  std::string text;
+  for (const DrawnFigure& figure : figures) {
+    if (!is_of_kind(figure, "technique_gaps") || figure.numbers.empty()) continue;
+    text += "### " + head_html(figure, "title") + "\n\n" +
+            as_is("<div class=\"entry\">\n<p><a href=\"gallery.html#" + figure.name + "\">" +
+                  figure.name + "</a></p>\n" + numbers_html(figure, false) + "</div>\n");
+  }
+  if (text.empty()) return text;
+  return "## Each technique on the same scene {#ledger_techniques}\n\n" + text;
+}
+
 }  // namespace
 
 std::string ledger_page(const Findings& findings) {
@@ -112,6 +125,7 @@ The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endh
 )";
   text += overview_html(findings.ledger);
   text += "## Measured {#ledger_measured}\n\n" + claims_html(findings.ledger, true);
+  text += techniques_md(findings.figures);
   text += "## Not measured {#ledger_not_measured}\n\n" + claims_html(findings.ledger, false);
   return text;
 }

@@ -41,6 +41,21 @@ TEST_CASE("Text in HTML keeps browsers and Doxygen from taking it for their own"
   CHECK(html_text("a<b> & \"c\" \\ref d") == "a&lt;b&gt; &amp; &quot;c&quot; &#92;ref d");
 }
 
+TEST_CASE("The ledger has the gap of each technique", "[unit][ledger]") {
+  const Scratch scratch("techniques");
+  const auto folder = scratch.figure("technique_gaps", "\"gap, analytic\",mm,0.25,,,\n");
+  const std::string expected = "figure,quantity,unit,value,tolerance,reason\n";
+  const Findings findings = read_findings(
+      folder, {scratch.file("turning/expected.csv",
+                            expected + "technique_gaps,\"gap, analytic\",mm,0.2,0.1,it\n")});
+  const std::string page = ledger_page(findings);
+  CHECK_THAT(page, Contains("## Each technique on the same scene {#ledger_techniques}"));
+  CHECK_THAT(page, Contains("gap, analytic"));
+  CHECK_THAT(page, Contains("<span class=\"whole\">0.25 mm</span>"));
+  CHECK_THAT(ledger_page(findings_with("speed,m/s,3.25,2,4,20\n")),
+             !Contains("{#ledger_techniques}"));
+}
+
 TEST_CASE("Ledger and index show statement, number, interval, rule and verdict", "[unit][ledger]") {
   const Findings findings = findings_with("speed,m/s,3.25,2,4,20\n");
   for (const std::string& page : {ledger_page(findings), index_page(findings)}) {
