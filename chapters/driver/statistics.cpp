@@ -3,9 +3,11 @@
 #include "driver/statistics.hpp"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace tumble::chapters {
@@ -63,6 +65,26 @@ double median_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+double fitted_order(std::span<const double> x, std::span<const double> y) {
+  if (x.size() < 2 || x.size() != y.size())
+    throw std::invalid_argument("an order is told from two points or more");
+  std::vector<double> log_x;
+  std::vector<double> log_y;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    log_x.push_back(std::log(x[k]));
+    log_y.push_back(std::log(y[k]));
+  }
+  double at_zero = 0.0;
+  double slope = 0.0;
+  double cov00 = 0.0;
+  double cov01 = 0.0;
+  double cov11 = 0.0;
+  double squares = 0.0;
+  gsl_fit_linear(log_x.data(), 1, log_y.data(), 1, log_x.size(), &at_zero, &slope, &cov00, &cov01,
+                 &cov11, &squares);
+  return slope;
 }
 
 }  // namespace tumble::chapters

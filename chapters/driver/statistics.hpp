@@ -55,4 +55,11 @@ Quantity mean_over_seeds(std::string name, std::string unit, std::span<const dou
 /// \return the mean of the middle two if there is an even number of them
 double median_of(std::vector<double> values);
 
+/// The order of an error: the slope of its logarithm against that of the step, by least squares.
+/// \param x  [any] above 0
+/// \param y  [any] above 0, as many, at least two
+/// \return [-] the exponent of a power law
+/// \throws std::invalid_argument for fewer than two points, or lengths that differ
+double fitted_order(std::span<const double> x, std::span<const double> y);
+
 }  // namespace tumble::chapters

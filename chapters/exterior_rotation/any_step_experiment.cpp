@@ -2,6 +2,7 @@
 /// \brief Groups moved by one twist for each body, at any step: gaps and orders (thesis 6.2).
 #include "tumble/math/rotation.hpp"
 
+#include "driver/statistics.hpp"
 #include "exterior_rotation/cure_figures.hpp"
 #include "exterior_rotation/cure_runs.hpp"
 #include "exterior_rotation/falling_column.hpp"

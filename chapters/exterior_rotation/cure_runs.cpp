@@ -85,23 +85,4 @@ GroupMotion motion_of(const World& world) {
   return sum;
 }
 
-double fitted_order(std::span<const double> x, std::span<const double> y) {
-  if (x.size() < 2 || x.size() != y.size())
-    throw std::invalid_argument("a slope needs two points or more");
-  const double n = static_cast<double>(x.size());
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mean_x += std::log(x[k]) / n;
-    mean_y += std::log(y[k]) / n;
-  }
-  double across = 0.0;
-  double square = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    across += (std::log(x[k]) - mean_x) * (std::log(y[k]) - mean_y);
-    square += (std::log(x[k]) - mean_x) * (std::log(x[k]) - mean_x);
-  }
-  return across / square;
-}
-
 }  // namespace tumble::chapters

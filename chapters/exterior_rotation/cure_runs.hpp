@@ -53,10 +53,4 @@ struct GroupMotion {
 /// \return sums
 GroupMotion motion_of(const World& world);
 
-/// The slope of a power law, by least squares in the logarithms.
-/// \param x  [any] above 0
-/// \param y  [any] above 0, as many, at least two
-/// \return [-] the exponent
-double fitted_order(std::span<const double> x, std::span<const double> y);
-
 }  // namespace tumble::chapters

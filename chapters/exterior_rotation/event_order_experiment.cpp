@@ -1,5 +1,6 @@
 /// \file
 /// \brief The order of a fall before openings of joints and across them, and of the moment of an opening.
+#include "driver/statistics.hpp"
 #include "exterior_rotation/cure_runs.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/footnote_experiments.hpp"

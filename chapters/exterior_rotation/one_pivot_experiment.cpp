@@ -3,6 +3,7 @@
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include "driver/played_scene.hpp"
+#include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/cure_figures.hpp"
 #include "exterior_rotation/cure_runs.hpp"

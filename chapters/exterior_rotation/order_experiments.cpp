@@ -2,10 +2,9 @@
 /// \brief Orders of the glued column's integration, and the gap of one step.
 #include "exterior_rotation/order_experiments.hpp"
 
+#include "driver/statistics.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
-
-#include <gsl/gsl_fit.h>
 
 #include <algorithm>
 #include <array>
@@ -34,17 +33,6 @@ struct Orders {
   double shortest = 0.0;  // [s]
 };
 
-double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  double c0 = 0.0;
-  double c1 = 0.0;
-  double cov00 = 0.0;
-  double cov01 = 0.0;
-  double cov11 = 0.0;
-  double sum = 0.0;
-  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &c0, &c1, &cov00, &cov01, &cov11, &sum);
-  return c1;
-}
-
 // Of the shortest steps that are not yet disturbed by rounding.
 Orders orders_of(const std::vector<Error>& errors, double floor) {
   std::vector<double> step;
@@ -52,12 +40,12 @@ Orders orders_of(const std::vector<Error>& errors, double floor) {
   std::vector<double> gap;
   for (auto error = errors.rbegin(); error != errors.rend() && step.size() < kFitted; ++error) {
     if (error->angle < floor || error->gap < floor) continue;
-    step.push_back(std::log(error->step));
-    angle.push_back(std::log(error->angle));
-    gap.push_back(std::log(error->gap));
+    step.push_back(error->step);
+    angle.push_back(error->angle);
+    gap.push_back(error->gap);
   }
   if (step.size() < 2) throw std::runtime_error("no two errors are above the floor");
-  return {slope(step, angle), slope(step, gap), std::exp(step.back()), std::exp(step.front())};
+  return {fitted_order(step, angle), fitted_order(step, gap), step.back(), step.front()};
 }
 
 std::vector<Column> error_columns() {
@@ -203,10 +191,10 @@ Result measure_one_step_gap(const Parameters& settings) {
     std::vector<double> step;
     std::vector<double> gap;
     for (std::size_t k = 0; k < kFitted; ++k) {
-      step.push_back(std::log(table.rows[k][0]));
-      gap.push_back(std::log(std::abs(table.rows[k][column])));
+      step.push_back(table.rows[k][0]);
+      gap.push_back(std::abs(table.rows[k][column]));
     }
-    return slope(step, gap);
+    return fitted_order(step, gap);
   };
   out.push_back({"half of the square of the angle turned in 1/60 s, times a metre", "m", usual[1]});
   for (std::size_t s = 0; s < schemes.size(); ++s)

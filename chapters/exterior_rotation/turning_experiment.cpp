@@ -1,5 +1,6 @@
 /// \file
 /// \brief The column turns, and is pushed along without turning (claim 6.2a).
+#include "driver/statistics.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/film_schemes.hpp"
 #include "exterior_rotation/problem_experiments.hpp"
@@ -30,19 +31,6 @@ double largest_glue_gap(const HeldRun& run) {
   return largest(run, [&](const HeldFrame& f) { return widest(run, f, JointHold::area); });
 }
 
-// The slope of the straight line through points, by least squares.
-double slope(const std::vector<Vec2>& points) {
-  Vec2 mean = Vec2::Zero();
-  for (const Vec2& point : points) mean += point / static_cast<double>(points.size());
-  double across = 0.0;
-  double along = 0.0;
-  for (const Vec2& point : points) {
-    across += (point - mean).x() * (point - mean).y();
-    along += (point - mean).x() * (point - mean).x();
-  }
-  return across / along;
-}
-
 // Gaps of single steps from the exact state at the end, by length of the step.
 Table single_steps(const Parameters& settings, Result& result) {
   Table table{"steps",
@@ -55,7 +43,8 @@ Table single_steps(const Parameters& settings, Result& result) {
   const double time = settings.number("duration");
   const double rate = column_rate(time, angle);
   const World exact = column_world(column_angle(time, angle), rate);
-  std::array<std::vector<Vec2>, kSloped> points;
+  std::array<std::vector<double>, kSloped> fitted_dt;
+  std::array<std::vector<double>, kSloped> fitted_gap;
   const int sizes = settings.count("sizes");
   for (int k = 0; k < sizes; ++k) {
     const double dt = 0.1 * std::pow(0.1, static_cast<double>(k) / (sizes - 1));
@@ -64,13 +53,15 @@ Table single_steps(const Parameters& settings, Result& result) {
       const double gap = std::abs(gap_of_step(exact, options_of(film_schemes()[s]), dt));
       table.rows.back().push_back(gap);
       // The shorter half of the steps, where the leading term leads.
-      if (gap > kRounded && 2 * k >= sizes - 1) points[s].emplace_back(std::log(dt), std::log(gap));
+      if (gap <= kRounded || 2 * k < sizes - 1) continue;
+      fitted_dt[s].push_back(dt);
+      fitted_gap[s].push_back(gap);
     }
   }
   for (std::size_t s = 0; s < kSloped; ++s)
     result.quantities.push_back(
         {"order of the gap that a single step makes, " + film_schemes()[s].words, "-",
-         slope(points[s])});
+         fitted_order(fitted_dt[s], fitted_gap[s])});
   return table;
 }
 

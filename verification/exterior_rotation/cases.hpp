@@ -5,6 +5,8 @@
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "support/changed_world.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -29,25 +31,15 @@ inline World world_of(const char* name, const Settings& set = {}) {
   return build_world(recipe.build(p, Random(1)));
 }
 
-/// A world whose boxes are those of another one, each changed; grounds stay.
-/// \param world   the other one
-/// \param change  gets properties and state of a box, and changes them
-/// \return the new one, with the same gravity and names
-template <typename Change>
-World changed(const World& world, const Change& change) {
-  World out;
-  out.gravity_w = world.gravity_w;
-  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
-    BodyProperties body = world.bodies()[k];
-    BodyState state = world.states()[k];
-    if (body.shape == Shape::ground) {
-      out.add_ground(body.friction, body.restitution);
-      continue;
-    }
-    change(body, state);
-    out.add(body, state, world.name(static_cast<int>(k)));
-  }
-  return out;
+/// Options of the technique.
+/// \param scheme  how the motion is integrated
+/// \param pose    how bodies are moved
+/// \return all others are the defaults
+inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
+  GluedOptions options;
+  options.scheme = scheme;
+  options.pose = pose;
+  return options;
 }
 
 /// How far the states of two worlds are apart.

@@ -17,13 +17,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = pose;
-  return options;
-}
-
 World glued_pair(double spin) {
   World world;
   world.gravity_w = Vec3::Zero();

@@ -18,13 +18,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = pose;
-  return options;
-}
-
 }  // namespace
 
 TEST_CASE("Schemes of the glued technique are found by their names, and no others",

@@ -5,6 +5,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/played_scene.hpp"
+#include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/cure_runs.hpp"
 #include "support/catch.hpp"

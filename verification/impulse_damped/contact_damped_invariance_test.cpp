@@ -5,6 +5,7 @@
 #include "impulse_damped/scene_runs.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/changed_world.hpp"
 #include "support/pose.hpp"
 
 #include <numbers>
@@ -30,24 +31,6 @@ const std::vector<Example> kExamples = {
     {"crate_off_table", {{"restitution", "0"}}},
     {"toss", {}},
 };
-
-// A world whose bodies are those of another one, each changed.
-template <typename Change>
-World changed(const World& world, const Change& change) {
-  World out;
-  out.gravity_w = world.gravity_w;
-  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
-    BodyProperties body = world.bodies()[k];
-    BodyState state = world.states()[k];
-    if (body.shape == Shape::ground) {
-      out.add_ground(body.friction, body.restitution);
-      continue;
-    }
-    change(body, state);
-    out.add(body, state, world.name(static_cast<int>(k)));
-  }
-  return out;
-}
 
 // Cubes that overlap and touch, in free space, with chance in their sizes, masses and velocities;
 // the first one cannot be moved.
