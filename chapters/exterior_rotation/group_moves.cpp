@@ -2,6 +2,8 @@
 /// \brief Ways to move bodies over a step with given velocities, written out.
 #include "exterior_rotation/group_moves.hpp"
 
+#include "tumble/contact/carried_bodies.hpp"
+#include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
@@ -54,30 +56,24 @@ std::vector<BodyState> moved_by_own_twist(const World& world, double dt) {
 }
 
 std::vector<BodyState> moved_in_tree(const World& world, std::span<const Joint> joints, double dt) {
-  std::vector<BodyState> states =
-      moved(world, dt,
-            [dt](const Vec3& x_w, const Vec3& v_w, const Vec3&) -> Vec3 { return x_w + dt * v_w; });
-  std::vector<char> placed;
-  for (const BodyProperties& body : world.bodies()) placed.push_back(body.movable() ? 0 : 1);
+  std::vector<PushedPair> pairs;
+  for (const Joint& joint : joints)
+    if (joint.hold != JointHold::nothing)
+      pairs.push_back(
+          {joint.first, joint.second, held_point(joint, world.states()).first_w, Vec3::UnitY()});
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  CarriedBodies carried;
+  carried.find(world.bodies(), moving, pairs);
 
-  // From what is placed already to the bodies that stand on it: the held point, as the body below has
-  // it after the step, is where the body above has it, too.
-  for (bool more = true; more;) {
-    more = false;
-    for (const Joint& joint : joints) {
-      if (joint.hold == JointHold::nothing) continue;
-      if (placed[at(joint.first)] == placed[at(joint.second)]) continue;
-      const bool first_below = placed[at(joint.first)] != 0;
-      const int above = first_below ? joint.second : joint.first;
-      const JointPoint point = held_point(joint, states);
-      const Vec3 off_w =
-          first_below ? Vec3(point.first_w - point.second_w) : Vec3(point.second_w - point.first_w);
-      states[at(above)].position_w += off_w;
-      placed[at(above)] = 1;
-      more = true;
-    }
+  World after = world;
+  for (int body = 0; body < world.count(); ++body) {
+    if (carried.carries(body))
+      carried.move(body, dt, after);
+    else
+      advance_pose(world.bodies()[at(body)], after.states()[at(body)], dt, RotationRule::frozen);
   }
-  return states;
+  return {after.states().begin(), after.states().end()};
 }
 
 double mismatch(std::span<const Joint> joints, std::span<const BodyState> states) {

@@ -36,7 +36,7 @@ set logscale y; set format y powers
 set yrange [3e-7:0.05]; set ytics 1e-6,10
 set xlabel 'spin of the upper box [rad/s]' offset 0,0.3
 side = 'mismatch [m]'; @SIDE
-set label 1 sprintf('a tree of pivots leaves %.0g m', tree) at graph 0.98,0.06 right textcolor rgb soft
+set label 1 sprintf('tree of pivots: %.0g m', tree) at graph 0.98,0.05 right textcolor rgb soft
 set arrow 1 from first 1.5,graph 0.13 to first 1.5,graph 1 nohead lt 8 dt (6,4)
 set label 2 ' figure 6.3' at first 1.6,graph 0.95 left textcolor rgb soft
 plot stem.'_spins.csv' using 'upper_rad_s':'straight_m' with lines lt 2 title 'straight lines', \

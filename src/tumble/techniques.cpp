@@ -72,9 +72,7 @@ Parameters analytic_options() {
   p.add_number("damping_spin", standard.damping.spin, 0.0, 1.0, "-",
                "friction=damping: what 1/60 s leaves of angular velocities (k2)");
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn in flight");
-  p.add_word("pose", {"separate", "exponential"},
-             "how bodies that push each other are moved: each by itself, or about the point it "
-             "stands on (thesis 6.2)");
+  add_pose(p);
   return p;
 }
 
@@ -106,9 +104,7 @@ Parameters time_stepping_options() {
   p.add_word("sticky", {"speed", "step_size", "off"},
              "how a collision is told to be too slow to bounce (thesis 4.3)");
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
-  p.add_word("pose", {"separate", "exponential"},
-             "how bodies that push each other are moved: each by itself, or about the point it "
-             "stands on (thesis 6.2)");
+  add_pose(p);
   return p;
 }
 
@@ -127,6 +123,12 @@ std::unique_ptr<Technique> make_time_stepping(const Parameters& p, std::uint64_t
 }
 
 }  // namespace
+
+void add_pose(Parameters& p) {
+  p.add_word("pose", {"separate", "exponential"},
+             "how bodies that push each other are moved: each by itself, or about the point it "
+             "stands on (thesis 6.2)");
+}
 
 const std::vector<TechniqueRecipe>& technique_library() {
   static const std::vector<TechniqueRecipe> library = {

@@ -74,18 +74,7 @@ TEST_CASE(
       for (const double mass : {1.0, 2.0, 0x1p-10})
         for (World& world : worlds()) {
           INFO(text_of(options) << ", mass times " << mass);
-          World other = changed(world, [&](BodyProperties& body, BodyState& state) {
-            body.size *= 4.0;
-            if (body.movable()) {
-              body.mass *= mass;
-              body.inverse_mass /= mass;
-              body.inertia_b *= 16.0 * mass;
-              body.inverse_inertia_b /= 16.0 * mass;
-            }
-            state.position_w *= 4.0;
-            state.linear_momentum_w *= 2.0 * mass;
-            state.angular_momentum_w *= 8.0 * mass;
-          });
+          World other = in_other_units(world, mass);
           world = stepped(world, options, 40);
           other = stepped(other, options, 40, 2.0 * kFrame);
           int differ = 0;

@@ -159,18 +159,7 @@ TEST_CASE(
   for (const double mass : {1.0, 8.0, 0x1p-10}) {
     for (const Example& example : kExamples) {
       World world = world_of(example.scene, example.settings);
-      World other = changed(world, [&](BodyProperties& body, BodyState& state) {
-        body.size *= 4.0;
-        if (body.movable()) {
-          body.mass *= mass;
-          body.inverse_mass /= mass;
-          body.inertia_b *= 16.0 * mass;
-          body.inverse_inertia_b /= 16.0 * mass;
-        }
-        state.position_w *= 4.0;
-        state.linear_momentum_w *= 2.0 * mass;
-        state.angular_momentum_w *= 8.0 * mass;
-      });
+      World other = in_other_units(world, mass);
       const std::unique_ptr<Technique> first = awake(kTechnique);
       const std::unique_ptr<Technique> second = awake(kTechnique);
       int differ = 0;

@@ -27,4 +27,23 @@ World changed(const World& world, const Change& change) {
   return out;
 }
 
+/// The same world with four times the length and twice the time, so that gravity stays.
+/// \param world  the other one
+/// \param mass   times which masses are
+/// \return the new one: exact, if the factor is a power of two
+inline World in_other_units(const World& world, double mass) {
+  return changed(world, [&](BodyProperties& body, BodyState& state) {
+    body.size *= 4.0;
+    if (body.movable()) {
+      body.mass *= mass;
+      body.inverse_mass /= mass;
+      body.inertia_b *= 16.0 * mass;
+      body.inverse_inertia_b /= 16.0 * mass;
+    }
+    state.position_w *= 4.0;
+    state.linear_momentum_w *= 2.0 * mass;
+    state.angular_momentum_w *= 8.0 * mass;
+  });
+}
+
 }  // namespace tumble::test

@@ -65,8 +65,9 @@ void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const J
     const Joint& joint = joints[j];
     if (joint.hold == JointHold::nothing) continue;
     if (!ties[j] && one.same(joint.first, joint.second)) continue;
-    const JointPoint point = held_point(joint, states);
     Row row;
+    row.point = held_point(joint, states);
+    const JointPoint& point = row.point;
     row.joint = static_cast<int>(j);
     row.first = joint.first;
     row.second = joint.second;
@@ -161,13 +162,12 @@ void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
     const Row& row = rows_[i];
     const MovingBody& first = bodies[at(row.first)];
     const MovingBody& second = bodies[at(row.second)];
-    const JointPoint point = held_point(joints[at(row.joint)], world.states());
     const auto falls = [&](int body) -> Vec3 {
       return world.bodies()[at(body)].movable() ? world.gravity_w : Vec3::Zero();
     };
     // [S6.2:arcs]
-    b_[i] = row.along_w.dot(falls(row.second) + centripetal(second, point.second_w) -
-                            falls(row.first) - centripetal(first, point.first_w)) +
+    b_[i] = row.along_w.dot(falls(row.second) + centripetal(second, row.point.second_w) -
+                            falls(row.first) - centripetal(first, row.point.first_w)) +
             row.turn_second_w.dot(alone(row.second)) - row.turn_first_w.dot(alone(row.first)) +
             (second.angular_velocity_w - first.angular_velocity_w)
                 .dot(first.angular_velocity_w.cross(row.about_w));

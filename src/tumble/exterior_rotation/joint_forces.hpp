@@ -67,6 +67,7 @@ class JointForces {
     int joint = 0;
     int first = 0;
     int second = 0;
+    JointPoint point;  // that is held
     Vec3 along_w = Vec3::Zero();
     Vec3 about_w = Vec3::Zero();  // of a row that holds an angle
     Vec3 turn_first_w = Vec3::Zero();

@@ -51,9 +51,7 @@ Parameters impulse_options() {
   p.add_flag("sleeping", standard.sleeping, "what rests is left alone (thesis 4.5)");
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
-  p.add_word("pose", {"separate", "exponential"},
-             "how bodies that push each other are moved: each by itself, or about the point it "
-             "stands on (thesis 6.2)");
+  add_pose(p);
   return p;
 }
 
@@ -181,9 +179,7 @@ Parameters contact_damped_options() {
   p.add_flag("sleeping", standard.sleeping, "heaps at rest are left alone (thesis 4.5)");
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
-  p.add_word("pose", {"separate", "exponential"},
-             "how bodies that push each other are moved: each by itself, or about the point it "
-             "stands on (thesis 6.2)");
+  add_pose(p);
   return p;
 }
 
