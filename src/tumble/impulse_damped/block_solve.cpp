@@ -2,6 +2,7 @@
 /// \brief Impulses of one contact area.
 #include "tumble/impulse_damped/block_solve.hpp"
 
+#include "tumble/base/tolerance.hpp"
 #include "tumble/impulse_damped/bounded_friction.hpp"
 
 #include <algorithm>
@@ -208,13 +209,42 @@ void press(ContactBlock& block, Six& motion, Six& change, double& corrected) {
   }
 }
 
+// Whether the points of an area are right as they are, and none that pushes slides: then any impulses within
+// Coulomb's bound will do, whoever found them. Of that bound what holds for every way to share friction out
+// among points is looked at.
+bool rests(const ContactBlock& block, const Six& motion, double rest) {
+  double normal = 0.0, lever = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    const BlockPoint& p = block.points[i];
+    const double wrong = speed_at(p, motion) - p.target;
+    if (!(wrong >= -rest)) return false;
+    if (!(p.impulse > 0.0)) continue;
+    const double along = motion[0] - p.across * motion[5];
+    const double across = motion[1] + p.along * motion[5];
+    if (!(wrong <= rest)) return false;
+    if (block.friction > 0.0 && !(along * along + across * across <= rest * rest)) return false;
+    normal += p.impulse;
+    lever += p.impulse * std::sqrt(p.along * p.along + p.across * p.across);
+  }
+  const double most = (1.0 + tolerance::friction_limit) * block.friction;
+  const double bound = most * normal;
+  return block.along_impulse * block.along_impulse + block.across_impulse * block.across_impulse <=
+             bound * bound &&
+         std::abs(block.twist_impulse) <= most * lever;
+}
+
 }  // namespace
 
-double solve_block(ContactBlock& block, MovingBody& first, MovingBody& second, int rounds) {
+double solve_block(ContactBlock& block, MovingBody& first, MovingBody& second, int rounds,
+                   double rest) {
   Six motion = motion_of(block, first, second);
   Six change{};
   double corrected = 0.0;
+  // An area all of which touches is brought to rest to the last digit.
+  const bool touches = block.flat && block.goal == Six{};
+  if (!touches && rest > 0.0 && rests(block, motion, rest)) return 0.0;
   if (!block.flat || !try_sticking(block, motion, change, corrected)) {
+    if (touches && rest > 0.0 && rests(block, motion, rest)) return 0.0;
     change = {};
     for (int round = 0; round < rounds; ++round) {
       double most = 0.0;

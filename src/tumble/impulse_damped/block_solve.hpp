@@ -23,11 +23,17 @@ namespace tumble {
 /// \param block   the area; impulses in and out
 /// \param first   the first body; changed
 /// \param second  the second body; changed
+///
+/// **Left alone** is an area that is right as it is, unless all of it touches and sticks. Where several
+/// pressures carry the same, and where friction that turns may be shared out among points, HeapSolver
+/// finds others than these formulas, and theirs would undo them.
 /// \param rounds  how many times the parts are solved in turn, if it does not stick, at least 1
+/// \param rest    [m/s] wrong velocity at a point that is left alone in an area that rests; 0: none
 /// \return [m/s] the largest velocity that was corrected
 /// \see Box2D and its heirs solve points; solving areas is due to Baraff's remark on contact regions;
 /// the common bound of force and moment is the ellipsoid of Howe and Cutkosky (1996).
-double solve_block(ContactBlock& block, MovingBody& first, MovingBody& second, int rounds);
+double solve_block(ContactBlock& block, MovingBody& first, MovingBody& second, int rounds,
+                   double rest = 0.0);
 
 /// Asks the points of an area that were pushed and had approached fast to part: Newton's restitution,
 /// \f$v_n \ge -e\,v_n^-\f$; others that were pushed keep from approaching. Solving the area again then

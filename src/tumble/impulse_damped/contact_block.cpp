@@ -12,6 +12,11 @@
 namespace tumble {
 namespace {
 
+// How far, as a share of the slop in a step, the targets of an area's points may be from those of one motion
+// that is asked for in their place. A whole slop would make an area that rests on some points, with others just
+// apart, move in every step towards what its points do not ask for.
+constexpr double kFlat = 0.01;
+
 constexpr std::size_t kNormal = 2, kRollAlong = 3, kRollAcross = 4;
 
 // Adds what one body contributes: with S = [r]x, its velocity at the middle changes by
@@ -158,11 +163,16 @@ void inherit(const ContactBlock& before, ContactBlock& block) {
   block.along_impulse = force[0];
   block.across_impulse = force[1];
   block.twist_impulse = moment[2];
+  const auto count = static_cast<std::size_t>(block.count);
+  bool same_points = before.count == block.count;
+  for (std::size_t i = 0; i < count && same_points; ++i)
+    same_points = before.points[i].feature == block.points[i].feature;
+  for (std::size_t i = 0; i < count && same_points; ++i)
+    block.points[i].given = turn * before.points[i].given;
   std::array<double, ContactBlock::kMostPoints> pressure;
   const Six impulse{0.0, 0.0, force[2], moment[0], moment[1], 0.0};
   if (block.spreads && force[2] > 0.0 && spread_evenly(impulse, block, pressure)) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i)
-      block.points[i].impulse = pressure[i];
+    for (std::size_t i = 0; i < count; ++i) block.points[i].impulse = pressure[i];
     return;
   }
   // Else each old point leaves its impulse to the one of the same name, or to the nearest one.
@@ -172,7 +182,7 @@ void inherit(const ContactBlock& before, ContactBlock& block) {
     const Vec3 at = turn * Vec3(gone.along, gone.across, 0.0) + shift;
     BlockPoint* heir = nullptr;
     double nearest = 0.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       BlockPoint& p = block.points[i];
       const double a = p.along - at.x();
       const double b = p.across - at.y();
@@ -209,7 +219,7 @@ void set_targets(double slop, double dt, ContactBlock& block) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
     const BlockPoint& p = block.points[i];
     const double plane = mean + slope_along * p.along + slope_across * p.across;
-    if (std::abs(plane - p.target) * dt > slop) block.flat = false;
+    if (std::abs(plane - p.target) * dt > kFlat * slop) block.flat = false;
   }
   block.goal[kNormal] = mean;
   block.goal[kRollAlong] = slope_across;

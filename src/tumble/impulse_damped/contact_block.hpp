@@ -30,6 +30,9 @@ struct BlockPoint {
   double impulse = 0.0;    ///< [N s] along the normal, at least 0
   double lift = 0.0;       ///< [m] what the repair of overlap has pushed so far, at least 0
   FeatureId feature = 0;   ///< its name over time
+  /// [N s] along, across, normal: what HeapSolver gave the point when it last solved the area. What
+  /// has come to the area since is in its sums alone.
+  Vec3 given = Vec3::Zero();
 };
 
 /// A contact area of two bodies, with all that solving it needs.
@@ -103,8 +106,8 @@ void inherit(const ContactBlock& before, ContactBlock& block);
 /// Sets the least normal velocities of the points for a step.
 ///
 /// A point that is apart by d may close its gap up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one
-/// that touches or overlaps may not approach. Whether one motion of the area meets all targets, to a
-/// slop, is found as well.
+/// that touches or overlaps may not approach. Whether one motion of the area meets all
+/// targets is found as well.
 /// \param slop   [m] gaps up to this are none
 /// \param dt     [s] of the step
 /// \param block  targets, flat and goal are overwritten

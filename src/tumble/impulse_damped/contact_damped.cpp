@@ -35,7 +35,7 @@ ContactDamped::ContactDamped(const ContactDamped& other)
       islands_(other.islands_),
       graph_(other.graph_),
       last_dt_(other.last_dt_),
-      unended_(other.unended_),
+      unsettled_(other.unsettled_),
       ordered_for_(other.ordered_for_),
       ordered_gravity_w_(other.ordered_gravity_w_),
       touching_(other.touching_),
@@ -66,11 +66,11 @@ StepReport ContactDamped::step(World& world, double dt) {
   load(world, dt);
   find_areas(world, dt, report);
   // Impulses that end all approach, and slip as far as friction can.
-  unending_.clear();
-  unending_.reserve(at(islands_.count()));
+  unsettling_.clear();
+  unsettling_.reserve(at(islands_.count()));
   flies_.assign(bodies_.size(), 1);
   for (int heap = 0; heap < islands_.count(); ++heap) solve_heap(world, heap, dt, report);
-  std::swap(unended_, unending_);
+  std::swap(unsettled_, unsettling_);
   // Bodies go where these velocities take them; what hit fast enough
   // bounces from there.
   move(world, dt, report);

@@ -43,7 +43,8 @@ struct ContactDampedOptions {
 /// **A step.** Velocities get their share of gravity. Contact areas are found at the start of the step
 /// and kept while their bodies rest (KeptAreas). Each heap begins with the impulses of the step before
 /// and one sweep over its areas (solve_block()). If that does not settle it, sweeps go on where it moves
-/// fast, and all areas are solved together (HeapSolver) where it does not. Bodies that something pushes
+/// fast, and all areas are solved together (HeapSolver) where it does not, over some steps until it
+/// rests. Bodies that something pushes
 /// move with the velocities at the end of the step; the others fly their parabola. Fast impacts
 /// bounce. Those that turn together are kept together by PoseUpdate::exponential (CarriedBodies), as
 /// velocities agree where the step begins. What overlap is left is taken away by moves
@@ -83,11 +84,14 @@ class ContactDamped : public Technique {
   void find_candidates(const World& world, double dt);
   void order_heaps(const World& world);
   void solve_heap(const World& world, int heap, double dt, StepReport& report);
-  double sweep(std::span<const int> contacts, bool down, int rounds, StepReport& report);
+  double sweep(std::span<const int> contacts, bool down, int rounds, double rest,
+               StepReport& report);
   [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
   [[nodiscard]] std::pair<double, double> unrest(const World& world, int heap, double dt) const;
+  [[nodiscard]] double swing(const World& world, int heap, double dt) const;
   [[nodiscard]] bool hurries(const World& world, int heap, double dt) const;
   [[nodiscard]] double hardest(const World& world, int heap) const;
+  [[nodiscard]] double smallest(int heap) const;
   void forget(int heap);
   void release(int heap);
   void bounce_heap(const World& world, int heap, double dt, StepReport& report);
@@ -110,9 +114,9 @@ class ContactDamped : public Technique {
   Islands islands_;
   ContactGraph graph_;
   double last_dt_ = 0.0;  // [s] of the step before
-  /// Heaps, named by their first body, that the step before solved as a whole without an end; ascending.
-  std::vector<BodyId> unended_;
-  std::vector<BodyId> unending_;  // and those of this step
+  /// Heaps, named by their first body, that the step before solved as a whole; ascending.
+  std::vector<BodyId> unsettled_;
+  std::vector<BodyId> unsettling_;  // and those of this step
   // What heaps were ordered for: how many bodies there were, gravity, the pairs by index and by name.
   int ordered_for_ = -1;
   Vec3 ordered_gravity_w_ = Vec3::Zero();

@@ -21,8 +21,10 @@ constexpr double kFair = 100.0;   // times what is none: as well as sweeps do wh
 constexpr double kWild = 1e6;     // times what is none: sweeps have lost their way
 constexpr int kSmallRounds = 20;  // of friction and pressure in turn, in a small heap
 constexpr int kPatience = 3;      // times as many rounds for a small heap
-constexpr int kFewRounds = 20;    // for a heap that did not end in the step before
-constexpr int kSmallSteps = 50;   // of Newton's in a small heap; they cost too much in a large one
+constexpr int kFewRounds = 20;    // for a heap that hardly moves: a start for Newton's steps
+constexpr int kFewSteps = 20;     // of Newton's in such a heap
+constexpr int kFewTurns = 3;     // in which impulses and shifts follow these; the next step goes on
+constexpr int kSmallSteps = 50;  // of Newton's in a small heap; they cost too much in a large one
 constexpr int kSmallPasses = 50;  // over a small heap
 constexpr int kBlockRounds = 2;   // of friction and pressure in turn within an area; one in a hurry
 
@@ -55,23 +57,26 @@ double approach_of(const BlockPoint& p, const Six& before, const Six& after, dou
 double ContactDamped::speed_scale(const World& world, int heap, double dt) const {
   const double g = world.gravity_w.norm();
   if (g > 0.0) return g * dt;
-  double size = 0.0;
-  for (const int contact : islands_.contacts(heap)) {
-    const double own = areas_.blocks()[at(contact)].size;
-    size = size == 0.0 ? own : std::min(size, own);
-  }
-  return tolerance::weightless_speed * size / dt;
+  return tolerance::weightless_speed * smallest(heap) / dt;
+}
+
+// The shortest edge that touches another body.
+double ContactDamped::smallest(int heap) const {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int contact : islands_.contacts(heap))
+    size = std::min(size, areas_.blocks()[at(contact)].size);
+  return size;
 }
 
 // Once down through an area's order, or once up. Returns the largest correction [m/s].
-double ContactDamped::sweep(std::span<const int> contacts, bool down, int rounds,
+double ContactDamped::sweep(std::span<const int> contacts, bool down, int rounds, double rest,
                             StepReport& report) {
   double most = 0.0;
   const std::size_t count = contacts.size();
   for (std::size_t k = 0; k < count; ++k) {
     ContactBlock& block = areas_.blocks()[at(contacts[down ? count - 1 - k : k])];
-    most = std::max(
-        most, solve_block(block, bodies_[at(block.first)], bodies_[at(block.second)], rounds));
+    most = std::max(most, solve_block(block, bodies_[at(block.first)], bodies_[at(block.second)],
+                                      rounds, rest));
   }
   ++report.iterations;
   report.impulses += static_cast<std::int64_t>(count);
@@ -97,6 +102,20 @@ std::pair<double, double> ContactDamped::unrest(const World& world, int heap, do
     now = std::max(now, fastest(bodies_[at(k)]));
   }
   return std::minmax(before, now);
+}
+
+// By how much this step speeds up the fastest point of a heap that hardly moves [m/s].
+double ContactDamped::swing(const World& world, int heap, double dt) const {
+  if (unrest(world, heap, dt).second >= tolerance::quiet_speed) return 0.0;
+  double most = 0.0;
+  for (const int k : islands_.bodies(heap)) {
+    const MovingBody& before = start_[at(k)];
+    const MovingBody& now = bodies_[at(k)];
+    most = std::max(most, (now.velocity_w - before.velocity_w).norm() +
+                              0.5 * world.bodies()[at(k)].size.norm() *
+                                  (now.angular_velocity_w - before.angular_velocity_w).norm());
+  }
+  return most;
 }
 
 // A large heap that moves too fast to care about the last digits.
@@ -149,17 +168,23 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   // to do. Another one up, as support goes, shows whether sweeps soon end.
   const bool small = islands_.bodies(heap).size() <= kSmallHeap;
   const int rounds = small ? kSmallRounds : kBlockRounds;
-  const double found = sweep(contacts, true, rounds, report);
-  bool settled = found < enough;
-  double left = settled ? 0.0 : sweep(contacts, false, rounds, report);
-  const bool soon = left < kSoon * found;
+  const double found = sweep(contacts, true, rounds, enough, report);
+  // The impulses that have stopped a heap would go on to push, and let it swing:
+  // who was solved in the step before must be left as it is by them.
+  const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
+  const bool swings = found < enough &&
+                      std::binary_search(unsettled_.begin(), unsettled_.end(), name) &&
+                      swing(world, heap, dt) > kWellSettled * enough;
+  bool settled = found < enough && !swings;
+  double left = settled ? 0.0 : sweep(contacts, false, rounds, enough, report);
+  const bool soon = !swings && left < kSoon * found;
   // What moves fast or slides is swept on, down and up, which it does well.
   const auto [slowest, fastest] = settled ? std::pair(0.0, 0.0) : unrest(world, heap, dt);
   const bool fast = slowest >= tolerance::calm_speed;
   const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
   const auto sweep_on = [&] {
     for (int pass = 2; pass < passes && !settled; ++pass) {
-      left = sweep(contacts, pass % 2 == 0, small || !fast ? rounds : 1, report);
+      left = sweep(contacts, pass % 2 == 0, small || !fast ? rounds : 1, enough, report);
       settled = left < kWellSettled * enough;
     }
     settled = settled || left < kFair * enough;
@@ -170,26 +195,29 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   else if (left > kWild * enough)
     forget(heap);
   // If that was not enough, all areas are solved together, in a large heap
-  // only if it is slow. One that hardly moves may not have ended so in the step
-  // before. Then it gets few rounds a step until it ends. Sweeps alone would let
-  // it swing: the impulses that have stopped it would go on to push.
-  const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
-  const bool again = fastest < tolerance::quiet_speed &&
-                     std::binary_search(unended_.begin(), unended_.end(), name);
+  // only if it is slow. One that hardly moves gets few rounds, which would
+  // not end, and few of Newton's steps, which do within some steps of time.
+  const bool quiet = !small && fastest < tolerance::quiet_speed;
   if (!settled && options_.rounds > 0 && (small || !fast)) {
-    const int most = again ? std::min(options_.rounds, kFewRounds) : options_.rounds;
-    const HeapLimits limits{(small ? kToTheEnd : kWellSettled) * enough,
-                            enough / tolerance::contact_settled,
-                            small ? kPatience * most : most,
-                            tolerance::heap_work,
-                            small ? hardest(world, heap) : tolerance::heap_hardness,
-                            small ? kSmallSteps : 0};
+    HeapLimits limits;
+    limits.enough = (small || quiet ? kToTheEnd : kWellSettled) * enough;
+    limits.unit = enough / tolerance::contact_settled;
+    limits.most_rounds = small   ? kPatience * options_.rounds
+                         : quiet ? std::min(options_.rounds, kFewRounds)
+                                 : options_.rounds;
+    limits.most_work = tolerance::heap_work;
+    limits.hardest = small ? hardest(world, heap) : tolerance::heap_hardness;
+    limits.most_steps = small ? kSmallSteps : quiet ? kFewSteps : 0;
+    if (quiet) {
+      limits.loose = tolerance::contact_damped_slop * smallest(heap) / dt;
+      limits.most_turns = kFewTurns;
+    }
     const HeapResult solved = heaps_.solve(islands_.bodies(heap), islands_.contacts(heap), limits,
                                            free_, areas_.blocks(), bodies_);
     report.iterations += solved.rounds;
     report.pivots += solved.factorings;
     settled = solved.tried;
-    if (solved.tried && !solved.solved) unending_.push_back(name);
+    if (solved.tried) unsettling_.push_back(name);
   }
   if (!fast && !sliding && !soon) sweep_on();
   // [S6.3.1:heap]
@@ -202,7 +230,10 @@ void ContactDamped::forget(int heap) {
   for (const int contact : islands_.contacts(heap)) {
     ContactBlock& block = areas_.blocks()[at(contact)];
     block.along_impulse = block.across_impulse = block.twist_impulse = 0.0;
-    for (BlockPoint& p : block.points) p.impulse = 0.0;
+    for (BlockPoint& p : block.points) {
+      p.impulse = 0.0;
+      p.given.setZero();
+    }
   }
   for (const int k : islands_.bodies(heap)) bodies_[at(k)] = free_[at(k)];
 }
@@ -246,7 +277,10 @@ void ContactDamped::guard_energy(const World& world, int heap, StepReport& repor
     block.along_impulse *= share;
     block.across_impulse *= share;
     block.twist_impulse *= share;
-    for (std::size_t i = 0; i < at(block.count); ++i) block.points[i].impulse *= share;
+    for (std::size_t i = 0; i < at(block.count); ++i) {
+      block.points[i].impulse *= share;
+      block.points[i].given *= share;
+    }
   }
   ++report.fallbacks;
 }

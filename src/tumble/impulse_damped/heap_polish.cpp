@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tumble {
 
@@ -15,10 +16,13 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-constexpr int kMostHalvings = 12;  // of a step that leads too far
+constexpr int kMostLooks = 12;     // for where a step leads too far
+constexpr double kLevel = 0.3;     // of the slope at its start: so far is gone along a step
+constexpr double kLeastCut = 0.1;  // of the way that is left, by a look
 constexpr int kStepsInARow = 10;   // before impulses and shifts follow
 constexpr double kSteepest = 1.0;  // friction: beyond, shifts that follow slides run away from them
 constexpr double kBalanced = 0.01;  // of what is enough: springs and bodies are in balance
+constexpr double kMuchLess = 0.1;   // of what was wrong: so much less that it is taken as it is
 
 // How the nearest point of Coulomb's cone follows the point a. Symmetric, between 0 and 1.
 Mat3 slope_of_cone(const Vec3& a, double mu) {
@@ -35,37 +39,24 @@ Mat3 slope_of_cone(const Vec3& a, double mu) {
 
 }  // namespace
 
-// What the hard springs push at the present velocities, and how that follows them. Returns the function of
-// the velocities that is least where bodies and springs are in balance [J].
-double HeapSolver::press(std::span<const ContactBlock> blocks, double& moved) {
-  double sum = 0.0;
-  for (const Member& member : members_) {
-    const Vec6 d = member.now - member.free;
-    sum += 0.5 * (member.mass * d.head<3>().squaredNorm() +
-                  d.tail<3>().dot(member.inertia_w * d.tail<3>()));
-  }
-  moved = 0.0;
+// What the hard springs push at the present velocities, and how that follows them.
+void HeapSolver::press(std::span<const ContactBlock> blocks) {
   for (const Area& area : areas_) {
     const Six motion = motion_now(area, blocks[at(area.block)]);
     for (int i = area.begin; i < area.end; ++i) {
       Point& p = points_[at(i)];
       const double rho = tolerance::heap_polish / p.yield;
-      Vec3 u = motion_at(p.along, p.across, motion);
-      u[2] += p.shift - p.target;
-      raise((u - p.motion).norm(), moved);
-      p.motion = u;
-      const Vec3 asked = p.pushed - rho * u;
+      p.motion = motion_at(p.along, p.across, motion);
+      p.motion[2] += p.shift - p.target;
+      const Vec3 asked = p.pushed - rho * p.motion;
       p.presses = into_cone(asked, p.friction);
       p.follows = rho * slope_of_cone(asked, p.friction);
-      sum += 0.5 / rho * p.presses.squaredNorm();
     }
   }
-  return sum;
 }
 
-// One step of Newton's towards the balance, halved while it leads up. Returns how far the motion of a point
-// changed at most [m/s].
-double HeapSolver::balance(std::span<const ContactBlock> blocks, double& sum) {
+// One step of Newton's towards the balance. Returns how far the motion of a point changed at most [m/s].
+double HeapSolver::balance(std::span<const ContactBlock> blocks) {
   factor(blocks, false);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     x_[m].head<3>() = members_[m].mass * members_[m].free.head<3>();
@@ -89,20 +80,66 @@ double HeapSolver::balance(std::span<const ContactBlock> blocks, double& sum) {
     from_[m] = members_[m].now;
     x_[m] -= from_[m];
   }
-  const double before = sum;
+  const double share = go(blocks);
   double moved = 0.0;
-  double share = 1.0;
-  for (int halving = 0; halving <= kMostHalvings; ++halving, share *= 0.5) {
-    for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = from_[m] + share * x_[m];
-    sum = press(blocks, moved);
-    if (sum <= before * (1.0 + tolerance::energy_rounding)) break;
-  }
+  for (const Point& p : points_) raise(share * p.way.norm(), moved);
   return moved;
+}
+
+// Goes along the step as far as the function falls, which is convex. Its slope is sought to be small by
+// secants. Returns the share of the step that was gone.
+double HeapSolver::go(std::span<const ContactBlock> blocks) {
+  for (Point& p : points_) {
+    p.way = p.motion;
+    p.pressed = p.presses;
+  }
+  double high = 1.0;
+  go_to(high, blocks);
+  for (Point& p : points_) {
+    p.way = p.motion - p.way;
+    std::swap(p.presses, p.pressed);
+  }
+  const double start = slope(0.0);
+  for (Point& p : points_) std::swap(p.presses, p.pressed);
+  double at_high = slope(high);
+  const double enough = kLevel * std::abs(start);
+  if (!(start < 0.0 && at_high > enough)) return high;
+  double low = 0.0, at_low = start;
+  double share = high;
+  for (int look = 0; look < kMostLooks; ++look) {
+    const double secant = std::clamp(at_low / (at_low - at_high), kLeastCut, 1.0 - kLeastCut);
+    share = low + (high - low) * secant;
+    go_to(share, blocks);
+    const double now = slope(share);
+    if (std::abs(now) <= enough) break;
+    (now > 0.0 ? high : low) = share;
+    (now > 0.0 ? at_high : at_low) = now;
+  }
+  return share;
+}
+
+void HeapSolver::go_to(double share, std::span<const ContactBlock> blocks) {
+  for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = from_[m] + share * x_[m];
+  press(blocks);
+}
+
+// How the function changes along the step, at a share of it, with what springs push there [J].
+double HeapSolver::slope(double share) const {
+  double sum = 0.0;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const Member& member = members_[m];
+    const Vec6 d = from_[m] + share * x_[m] - member.free;
+    sum += member.mass * d.head<3>().dot(x_[m].head<3>()) +
+           x_[m].tail<3>().dot(member.inertia_w * d.tail<3>());
+  }
+  for (const Point& p : points_) sum -= p.presses.dot(p.way);
+  return sum;
 }
 
 // The same springs as in the rounds, but hard, and all of them kept in balance with the bodies by Newton's
 // steps: a handful where rounds would need thousands. Then impulses become what springs pushed, shifts what
-// slides ask for, and so on until neither changes. If that does not come to an end nothing is changed.
+// slides ask for, and so on until neither changes. If that does not come to an end nothing is changed, or if it
+// need not, what is much better than before is taken.
 void HeapSolver::polish(std::span<const ContactBlock> blocks, const HeapLimits& limits,
                         HeapResult& result) {
   const auto steep = [](const Point& p) { return p.friction > kSteepest; };
@@ -113,11 +150,12 @@ void HeapSolver::polish(std::span<const ContactBlock> blocks, const HeapLimits& 
   int steps = 0;
   double moved = 0.0;
   double wrong = result.wrong;
-  while (steps < limits.most_steps && !(wrong < limits.enough)) {
-    double sum = press(blocks, moved);
+  for (int turn = 0; turn < limits.most_turns; ++turn) {
+    if (steps >= limits.most_steps || wrong < limits.enough) break;
+    press(blocks);
     for (int k = 0; k < kStepsInARow && steps < limits.most_steps; ++k) {
       ++steps;
-      moved = balance(blocks, sum);
+      moved = balance(blocks);
       if (moved < kBalanced * limits.enough) break;
     }
     wrong = moved;
@@ -125,13 +163,16 @@ void HeapSolver::polish(std::span<const ContactBlock> blocks, const HeapLimits& 
       raise(p.yield / tolerance::heap_polish * (p.presses - p.pushed).norm(), wrong);
       p.pushed = p.presses;
       const double shift = p.friction * p.motion.head<2>().norm();
-      if (p.pushed[2] > 0.0) raise(std::abs(shift - p.shift), wrong);
+      const double off = std::abs(shift - p.shift);
+      if (p.pushed[2] > 0.0 && !(off <= limits.loose)) raise(off, wrong);
       p.shift = shift;
     }
   }
   result.factorings += steps;
   result.solved = wrong < limits.enough;
-  if (result.solved) {
+  result.close = !result.solved && limits.loose > 0.0 && moved < limits.enough &&
+                 wrong < kMuchLess * result.wrong;
+  if (result.solved || result.close) {
     result.wrong = wrong;
   } else {
     points_ = points_before_;

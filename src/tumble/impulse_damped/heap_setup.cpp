@@ -9,7 +9,8 @@
 
 namespace tumble {
 
-using heap::into_cone, heap::motion_at, heap::motion_of, heap::Spring, heap::velocities_of;
+using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::Spring,
+    heap::velocities_of;
 
 namespace {
 
@@ -57,17 +58,40 @@ void HeapSolver::load(std::span<const int> members, std::span<const int> contact
   unit_mass_ = std::ldexp(1.0, -power);
 }
 
-// The points of an area. Its friction is shared out: each point gets the share of its pressure, and what
-// turns the area about the centre of pressure in proportion to the lever too.
+// How much of the normal impulse each point of an area bears: what it was given and an even share of what has
+// come since. Where that would pull, what sweeps have left.
+std::array<double, ContactBlock::kMostPoints> HeapSolver::pressures_of(const ContactBlock& block,
+                                                                       const Six& since) {
+  const auto count = at(block.count);
+  std::array<double, ContactBlock::kMostPoints> pressure{};
+  bool pushes = block.spreads;
+  if (pushes) spread_evenly(since, block, pressure);
+  const double none = tolerance::rounding * impulse_of(block)[2];
+  for (std::size_t i = 0; i < count && pushes; ++i) {
+    const double given = block.points[i].given[2];
+    pressure[i] = given == 0.0 && std::abs(pressure[i]) <= none ? 0.0 : given + pressure[i];
+    pushes = pressure[i] >= 0.0;
+  }
+  for (std::size_t i = 0; i < count && !pushes; ++i) pressure[i] = block.points[i].impulse;
+  return pressure;
+}
+
+// The points of an area, each with what it was given when the area was last solved. Friction that has come
+// since is shared out: each point gets the share of its pressure, and what turns the area about the centre
+// of pressure in proportion to the lever too.
 void HeapSolver::load_points(const ContactBlock& block) {
   const SixBySix& K = block.inverse_mass;
+  Six since = impulse_of(block);
+  for (std::size_t i = 0; i < at(block.count); ++i)
+    add_push(block.points[i].along, block.points[i].across, -block.points[i].given, since);
+  const auto pressure = pressures_of(block, since);
   double normal = 0.0, along = 0.0, across = 0.0, square = 0.0, far = 0.0;
   for (std::size_t i = 0; i < at(block.count); ++i) {
     const BlockPoint& p = block.points[i];
-    normal += p.impulse;
-    along += p.impulse * p.along;
-    across += p.impulse * p.across;
-    far += p.impulse * (p.along * p.along + p.across * p.across);
+    normal += pressure[i];
+    along += pressure[i] * p.along;
+    across += pressure[i] * p.across;
+    far += pressure[i] * (p.along * p.along + p.across * p.across);
   }
   if (normal > 0.0) {
     along /= normal;
@@ -77,10 +101,9 @@ void HeapSolver::load_points(const ContactBlock& block) {
     const BlockPoint& p = block.points[i];
     const double a = p.along - along;
     const double c = p.across - across;
-    square += p.impulse * (a * a + c * c);
+    square += pressure[i] * (a * a + c * c);
   }
-  const double moment =
-      block.twist_impulse - (along * block.across_impulse - across * block.along_impulse);
+  const double moment = since[5] - (along * since[1] - across * since[0]);
   // A single point that pushes has no lever but rounding.
   const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
   for (std::size_t i = 0; i < at(block.count); ++i) {
@@ -93,17 +116,17 @@ void HeapSolver::load_points(const ContactBlock& block) {
     point.yield = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
                   p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
                   p.along * p.along * K[4][4];
-    if (!(p.impulse > 0.0)) continue;
-    const double share = p.impulse / normal;
-    double f = share * block.along_impulse - turn * p.impulse * (p.across - across);
-    double g = share * block.across_impulse + turn * p.impulse * (p.along - along);
+    if (!(pressure[i] > 0.0)) continue;
+    const double share = pressure[i] / normal;
+    double f = p.given[0] + share * since[0] - turn * pressure[i] * (p.across - across);
+    double g = p.given[1] + share * since[1] + turn * pressure[i] * (p.along - along);
     const double size = std::sqrt(f * f + g * g);
-    const double bound = block.friction * p.impulse;
+    const double bound = block.friction * pressure[i];
     if (size > bound) {
       f *= bound / size;
       g *= bound / size;
     }
-    point.pushed = {f, g, p.impulse};
+    point.pushed = {f, g, pressure[i]};
   }
 }
 

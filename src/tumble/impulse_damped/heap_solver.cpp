@@ -81,8 +81,8 @@ void HeapSolver::put_right(std::span<const ContactBlock> blocks, double& primal,
   }
 }
 
-// Writes impulses back, and velocities: those that belong to the impulses if they are right, else those
-// of the springs, which keep the conditions better.
+// Writes impulses back, and velocities: those that belong to the impulses if they are right or nearly so,
+// else those of the springs, which keep the conditions better.
 void HeapSolver::store(std::span<const int> members, bool solved, std::span<const MovingBody> free,
                        std::span<ContactBlock> blocks, std::span<MovingBody> bodies) const {
   for (std::size_t m = 0; m < members_.size(); ++m) {
@@ -98,6 +98,7 @@ void HeapSolver::store(std::span<const int> members, bool solved, std::span<cons
     for (int i = area.begin; i < area.end; ++i) {
       const Point& p = points_[at(i)];
       block.points[at(i - area.begin)].impulse = p.pushed[2];
+      block.points[at(i - area.begin)].given = p.pushed;
       add_push(p.along, p.across, p.pushed, sum);
     }
     block.along_impulse = sum[0];
@@ -144,7 +145,7 @@ HeapResult HeapSolver::solve(std::span<const int> members, std::span<const int> 
     return result;
   }
   if (!result.solved && limits.most_steps > 0) polish(blocks, limits, result);
-  store(members, result.solved, free, blocks, bodies);
+  store(members, result.solved || result.close, free, blocks, bodies);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "tumble/impulse_damped/contact_block.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,15 +23,21 @@ struct HeapLimits {
   double most_work = 0.0;  ///< [-] multiplications of a factorisation for each body
   double hardest = tolerance::heap_hardness;  ///< [-] stiffness of springs in the rounds, at most
   int most_steps = 100;                       ///< of Newton's after the rounds, each factors
+  /// [m/s] By how much the shift of a point may be wrong after Newton's steps. Above 0 what they leave is
+  /// taken even if they have not come to an end, provided that it is in balance and much better than before.
+  double loose = 0.0;
+  int most_turns = 100;  ///< how often impulses and shifts follow these steps, at most
 };
 
 /// How HeapSolver ended.
 struct HeapResult {
   bool tried = false;   ///< false: factors would cost more than allowed, or rounds ran away
   bool solved = false;  ///< what is wrong is below what was asked for
-  int factorings = 0;   ///< of the heap's matrix
-  int rounds = 0;       ///< solutions with its factors
-  double wrong = 0.0;   ///< [m/s] the largest velocity at a point that is not as it should be
+  bool close =
+      false;  ///< it is not, but Newton's steps have made it much less; see HeapLimits::loose
+  int factorings = 0;  ///< of the heap's matrix
+  int rounds = 0;      ///< solutions with its factors
+  double wrong = 0.0;  ///< [m/s] the largest velocity at a point that is not as it should be
 };
 
 /// Finds the velocities at the end of a step, and the impulses of all contact areas of a heap.
@@ -57,11 +64,15 @@ struct HeapResult {
 ///
 /// **The last digits.** Where rounds do not end, springs that are hard,
 /// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$, are brought into balance with the bodies,
-/// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$, by Newton's steps, halved while they lead up on the convex
-/// function whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). With
+/// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$, by Newton's steps, each as long as the convex
+/// function falls whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). With
 /// friction above 1 it is not tried: shifts that follow slides run away there. If it
 /// does not end the rounds have the last word: what it leaves on the way is rounding,
 /// enlarged by how hard the springs are.
+///
+/// **From step to step.** Where points creep, s comes nearer by a twentieth in a turn. A shift that is wrong by
+/// less than a slop in a step opens no gap; so it may be (HeapLimits::loose), and two or three turns in a step
+/// do. The next step goes on from there: each point keeps what it was given (BlockPoint::given).
 ///
 /// Nothing here depends on the axes of the world but by rounding: what is wrong is measured by lengths of
 /// vectors, never by components along tangents.
@@ -112,6 +123,8 @@ class HeapSolver {
     bool slides = false;               // whether it does
     Vec3 motion = Vec3::Zero();        // [m/s] u, in polish()
     Vec3 presses = Vec3::Zero();       // [N s] what a hard spring pushes, ditto
+    Vec3 way = Vec3::Zero();           // [m/s] how u changes in a whole step of Newton's
+    Vec3 pressed = Vec3::Zero();       // [N s] what the spring pushed before that step
     Mat3 follows = Mat3::Zero();       // [kg] how that falls with the motion, ditto
   };
   struct Area {
@@ -127,10 +140,15 @@ class HeapSolver {
             std::span<const MovingBody> free, std::span<const ContactBlock> blocks,
             std::span<const MovingBody> bodies);
   void load_points(const ContactBlock& block);
+  static std::array<double, ContactBlock::kMostPoints> pressures_of(const ContactBlock& block,
+                                                                    const Six& since);
   void start_from(std::span<const ContactBlock> blocks, double unit);
   void factor(std::span<const ContactBlock> blocks, bool soft);
-  double press(std::span<const ContactBlock> blocks, double& moved);
-  double balance(std::span<const ContactBlock> blocks, double& sum);
+  void press(std::span<const ContactBlock> blocks);
+  double balance(std::span<const ContactBlock> blocks);
+  double go(std::span<const ContactBlock> blocks);
+  void go_to(double share, std::span<const ContactBlock> blocks);
+  [[nodiscard]] double slope(double share) const;
   void polish(std::span<const ContactBlock> blocks, const HeapLimits& limits, HeapResult& result);
   [[nodiscard]] Six motion_now(const Area& area, const ContactBlock& block) const;
   void factor_if_changed(std::span<const ContactBlock> blocks, HeapResult& result);

@@ -183,6 +183,7 @@ AreasFound KeptAreas::find(const World& world, std::span<const MovingBody> bodie
     block.twist_impulse *= impulses;
     for (std::size_t i = 0; i < at(block.count); ++i) {
       block.points[i].impulse *= impulses;
+      block.points[i].given *= impulses;
       found.deepest_overlap = std::max(found.deepest_overlap, -block.points[i].gap);
     }
     found.points += block.count;
