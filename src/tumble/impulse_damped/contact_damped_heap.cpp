@@ -168,7 +168,9 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   // to do. Another one up, as support goes, shows whether sweeps soon end.
   const bool small = islands_.bodies(heap).size() <= kSmallHeap;
   const int rounds = small ? kSmallRounds : kBlockRounds;
-  const double found = sweep(contacts, true, rounds, enough, report);
+  // What is left alone adds up from step to step, and a small heap has no need of it.
+  const double rest = small ? 0.0 : kWellSettled * enough;
+  const double found = sweep(contacts, true, rounds, rest, report);
   // The impulses that have stopped a heap would go on to push, and let it swing:
   // who was solved in the step before must be left as it is by them.
   const BodyId name = world.ids()[at(islands_.bodies(heap).front())];
@@ -176,7 +178,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
                       std::binary_search(unsettled_.begin(), unsettled_.end(), name) &&
                       swing(world, heap, dt) > kWellSettled * enough;
   bool settled = found < enough && !swings;
-  double left = settled ? 0.0 : sweep(contacts, false, rounds, enough, report);
+  double left = settled ? 0.0 : sweep(contacts, false, rounds, rest, report);
   const bool soon = !swings && left < kSoon * found;
   // What moves fast or slides is swept on, down and up, which it does well.
   const auto [slowest, fastest] = settled ? std::pair(0.0, 0.0) : unrest(world, heap, dt);
@@ -184,7 +186,7 @@ void ContactDamped::solve_heap(const World& world, int heap, double dt, StepRepo
   const int passes = small ? std::max(options_.passes, kSmallPasses) : options_.passes;
   const auto sweep_on = [&] {
     for (int pass = 2; pass < passes && !settled; ++pass) {
-      left = sweep(contacts, pass % 2 == 0, small || !fast ? rounds : 1, enough, report);
+      left = sweep(contacts, pass % 2 == 0, small || !fast ? rounds : 1, rest, report);
       settled = left < kWellSettled * enough;
     }
     settled = settled || left < kFair * enough;
