@@ -28,7 +28,7 @@ SleepingRule::SleepingRule(const SleepingOptions& options) : options_(options) {
 int SleepingRule::wake_disturbed(World& world) {
   const std::span<const BodyId> ids = world.ids();
   role_.resize(ids.size());
-  group_.assign(ids.begin(), ids.end());  // an unknown sleeper is a group of its own
+  group_.resize(ids.size());
   disturbed_.clear();
 
   // Both lists ascend by id. What is only in the old one has been removed, what is only in the
@@ -48,22 +48,24 @@ int SleepingRule::wake_disturbed(World& world) {
 // What a body is now, and whether that disturbs a group, given how it was.
 void SleepingRule::compare(const World& world, int body, const Seen* before) {
   const BodyState& state = world.states()[at(body)];
+  const bool asleep = world.rests()[at(body)].asleep;
+  const bool was_asleep = before != nullptr && before->asleep;
   const bool still = before != nullptr && before->position_w == state.position_w &&
                      before->orientation_wb.coeffs() == state.orientation_wb.coeffs();
+  const bool moves = !state.linear_momentum_w.isZero(0.0) || !state.angular_momentum_w.isZero(0.0);
+  // An unknown sleeper is a group of its own.
+  group_[at(body)] = was_asleep ? before->group : world.ids()[at(body)];
+  role_[at(body)] = Role::asleep;
+  // First what nearly all bodies of a world at rest do; who has slept can move.
+  if (was_asleep && asleep && still && !moves) return;
   if (!world.bodies()[at(body)].movable()) {
     role_[at(body)] = still ? Role::fixed : Role::changed;
     if (before != nullptr && !still) disturb(*before);
     return;
   }
-  const bool asleep = world.rests()[at(body)].asleep;
-  const bool was_asleep = before != nullptr && before->asleep;
-  role_[at(body)] = asleep ? Role::asleep : Role::awake;
-  if (was_asleep) group_[at(body)] = before->group;
+  if (!asleep) role_[at(body)] = Role::awake;
   if (was_asleep && !asleep) ++woke_;  // World::push() and the like
-
-  const bool moves = !state.linear_momentum_w.isZero(0.0) || !state.angular_momentum_w.isZero(0.0);
-  const bool sleeps_on = was_asleep && asleep && still && !moves;
-  if ((was_asleep || asleep) && !sleeps_on) disturbed_.push_back(group_[at(body)]);
+  if (was_asleep || asleep) disturbed_.push_back(group_[at(body)]);
 }
 
 // A body has gone or changed: its own group is disturbed, and all groups that touch it if it is
@@ -109,6 +111,7 @@ int SleepingRule::wake_touched_pairs(World& world, std::span<const IndexPair> co
 
 // Wakes the disturbed groups, or all of them. Their bodies have to prove again that they rest.
 int SleepingRule::wake_groups(World& world, bool all) {
+  if (!all && disturbed_.empty()) return 0;
   std::sort(disturbed_.begin(), disturbed_.end());
   const auto is_disturbed = [&](BodyId group) {
     return all || std::binary_search(disturbed_.begin(), disturbed_.end(), group);
