@@ -15,7 +15,7 @@ namespace tumble {
 /// \param motion        u: the motion without friction
 /// \param limit         l: at least 0
 /// \return the impulse; 0 if the limit is
-/// \note A few inverses of 3x3: Newton's method on \f$1/|\lambda(\beta)|\f$, from below.
+/// \note Cofactors once, then a few steps of Newton's method on \f$1/|\lambda(\beta)|\f$, from below.
 /// \see Moré and Sorensen 1983, Computing a trust region step; Howe and Cutkosky 1996 for the bound.
 Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit);
 
