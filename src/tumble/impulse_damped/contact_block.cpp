@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
@@ -89,6 +90,25 @@ void find_spread(ContactBlock& block) {
   if (block.spreads) block.spread = {cc / determinant, -ac / determinant, aa / determinant};
 }
 
+// How far above the mean of an area's points its surfaces touch [m], along the normal: points lie halfway
+// between the surfaces, those that are apart higher or lower than the others. Velocities are matched at
+// the middle, and a box that turns about an edge must not be held by a point beside that edge.
+double height_of_touch(const Manifold& found, const Vec3& mean_w, double slop) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
+    least = std::min(least, found.points[i].distance);
+  const double most = std::max(least, 0.0) + slop;
+  double height = 0.0;
+  int touching = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
+    const ManifoldPoint& p = found.points[i];
+    if (p.distance > most) continue;
+    height += found.normal_w.dot(p.position_w - mean_w);
+    ++touching;
+  }
+  return touching == found.count ? 0.0 : height / touching;
+}
+
 }  // namespace
 
 Vec3 position_of(const ContactBlock& block, const MovingBody& first, const BlockPoint& point) {
@@ -102,6 +122,8 @@ void build_block(const Manifold& found, const MovingBody& first, const MovingBod
   for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
     middle_w += found.points[i].position_w;
   middle_w /= found.count;
+  middle_w += height_of_touch(found, middle_w, tolerance::contact_damped_slop * block.size) *
+              found.normal_w;
   const Tangents tangents = tangents_of(found.normal_w);
   block.frame_w.col(0) = tangents.first_w;
   block.frame_w.col(1) = tangents.second_w;

@@ -81,6 +81,9 @@ struct ContactBlock {
 Vec3 position_of(const ContactBlock& block, const MovingBody& first, const BlockPoint& point);
 
 /// Builds a block from a manifold.
+///
+/// The area's middle is the mean of its points, at the height along the normal at which those that touch
+/// do: points that are apart lie halfway between the surfaces.
 /// \param found   where the bodies touch, normal from the first to the second; at least one point
 /// \param first   how the first body moves
 /// \param second  how the second one does
