@@ -11,6 +11,11 @@
 namespace tumble {
 namespace {
 
+// How many times faster than other velocities may be wrong a point that pushes may slide, and still rests. Where
+// points creep HeapSolver comes to the end of it over many steps, and friction under the area's bound, which
+// is another one than that of each point, would set it back in each.
+constexpr double kCreep = 10.0;
+
 // Where the pressure of an area acts: its sum, its centre, and the lever of friction about it.
 struct Pressure {
   double normal = 0.0;  // [N s]
@@ -100,8 +105,8 @@ void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
   // Motions of unit forces at the centre of pressure; of a unit moment it is a column of K.
   Six a, b;
   for (std::size_t k = 0; k < 6; ++k) {
-    a[k] = K[k][0] - at.across * K[k][5];
-    b[k] = K[k][1] + at.along * K[k][5];
+    a[k] = K[0][k] - at.across * K[5][k];
+    b[k] = K[1][k] + at.along * K[5][k];
   }
   Mat3 A;
   A << a[0] - at.across * a[5], a[1] + at.along * a[5], radius * a[5],  //
@@ -116,13 +121,13 @@ void rub(ContactBlock& block, Six& motion, Six& change, double& corrected) {
   const Vec3 had(block.along_impulse, block.across_impulse, radius > 0.0 ? moment / radius : 0.0);
   // A moment that has lost its lever goes first.
   const double lost = radius > 0.0 ? 0.0 : -moment;
-  for (std::size_t k = 0; k < 6; ++k) motion[k] += K[k][5] * lost;
+  for (std::size_t k = 0; k < 6; ++k) motion[k] += K[5][k] * lost;
   const Vec3 now(motion[0] - at.across * motion[5], motion[1] + at.along * motion[5],
                  radius * motion[5]);
   const Vec3 more = bounded_friction(A, now - A * had, block.friction * at.normal) - had;
   const double turn = radius * more.z();
   for (std::size_t k = 0; k < 6; ++k)
-    motion[k] += a[k] * more.x() + b[k] * more.y() + K[k][5] * turn;
+    motion[k] += a[k] * more.x() + b[k] * more.y() + K[5][k] * turn;
   const double twist = lost + turn + moment_of(at, more.x(), more.y());
   change[0] += more.x();
   change[1] += more.y();
@@ -142,7 +147,7 @@ double speed_at(const BlockPoint& p, const Six& motion) {
 // Motion of a unit impulse at a point along the normal.
 Six yields_at(const BlockPoint& p, const SixBySix& K) {
   Six yields;
-  for (std::size_t k = 0; k < 6; ++k) yields[k] = K[k][2] + p.across * K[k][3] - p.along * K[k][4];
+  for (std::size_t k = 0; k < 6; ++k) yields[k] = K[2][k] + p.across * K[3][k] - p.along * K[4][k];
   return yields;
 }
 
@@ -193,7 +198,7 @@ bool press_evenly(ContactBlock& block, Six& motion, Six& change, double& correct
     block.points[i].impulse = pressure[i];
   }
   for (std::size_t k = 0; k < 6; ++k)
-    motion[k] += K[k][2] * normal + K[k][3] * roll_along + K[k][4] * roll_across;
+    motion[k] += K[2][k] * normal + K[3][k] * roll_along + K[4][k] * roll_across;
   change[2] += normal;
   change[3] += roll_along;
   change[4] += roll_across;
@@ -213,6 +218,7 @@ void press(ContactBlock& block, Six& motion, Six& change, double& corrected) {
 // Coulomb's bound will do, whoever found them. Of that bound what holds for every way to share friction out
 // among points is looked at.
 bool rests(const ContactBlock& block, const Six& motion, double rest) {
+  const double creep = kCreep * rest;
   double normal = 0.0, lever = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
     const BlockPoint& p = block.points[i];
@@ -222,7 +228,7 @@ bool rests(const ContactBlock& block, const Six& motion, double rest) {
     const double along = motion[0] - p.across * motion[5];
     const double across = motion[1] + p.along * motion[5];
     if (!(wrong <= rest)) return false;
-    if (block.friction > 0.0 && !(along * along + across * across <= rest * rest)) return false;
+    if (block.friction > 0.0 && !(along * along + across * across <= creep * creep)) return false;
     normal += p.impulse;
     lever += p.impulse * std::sqrt(p.along * p.along + p.across * p.across);
   }

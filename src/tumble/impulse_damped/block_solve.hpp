@@ -28,7 +28,8 @@ namespace tumble {
 /// pressures carry the same, and where friction that turns may be shared out among points, HeapSolver
 /// finds others than these formulas, and theirs would undo them.
 /// \param rounds  how many times the parts are solved in turn, if it does not stick, at least 1
-/// \param rest    [m/s] wrong velocity at a point that is left alone in an area that rests; 0: none
+/// \param rest    [m/s] wrong velocity at a point that is left alone in an area that rests; it may creep ten
+///                times as fast; 0: none
 /// \return [m/s] the largest velocity that was corrected
 /// \see Box2D and its heirs solve points; solving areas is due to Baraff's remark on contact regions;
 /// the common bound of force and moment is the ellipsoid of Howe and Cutkosky (1996).
