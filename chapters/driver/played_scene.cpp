@@ -31,7 +31,7 @@ StepReport PlayedScene::step() {
   const StepReport report = technique->step(world, kStep);
   if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
     throw std::runtime_error("a step of " + std::string(technique->name()) + " failed");
-  add_late_boxes(scene, before, world.time(), world);
+  come_and_go(scene, before, world.time(), world);
   return report;
 }
 

@@ -452,6 +452,41 @@ TEST_CASE("Carrying asks for no memory once it is warm, and rejects what does no
   for (const PoseUpdate update : pose_updates()) CHECK(pose_update_from(name_of(update)) == update);
 }
 
+TEST_CASE("A body that stands has its arm from the point on which it stands, and others have none",
+          "[unit][exterior_rotation]") {
+  // A column on an edge: each turns about the point that it has in common with the one below.
+  const Scene standing = column(Vec3(0.0, 0.0, 0.5), 0.3);
+  const CarriedBodies carried = standing.carried();
+  CHECK_FALSE(carried.arm_w(0).has_value());  // the fixed box
+  for (int b = 1; b <= 4; ++b) {
+    const auto arm_w = carried.arm_w(b);
+    REQUIRE(arm_w.has_value());
+    const Vec3 pivot_w = standing.world.states()[at(b)].position_w - *arm_w;
+    CHECK((pivot_w - standing.pairs[at(b - 1)].point_w).norm() < 1e-15);
+  }
+  CHECK_FALSE(carried.arm_w(5).has_value());  // nobody
+  CHECK_FALSE(carried.arm_w(-1).has_value());
+
+  // Two that are stuck together in flight, and one that flies by itself: the first of the two carries
+  // the other and stands on nothing.
+  Scene flying;
+  flying.add_turning(Vec3(0.0, 5.0, 0.0), Vec3(0.5, 5.0, 0.0), Vec3(0.0, 0.0, 2.0));
+  flying.add_turning(Vec3(1.0, 5.0, 0.0), Vec3(0.5, 5.0, 0.0), Vec3(0.0, 0.0, 2.0));
+  flying.add(Vec3(0.0, 9.0, 0.0), Vec3::UnitX(), Vec3::UnitZ());
+  flying.push(0, 1, Vec3(0.5, 5.25, 0.0), Vec3::UnitX());
+  const CarriedBodies group = flying.carried();
+  CHECK(group.carries(0));
+  CHECK_FALSE(group.arm_w(0).has_value());
+  REQUIRE(group.arm_w(1).has_value());
+  CHECK(*group.arm_w(1) == Vec3(0.5, -0.25, 0.0));
+  CHECK_FALSE(group.carries(2));
+  CHECK_FALSE(group.arm_w(2).has_value());
+
+  CarriedBodies nobody = carried;
+  nobody.clear();
+  CHECK_FALSE(nobody.arm_w(1).has_value());
+}
+
 TEST_CASE("A contact pushes where its impulses are", "[unit][exterior_rotation]") {
   Contact contact;
   contact.first = 3;

@@ -72,14 +72,76 @@ TEST_CASE("A projectile enters the scene at its time with its speed", "[unit][sc
   const Scene scene = built("projectile", {{"appears", "2"}, {"speed", "20"}, {"rows", "3"}});
   World world = build_world(scene);
   CHECK(world.count() == 7);  // the ground and six cubes
-  add_late_boxes(scene, 0.0, 1.9, world);
+  come_and_go(scene, 0.0, 1.9, world);
   CHECK(world.count() == 7);
-  add_late_boxes(scene, 1.9, 2.0, world);
+  come_and_go(scene, 1.9, 2.0, world);
   REQUIRE(world.count() == 8);
   CHECK(world.name(7) == "projectile");
   CHECK(velocity(world.bodies()[7], world.states()[7]).z() == near(-20.0).margin(1e-12));
-  add_late_boxes(scene, 2.0, 9.0, world);
+  come_and_go(scene, 2.0, 9.0, world);
   CHECK(world.count() == 8);
+}
+
+TEST_CASE("Boxes come and go at their times, and one with no time in between is never there",
+          "[unit][scenes]") {
+  Scene scene;
+  const auto box = [&](const char* name, double appears, double disappears) {
+    const auto place = static_cast<double>(2 * scene.boxes.size());
+    scene.boxes.push_back(SceneBox{.name = name,
+                                   .position_w = Vec3(place, 0.0, 0.0),
+                                   .appears = appears,
+                                   .disappears = disappears});
+  };
+  box("stays", 0.0, HUGE_VAL);
+  box("goes", 0.0, 1.0);
+  box("comes", 1.0, HUGE_VAL);
+  box("short", 1.25, 1.75);
+  box("between", 1.5, 2.5);
+  const auto names = [](const World& world) {
+    std::string all;
+    for (int i = 0; i < world.count(); ++i) all += (i > 0 ? " " : "") + world.name(i);
+    return all;
+  };
+  World world = build_world(scene);
+  CHECK(names(world) == "stays goes");
+  come_and_go(scene, 0.0, 0.0, world);
+  CHECK(names(world) == "stays goes");
+  come_and_go(scene, 0.0, 0.99, world);
+  CHECK(names(world) == "stays goes");
+  come_and_go(scene, 0.99, 1.0, world);  // at the time itself
+  CHECK(names(world) == "stays comes");
+  come_and_go(scene, 1.0, 2.0, world);
+  CHECK(names(world) == "stays comes between");
+  // Nobody has got the id of the one that was never there.
+  CHECK(number_of(world.ids().back()) == 3);
+  come_and_go(scene, 2.0, 2.5, world);
+  CHECK(names(world) == "stays comes");
+  come_and_go(scene, 2.5, 99.0, world);
+  CHECK(names(world) == "stays comes");
+
+  // All of it within one step: whoever goes does so before another one comes.
+  World coarse = build_world(scene);
+  come_and_go(scene, 0.0, 99.0, coarse);
+  CHECK(names(coarse) == "stays comes");
+}
+
+TEST_CASE("A scene in which a box goes before it comes is refused with its place",
+          "[unit][scenes]") {
+  Scene scene;
+  scene.boxes = {SceneBox{}, SceneBox{.name = "b", .position_w = Vec3(3.0, 0.0, 0.0)}};
+  for (const double disappears : {0.5, 0.25, -1.0, std::nan("")}) {
+    INFO(disappears);
+    scene.boxes[1].appears = 0.5;
+    scene.boxes[1].disappears = disappears;
+    try {
+      (void)checked(scene);
+      FAIL("not refused");
+    } catch (const SceneMistake& mistake) {
+      CHECK(mistake.box() == 1);
+      CHECK_THAT(mistake.what(), Catch::Matchers::Contains("box[2], b: disappears = ") &&
+                                     Catch::Matchers::Contains("expected later than 0.5 s"));
+    }
+  }
 }
 
 TEST_CASE("An unknown scene or setting is refused with the list of what there is",

@@ -53,6 +53,7 @@ angular_velocity = [0.5, 0.25, 0.125]
 friction = 0.75
 restitution = 0.125
 appears = 1.5
+disappears = 2.25
 [[box]]
 fixed = true
 size = [1, 1, 1]
@@ -78,9 +79,12 @@ rotation_deg = [0, 90, 0]
   CHECK(die.friction == 0.75);
   CHECK(die.restitution == 0.125);
   CHECK(die.appears == 1.5);
+  CHECK(die.disappears == 2.25);
   const SceneBox& block = scene.boxes[1];
   CHECK(block.name == "box2");  // the default name
   CHECK(block.fixed);
+  CHECK(block.appears == 0.0);
+  CHECK(block.disappears == HUGE_VAL);  // never
   CHECK(block.orientation_wb.y() == near(std::sqrt(0.5)).epsilon(1e-15));
 }
 
@@ -112,6 +116,17 @@ TEST_CASE("A mistake in a scene file is told with file, line, key, value and rem
       {kBox + "restitution = 1.5\n", {"my.toml:5", "1.5", "from 0 to 1"}},
       {kBox + "friction = -0.5\n", {"my.toml:5", "-0.5", "0 or above"}},
       {kBox + "appears = -1\n", {"appears", "0 s or later"}},
+      {kBox + "disappears = 0\n",
+       {"my.toml:5: box[1].disappears = 0", "expected later than 0 s, when it appears"}},
+      {kBox + "disappears = -2.5\n", {"my.toml:5: box[1].disappears = -2.5", "later than 0 s"}},
+      {kBox + "disappears = 1.5\nappears = 1.5\n",
+       {"my.toml:5: box[1].disappears = 1.5", "expected later than 1.5 s, when it appears"}},
+      {kBox + "disappears = inf\n", {"my.toml:5: box[1].disappears = inf", "finite number"}},
+      {kBox + "disappears = nan\n", {"my.toml:5: box[1].disappears = nan", "finite number"}},
+      {kBox + "disappears = \"soon\"\n", {"my.toml:5: box[1].disappears", "soon", "number"}},
+      {kBox + "dissappears = 2\n", {"my.toml:5: box[1].dissappears", "did you mean disappears?"}},
+      {"[[box]]\nsize = [1,1,1]\nmass = 1e10\nposition = [0,1,0]\nvelocity = [0,0,1e300]\n",
+       {"my.toml:1: box[1], box1", "mass times velocity = (0, 0, inf)", "finite"}},
       {kBox + "fixed = true\n", {"box[1].mass", "a fixed box has none"}},
       {"[[box]]\nfixed = true\nsize=[1,1,1]\nposition=[0,1,0]\nvelocity=[1,0,0]\n",
        {"cannot move"}},
@@ -241,4 +256,19 @@ TEST_CASE("A scene that is written and read again has the same bits", "[unit][sc
   Scene odd = parse_scene(kBox, "my.toml");
   odd.title = "quotes \" and \\ and a tab\t and umlauts äöü";
   CHECK(parse_scene(to_toml(odd), "odd.toml").title == odd.title);
+}
+
+TEST_CASE("A time at which a box comes or goes is written only if it has one, and to the last bit",
+          "[unit][scenes]") {
+  Scene scene = parse_scene(kBox, "my.toml");
+  CHECK(to_toml(scene).find("appears") == std::string::npos);
+  scene.boxes[0].disappears = 1.0 / 3.0;
+  CHECK(to_toml(scene).find("\ndisappears = 0.3333333333333333\n") != std::string::npos);
+  CHECK(to_toml(scene).find("\nappears") == std::string::npos);
+  scene.boxes[0].appears = std::nextafter(1.0 / 3.0, 0.0);
+  const Scene again = parse_scene(to_toml(scene), "again.toml");
+  CHECK(again.boxes[0].appears == scene.boxes[0].appears);
+  CHECK(again.boxes[0].disappears == scene.boxes[0].disappears);
+  scene.boxes[0].disappears = 2.0;  // a float in TOML too
+  CHECK(to_toml(scene).find("\ndisappears = 2.0\n") != std::string::npos);
 }

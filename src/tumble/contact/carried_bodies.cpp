@@ -161,6 +161,13 @@ void CarriedBodies::add_node(const BodyProperties& body, const MovingBody& movin
   node.spin_w = moving.angular_velocity_w;
 }
 
+std::optional<Vec3> CarriedBodies::arm_w(int body) const {
+  if (!carries(body)) return std::nullopt;
+  const Node& node = nodes_[at(node_of_[at(body)])];
+  if (node.parent < 0 && node.group >= 0) return std::nullopt;
+  return node.arm_w;
+}
+
 void CarriedBodies::accelerate(std::span<const Acceleration> rates) {
   for (Node& node : nodes_) node.rate = rates[at(node.body)];
   weigh_groups();

@@ -138,6 +138,12 @@ class CarriedBodies {
     return b < node_of_.size() && node_of_[b] >= 0;
   }
 
+  /// On which point a body stands.
+  /// \param body its index
+  /// \return [m] from its pivot to its centre at the start of the move, world frame; nothing for a body
+  ///         that is not carried, or that all others of its group are carried by
+  [[nodiscard]] std::optional<Vec3> arm_w(int body) const;
+
   /// Where a body is beside the way it would go by itself.
   /// \param body  its index, one that is carried
   /// \param time  [s] since the start of the move

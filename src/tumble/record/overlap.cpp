@@ -23,10 +23,10 @@ double OverlapMeter::look(std::span<const BodyProperties> bodies,
                           std::span<const BodyState> states) {
   bounds_.resize(bodies.size());
   in_contact_.assign(bodies.size(), 0);
+  depths_.assign(bodies.size(), 0.0);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     bounds_[i] = bounds_of(bodies[i], states[i], tolerance::touching * bodies[i].size.minCoeff());
   broad_phase_->find_pairs(bounds_, pairs_);
-  double deepest = 0.0;
   for (const IndexPair& pair : pairs_) {
     const auto a = static_cast<std::size_t>(pair.first);
     const auto b = static_cast<std::size_t>(pair.second);
@@ -35,9 +35,9 @@ double OverlapMeter::look(std::span<const BodyProperties> bodies,
     if (distance > touching_distance(bodies[a], bodies[b])) continue;
     in_contact_[a] = 1;
     in_contact_[b] = 1;
-    deepest = std::max(deepest, -distance);
+    for (const std::size_t body : {a, b}) depths_[body] = std::max(depths_[body], -distance);
   }
-  return deepest;
+  return depths_.empty() ? 0.0 : *std::max_element(depths_.begin(), depths_.end());
 }
 
 }  // namespace tumble

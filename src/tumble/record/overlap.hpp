@@ -31,6 +31,10 @@ class OverlapMeter {
   /// \return [m] the deepest penetration; 0 if no pair overlaps
   double look(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
 
+  /// How deep each body is in others.
+  /// \return [m] by index as of the last look: its deepest penetration, 0 or above
+  [[nodiscard]] std::span<const double> depths() const { return depths_; }
+
   /// Who touches another body.
   /// \return by index as of the last look: 1 for those within touching_distance(), else 0
   [[nodiscard]] std::span<const char> in_contact() const { return in_contact_; }
@@ -40,6 +44,7 @@ class OverlapMeter {
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
   std::vector<char> in_contact_;
+  std::vector<double> depths_;
 };
 
 }  // namespace tumble

@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/step_report.hpp"
+#include "tumble/record/scene_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,10 +91,10 @@ void require_valid(const RunSettings& settings) {
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
                     std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
   require_valid(settings);
-  World world = build_world(scene);
+  SceneRun run(scene, technique);
+  const World& world = run.world();
   RunResult result;
-  MetricsMeter meter;
-  result.last = meter.begin(world);
+  result.last = run.metrics();
   keep_worst(result.last, result.worst_metrics);
   for (RunObserver* observer : observers) observer->on_begin(world);
   const EventForwarder forwarder(world, observers, technique);
@@ -102,20 +102,14 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
   const std::int64_t whole = whole_steps(settings);
   const double rest = settings.duration - static_cast<double>(whole) * settings.dt;
   const std::int64_t steps = whole + (rest > tolerance::step_remainder * settings.dt ? 1 : 0);
-  double entered = 0.0;  // boxes that appear up to this time are in the world
   for (std::int64_t k = 0; k < steps; ++k) {
     if (stop && stop()) {
       result.end = RunEnd::interrupted;
       break;
     }
-    const double before = energy_of(world).total();
-    add_late_boxes(scene, entered, world.time(), world);
-    entered = world.time();
-    meter.allow(energy_of(world).total() - before);
-
     StepReport report;
     try {
-      report = technique.step(world, k < whole ? settings.dt : rest);
+      report = run.step(k < whole ? settings.dt : rest);
     } catch (const std::invalid_argument& error) {
       if (k == 0) throw;  // the user's mistake: nothing has been simulated
       result.refusal = error.what();
@@ -123,12 +117,11 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
       result.worst_report.status = std::max(result.worst_report.status, StepStatus::unsolved);
       break;
     }
-    if (!all_finite(world)) report.status = StepStatus::not_finite;
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
     add_up(report, result.totals, result.worst_report);
     result.last_report = report;
-    result.last = meter.measure(world, report);
+    result.last = run.metrics();
     keep_worst(result.last, result.worst_metrics);
     for (RunObserver* observer : observers)
       observer->on_step(world, technique, report, result.last);

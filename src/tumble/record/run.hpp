@@ -85,9 +85,9 @@ class RunObserver {
 
 /// Runs a scene.
 ///
-/// Boxes that appear later come in before the first step that begins at their time or after it. A
-/// step that leaves something unsolved or not finite is the last one, and so is one, after the first,
-/// that the technique refuses: what was simulated before it is kept.
+/// Boxes that appear later come in, and boxes that disappear go, before the first step that begins at
+/// their time or after it. A step that leaves something unsolved or not finite is the last one, and so is
+/// one, after the first, that the technique refuses: what was simulated before it is kept.
 /// \param scene      what to start from
 /// \param technique  how to step
 /// \param settings   step, duration

@@ -132,8 +132,14 @@ Scene checked(Scene scene) {
     const SceneBox& box = scene.boxes[i];
     try {
       require::not_negative(box.appears, "appears");
+      require::that(box.disappears > box.appears,
+                    "disappears = " + require::text(box.disappears) + ": expected later than " +
+                        require::text(box.appears) + " s, when it appears");
       const BodyProperties body = properties_of(box);
-      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w);
+      const BodyState state = make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
+                                         box.angular_velocity_w);
+      require::finite(state.linear_momentum_w, "mass times velocity");
+      require::finite(state.angular_momentum_w, "inertia times angular_velocity");
     } catch (const std::invalid_argument& error) {
       const std::string name = ", " + box.name + ": ";
       throw SceneMistake(static_cast<int>(i), "", name + std::string(message_of(error)));
@@ -154,9 +160,15 @@ World build_world(const Scene& given) {
   return world;
 }
 
-void add_late_boxes(const Scene& scene, double from, double until, World& world) {
+void come_and_go(const Scene& scene, double from, double until, World& world) {
+  const auto now = [&](double time) { return time > from && time <= until; };
   for (const SceneBox& box : scene.boxes) {
-    if (box.appears > from && box.appears <= until) add(box, world);
+    if (!now(box.disappears)) continue;
+    if (const auto id = world.find(box.name)) world.remove(*id);
+  }
+  for (const SceneBox& box : scene.boxes) {
+    // A step so long that a box would come and go within it does not see it.
+    if (now(box.appears) && !now(box.disappears)) add(box, world);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "tumble/dynamics/world.hpp"
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,8 @@ struct SceneBox {
   double friction = 0.5;                   ///< [-] Coulomb's coefficient
   double restitution = 0.0;                ///< [-] 0 sticks, 1 bounces back
   double appears = 0.0;                    ///< [s] when it enters the scene, 0: at the start
+  /// [s] when it is taken away, later than it appears; infinity: never
+  double disappears = std::numeric_limits<double>::infinity();
 };
 
 /// The half-space y <= 0 of a scene.
@@ -93,12 +96,13 @@ Scene checked(Scene scene);
 /// \throws SceneMistake as checked() does
 World build_world(const Scene& scene);
 
-/// Adds the boxes that appear in the time from `from` (not included) to `until` (included).
+/// Takes away the boxes that disappear, and adds those that appear, in the time from `from` (not
+/// included) to `until` (included).
 /// \param scene  the scene that the world was built from
 /// \param from   [s] the last time at which this was called; 0 at first
 /// \param until  [s] the time now
-/// \param world  gets the boxes
+/// \param world  loses and gets the boxes, in the order of the scene
 /// \throws std::invalid_argument if a name is taken by now
-void add_late_boxes(const Scene& scene, double from, double until, World& world);
+void come_and_go(const Scene& scene, double from, double until, World& world);
 
 }  // namespace tumble

@@ -184,7 +184,7 @@ void read_orientation(const Place& place, SceneBox& box) {
 
 SceneBox read_box(const Place& place) {
   place.only({"name", "size", "mass", "fixed", "position", "orientation", "rotation_deg",
-              "velocity", "angular_velocity", "friction", "restitution", "appears"});
+              "velocity", "angular_velocity", "friction", "restitution", "appears", "disappears"});
   SceneBox box;
   place.text("name", box.name);
   if (!place.vector("size", box.size)) place.refuse("size", nullptr, "missing: [x, y, z] in m");
@@ -201,6 +201,9 @@ SceneBox read_box(const Place& place) {
   read_surface(place, box.friction, box.restitution);
   if (place.number("appears", box.appears) && box.appears < 0.0)
     place.refuse("appears", place.find("appears"), "expected 0 s or later");
+  if (place.number("disappears", box.disappears) && !(box.disappears > box.appears))
+    place.refuse("disappears", place.find("disappears"),
+                 "expected later than " + require::text(box.appears) + " s, when it appears");
   return box;
 }
 

@@ -3,6 +3,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
+#include <cmath>
+
 namespace tumble {
 namespace {
 
@@ -57,6 +59,8 @@ void write(const SceneBox& box, std::string& out) {
   out.append("friction = ").append(number(box.friction)).append("\n");
   out.append("restitution = ").append(number(box.restitution)).append("\n");
   if (box.appears > 0.0) out.append("appears = ").append(number(box.appears)).append("\n");
+  if (std::isfinite(box.disappears))
+    out.append("disappears = ").append(number(box.disappears)).append("\n");
 }
 
 }  // namespace

@@ -1,0 +1,435 @@
+/// \file
+/// \brief Stepping through a scene: what is thrown and taken away, and what is left of it in the scene.
+#include "tumble/record/scene_run.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/record/run.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/scenes/scene_file.hpp"
+#include "tumble/techniques.hpp"
+
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace tumble;
+using Catch::Matchers::Contains;
+
+constexpr double kDt = 1.0 / 64.0;  // [s] times are sums of it without rounding
+
+// Bodies fly straight and through each other, with no weight; a step does what a test wants besides.
+class Puppet : public Technique {
+ public:
+  std::function<StepReport(World&)> act = [](World&) { return StepReport{}; };
+
+  [[nodiscard]] std::string_view name() const override { return "puppet"; }
+  StepReport step(World& world, double dt) override {
+    for (std::size_t i = 0; i < world.states().size(); ++i)
+      world.states()[i].position_w += dt * velocity(world.bodies()[i], world.states()[i]);
+    const StepReport report = act(world);
+    world.finish_step(dt);
+    return report;
+  }
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
+    return std::make_unique<Puppet>(*this);
+  }
+};
+
+std::unique_ptr<Technique> made(std::string_view technique, bool sleeping = false) {
+  const TechniqueRecipe& recipe = technique_recipe(technique);
+  Parameters options = recipe.options();
+  if (sleeping) options.set("sleeping", "on");
+  return recipe.make(options, 1);
+}
+
+SceneBox cube(const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
+              const std::string& name = "") {
+  return SceneBox{.name = name, .position_w = position_w, .velocity_w = velocity_w};
+}
+
+// Two towers of two cubes, and one that flies in at 0.25 s.
+Scene towers() {
+  Scene scene;
+  scene.ground = SceneGround{};
+  scene.boxes = {cube(Vec3(0.0, 0.5, 0.0), Vec3::Zero(), "left"),
+                 cube(Vec3(0.0, 1.5, 0.0), Vec3::Zero(), "on left"),
+                 cube(Vec3(3.0, 0.5, 0.0), Vec3::Zero(), "right"),
+                 cube(Vec3(3.0, 1.5, 0.0), Vec3::Zero(), "on right"),
+                 cube(Vec3(-2.0, 1.0, 0.0), Vec3(8.0, 0.0, 0.0), "late")};
+  scene.boxes.back().appears = 0.25;
+  return checked(scene);
+}
+
+Scene weightless(std::vector<SceneBox> boxes) {
+  Scene scene;
+  scene.gravity_w = Vec3::Zero();
+  scene.boxes = std::move(boxes);
+  return scene;
+}
+
+void step(SceneRun& run, int count, double dt = kDt) {
+  for (int k = 0; k < count; ++k) REQUIRE(run.step(dt).status < StepStatus::unsolved);
+}
+
+// The hash that `tumble run` comes to with the scene of a run as a file, in as many steps.
+std::string repeated(const SceneRun& run, std::string_view technique, double dt = kDt) {
+  const Scene again = parse_scene(to_toml(run.scene()), "saved.toml");
+  RunSettings settings;
+  settings.dt = dt;
+  settings.duration = static_cast<double>(run.world().steps()) * dt;
+  const RunResult result = run_scene(again, *made(technique), settings, {});
+  CHECK(result.steps == run.world().steps());
+  return result.state_hash;
+}
+
+std::string hash_of(const SceneRun& run) { return run.world().hash().text(); }
+
+bool is_there(const SceneRun& run, const std::string& name) {
+  return run.world().find(std::string_view(name)).has_value();
+}
+
+}  // namespace
+
+TEST_CASE("What was thrown and taken away is repeated by a run of the scene that is left",
+          "[determinism][record][live]") {
+  const std::string technique =
+      GENERATE(as<std::string>(), "contact_damped", "basic", "analytic", "time_stepping", "impulse",
+               "damped", "timewarp_simple", "timewarp_full", "glued");
+  INFO(technique);
+  const auto stepper = made(technique);
+  SceneRun run(towers(), *stepper);
+
+  // Before the first step.
+  run.throw_in(cube(Vec3(0.25, 3.5, 0.0), Vec3(0.0, -2.0, 0.5)));
+  run.take_away("on right");
+  run.throw_in(cube(Vec3(6.0, 2.5, 0.0), Vec3(-4.0, 0.0, 0.0), "second"));
+  run.take_away("second");
+  CHECK_FALSE(is_there(run, "second"));
+  step(run, 5);
+  const std::string first = run.throw_in(cube(Vec3(0.0, 1.0, 4.0), Vec3(0.0, 0.0, -10.0)));
+  run.take_away("on left");
+  const std::string small = run.throw_in(SceneBox{
+      .name = "", .size = Vec3::Constant(0.25), .mass = 0.125, .position_w = Vec3(1.5, 1.0, 0.0)});
+  step(run, 11);
+  // The late one is due now, and comes in before the one that is thrown now.
+  REQUIRE(run.world().time() == 0.25);
+  CHECK_FALSE(is_there(run, "late"));
+  run.take_away("right");
+  run.throw_in(cube(Vec3(3.0, 3.0, 0.0), Vec3(0.0, -5.0, 0.0)));
+  REQUIRE(is_there(run, "late"));
+  CHECK(*run.world().find("late") < run.world().ids().back());
+  step(run, 1);
+  run.take_away("late");
+  step(run, 7);
+  run.take_away(first);
+  run.take_away(small);
+  run.throw_in(cube(Vec3(-4.0, 0.75, 0.0), Vec3(9.0, 1.0, 0.0)));
+  step(run, 12);
+
+  CHECK(run.world().steps() == 36);
+  CHECK(run.scene().boxes.size() == 9);  // five, less one, and five
+  CHECK(repeated(run, technique) == hash_of(run));
+  CHECK(to_toml(parse_scene(to_toml(run.scene()), "saved.toml")) == to_toml(run.scene()));
+}
+
+TEST_CASE("Sessions of throws at random are repeated by a run of the scene that is left",
+          "[determinism][record][live]") {
+  Random random(5);
+  const SceneRecipe& recipe = scene_recipe("projectile");
+  Parameters settings = recipe.parameters();
+  settings.set("rows", "3");
+  settings.set("appears", "0.1");
+  const double dt = 1.0 / 60.0;  // sums of it are rounded
+  for (int session = 0; session < 20; ++session) {
+    INFO("session " << session);
+    const auto stepper = made("contact_damped");
+    SceneRun run(recipe.build(settings, Random(1)), *stepper);
+    int thrown = 0;
+    int taken = 0;
+    for (int k = 0; k < 30; ++k) {
+      for (int deed = 0; deed < 2; ++deed) {
+        const std::uint32_t dice = random.below(8);
+        const auto any = [&] { return random.uniform(-3.0, 3.0); };
+        try {
+          if (dice == 0) {
+            run.throw_in(cube(Vec3(any(), 4.0 + any(), any()), 3.0 * Vec3(any(), any(), any())));
+            ++thrown;
+          } else if (dice == 1) {
+            const auto count = static_cast<std::uint32_t>(run.world().count());
+            run.take_away(run.world().name(static_cast<int>(random.below(count))));
+            ++taken;
+          }
+        } catch (const std::invalid_argument&) {
+          // The ground, one that came in just now, or one that overlaps at the start.
+        }
+      }
+      step(run, 1, dt);
+    }
+    CHECK(thrown > 0);
+    CHECK(taken > 0);
+    CHECK(repeated(run, "contact_damped", dt) == hash_of(run));
+  }
+}
+
+TEST_CASE("A box cannot be taken away at the time at which it came in", "[unit][record][live]") {
+  // Due between two steps; a run of a scene in which it goes at the end of the same step would never
+  // see it, and give its id to the next one.
+  Scene scene = towers();
+  scene.boxes.back().appears = 0.24;
+  const auto stepper = made("contact_damped");
+  SceneRun run(scene, *stepper);
+  step(run, 16);
+  const auto refused = [&](const std::string& name) {
+    CHECK_THROWS_WITH(run.take_away(name), Contains(name + " came in at this very time"));
+    CHECK(is_there(run, name));
+  };
+  CHECK_FALSE(is_there(run, "late"));
+  refused("late");  // which has come in by now
+  const std::string thrown = run.throw_in(cube(Vec3(0.0, 6.0, 0.0)));
+  refused(thrown);
+  refused("late");
+  step(run, 1);
+  run.take_away("late");
+  run.take_away(thrown);
+  CHECK_FALSE(is_there(run, "late"));
+  step(run, 3);
+  CHECK(repeated(run, "contact_damped") == hash_of(run));
+}
+
+TEST_CASE(
+    "Whoever is named by the world's own word is taken away, also when another one goes just then",
+    "[unit][record][live]") {
+  // Removing a body moves the names of all that come after it.
+  Puppet puppet;
+  Scene scene = weightless(
+      {cube(Vec3::Zero(), Vec3::Zero(), "a"), cube(Vec3(3.0, 0.0, 0.0), Vec3::Zero(), "b"),
+       cube(Vec3(6.0, 0.0, 0.0), Vec3::Zero(), "c"), cube(Vec3(9.0, 0.0, 0.0), Vec3::Zero(), "d")});
+  scene.boxes[0].disappears = kDt;
+  SceneRun run(scene, puppet);
+  step(run, 1);
+  run.take_away(run.world().name(1));
+  CHECK_FALSE(is_there(run, "a"));
+  CHECK_FALSE(is_there(run, "b"));
+  CHECK(is_there(run, "c"));
+  CHECK(is_there(run, "d"));
+}
+
+TEST_CASE("Before the first step whatever is thrown or taken away changes the start",
+          "[unit][record][live]") {
+  Puppet puppet;
+  SceneRun run(towers(), puppet);
+  const std::string before = to_toml(run.scene());
+  CHECK_THROWS_WITH(run.throw_in(cube(Vec3(0.0, 1.0, 0.0))),
+                    Contains("overlap") && Contains("move them apart"));
+  CHECK_THROWS_WITH(run.take_away("late"), Contains("there is no box called late to take away"));
+  CHECK_THROWS_WITH(run.take_away("ground"), Contains("there is no box called ground"));
+  CHECK(to_toml(run.scene()) == before);
+
+  SceneBox box = cube(Vec3(0.0, 4.0, 0.0));
+  box.appears = 7.0;  // is not asked
+  const std::string name = run.throw_in(box);
+  CHECK(name == "box6");
+  CHECK(is_there(run, name));
+  CHECK(run.scene().boxes.back().appears == 0.0);
+  CHECK(run.metrics().potential == near(9.81 * (0.5 + 1.5 + 0.5 + 1.5 + 4.0)).epsilon(1e-15));
+  run.take_away(name);
+  CHECK(to_toml(run.scene()) == before);
+  CHECK(hash_of(run) == build_world(towers()).hash().text());
+
+  SceneRun alone(weightless({cube(Vec3::Zero())}), puppet);
+  CHECK_THROWS_WITH(alone.take_away("box1"), Contains("a scene needs at least one"));
+  CHECK(is_there(alone, "box1"));
+  CHECK(alone.scene().boxes.size() == 1);
+}
+
+TEST_CASE("A throw that is refused leaves the run as it was", "[unit][record][live]") {
+  const double nan = std::nan("");
+  const std::vector<std::pair<SceneBox, std::string>> cases = {
+      {cube(Vec3(0.0, nan, 0.0)), "position_w = (0, nan, 0): expected three finite numbers"},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3(HUGE_VAL, 0.0, 0.0)), "velocity_w = (inf, 0, 0)"},
+      {SceneBox{.name = "", .mass = -1.0, .position_w = Vec3(0.0, 9.0, 0.0)},
+       "mass = -1: expected"},
+      {SceneBox{.name = "", .mass = nan, .position_w = Vec3(0.0, 9.0, 0.0)},
+       "mass = nan: expected"},
+      {SceneBox{.name = "", .size = Vec3(1.0, 0.0, 1.0), .position_w = Vec3(0.0, 9.0, 0.0)},
+       "size.y = 0"},
+      // Each finite by itself.
+      {SceneBox{.name = "",
+                .mass = 1e10,
+                .position_w = Vec3(0.0, 9.0, 0.0),
+                .velocity_w = Vec3(0.0, 1e300, 0.0)},
+       "mass times velocity = (0, inf, 0)"},
+      {SceneBox{.name = "",
+                .mass = 1e10,
+                .position_w = Vec3(0.0, 9.0, 0.0),
+                .angular_velocity_w = Vec3(0.0, 1e300, 0.0)},
+       "inertia times angular_velocity = ("},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "left"), "left: two boxes are called so"},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "ground"), "the ground is called so"},
+      {SceneBox{.name = "", .position_w = Vec3(0.0, 9.0, 0.0), .disappears = 0.0},
+       "expected later than 0"},
+  };
+  const int steps = GENERATE(0, 3);
+  INFO("after " << steps << " steps");
+  for (const auto& [box, told] : cases) {
+    INFO(told);
+    Puppet puppet;
+    Puppet same;
+    SceneRun run(towers(), puppet);
+    SceneRun untouched(towers(), same);
+    step(run, steps);
+    step(untouched, steps);
+    CHECK_THROWS_WITH(run.throw_in(box), Contains(told));
+    CHECK(to_toml(run.scene()) == to_toml(untouched.scene()));
+    CHECK(hash_of(run) == hash_of(untouched));
+    // And it goes on as if nothing had been.
+    run.throw_in(cube(Vec3(0.0, 9.0, 0.0)));
+    untouched.throw_in(cube(Vec3(0.0, 9.0, 0.0)));
+    step(run, 20);
+    step(untouched, 20);
+    CHECK(hash_of(run) == hash_of(untouched));
+  }
+}
+
+TEST_CASE("Names of boxes that have gone stay taken, and one without a name gets a free one",
+          "[unit][record][live]") {
+  Puppet puppet;
+  SceneRun run(weightless({cube(Vec3::Zero()), cube(Vec3(3.0, 0.0, 0.0), Vec3::Zero(), "box3")}),
+               puppet);
+  step(run, 1);
+  CHECK(run.throw_in(cube(Vec3(6.0, 0.0, 0.0))) == "box4");
+  step(run, 1);
+  run.take_away("box4");
+  CHECK_FALSE(is_there(run, "box4"));
+  CHECK_THROWS_WITH(run.take_away("box4"), Contains("there is no box called box4 to take away"));
+  CHECK_THROWS_WITH(run.throw_in(cube(Vec3(6.0, 0.0, 0.0), Vec3::Zero(), "box4")),
+                    Contains("two boxes are called so"));
+  CHECK(run.throw_in(cube(Vec3(6.0, 0.0, 0.0))) == "box5");
+}
+
+TEST_CASE("The energy of who comes and goes is no error of the technique",
+          "[exact][record][live]") {
+  Puppet puppet;
+  Scene scene = weightless({cube(Vec3::Zero(), Vec3(2.0, 0.0, 0.0)), cube(Vec3(0.0, 5.0, 0.0)),
+                            cube(Vec3(0.0, 9.0, 0.0), Vec3(4.0, 0.0, 0.0)),
+                            cube(Vec3(0.0, 12.0, 0.0), Vec3(6.0, 0.0, 0.0))});
+  scene.boxes[2].appears = 2.0 * kDt;
+  scene.boxes[3].disappears = 3.0 * kDt;
+  SceneRun run(scene, puppet);
+  double joules = 2.0 + 18.0;
+  const auto measured = [&] {
+    step(run, 1);
+    CHECK(run.metrics().kinetic == near(joules).epsilon(1e-15));
+    CHECK(std::abs(run.metrics().energy_error) < 1e-13);
+  };
+  measured();
+  run.throw_in(cube(Vec3(0.0, -9.0, 0.0), Vec3(0.0, 0.0, 3.0), "thrown"));
+  joules += 4.5;
+  measured();
+  joules += 8.0;  // the late one
+  measured();
+  run.take_away("thrown");
+  joules -= 18.0 + 4.5;  // and one goes by itself
+  measured();
+  // What nobody has brought in is an error.
+  puppet.act = [](World& world) {
+    world.set_velocity(world.ids()[1], Vec3(1.0, 0.0, 0.0), Vec3::Zero());
+    return StepReport{};
+  };
+  step(run, 1);
+  CHECK(run.metrics().energy_error == near(0.5).margin(1e-13));
+}
+
+TEST_CASE("A scene that nobody touches steps as in a run", "[determinism][record]") {
+  const auto one = made("contact_damped");
+  SceneRun run(towers(), *one);
+  step(run, 30);
+  RunSettings settings;
+  settings.dt = kDt;
+  settings.duration = 30.0 * kDt;
+  const RunResult result = run_scene(towers(), *made("contact_damped"), settings, {});
+  CHECK(result.state_hash == hash_of(run));
+  CHECK(result.last.energy_error == run.metrics().energy_error);
+  CHECK(result.last.deepest_overlap == run.metrics().deepest_overlap);
+}
+
+TEST_CASE("A step that breaks off leaves the scene, and one that makes a number infinite tells",
+          "[unit][record][live]") {
+  Puppet puppet;
+  SceneRun run(towers(), puppet);
+  step(run, 2);
+  run.throw_in(cube(Vec3(0.0, 9.0, 0.0)));
+  const std::string scene = to_toml(run.scene());
+  puppet.act = [](World&) -> StepReport { throw std::invalid_argument("tumble: too much"); };
+  CHECK_THROWS_WITH(run.step(kDt), "tumble: too much");
+  CHECK(to_toml(run.scene()) == scene);
+  CHECK(run.world().steps() == 2);
+  puppet.act = [](World& world) {
+    world.states().back().position_w.y() = std::nan("");
+    return StepReport{};
+  };
+  CHECK(run.step(kDt).status == StepStatus::not_finite);
+  CHECK(to_toml(run.scene()) == scene);
+}
+
+TEST_CASE("A technique steps on when everybody has gone", "[unit][record][live]") {
+  for (const TechniqueRecipe& recipe : technique_library()) {
+    INFO(recipe.name);
+    const auto stepper = made(recipe.name);
+    SceneRun run(towers(), *stepper);
+    step(run, 1);
+    for (const char* name : {"left", "on left", "right", "on right"}) run.take_away(name);
+    CHECK(run.world().count() == 1);  // the ground
+    step(run, 20);
+    run.take_away("late");
+    step(run, 5);
+    CHECK(run.world().count() == 1);
+    CHECK(run.metrics().kinetic == 0.0);
+    CHECK(run.metrics().chatter.bodies == 0);
+    CHECK(repeated(run, recipe.name) == hash_of(run));
+  }
+}
+
+TEST_CASE("Who sleeps on a box that is taken away wakes and falls",
+          "[unit][record][sleeping][live]") {
+  for (const char* technique : {"contact_damped", "damped", "impulse"}) {
+    for (const bool by_scene : {false, true}) {
+      INFO(technique << (by_scene ? ", by the scene" : ", by hand"));
+      const auto stepper = made(technique, true);
+      Scene scene = towers();
+      scene.boxes.pop_back();
+      // Once the first of all, once the last.
+      if (by_scene) std::swap(scene.boxes.front(), scene.boxes.back());
+      if (by_scene) scene.boxes.back().disappears = 2.0;
+      SceneRun run(scene, *stepper);
+      const auto index = [&](std::string_view name) {
+        return static_cast<std::size_t>(run.world().index_of(*run.world().find(name)));
+      };
+      const auto sleeps = [&](std::string_view name) {
+        return run.world().rests()[index(name)].asleep;
+      };
+      const auto height = [&](std::string_view name) {
+        return run.world().states()[index(name)].position_w.y();
+      };
+      step(run, 128);
+      CHECK(sleeps("on left"));
+      CHECK(sleeps("on right"));
+      if (!by_scene) run.take_away("left");
+      step(run, 1);
+      CHECK_FALSE(is_there(run, "left"));
+      CHECK_FALSE(sleeps("on left"));
+      CHECK(sleeps("on right"));  // it stands elsewhere
+      step(run, 127);
+      CHECK(height("on left") == near(0.5).margin(0.02));
+      CHECK(height("on right") == near(1.5).margin(0.02));
+      CHECK(sleeps("on left"));
+    }
+  }
+}
