@@ -9,8 +9,10 @@ COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev
 TEST_PACKAGES    := $(COMMAND_PACKAGES) catch2
 FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
 SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
+# npm comes with node where node is not Debian's, so the command is looked for first.
+LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
 BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev pkgconf libode-dev libbullet-dev
-CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) chromium clang libclang-rt-dev clang-format
+CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) $(LIVE_PACKAGES) chromium clang libclang-rt-dev clang-format
 
 SETUP ?= yes
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
@@ -23,7 +25,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command test test-long figures figure check bench site clean
+.PHONY: help command test test-long figures figure check bench live site clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -58,7 +60,7 @@ figure:  ## one figure with other parameters: NAME=zeno SET='restitution=0.9'
 	$(CONFIGURE) -DTUMBLE_FIGURES=ON
 	NAME='$(NAME)' SET='$(SET)' $(MAKE_IT) --target figure
 
-check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site
+check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site, live
 	@cmake/setup $(CHECK_PACKAGES)
 	cmake/check
 
@@ -66,6 +68,11 @@ bench:  ## measure against the engines that are installed
 	@cmake/setup $(BENCH_PACKAGES)
 	cmake --preset bench $(OPTIONS)
 	cmake --build --preset bench -j $(JOBS)
+
+live:  ## the page on which boxes are thrown at the scenes: build/live/index.html
+	@cmake/setup $(LIVE_PACKAGES)
+	$(CONFIGURE)
+	cmake/live $(OPTIONS)
 
 site:  ## chapters, figures, ledger and reference as a web site: build/site/index.html
 	@cmake/setup $(SITE_PACKAGES)

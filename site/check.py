@@ -4,25 +4,24 @@
 usage: site/check.py SITE [--pictures DIR]
 
 On every page below: it loads without an error on the console and without a file that is missing, formulas are
-typeset, nothing makes it scroll sideways, and each link and picture leads to something. The search finds a word
-of the text, and its first hit leads there. With --pictures each page is also saved as it looks, light and dark.
+typeset, nothing makes it scroll sideways, each link and picture leads to something, and where the site has the live
+page, each scene runs when it comes into sight. The search finds a word of the text, and its first hit leads there.
+With --pictures each page is also saved as it looks, light and dark.
 
 exit codes: 0 all is well, 1 something is not, 2 bad input
 """
 import argparse
-import base64
 import json
-import os
 import pathlib
 import re
-import select
-import shutil
-import subprocess
 import sys
-import tempfile
+import time
 import urllib.parse
 
-PAGES = ("index", "how_to_read", "notation", "basic_colliding", "analytic_lcp", "impulse_damped",
+sys.dont_write_bytecode = True
+from browser import PATIENCE, Browser  # noqa: E402, beside this file
+
+PAGES = ("index", "how_to_read", "live_page", "notation", "basic_colliding", "analytic_lcp", "impulse_damped",
          "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger", "errata",
          "tolerances", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
@@ -30,7 +29,6 @@ SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
 FORMULAS = {"notation", "basic_colliding", "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp",
             "filtering", "exterior_rotation", "namespacetumble"}  # pages that must have some
 WORD = "bisection"
-PATIENCE = 60  # [s] for one answer of the browser
 
 # Resolves when MathJax has nothing left to do.
 SETTLED = """new Promise(done => window.MathJax ? MathJax.Hub.Queue(() => done(true)) : done(false))"""
@@ -54,6 +52,9 @@ LOOK = r"""(() => {
     height: content.scrollHeight,
   };
 })()"""
+# In a frame with the live page: 'runs' after its first frame, or what is wrong.
+RUNS = """globalThis.tumble && tumble.ready.then(
+    () => tumble.frames > 0 && (document.getElementById('alerts').textContent || 'runs'), error => error.message)"""
 SEARCH = """new Promise(done => {
   const box = document.getElementById('search_words');
   box.focus(); box.value = %s; box.dispatchEvent(new Event('input'));
@@ -63,106 +64,6 @@ SEARCH = """new Promise(done => {
     if (hits.length || Date.now() - began > 10000) done(hits); else setTimeout(look, 20);
   })();
 })"""
-
-
-class Browser:
-    """A headless Chromium, spoken to through its debugging pipe."""
-
-    def __init__(self):
-        self.home = tempfile.mkdtemp()
-        command_out, self.commands = os.pipe()
-        self.answers, answer_in = os.pipe()
-        # Chromium reads commands from descriptor 3 and answers on descriptor 4.
-        command = ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-                   "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                   "--hide-scrollbars", f"--user-data-dir={self.home}", "--remote-debugging-pipe", "about:blank"]
-        shell = ["sh", "-c", f'exec "$@" 3<&{command_out} 4>&{answer_in}', "sh"]
-        self.process = subprocess.Popen(shell + command, pass_fds=(command_out, answer_in),
-                                        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                        stderr=subprocess.DEVNULL)
-        os.close(command_out)
-        os.close(answer_in)
-        self.rest, self.number, self.events, self.session = b"", 0, [], None
-        target = next(item for item in self.ask("Target.getTargets")["targetInfos"] if item["type"] == "page")
-        attached = self.ask("Target.attachToTarget", targetId=target["targetId"], flatten=True)
-        self.session = attached["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.ask(domain + ".enable")
-        self.ask("Page.setLifecycleEventsEnabled", enabled=True)
-        self.ask("Emulation.setFocusEmulationEnabled", enabled=True)
-
-    def close(self):
-        os.close(self.commands)
-        try:
-            self.process.wait(10)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-        shutil.rmtree(self.home, ignore_errors=True)
-
-    def receive(self):
-        while b"\0" not in self.rest:
-            if not select.select([self.answers], [], [], PATIENCE)[0]:
-                raise RuntimeError(f"chromium has not answered for {PATIENCE} s")
-            more = os.read(self.answers, 1 << 20)
-            if not more:
-                raise RuntimeError("chromium has ended")
-            self.rest += more
-        message, self.rest = self.rest.split(b"\0", 1)
-        return json.loads(message)
-
-    def ask(self, method, **parameters):
-        self.number += 1
-        request = {"id": self.number, "method": method, "params": parameters}
-        if self.session:
-            request["sessionId"] = self.session
-        data = json.dumps(request).encode() + b"\0"
-        while data:
-            data = data[os.write(self.commands, data):]
-        while True:
-            message = self.receive()
-            if message.get("id") == self.number:
-                if "error" in message:
-                    raise RuntimeError(f"{method}: {message['error']['message']}")
-                return message["result"]
-            self.events.append(message)
-
-    def value(self, expression):
-        answer = self.ask("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
-        if "exceptionDetails" in answer:
-            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description", "a script failed"))
-        return answer["result"].get("value")
-
-    def open(self, address):
-        self.ask("Page.navigate", url="about:blank")
-        self.events.clear()
-        answer = self.ask("Page.navigate", url=address)
-        if "errorText" in answer:
-            raise RuntimeError(answer["errorText"])
-        loaded = (answer["loaderId"], "load")
-        while not any(event.get("method") == "Page.lifecycleEvent" and
-                      (event["params"]["loaderId"], event["params"]["name"]) == loaded for event in self.events):
-            self.events.append(self.receive())
-        self.value(SETTLED)
-
-    def complaints(self):
-        """What the browser had to complain about since the page was opened."""
-        for event in self.events:
-            data = event.get("params", {})
-            if event.get("method") == "Runtime.exceptionThrown":
-                details = data["exceptionDetails"]
-                yield "error in a script: " + details.get("exception", {}).get("description", details["text"])
-            elif event.get("method") == "Runtime.consoleAPICalled" and data["type"] in ("error", "assert"):
-                yield "error on the console: " + " ".join(str(item.get("value")) for item in data["args"])
-            elif event.get("method") == "Log.entryAdded" and data["entry"]["level"] == "error":
-                yield "error: " + data["entry"]["text"] + " " + data["entry"].get("url", "")
-            elif event.get("method") == "Network.requestWillBeSent" and data["request"]["url"].startswith("http"):
-                yield "asks the network for " + data["request"]["url"]
-
-    def resize(self, width, height, phone):
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=phone)
-
-    def picture(self, path):
-        path.write_bytes(base64.b64decode(self.ask("Page.captureScreenshot", format="png")["data"]))
 
 
 class Anchors:
@@ -186,6 +87,8 @@ def dead_links(site, page, links, anchors):
         target = site / urllib.parse.unquote(parts.path) if parts.path else site / f"{page}.html"
         if not target.is_file():
             yield f"leads nowhere: {link}"
+        elif target.parent.name == "live":
+            continue  # what follows # is a set-up there, not a place
         elif parts.fragment and target.suffix == ".html" and not anchors.has(target, parts.fragment):
             yield f"leads to a place that is not there: {link}"
 
@@ -193,7 +96,9 @@ def dead_links(site, page, links, anchors):
 def check_page(browser, site, page, size, anchors, pictures):
     browser.resize(*SIZES[size], size == "phone")
     browser.open((site / f"{page}.html").as_uri())
+    browser.value(SETTLED)
     seen = browser.value(LOOK)
+    yield from check_live(browser)
     yield from browser.complaints()
     if seen["typeset"] < seen["formulas"]:
         yield f"{seen['formulas'] - seen['typeset']} of {seen['formulas']} formulas are not typeset"
@@ -209,14 +114,44 @@ def check_page(browser, site, page, size, anchors, pictures):
     if pictures:
         browser.resize(SIZES[size][0], min(seen["height"] + 200, 12000), size == "phone")
         for scheme in ("light", "dark"):
-            browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            browser.scheme(scheme)
             browser.value("new Promise(done => setTimeout(done, 400))")
             browser.picture(pictures / f"{page}_{size}_{scheme}.png")
+
+
+def value_in_scene(browser):
+    """What RUNS says in the frame with the live page that came last; nothing if there is none yet."""
+    frames = [child["frame"] for child in browser.ask("Page.getFrameTree")["frameTree"].get("childFrames", ())]
+    contexts = [event["params"]["context"] for event in browser.events
+                if event["method"] == "Runtime.executionContextCreated"]  # of pages and of workers, which are in no frame
+    found = [one["id"] for one in contexts
+             if frames and one.get("auxData", {}).get("frameId") == frames[-1]["id"]]
+    if not found:
+        return None
+    answer = browser.ask("Runtime.evaluate", expression=RUNS, contextId=found[-1], awaitPromise=True,
+                         returnByValue=True)
+    return answer["result"].get("value")
+
+
+def check_live(browser):
+    """Each scene of the page that is open runs when it comes into sight, and understands all of its link."""
+    for k in range(browser.value("document.querySelectorAll('figure.runs').length")):
+        browser.value(f"document.querySelectorAll('figure.runs')[{k}].scrollIntoView({{block: 'center'}})")
+        if not browser.wait_for(f"!!document.querySelectorAll('figure.runs')[{k}].querySelector('iframe')", 10):
+            yield f"scene {k + 1} does not come"
+            continue
+        told, until = None, time.monotonic() + PATIENCE
+        while not told and time.monotonic() < until:
+            browser.wait(0.2)
+            told = value_in_scene(browser)
+        if told != "runs":
+            yield f"scene {k + 1} does not run: {told or 'it does not start'}"
 
 
 def check_search(browser, site, size, anchors, pictures):
     browser.resize(*SIZES[size], size == "phone")
     browser.open((site / "index.html").as_uri())
+    browser.value(SETTLED)
     hits = browser.value(SEARCH % json.dumps(WORD))
     yield from browser.complaints()
     if pictures:
@@ -226,6 +161,7 @@ def check_search(browser, site, size, anchors, pictures):
         return
     yield from dead_links(site, "index", [urllib.parse.unquote(hit).rsplit("/", 1)[1] for hit in hits], anchors)
     browser.open(hits[0])
+    browser.value(SETTLED)
     yield from browser.complaints()
     if WORD not in browser.value("document.getElementById('doc-content').textContent.toLowerCase()"):
         yield f"the first hit for '{WORD}' does not have the word: {hits[0]}"
@@ -242,8 +178,8 @@ def main():
     if said.pictures:
         said.pictures.mkdir(parents=True, exist_ok=True)
 
-    faults, anchors, browser = 0, Anchors(), Browser()
-    try:
+    faults, anchors = 0, Anchors()
+    with Browser() as browser:
         for size in SIZES:
             for page in PAGES:
                 if not (site / f"{page}.html").is_file():
@@ -256,8 +192,6 @@ def main():
             for fault in check_search(browser, site, size, anchors, said.pictures):
                 print(f"search ({size}): {fault}")
                 faults += 1
-    finally:
-        browser.close()
     print(f"{len(PAGES)} pages at {len(SIZES)} sizes in a browser: {faults} faults")
     return 1 if faults else 0
 

@@ -74,7 +74,7 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
   std::size_t scenes = 0;
   for (const SceneRecipe& recipe : scene_library()) {
     if (recipe.name.substr(0, 3) == "fig")
-      continue;  // a figure of the thesis, or another name of one of the others
+      continue;  // a figure of the thesis, or another name of one of the others: some have a picture
     ++scenes;
     const std::string name = "gallery_" + std::string(recipe.name);
     INFO(name);
@@ -82,7 +82,10 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
                                      [&](const Figure& figure) { return figure.name == name; });
     CHECK(found == 1);
   }
-  CHECK(figures.size() == scenes + 1);
+  const auto of_thesis = std::count_if(figures.begin(), figures.end(), [](const Figure& figure) {
+    return figure.name.rfind("gallery_fig", 0) == 0;
+  });
+  CHECK(figures.size() == scenes + static_cast<std::size_t>(of_thesis) + 1);
 }
 
 TEST_CASE("Each picture of the gallery shows all its boxes that are not hidden by the cage",
@@ -102,6 +105,7 @@ TEST_CASE("Each picture of the gallery shows all its boxes that are not hidden b
                          : figure.name == "gallery_crate_off_table" ? 1.0
                          : figure.name == "gallery_seesaw"          ? 1.0
                          : figure.name == "gallery_slope"           ? 1.0
+                         : figure.name == "gallery_fig6_1"          ? 1.0
                                                                     : 0.0;
     CHECK(static_cast<double>(result.tables.front().rows.size()) ==
           number_of(result, "movable boxes") + fixed);

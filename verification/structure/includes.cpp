@@ -91,7 +91,7 @@ Complaints upward_includes(const std::vector<SourceFile>& files) {
         complaints.push_back(said + ", which is no header of the library");
 
       // Outside the library, only tests see another folder's files: the experiments.
-      static const std::regex programs("^(apps|bench|verification|support|structure)/");
+      static const std::regex programs("^(apps|bench|live|verification|support|structure)/");
       const bool of_programs = std::regex_search(include.target, programs);
       if (of_programs && file.path.rfind("verification/", 0) != 0)
         complaints.push_back(said + ", which belongs to another program");

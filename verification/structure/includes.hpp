@@ -9,7 +9,7 @@ namespace tumble::structure {
 /// Includes that point upwards, or across between programs that share only the library.
 ///
 /// base < math < geometry < dynamics < contact < chapters' folders < techniques, scenes, record <
-/// apps, chapters, verification, bench. Tests may include the experiments of chapters.
+/// apps, chapters, live, verification, bench. Tests may include the experiments of chapters.
 /// \param files C++ files with their paths in the project
 /// \return a complaint for each include that is not allowed, and for folders of src that no
 ///         layer is known for

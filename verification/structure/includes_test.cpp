@@ -25,6 +25,8 @@ TEST_CASE("An include of a program's file is found", "[structure]") {
   CHECK(upward_includes({{"src/tumble/math/a.cpp", "#include \"support/catch.hpp\"\n"}}).size() ==
         2);
   CHECK(upward_includes({{"chapters/x/a.cpp", "#include \"bench/clock.hpp\"\n"}}).size() == 1);
+  CHECK(upward_includes({{"live/a.cpp", "#include \"apps/request.hpp\"\n"}}).size() == 1);
+  CHECK(upward_includes({{"apps/a.cpp", "#include \"live/session.hpp\"\n"}}).size() == 1);
   CHECK(upward_includes({{"src/tumble/math/a.cpp", "#include \"basic/run.hpp\"\n"}}).size() == 1);
 }
 
@@ -80,7 +82,7 @@ TEST_CASE("A file without name and purpose is found", "[structure]") {
 TEST_CASE("The project's includes point downwards", "[structure]") {
   const auto files = project_files();
   Complaints complaints;
-  for (const char* folder : {"src/", "apps/", "chapters/", "verification/", "bench/"}) {
+  for (const char* folder : {"src/", "apps/", "chapters/", "verification/", "bench/", "live/"}) {
     const auto more = upward_includes(code_in(files, folder));
     complaints.insert(complaints.end(), more.begin(), more.end());
   }

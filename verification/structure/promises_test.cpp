@@ -71,10 +71,12 @@ TEST_CASE("A command that the Makefile does not have is found", "[structure]") {
 
 TEST_CASE("Every verified sentence is the name of a test", "[structure]") {
   const auto files = project_files();
-  const Complaints complaints =
-      unkept_promises(code_in(files, "src/"), test_cases(code_in(files, "verification/")));
-  INFO(joined(complaints));
-  CHECK(complaints.empty());
+  const std::vector<TestCase> tests = test_cases(code_in(files, "verification/"));
+  for (const char* folder : {"src/", "live/"}) {
+    const Complaints complaints = unkept_promises(code_in(files, folder), tests);
+    INFO(joined(complaints));
+    CHECK(complaints.empty());
+  }
 }
 
 TEST_CASE("Every claim and every erratum names a test that exists", "[structure]") {

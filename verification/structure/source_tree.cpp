@@ -18,20 +18,21 @@ bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }
 
-// What the project keeps at its top; anything else there is somebody's own.
+// What the project keeps at its top; anything else there is somebody's own. So is what npm installs.
 bool belongs(const std::string& path) {
   static constexpr std::array folders{"src/",          "apps/",  "chapters/", "figures/",
                                       "verification/", "bench/", "examples/", "site/",
                                       "live/",         "cmake/", ".ci/"};
   if (path.find('/') == std::string::npos) return true;
+  if (starts_with(path, "live/node_modules/")) return false;
   return std::any_of(folders.begin(), folders.end(),
                      [&](const char* folder) { return starts_with(path, folder); });
 }
 
 bool is_text(const fs::path& path) {
-  static constexpr std::array endings{".hpp", ".cpp", ".md",    ".txt", ".json", ".toml",
-                                      ".csv", ".gp",  ".cmake", ".cff", ".html", ".css",
-                                      ".js",  ".in",  ".xml",   ".yml", ".mtx",  ""};
+  static constexpr std::array endings{".hpp", ".cpp",   ".md",  ".txt",  ".json", ".toml", ".csv",
+                                      ".gp",  ".cmake", ".cff", ".html", ".css",  ".js",   ".mjs",
+                                      ".in",  ".xml",   ".yml", ".mtx",  ""};
   return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
 }
 

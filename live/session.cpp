@@ -1,0 +1,232 @@
+/// \file
+/// \brief A run with boxes thrown in and taken away, and what is drawn of it.
+#include "session.hpp"
+
+#include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/carried_bodies.hpp"
+#include "tumble/contact/islands.hpp"
+#include "tumble/geometric_stability/stable_boxes.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tumble::live {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostEvents = 4096;  // between two looks; a page draws no more
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+void append(const Vec3& v, std::vector<double>& out) {
+  out.insert(out.end(), {v.x(), v.y(), v.z()});
+}
+
+void append(const BodyState& state, std::vector<double>& out) {
+  append(state.position_w, out);
+  const Quat& q = state.orientation_wb;
+  out.insert(out.end(), {q.x(), q.y(), q.z(), q.w()});
+}
+
+// Pairs of bodies that push each other, as the points of the last step tell.
+std::vector<PushedPair> pushed_pairs(const World& world, std::span<const ContactRecord> records) {
+  std::vector<PushedPair> pairs;
+  double sum = 0.0;  // of the normal pushes of the pair that is being added up
+  for (const ContactRecord& record : records) {
+    const auto first = world.find(record.first);
+    const auto second = world.find(record.second);
+    const double push = record.push_w.dot(record.normal_w);
+    if (!first || !second || !(push > 0.0)) continue;
+    if (pairs.empty() || pairs.back().first != *first || pairs.back().second != *second) {
+      pairs.push_back({*first, *second, Vec3::Zero(), record.normal_w, PushedState::unknown});
+      sum = 0.0;
+    }
+    // The mean so far, moved towards the new point by its share.
+    sum += push;
+    pairs.back().point_w += (push / sum) * (record.point_w - pairs.back().point_w);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void Session::EventList::on_event(const Event& event) {
+  if (log.size() < kMostEvents) log.push_back(event);
+}
+
+Session::Session(std::string_view request) : Session(make_setup(request)) {}
+
+Session::Session(Setup setup)
+    : technique_(std::move(setup.technique)), run_(std::move(setup.scene), *technique_) {
+  technique_->observe(&events_);
+}
+
+StepStatus Session::step(double dt) {
+  run_.settle();  // so that who comes in now has a pose before the step
+  const World& world = run_.world();
+  ids_before_.assign(world.ids().begin(), world.ids().end());
+  states_before_.assign(world.states().begin(), world.states().end());
+  report_ = run_.step(dt);
+  return report_.status;
+}
+
+void Session::throw_in(SceneBox box) {
+  require::that(thrown_ < kMostThrown,
+                std::to_string(kMostThrown) + " boxes have been thrown: reset before the next one");
+  // A scene that was saved has what was thrown in it.
+  const std::vector<SceneBox>& boxes = run_.scene().boxes;
+  int number = thrown_;
+  do {
+    box.name = "thrown" + std::to_string(++number);
+  } while (std::any_of(boxes.begin(), boxes.end(),
+                       [&](const SceneBox& other) { return other.name == box.name; }));
+  run_.throw_in(std::move(box));
+  ++thrown_;
+}
+
+void Session::take_away(BodyId id) {
+  const auto index = run_.world().find(id);
+  require::that(index.has_value(), "there is no such box to take away");
+  run_.take_away(run_.world().name(*index));
+}
+
+void Session::look(unsigned wanted) {
+  look_at_bodies(wanted);
+  contacts_.clear();
+  if ((wanted & kLookContacts) != 0) look_at_contacts();
+  events_.log.clear();
+  const World& world = run_.world();
+  const Metrics& m = run_.metrics();
+  const auto count = [](std::int64_t n) { return static_cast<double>(n); };
+  numbers_ = {world.time(),
+              count(world.steps()),
+              static_cast<double>(report_.status),
+              m.kinetic,
+              m.potential,
+              m.booked.total(),
+              m.energy_error,
+              m.energy_error_share,
+              m.deepest_overlap,
+              m.chatter.amplitude,
+              m.chatter.acceleration,
+              m.fastest,
+              static_cast<double>(m.asleep),
+              count(report_.events),
+              count(report_.contacts),
+              count(report_.iterations),
+              count(report_.pivots),
+              count(report_.impulses),
+              count(report_.pair_tests),
+              count(report_.rewinds),
+              count(report_.fallbacks)};
+}
+
+const std::vector<std::string_view>& Session::number_names() {
+  static const std::vector<std::string_view> names = {
+      "time",         "steps",      "status",  "kinetic",  "potential",  "booked",  "energy_error",
+      "energy_share", "overlap",    "chatter", "shaking",  "fastest",    "asleep",  "events",
+      "contacts",     "iterations", "pivots",  "impulses", "pair_tests", "rewinds", "fallbacks"};
+  return names;
+}
+
+void Session::look_at_bodies(unsigned wanted) {
+  const World& world = run_.world();
+  const auto n = at(world.count());
+  stable_.assign(n, 0);
+  island_of_.assign(n, Islands::kNone);
+  pivots_w_.assign(n, Vec3::Constant(kNone));
+  if ((wanted & (kLookStable | kLookBalanced)) != 0) find_stable((wanted & kLookBalanced) != 0);
+  if ((wanted & kLookIslands) != 0) find_islands();
+  if ((wanted & kLookPivots) != 0) find_pivots();
+  if ((wanted & kLookOverlap) != 0) overlap_.look(world.bodies(), world.states());
+
+  bodies_.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    const BodyProperties& body = world.bodies()[i];
+    if (body.shape != Shape::box) continue;
+    const BodyId id = world.ids()[i];
+    bodies_.push_back(static_cast<double>(number_of(id)));
+    append(world.states()[i], bodies_);
+    append(body.size, bodies_);
+    // Who was not there before the step has come in since.
+    const auto before = std::lower_bound(ids_before_.begin(), ids_before_.end(), id);
+    const bool was = before != ids_before_.end() && *before == id;
+    append(was ? states_before_[at(static_cast<int>(before - ids_before_.begin()))]
+               : world.states()[i],
+           bodies_);
+    const bool thrown = world.name(static_cast<int>(i)).rfind("thrown", 0) == 0;
+    const unsigned kind = (body.movable() ? 0U : kFixed) |
+                          (world.rests()[i].asleep ? kAsleep : 0U) |
+                          (stable_[i] != 0 ? kStable : 0U) | (thrown ? kThrown : 0U);
+    bodies_.push_back(kind);
+    bodies_.push_back(island_of_[i]);
+    bodies_.push_back((wanted & kLookOverlap) != 0 ? overlap_.depths()[i] : 0.0);
+    append(pivots_w_[i], bodies_);
+  }
+}
+
+void Session::look_at_contacts() {
+  const World& world = run_.world();
+  const auto add = [&](const auto& record, const Vec3& push_w, bool is_impulse, double state) {
+    const auto first = world.find(record.first);
+    const auto second = world.find(record.second);
+    if (!first || !second) return;  // taken away since
+    contacts_.insert(contacts_.end(),
+                     {record.time, static_cast<double>(*first), static_cast<double>(*second)});
+    append(record.point_w, contacts_);
+    append(record.normal_w, contacts_);
+    append(push_w, contacts_);
+    contacts_.insert(contacts_.end(), {is_impulse ? 1.0 : 0.0, state});
+  };
+  for (const ContactRecord& c : technique_->contacts())
+    add(c, c.push_w, c.is_impulse, static_cast<double>(c.state));
+  for (const Event& e : events_.log) add(e, e.impulse_w, true, 3.0);
+}
+
+void Session::find_stable(bool balanced) {
+  const World& world = run_.world();
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  std::vector<Bounds> bounds;
+  for (int b = 0; b < world.count(); ++b)
+    bounds.push_back(bounds_of(world.bodies()[at(b)], world.states()[at(b)],
+                               tolerance::contact_margin * world.bodies()[at(b)].size.norm()));
+  std::vector<IndexPair> pairs;
+  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  ContactList contacts;
+  gather_near(world, moving, pairs, {}, contacts);
+  StableBoxes boxes(balanced ? StableRule::equilibrium : StableRule::hull);
+  const std::span<const char> found = boxes.find(world, moving, contacts);
+  stable_.assign(found.begin(), found.end());
+}
+
+void Session::find_islands() {
+  const World& world = run_.world();
+  std::vector<IndexPair> pairs;
+  for (const ContactRecord& record : technique_->contacts()) {
+    const auto first = world.find(record.first);
+    const auto second = world.find(record.second);
+    if (first && second) pairs.push_back({*first, *second});
+  }
+  Islands islands;
+  islands.build_from_pairs(world.bodies(), pairs);
+  for (int b = 0; b < world.count(); ++b) island_of_[at(b)] = islands.island_of(b);
+}
+
+void Session::find_pivots() {
+  const World& world = run_.world();
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  CarriedBodies carried;
+  carried.find(world.bodies(), moving, pushed_pairs(world, technique_->contacts()));
+  for (const int b : carried.bodies())
+    if (const auto arm_w = carried.arm_w(b))
+      pivots_w_[at(b)] = world.states()[at(b)].position_w - *arm_w;
+}
+
+}  // namespace tumble::live

@@ -1,0 +1,107 @@
+/// \file
+/// \brief The page's lists: every scene, technique and setting is in them, as it was declared.
+#include "catalogue.hpp"
+
+#include "tumble/base/version.hpp"
+#include "tumble/scenes/library.hpp"
+#include "tumble/techniques.hpp"
+
+#include "live/json.hpp"
+#include "session.hpp"
+#include "support/catch.hpp"
+
+#include <functional>
+#include <string>
+
+namespace {
+
+using namespace tumble;
+using tumble::test::JsonReader;
+using tumble::test::JsonValue;
+
+void check(const JsonValue& list, const Parameters& settings) {
+  REQUIRE(list.kind == '[');
+  REQUIRE(list.items.size() == settings.all().size());
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    const JsonValue& told = list.items[k];
+    const Parameter& parameter = settings.all()[k];
+    INFO(parameter.key);
+    CHECK(told.at("key").text == parameter.key);
+    CHECK(told.at("value").text == parameter.value);
+    CHECK(told.at("unit").text == parameter.unit);
+    CHECK(told.at("meaning").text == parameter.meaning);
+    const std::string& kind = told.at("kind").text;
+    const bool bounded = kind == "number" || kind == "whole";
+    CHECK((parameter.kind == ParameterKind::number) == (kind == "number"));
+    CHECK((parameter.kind == ParameterKind::whole) == (kind == "whole"));
+    CHECK((parameter.kind == ParameterKind::flag) == (kind == "flag"));
+    CHECK((parameter.kind == ParameterKind::word) == (kind == "word"));
+    CHECK((parameter.kind == ParameterKind::text) == (kind == "text"));
+    CHECK(told.fields.count("low") == (bounded ? 1 : 0));
+    CHECK(told.fields.count("high") == (bounded ? 1 : 0));
+    if (bounded) {
+      CHECK(told.at("low").number == parameter.low);
+      CHECK(told.at("high").number == parameter.high);
+      CHECK(parameter.low <= parameter.high);
+    }
+    CHECK(told.fields.count("choices") == (parameter.choices.empty() ? 0 : 1));
+    for (std::size_t c = 0; c < parameter.choices.size(); ++c)
+      CHECK(told.at("choices").items.at(c).text == parameter.choices[c]);
+    // The default is one of the values that are accepted.
+    Parameters again = settings;
+    CHECK_NOTHROW(again.set(told.at("key").text, told.at("value").text));
+  }
+}
+
+template <class Library>
+void check_library(const JsonValue& list, const Library& library,
+                   const std::function<Parameters(std::size_t)>& settings) {
+  REQUIRE(list.items.size() == library.size());
+  for (std::size_t k = 0; k < library.size(); ++k) {
+    INFO(library[k].name);
+    const JsonValue& told = list.items[k];
+    CHECK(told.at("name").text == library[k].name);
+    CHECK(told.at("section").text == library[k].section);
+    CHECK(told.at("summary").text == library[k].summary);
+    CHECK(told.fields.size() == 4);
+    check(told.at("settings"), settings(k));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("The catalogue has every scene, technique and setting as it was declared",
+          "[unit][live]") {
+  const JsonValue all = JsonReader::read(live::catalogue());
+  CHECK(all.at("version").text == build_info().version);
+  CHECK(all.at("default_technique").text == kDefaultTechnique);
+  check_library(all.at("scenes"), scene_library(),
+                [](std::size_t k) { return scene_library()[k].parameters(); });
+  check_library(all.at("techniques"), technique_library(),
+                [](std::size_t k) { return technique_library()[k].options(); });
+  const auto& names = live::Session::number_names();
+  REQUIRE(all.at("numbers").items.size() == names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) CHECK(all.at("numbers").items[k].text == names[k]);
+}
+
+TEST_CASE("A scene or technique of the catalogue opens with the settings that are told there",
+          "[unit][live]") {
+  const JsonValue all = JsonReader::read(live::catalogue());
+  const auto request = [](const char* what, const JsonValue& entry) {
+    std::string text = std::string(what) + " " + entry.at("name").text + "\n";
+    for (const JsonValue& setting : entry.at("settings").items)
+      text += std::string("set ") + what + "." + setting.at("key").text + "=" +
+              setting.at("value").text + "\n";
+    return text;
+  };
+  for (const JsonValue& scene : all.at("scenes").items) {
+    INFO(scene.at("name").text);
+    const live::Session told(request("scene", scene));
+    const live::Session plain("scene " + scene.at("name").text);
+    CHECK(told.run().world().hash().text() == plain.run().world().hash().text());
+  }
+  for (const JsonValue& technique : all.at("techniques").items) {
+    INFO(technique.at("name").text);
+    CHECK_NOTHROW(live::Session("scene box_drop\n" + request("technique", technique)));
+  }
+}

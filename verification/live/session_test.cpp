@@ -1,0 +1,123 @@
+/// \file
+/// \brief A session: what can be thrown and taken away, and that looking does nothing.
+#include "session.hpp"
+
+#include "tumble/record/run.hpp"
+#include "tumble/scenes/scene_file.hpp"
+
+#include "live/seen.hpp"
+#include "support/catch.hpp"
+
+#include <string>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::live;
+using Catch::Matchers::Contains;
+
+}  // namespace
+
+TEST_CASE("Looking changes nothing of what follows", "[determinism][live]") {
+  Session looked("scene projectile\nset scene.rows=3\nset scene.appears=0.1");
+  Session alone("scene projectile\nset scene.rows=3\nset scene.appears=0.1");
+  for (int k = 0; k < 40; ++k) {
+    for (int times = 0; times < 2; ++times) looked.look(kEverything);
+    step(looked, 1);
+    step(alone, 1);
+  }
+  CHECK(looked.run().world().hash().text() == alone.run().world().hash().text());
+}
+
+TEST_CASE("Five hundred boxes can be thrown, and no more, gone or not", "[unit][live]") {
+  Session session("scene line\nset scene.boxes=0:0\ntechnique timewarp_swept");
+  step(session, 1);
+  for (int k = 0; k < Session::kMostThrown; ++k) {
+    session.throw_in(cube(Vec3(0.0, 3.0 * (k + 1), 0.0)));
+    if (k == 0) step(session, 1);
+    if (k == 1) session.take_away(id_of(session, "thrown1"));
+  }
+  CHECK(session.run().world().find("thrown500").has_value());
+  CHECK(session.run().world().count() == 500);  // one of the scene, 499 of those
+  const std::string scene = to_toml(session.run().scene());
+  CHECK_THROWS_WITH(session.throw_in(cube(Vec3(0.0, -9.0, 0.0))),
+                    Contains("500 boxes have been thrown: reset before the next one"));
+  CHECK(to_toml(session.run().scene()) == scene);
+}
+
+TEST_CASE("A throw that is refused counts for nothing", "[unit][live]") {
+  Session session("scene box_drop");
+  SceneBox bad = cube(Vec3(5.0, 5.0, 0.0));
+  bad.mass = -1.0;
+  CHECK_THROWS_WITH(session.throw_in(bad), Contains("mass = -1"));
+  session.throw_in(cube(Vec3(5.0, 5.0, 0.0)));
+  CHECK(session.run().world().find("thrown1").has_value());
+  CHECK_FALSE(session.run().world().find("thrown2").has_value());
+}
+
+TEST_CASE("Throws into a scene that was saved take names that are free there", "[unit][live]") {
+  Session first("scene box_drop");
+  first.throw_in(cube(Vec3(5.0, 5.0, 0.0)));
+  step(first, 3);
+  first.throw_in(cube(Vec3(8.0, 5.0, 0.0)));
+  first.take_away(id_of(first, "thrown1"));
+  step(first, 3);
+
+  Session second("toml\n" + to_toml(first.run().scene()));
+  second.throw_in(cube(Vec3(-5.0, 5.0, 0.0)));
+  CHECK(second.run().world().find("thrown3").has_value());
+  step(second, 6);
+  CHECK_FALSE(second.run().world().find("thrown1").has_value());
+  CHECK(second.run().world().find("thrown2").has_value());
+  second.throw_in(cube(Vec3(-8.0, 5.0, 0.0)));
+  CHECK(second.run().world().find("thrown4").has_value());
+  second.look(0);
+  for (const SeenBody& body : bodies_of(second)) {
+    const std::string& name =
+        second.run().world().name(second.run().world().index_of(BodyId{body.id}));
+    CHECK(((body.kind & kThrown) != 0) == (name.find("thrown") == 0));
+  }
+}
+
+TEST_CASE("Who is not there cannot be taken away", "[unit][live]") {
+  Session session("scene box_drop");
+  CHECK_THROWS_WITH(session.take_away(BodyId{99}), Contains("there is no such box to take away"));
+  CHECK_THROWS_WITH(session.take_away(id_of(session, "ground")),
+                    Contains("there is no box called ground to take away"));
+}
+
+TEST_CASE("A session is repeated by a run of the scene that it leaves", "[determinism][live]") {
+  Session session(
+      "scene pyramid\nset scene.rows=3\ntechnique damped\nset technique.collision_passes=3");
+  session.throw_in(cube(Vec3(0.0, 1.0, 5.0), Vec3(0.0, 0.0, -20.0)));
+  step(session, 10);
+  session.throw_in(cube(Vec3(0.5, 1.0, 6.0), Vec3(0.0, 1.0, -25.0)));
+  step(session, 20);
+  session.take_away(id_of(session, "thrown1"));
+  step(session, 15);
+  const Setup setup = make_setup("technique damped\nset technique.collision_passes=3\ntoml\n" +
+                                 to_toml(session.run().scene()));
+  RunSettings settings;
+  settings.dt = kDt;
+  settings.duration = 45.0 * kDt;
+  CHECK(run_scene(setup.scene, *setup.technique, settings, {}).state_hash ==
+        session.run().world().hash().text());
+}
+
+TEST_CASE("A world that is not finite can be looked at", "[unit][live]") {
+  Session session("scene dice\nset scene.count=2");
+  StepStatus status = StepStatus::done;
+  step(session, 1);
+  for (int k = 0; k < 40 && status < StepStatus::unsolved; ++k) {
+    SceneBox box = cube(Vec3(0.0, 3.0 + k, 0.0), Vec3(0.0, -1e155, 0.0));
+    session.throw_in(box);
+    try {
+      status = session.step(kDt);
+    } catch (const std::invalid_argument&) {
+      status = StepStatus::unsolved;
+    }
+    CHECK_NOTHROW(session.look(kEverything));
+  }
+  CHECK(status >= StepStatus::unsolved);
+  CHECK(session.bodies().size() % kBodyNumbers == 0);
+}
