@@ -23,7 +23,7 @@ void add_response_figures(std::vector<Figure>& list);
 void add_detection_figures(std::vector<Figure>& list);
 
 /// Adds the figures that show boxes in three dimensions: the strip of a thrown die, and a picture of
-/// each built-in scene, called `gallery_...`.
+/// each built-in scene, called `gallery_...`; of figures of the thesis, those that run in the book.
 /// \param list  gets them
 void add_picture_figures(std::vector<Figure>& list);
 

@@ -45,7 +45,7 @@ struct Shot {
   std::array<double, 3> view;  // from the boxes to the eye
 };
 
-constexpr std::array<Shot, 23> kShots = {{
+constexpr std::array<Shot, 26> kShots = {{
     {"box_drop", "A cube falls on an edge", "", 0.4, {0.4, 0.4, 1.0}},
     {"bouncing_box", "A cube that was dropped flat rebounds", "", 0.8, {0.6, 0.4, 1.0}},
     {"tumbling_box", "A free box turns over", "", 2.8, {0.5, 0.6, 1.0}},
@@ -73,6 +73,10 @@ constexpr std::array<Shot, 23> kShots = {{
     {"toss", "A cube is tossed like measured ones", "", 0.0, {0.5, 0.5, 1.0}},
     {"line", "Cubes on a line, each with a speed of its own", "", 0.3, {0.3, 0.4, 1.0}},
     {"cage", "Cubes in a cage without gravity, opened for the view", "", 2.0, {0.6, 0.5, 1.0}},
+    // Figures of the thesis that run in the book: these are their still pictures.
+    {"fig5_1", "Figure 5.1: five cubes in a row, the first one fast", "", 0.0, {0.3, 0.4, 1.0}},
+    {"fig5_6", "Figure 5.6: a pyramid over a hole", "rows=9", 0.0, {0.35, 0.3, 1.0}},
+    {"fig6_1", "Figure 6.1: a column leans over an edge", "", 0.0, {0.35, 0.3, 1.0}},
 }};
 
 Figure gallery_figure(const Shot& shot) {

@@ -1,0 +1,4 @@
+# Figure 5.6: the boxes were projected and put in order by the library.
+tall = 400
+@PAGE
+load stem.'_boxes.gp'
