@@ -12,7 +12,19 @@ if (!folder) {
   console.error('usage: node build.mjs MODULE.wasm FOLDER');
   process.exit(2);
 }
+const SHADERS = '[/\\\\]three[/\\\\]src[/\\\\]renderers[/\\\\]shaders[/\\\\]';
+const UNUSED_SHADERS = new RegExp(SHADERS + 'ShaderChunk[/\\\\].*(physical|transmission|iridescence|clearcoat|' +
+    'lightprobes|toon|phong|tonemapping|metalness|roughness|bumpmap|normalmap|morph|skin|displacement).*');
+const UNUSED_PROGRAMS = new RegExp(SHADERS + 'ShaderLib[/\\\\]' +
+    '(background|backgroundCube|cube|equirect|linedashed|meshmatcap|meshnormal|meshphong|meshphysical|meshtoon|' +
+    'sprite)\\.');
 const common = {bundle: true, minify: true, format: 'iife', target: 'es2021', charset: 'utf8', legalComments: 'none'};
+
+// A character for each byte, and no more escapes than a string needs: compressed that is about as small as the
+// bytes themselves. base64 is a quarter larger.
+const PLACE = 'place of the module';
+const ESCAPES = {'\n': '\\n', '\r': '\\r', "'": "\\'", '\\': '\\\\'};
+const literal = `'${(await readFile(moduleFile)).toString('latin1').replace(/[\n\r'\\]/g, it => ESCAPES[it])}'`;
 
 const embedded = {
   name: 'embedded',
@@ -23,16 +35,23 @@ const embedded = {
       const {outputFiles} = await build({...common, entryPoints: [path], write: false});
       return {contents: outputFiles[0].text, loader: 'text'};
     });
-    // `module:`: the WebAssembly module as a string with a character for each byte. Compressed it is as
-    // small as the bytes; base64 is a quarter larger.
+    // `module:`: the WebAssembly module as a string, put in when all else is written.
     it.onResolve({filter: /^module:$/}, ({path}) => ({path, namespace: 'module'}));
-    it.onLoad({filter: /.*/, namespace: 'module'}, async () => ({
-      contents: (await readFile(moduleFile)).toString('latin1'), loader: 'text',
+    it.onLoad({filter: /.*/, namespace: 'module'}, () => ({contents: PLACE, loader: 'text'}));
+    // three.js by its sources, so that what its materials for metal, glass, skies and toys say to the graphics card
+    // can be left out: the page draws with MeshLambertMaterial, ShadowMaterial and shaders of its own.
+    it.onResolve({filter: /^three$/}, ({kind, resolveDir}) => it.resolve('three/src/Three.js', {kind, resolveDir}));
+    it.onLoad({filter: UNUSED_SHADERS}, () => ({contents: 'export default "";', loader: 'js'}));
+    it.onLoad({filter: UNUSED_PROGRAMS}, () => ({
+      contents: 'export const vertex = "", fragment = "";', loader: 'js',
     }));
   },
 };
 
 await mkdir(folder, {recursive: true});
-await build({...common, entryPoints: [join(here, 'main.js')], outfile: join(folder, 'live.js'), plugins: [embedded]});
+const {outputFiles} =
+    await build({...common, entryPoints: [join(here, 'main.js')], write: false, plugins: [embedded]});
+await writeFile(join(folder, 'live.js'),
+                outputFiles[0].text.replace(new RegExp(`["'\`]${PLACE}["'\`]`), () => literal));
 const [page, style] = await Promise.all(['index.html', 'style.css'].map(name => readFile(join(here, name), 'utf8')));
 await writeFile(join(folder, 'index.html'), page.replace('/* style.css */', () => style));

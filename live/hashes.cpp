@@ -22,12 +22,13 @@ struct Size {
   std::vector<std::pair<std::string_view, std::string_view>> settings;
 };
 const std::vector<Size> kSmaller = {
-    {"pyramid", {{"rows", "4"}}},
-    {"pyramid3d", {{"rows", "3"}}},
-    {"wall", {{"courses", "4"}, {"bricks", "4"}}},
+    {"pyramid", {{"rows", "3"}}},
+    {"pyramid3d", {{"rows", "2"}}},
+    {"wall", {{"courses", "3"}, {"bricks", "3"}}},
+    {"fig5_6", {{"rows", "3"}}},
     {"clump", {{"per_edge", "2"}}},
-    {"projectile", {{"rows", "4"}, {"appears", "0.5"}}},
-    {"fig6_6", {{"rows", "4"}, {"appears", "0.5"}}},
+    {"projectile", {{"rows", "3"}, {"appears", "0.5"}}},
+    {"fig6_6", {{"rows", "3"}, {"appears", "0.5"}}},
     {"fig6_7", {{"per_edge", "2"}}},
 };
 
