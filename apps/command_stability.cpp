@@ -6,7 +6,6 @@
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 #include "tumble/geometric_stability/upright.hpp"
-#include "tumble/geometry/broad_phase.hpp"
 
 #include "request.hpp"
 
@@ -41,13 +40,7 @@ struct Start {
 
   explicit Start(const Scene& scene) : world(build_world(scene)) {
     load_moving_bodies(world, moving);
-    std::vector<Bounds> bounds;
-    for (int b = 0; b < world.count(); ++b)
-      bounds.push_back(bounds_of(world.bodies()[at(b)], world.states()[at(b)],
-                                 tolerance::contact_margin * world.bodies()[at(b)].size.norm()));
-    std::vector<IndexPair> pairs;
-    make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
-    gather_near(world, moving, pairs, {}, contacts);
+    gather_near(world, moving, contacts);
   }
 };
 

@@ -12,12 +12,25 @@ if (!folder) {
   console.error('usage: node build.mjs MODULE.wasm FOLDER');
   process.exit(2);
 }
-const SHADERS = '[/\\\\]three[/\\\\]src[/\\\\]renderers[/\\\\]shaders[/\\\\]';
-const UNUSED_SHADERS = new RegExp(SHADERS + 'ShaderChunk[/\\\\].*(physical|transmission|iridescence|clearcoat|' +
-    'lightprobes|toon|phong|tonemapping|metalness|roughness|bumpmap|normalmap|morph|skin|displacement).*');
+const THREE = '[/\\\\]three[/\\\\]src[/\\\\]';
+const SHADERS = THREE + 'renderers[/\\\\]shaders[/\\\\]';
+const UNUSED_CHUNKS = new RegExp(SHADERS + 'ShaderChunk[/\\\\].*(physical|transmission|iridescence|clearcoat|' +
+    'lightprobes|toon|phong|tonemapping|metalness|roughness|bumpmap|normalmap|morph|skin|displacement|alphahash|' +
+    'alphamap|aomap|batching|clipping|dithering|emissivemap|envmap|fog|gradientmap|lightmap|logdepth|uv_).*');
 const UNUSED_PROGRAMS = new RegExp(SHADERS + 'ShaderLib[/\\\\]' +
-    '(background|backgroundCube|cube|equirect|linedashed|meshmatcap|meshnormal|meshphong|meshphysical|meshtoon|' +
-    'sprite)\\.');
+    '(background|backgroundCube|cube|distance|equirect|linedashed|meshbasic|meshmatcap|meshnormal|meshphong|' +
+    'meshphysical|meshtoon|points|sprite|vsm)\\.');
+const USED_SHADERS = new RegExp(SHADERS + 'Shader(Chunk|Lib)[/\\\\]');
+// What the renderer asks of parts that the page has no use for: headsets, reflections, morph targets.
+const IDLE_PARTS = {
+  WebXRManager: `export class WebXRManager {
+    enabled = false; isPresenting = false;
+    setAnimationLoop() {} addEventListener() {} removeEventListener() {} dispose() {}
+  }`,
+  PMREMGenerator: 'export class PMREMGenerator {}',
+  DFGLUTData: 'export const getDFGLUT = () => null;',
+  WebGLMorphtargets: 'export const WebGLMorphtargets = () => ({update() {}});',
+};
 const common = {bundle: true, minify: true, format: 'iife', target: 'es2021', charset: 'utf8', legalComments: 'none'};
 
 // A character for each byte, and no more escapes than a string needs: compressed that is about as small as the
@@ -41,10 +54,16 @@ const embedded = {
     // three.js by its sources, so that what its materials for metal, glass, skies and toys say to the graphics card
     // can be left out: the page draws with MeshLambertMaterial, ShadowMaterial and shaders of its own.
     it.onResolve({filter: /^three$/}, ({kind, resolveDir}) => it.resolve('three/src/Three.js', {kind, resolveDir}));
-    it.onLoad({filter: UNUSED_SHADERS}, () => ({contents: 'export default "";', loader: 'js'}));
+    it.onLoad({filter: UNUSED_CHUNKS}, () => ({contents: 'export default "";', loader: 'js'}));
     it.onLoad({filter: UNUSED_PROGRAMS}, () => ({
       contents: 'export const vertex = "", fragment = "";', loader: 'js',
     }));
+    // Comments and indents of the shaders in use are text to the bundler, which leaves them as they are.
+    it.onLoad({filter: USED_SHADERS}, async ({path}) => ({
+      contents: (await readFile(path, 'utf8')).replace(/\/\/.*$/gm, '').replace(/\n\s+/g, '\n'), loader: 'js',
+    }));
+    const idle = new RegExp(`${THREE}.*[/\\\\](${Object.keys(IDLE_PARTS).join('|')})\\.js$`);
+    it.onLoad({filter: idle}, ({path}) => ({contents: IDLE_PARTS[idle.exec(path)[1]], loader: 'js'}));
   },
 };
 

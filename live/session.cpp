@@ -4,15 +4,14 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
-#include "tumble/geometry/broad_phase.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace tumble::live {
@@ -33,17 +32,53 @@ void append(const BodyState& state, std::vector<double>& out) {
   out.insert(out.end(), {q.x(), q.y(), q.z(), q.w()});
 }
 
+// Calls see(name, value) for each number that a session tells.
+template <class See>
+void each_number(const World& world, const StepReport& report, const Metrics& metrics,
+                 const See& see) {
+  see("time", world.time());
+  see("steps", world.steps());
+  see("status", static_cast<int>(report.status));
+  see("kinetic", metrics.kinetic);
+  see("potential", metrics.potential);
+  see("booked", metrics.booked.total());
+  see("energy_error", metrics.energy_error);
+  see("energy_share", metrics.energy_error_share);
+  see("overlap", metrics.deepest_overlap);
+  see("chatter", metrics.chatter.amplitude);
+  see("shaking", metrics.chatter.acceleration);
+  see("fastest", metrics.fastest);
+  see("asleep", metrics.asleep);
+  see("events", report.events);
+  see("contacts", report.contacts);
+  see("iterations", report.iterations);
+  see("pivots", report.pivots);
+  see("impulses", report.impulses);
+  see("pair_tests", report.pair_tests);
+  see("rewinds", report.rewinds);
+  see("fallbacks", report.fallbacks);
+}
+
+// Who touches in a record, by index; nothing if one was taken away since.
+template <class Record>
+std::optional<IndexPair> bodies_of(const World& world, const Record& record) {
+  const auto first = world.find(record.first);
+  const auto second = world.find(record.second);
+  if (!first || !second) return std::nullopt;
+  return IndexPair{*first, *second};
+}
+
 // Pairs of bodies that push each other, as the points of the last step tell.
 std::vector<PushedPair> pushed_pairs(const World& world, std::span<const ContactRecord> records) {
   std::vector<PushedPair> pairs;
   double sum = 0.0;  // of the normal pushes of the pair that is being added up
   for (const ContactRecord& record : records) {
-    const auto first = world.find(record.first);
-    const auto second = world.find(record.second);
+    const auto who = bodies_of(world, record);
     const double push = record.push_w.dot(record.normal_w);
-    if (!first || !second || !(push > 0.0)) continue;
-    if (pairs.empty() || pairs.back().first != *first || pairs.back().second != *second) {
-      pairs.push_back({*first, *second, Vec3::Zero(), record.normal_w, PushedState::unknown});
+    if (!who || !(push > 0.0)) continue;
+    const auto [first, second] = *who;
+    if (pairs.empty() || pairs.back().first != first || pairs.back().second != second) {
+      pairs.push_back({first, second, Vec3::Zero(), record.normal_w, PushedState::unknown});
       sum = 0.0;
     }
     // The mean so far, moved towards the new point by its share.
@@ -100,37 +135,19 @@ void Session::look(unsigned wanted) {
   contacts_.clear();
   if ((wanted & kLookContacts) != 0) look_at_contacts();
   events_.log.clear();
-  const World& world = run_.world();
-  const Metrics& m = run_.metrics();
-  const auto count = [](std::int64_t n) { return static_cast<double>(n); };
-  numbers_ = {world.time(),
-              count(world.steps()),
-              static_cast<double>(report_.status),
-              m.kinetic,
-              m.potential,
-              m.booked.total(),
-              m.energy_error,
-              m.energy_error_share,
-              m.deepest_overlap,
-              m.chatter.amplitude,
-              m.chatter.acceleration,
-              m.fastest,
-              static_cast<double>(m.asleep),
-              count(report_.events),
-              count(report_.contacts),
-              count(report_.iterations),
-              count(report_.pivots),
-              count(report_.impulses),
-              count(report_.pair_tests),
-              count(report_.rewinds),
-              count(report_.fallbacks)};
+  numbers_.clear();
+  each_number(run_.world(), report_, run_.metrics(), [&](std::string_view, auto value) {
+    numbers_.push_back(static_cast<double>(value));
+  });
 }
 
 const std::vector<std::string_view>& Session::number_names() {
-  static const std::vector<std::string_view> names = {
-      "time",         "steps",      "status",  "kinetic",  "potential",  "booked",  "energy_error",
-      "energy_share", "overlap",    "chatter", "shaking",  "fastest",    "asleep",  "events",
-      "contacts",     "iterations", "pivots",  "impulses", "pair_tests", "rewinds", "fallbacks"};
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out;
+    each_number(World(), StepReport(), Metrics(),
+                [&](std::string_view name, auto) { out.push_back(name); });
+    return out;
+  }();
   return names;
 }
 
@@ -156,9 +173,8 @@ void Session::look_at_bodies(unsigned wanted) {
     // Who was not there before the step has come in since.
     const auto before = std::lower_bound(ids_before_.begin(), ids_before_.end(), id);
     const bool was = before != ids_before_.end() && *before == id;
-    append(was ? states_before_[at(static_cast<int>(before - ids_before_.begin()))]
-               : world.states()[i],
-           bodies_);
+    const auto place = static_cast<std::size_t>(before - ids_before_.begin());
+    append(was ? states_before_[place] : world.states()[i], bodies_);
     const bool thrown = world.name(static_cast<int>(i)).rfind("thrown", 0) == 0;
     const unsigned kind = (body.movable() ? 0U : kFixed) |
                           (world.rests()[i].asleep ? kAsleep : 0U) |
@@ -173,11 +189,10 @@ void Session::look_at_bodies(unsigned wanted) {
 void Session::look_at_contacts() {
   const World& world = run_.world();
   const auto add = [&](const auto& record, const Vec3& push_w, bool is_impulse, double state) {
-    const auto first = world.find(record.first);
-    const auto second = world.find(record.second);
-    if (!first || !second) return;  // taken away since
-    contacts_.insert(contacts_.end(),
-                     {record.time, static_cast<double>(*first), static_cast<double>(*second)});
+    const auto who = bodies_of(world, record);
+    if (!who) return;
+    contacts_.insert(contacts_.end(), {record.time, static_cast<double>(who->first),
+                                       static_cast<double>(who->second)});
     append(record.point_w, contacts_);
     append(record.normal_w, contacts_);
     append(push_w, contacts_);
@@ -192,14 +207,8 @@ void Session::find_stable(bool balanced) {
   const World& world = run_.world();
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  std::vector<Bounds> bounds;
-  for (int b = 0; b < world.count(); ++b)
-    bounds.push_back(bounds_of(world.bodies()[at(b)], world.states()[at(b)],
-                               tolerance::contact_margin * world.bodies()[at(b)].size.norm()));
-  std::vector<IndexPair> pairs;
-  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
   ContactList contacts;
-  gather_near(world, moving, pairs, {}, contacts);
+  gather_near(world, moving, contacts);
   StableBoxes boxes(balanced ? StableRule::equilibrium : StableRule::hull);
   const std::span<const char> found = boxes.find(world, moving, contacts);
   stable_.assign(found.begin(), found.end());
@@ -208,11 +217,8 @@ void Session::find_stable(bool balanced) {
 void Session::find_islands() {
   const World& world = run_.world();
   std::vector<IndexPair> pairs;
-  for (const ContactRecord& record : technique_->contacts()) {
-    const auto first = world.find(record.first);
-    const auto second = world.find(record.second);
-    if (first && second) pairs.push_back({*first, *second});
-  }
+  for (const ContactRecord& record : technique_->contacts())
+    if (const auto who = bodies_of(world, record)) pairs.push_back(*who);
   Islands islands;
   islands.build_from_pairs(world.bodies(), pairs);
   for (int b = 0; b < world.count(); ++b) island_of_[at(b)] = islands.island_of(b);

@@ -49,6 +49,8 @@ Words words_of(std::string_view request) {
     } else if (word == "set") {
       words.settings.push_back(rest);
     } else if (word == "toml") {
+      require::that(words.scene.empty(), "scene " + std::string(words.scene) +
+                                             " and toml: expected a name or a text, not both");
       words.toml = request;
       words.has_toml = true;
       break;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <stdexcept>
 
 namespace tumble::chapters {
@@ -16,6 +17,15 @@ std::size_t figures_of_kind(const std::vector<DrawnFigure>& figures, const std::
   std::size_t count = 0;
   for (const DrawnFigure& figure : figures) count += is_of_kind(figure, prefix) ? 1 : 0;
   return count;
+}
+
+// Figures of the thesis that are drawn: fig6_6_projectile and fig6_6_projectile_curves are two pictures of one.
+std::size_t thesis_figures(const std::vector<DrawnFigure>& figures) {
+  std::set<std::string> numbers;
+  for (const DrawnFigure& figure : figures)
+    if (is_of_kind(figure, "fig"))
+      numbers.insert(figure.name.substr(0, figure.name.find('_', figure.name.find('_') + 1)));
+  return numbers.size();
 }
 
 // Adds "3 figures of the shared layers" to a list; nothing for none.
@@ -79,7 +89,7 @@ std::string summary_text(const Findings& findings) {
   const auto open = static_cast<std::size_t>(std::count_if(
       findings.ledger.begin(), findings.ledger.end(),
       [](const LedgerEntry& entry) { return entry.verdict == Verdict::not_measured; }));
-  return std::to_string(figures_of_kind(findings.figures, "fig")) + " thesis figures, " +
+  return std::to_string(thesis_figures(findings.figures)) + " thesis figures, " +
          std::to_string(findings.ledger.size() - open) + " claims measured, " +
          std::to_string(open) + " not measured, " + std::to_string(differences(findings).size()) +
          " differ from expected";

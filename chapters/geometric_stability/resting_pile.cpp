@@ -49,7 +49,7 @@ RestingPile pile_of(const Scene& scene, double margin) {
 RestingPile pile_now(const World& world, double dt) {
   RestingPile pile{world, {}, {}};
   load_moving_bodies(world, pile.bodies);
-  gather_near(world, pile.bodies, pairs_of(world), {}, pile.contacts);
+  gather_near(world, pile.bodies, pile.contacts);
   keep_points(pile.contacts, [&](const Contact& contact, const ContactPoint& point) {
     const PointMotion motion =
         motion_of(point, touch_scale(world, contact.first, contact.second, dt));

@@ -32,10 +32,7 @@ int lower_body(const Contact& contact) {
 SupportInstant::SupportInstant(World world) : world_(std::move(world)) {
   std::vector<MovingBody> bodies;
   load_moving_bodies(world_, bodies);
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world_.count(); ++a)
-    for (int b = a + 1; b < world_.count(); ++b) pairs.push_back({a, b});
-  gather_near(world_, bodies, pairs, {}, contacts_);
+  gather_near(world_, bodies, contacts_);
 }
 
 void SupportInstant::take_support(int body) {

@@ -97,6 +97,7 @@ TEST_CASE("A mistake in a request is told in a sentence that says what would be 
       {"scene dice\ntechnique bsic", "unknown technique bsic: did you mean basic?"},
       {"scene dice\ntechnique", "unknown technique : expected one of: contact_damped"},
       {"Scene dice", "unknown word Scene: expected scene, technique, seed, set or toml"},
+      {"scene dice\ntoml\n[[box]]", "scene dice and toml: expected a name or a text, not both"},
       {"scene dice\nplay 1", "unknown word play: expected scene, technique, seed, set or toml"},
       {"scene dice\nseed -1", "seed -1: expected a whole number from 0"},
       {"scene dice\nseed 1.5", "seed 1.5: expected a whole number from 0"},

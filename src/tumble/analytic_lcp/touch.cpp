@@ -57,4 +57,17 @@ GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
   return report;
 }
 
+void gather_near(const World& world, std::span<const MovingBody> bodies, ContactList& out) {
+  // Each grown by its own margin, which is no less than that of any pair it is in.
+  std::vector<Bounds> bounds;
+  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    bounds.push_back(
+        bounds_of(body, world.states()[b], tolerance::contact_margin * body.size.norm()));
+  }
+  std::vector<IndexPair> pairs;
+  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  gather_near(world, bodies, pairs, {}, out);
+}
+
 }  // namespace tumble

@@ -58,6 +58,14 @@ GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
                          std::span<const IndexPair> candidates, std::span<const Contact> previous,
                          ContactList& out);
 
+/// The same for all pairs of a world at an instant.
+/// \param world   where the bodies are
+/// \param bodies  how they move, one for each body index
+/// \param out     is overwritten; contacts in the order of their indices
+/// \par Cost
+/// n log n, and a closest-feature search for each pair whose boxes come near.
+void gather_near(const World& world, std::span<const MovingBody> bodies, ContactList& out);
+
 /// Takes points out of contacts, and then contacts that have none left.
 /// \param contacts  in and out; the order of what stays is kept
 /// \param keep      called with a contact and one of its points; false takes the point out

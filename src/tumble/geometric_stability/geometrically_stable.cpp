@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
+#include <cstdio>
 #include <tuple>
 
 namespace tumble {
@@ -23,10 +21,9 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // A coordinate as a reader wants it.
 std::string coordinate(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(4) << value;
-  return text.str();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
 }
 
 }  // namespace

@@ -9,6 +9,17 @@
 #include <utility>
 
 namespace tumble {
+namespace {
+
+// The energy of those who come and go is not the technique's error.
+template <class Change>
+void change_bodies(World& world, MetricsMeter& meter, const Change& change) {
+  const double before = energy_of(world).total();
+  change();
+  meter.allow(energy_of(world).total() - before);
+}
+
+}  // namespace
 
 SceneRun::SceneRun(Scene scene, Technique& technique) : technique_(technique) {
   begin(checked(std::move(scene)));
@@ -22,14 +33,11 @@ void SceneRun::begin(Scene scene) {
   metrics_ = meter_.begin(world_);
 }
 
-// The energy of those who come and go is not the technique's error.
 void SceneRun::settle() {
   if (!(world_.time() > settled_)) return;
-  const double before = energy_of(world_).total();
-  come_and_go(scene_, settled_, world_.time(), world_);
+  change_bodies(world_, meter_, [&] { come_and_go(scene_, settled_, world_.time(), world_); });
   before_ = settled_;
   settled_ = world_.time();
-  meter_.allow(energy_of(world_).total() - before);
 }
 
 StepReport SceneRun::step(double dt) {
@@ -50,14 +58,8 @@ std::string SceneRun::throw_in(SceneBox box) {
     begin(std::move(next));
     return name;
   }
-  // First whoever was due at this time: a run of the scene lets them in before it too. Then all that is
-  // new since is the last box.
-  settle();
-  Scene last;
-  last.boxes = {next.boxes.back()};
-  const double before = energy_of(world_).total();
-  come_and_go(last, -1.0, world_.time(), world_);
-  meter_.allow(energy_of(world_).total() - before);
+  settle();  // a run of the scene lets in whoever was due at this time before it too
+  change_bodies(world_, meter_, [&] { add_box(next.boxes.back(), world_); });
   scene_ = std::move(next);
   return name;
 }
@@ -79,9 +81,7 @@ void SceneRun::take_away(std::string_view asked) {
   require::that(box->appears <= before_,
                 name + " came in at this very time: step before it is taken away");
   box->disappears = world_.time();
-  const double before = energy_of(world_).total();
-  world_.remove(*world_.find(name));
-  meter_.allow(energy_of(world_).total() - before);
+  change_bodies(world_, meter_, [&] { world_.remove(*world_.find(name)); });
 }
 
 }  // namespace tumble

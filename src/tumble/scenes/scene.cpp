@@ -13,14 +13,6 @@
 namespace tumble {
 namespace {
 
-void add(const SceneBox& box, World& world) {
-  const BodyProperties body = properties_of(box);
-  world.add(
-      body,
-      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w),
-      box.name);
-}
-
 std::string text_of(const Vec3& v) {
   std::string out = "[";
   out.append(require::text(v.x())).append(", ").append(require::text(v.y())).append(", ");
@@ -149,13 +141,21 @@ Scene checked(Scene scene) {
   return scene;
 }
 
+void add_box(const SceneBox& box, World& world) {
+  const BodyProperties body = properties_of(box);
+  world.add(
+      body,
+      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w),
+      box.name);
+}
+
 World build_world(const Scene& given) {
   const Scene scene = checked(given);
   World world;
   world.gravity_w = scene.gravity_w;
   if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
   for (const SceneBox& box : scene.boxes) {
-    if (!(box.appears > 0.0)) add(box, world);
+    if (!(box.appears > 0.0)) add_box(box, world);
   }
   return world;
 }
@@ -168,7 +168,7 @@ void come_and_go(const Scene& scene, double from, double until, World& world) {
   }
   for (const SceneBox& box : scene.boxes) {
     // A step so long that a box would come and go within it does not see it.
-    if (now(box.appears) && !now(box.disappears)) add(box, world);
+    if (now(box.appears) && !now(box.disappears)) add_box(box, world);
   }
 }
 

@@ -90,6 +90,12 @@ std::string_view message_of(const std::invalid_argument& error);
 /// n log n, and 60 ns for each pair of boxes that are near each other.
 Scene checked(Scene scene);
 
+/// Adds a box as it is when it appears.
+/// \param box    of a scene that is checked
+/// \param world  gets it
+/// \throws std::invalid_argument as World::add(), so if its name is taken by now
+void add_box(const SceneBox& box, World& world);
+
 /// The world at the start of a run: the ground first, then every box that appears at once.
 /// \param scene  a scene; it is checked
 /// \return the world at time 0

@@ -13,6 +13,24 @@
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(belief) static_assert(true)
+#ifdef __EMSCRIPTEN__
+// toml++ reads numbers by streams unless the standard library has functions for it, and streams would be a
+// tenth of the module of the live page. The library of em++ lacks these two; the second one is never called.
+#include <charconv>
+#include <concepts>
+namespace std {
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  value = strtod(string(first, last).c_str(), nullptr);  // toml++ has looked at every character
+  return {last, errc()};
+}
+template <floating_point Float, class... Form>
+to_chars_result to_chars(char* /*first*/, char* last, Float /*value*/, Form... /*form*/) {
+  return {last, errc::not_supported};
+}
+}  // namespace std
+#define TOML_FLOAT_CHARCONV 1
+#define TOML_INT_CHARCONV 1
+#endif
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
@@ -21,7 +39,6 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
-#include <sstream>
 #include <vector>
 
 namespace tumble {
@@ -39,22 +56,20 @@ std::string shortened(std::string text) {
 }
 
 std::string shown(const toml::node& node) {
-  if (node.is_table()) return "a table";
-  std::ostringstream out;
-  if (const toml::array* list = node.as_array(); list != nullptr) {
-    if (list->size() > 16) return "a list of " + std::to_string(list->size());
-    // toml++ would measure the width of the list, with casts that numbers such as inf do not survive.
-    out << '[';
-    const char* between = "";
-    for (const toml::node& element : *list) {
-      out << between << shown(element);
-      between = ", ";
-    }
-    out << ']';
-  } else {
-    out << toml::node_view<const toml::node>(node);
+  std::string out(1, '"');
+  if (const auto* text = node.as_string()) return shortened(out.append(text->get()).append(1, '"'));
+  if (const auto* number = node.as_integer()) return std::to_string(number->get());
+  if (const auto* number = node.as_floating_point()) return require::text(number->get());
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return node.is_table() ? "a table" : "a date or time";
+  if (list->size() > 16) return "a list of " + std::to_string(list->size());
+  out = '[';
+  for (const toml::node& element : *list) {
+    if (out.size() > 1) out.append(", ");
+    out.append(shown(element));
   }
-  return shortened(out.str());
+  return shortened(out.append(1, ']'));
 }
 
 // A table of the file, with what a message needs to point at a place in it.
