@@ -45,8 +45,7 @@ std::string replaced(std::string text, const std::string& old_text, const std::s
 TEST_CASE("The last line counts figures, claims and differences in fixed words", "[unit][ledger]") {
   const Scratch scratch("summary");
   const auto folder = scratch.figure("fig2_1_fall", "depth,m,5.05,,,0\n");
-  static_cast<void>(
-      scratch.figure("fig2_1_fall_curves", ""));  // of the same figure
+  static_cast<void>(scratch.figure("fig2_1_fall_curves", ""));  // of the same figure
   static_cast<void>(scratch.figure("claim_2_1a_fall", "speed,m/s,3,,,0\n"));
   const Findings findings = read_findings(folder, {scratch.file("falling/expected.csv", kExpected),
                                                    scratch.file("falling/claims.toml", kClaims),
