@@ -6,7 +6,7 @@ import {join} from 'node:path';
 import {brotliCompressSync, gzipSync} from 'node:zlib';
 
 const GOAL = 400;  // [kB] compressed, all that a reader has to wait for
-const MOST = 490;  // [kB] the goal is not met yet: what there is may not grow
+const MOST = 430;  // [kB] the goal is not met yet: what there is may not grow
 
 const [moduleFile, folder] = process.argv.slice(2);
 if (!folder) {
