@@ -25,11 +25,11 @@ const USED_SHADERS = new RegExp(SHADERS + 'Shader(Chunk|Lib)[/\\\\]');
 const IDLE_PARTS = {
   WebXRManager: `export class WebXRManager {
     enabled = false; isPresenting = false;
-    setAnimationLoop() {} addEventListener() {} removeEventListener() {} dispose() {}
+    setAnimationLoop() {} addEventListener() {} removeEventListener() {} getEnvironmentBlendMode() {} dispose() {}
   }`,
   PMREMGenerator: 'export class PMREMGenerator {}',
   DFGLUTData: 'export const getDFGLUT = () => null;',
-  WebGLMorphtargets: 'export const WebGLMorphtargets = () => ({update() {}});',
+  WebGLMorphtargets: 'export function WebGLMorphtargets() { return {update() {}}; }',
 };
 const common = {bundle: true, minify: true, format: 'iife', target: 'es2021', charset: 'utf8', legalComments: 'none'};
 
