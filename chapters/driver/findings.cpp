@@ -53,12 +53,12 @@ Findings read_findings(const std::filesystem::path& folder,
     } else if (name == "errata.toml") {
       const std::vector<Erratum> more = read_errata(file);
       errata.insert(errata.end(), more.begin(), more.end());
-    } else if (name == "page.md") {
+    } else if (file.extension() == ".md") {
       pages.push_back(file);
     } else {
       throw std::invalid_argument(file.string() +
                                   ": give files called expected.csv, claims.toml, "
-                                  "open_claims.toml, errata.toml or page.md");
+                                  "open_claims.toml or errata.toml, or a page NAME.md");
     }
   }
   Findings findings;

@@ -12,16 +12,6 @@ namespace {
 // Doxygen hands on what stands between the two words as it is.
 std::string as_is(const std::string& html) { return "\\htmlonly\n" + html + "\\endhtmlonly\n\n"; }
 
-// A label that \ref finds: letters, digits and underscores. "2.1a" gives "claim_2_1a".
-std::string label_of(const std::string& kind, const std::string& id) {
-  std::string label = kind + '_';
-  for (const char c : id) {
-    const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    label += kept ? c : '_';
-  }
-  return label;
-}
-
 // "basic_colliding" gives "Basic colliding".
 std::string chapter_title(std::string chapter) {
   for (char& c : chapter) c = c == '_' ? ' ' : c;
@@ -111,6 +101,13 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
 }
 
 }  // namespace
+
+std::string counts_text(const Findings& findings) {
+  return "Of " + std::to_string(findings.ledger.size()) +
+         " claims of the thesis: " + counts_of(findings.ledger) + "; " +
+         std::to_string(findings.errata.size()) +
+         " errata, each with the two numbers that show it.\n";
+}
 
 std::string ledger_page(const Findings& findings) {
   std::string text = R"(# Ledger of claims {#ledger}

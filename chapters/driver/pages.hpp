@@ -13,6 +13,11 @@
 
 namespace tumble::chapters {
 
+/// How many claims got which verdict, and how many errata there are: for the first page.
+/// \param findings  from read_findings()
+/// \return a sentence, the bytes of `counts.md`
+std::string counts_text(const Findings& findings);
+
 /// Every claim with verdict, number, rule, figure and test: first the measured ones.
 ///
 /// Other pages refer to it by `\ref ledger`, to a claim by `\ref claim_2_1a "2.1a"`.

@@ -3,28 +3,31 @@
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
 #include "driver/pages.hpp"
+#include "driver/thesis_map.hpp"
 
 #include <cstdio>
 #include <exception>
 
-/// Writes `ledger.md`, `errata.md`, `tolerances.md` and `gallery.md`.
-/// \param argc  at least 4
+/// Writes `counts.md`, `thesis_map.md`, `ledger.md`, `errata.md`, `tolerances.md` and `gallery.md`.
+/// \param argc  at least 5
 /// \param argv  the program, the folder to write into, the folder of the figures (which need not
-///              exist), the folder of
-///              the headers of tolerances, and the files that figures_index takes
+///              exist), the folder of the headers of tolerances, the map of the thesis, and the files that
+///              figures_index takes
 /// \return exit code: 0 done, 2 bad input, 4 cannot read or write
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
-  if (argc < 4) {
+  if (argc < 5) {
     std::fprintf(stderr,
-                 "usage: site_pages OUT FIGURES src/tumble/base FILE...\n"
+                 "usage: site_pages OUT FIGURES src/tumble/base thesis_map.toml FILE...\n"
                  "FILE: expected.csv, claims.toml, errata.toml, page.md, open_claims.toml\n");
     return 2;
   }
   try {
     const std::filesystem::path out = argv[1];
-    const Findings findings = read_findings(argv[2], {argv + 4, argv + argc});
+    const Findings findings = read_findings(argv[2], {argv + 5, argv + argc});
     const std::vector<Tolerance> tolerances = read_all_tolerances(argv[3]);
+    write_file(out / "counts.md", counts_text(findings));
+    write_file(out / "thesis_map.md", thesis_map_page(read_thesis_map(argv[4]), findings));
     write_file(out / "ledger.md", ledger_page(findings));
     write_file(out / "errata.md", errata_page(findings));
     write_file(out / "tolerances.md", tolerances_page(tolerances));

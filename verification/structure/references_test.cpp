@@ -1,0 +1,138 @@
+/// \file
+/// \brief The references and the sources that use them name each other.
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace tumble::structure {
+namespace {
+
+// An entry of site/references.md: who wrote it, when, and what of the library uses it.
+struct Reference {
+  std::string head;                  // "Baraff 1994"
+  std::vector<std::string> authors;  // surnames
+  std::string year;
+  std::vector<std::string> users;  // names in namespace tumble
+};
+
+std::vector<std::string> matches_of(const std::string& text, const std::regex& form) {
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), form), end; it != end; ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
+std::vector<Reference> references_in(const std::string& page) {
+  static const std::regex entry(R"(\\anchor ref_\w+ \*\*([^*]+)\*\*([^]*?)(?=\n- |\n#|$(?![^])))");
+  static const std::regex author(R"(([A-ZÀ-Þ][^ ,.]*(?: (?:[Ss]axcé|Lidec|Leeuwen))?))");
+  static const std::regex used(R"(tumble::(\w+))");
+  std::vector<Reference> references;
+  for (std::sregex_iterator it(page.begin(), page.end(), entry), end; it != end; ++it) {
+    Reference reference;
+    reference.head = (*it)[1];
+    const std::vector<std::string> years =
+        matches_of(reference.head, std::regex(R"(((?:19|20)\d\d))"));
+    if (!years.empty()) reference.year = years.back();
+    reference.authors = matches_of(reference.head, author);
+    reference.users = matches_of((*it)[2], used);
+    references.push_back(reference);
+  }
+  return references;
+}
+
+bool names_one_of(const std::string& text, const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return text.find(word) != std::string::npos; });
+}
+
+// Users that do not exist, and users none of whose files names an author.
+Complaints broken_uses(const std::vector<Reference>& references,
+                       const std::vector<SourceFile>& code) {
+  Complaints complaints;
+  for (const Reference& reference : references) {
+    for (const std::string& user : reference.users) {
+      bool exists = false;
+      bool cited = false;
+      for (const SourceFile& file : code) {
+        if (!std::regex_search(file.text, std::regex("\\b" + user + "\\b"))) continue;
+        exists = true;
+        cited = cited || names_one_of(file.text, reference.authors);
+      }
+      if (!exists) complaints.push_back(reference.head + ": there is no tumble::" + user);
+      if (exists && !cited)
+        complaints.push_back(reference.head + ": no file with tumble::" + user +
+                             " names an author");
+    }
+  }
+  return complaints;
+}
+
+// "Mirtich 2000" or "\see Mirtich, ..." in a comment, without such an entry.
+Complaints missing_entries(const std::vector<Reference>& references,
+                           const std::vector<SourceFile>& code) {
+  static const std::regex citation(R"(([A-Z][a-zé]+) \(?((?:19|20)\d\d)\b)");
+  static const std::regex see(R"(\\see ([A-Z][^ ,;]+(?: [A-Z][^ ,;]+)?)(?:,| and [A-Z]| et al))");
+  Complaints complaints;
+  for (const SourceFile& file : code) {
+    for (const std::string& comment : comments_of(file.text)) {
+      for (const auto& [form, dated] : {std::pair{citation, true}, {see, false}}) {
+        for (std::sregex_iterator it(comment.begin(), comment.end(), form), end; it != end; ++it) {
+          const std::smatch& match = *it;
+          const bool known = std::any_of(
+              references.begin(), references.end(), [&, with_year = dated](const Reference& one) {
+                return (!with_year || one.year == match[2]) && names_one_of(match[1], one.authors);
+              });
+          if (!known)
+            complaints.push_back(file.path + ": " + match.str() + " is not among the references");
+        }
+      }
+    }
+  }
+  return complaints;
+}
+
+const std::string kPage =
+    "- \\anchor ref_baraff1994 **Baraff 1994.** David\n  Baraff. Used in tumble::Solver.\n"
+    "- \\anchor ref_pang2000 **Pang and Trinkle 2000.** Read.\n";
+
+}  // namespace
+
+TEST_CASE("References are read with authors, year and users", "[structure]") {
+  const auto references = references_in(kPage);
+  REQUIRE(references.size() == 2);
+  CHECK(references[0].authors == std::vector<std::string>{"Baraff"});
+  CHECK(references[0].year == "1994");
+  CHECK(references[0].users == std::vector<std::string>{"Solver"});
+  CHECK(references[1].authors == std::vector<std::string>{"Pang", "Trinkle"});
+  CHECK(references[1].users.empty());
+}
+
+TEST_CASE("A reference without user and a citation without entry are found", "[structure]") {
+  const auto references = references_in(kPage);
+  CHECK(broken_uses(references, {{"a.hpp", "/// Baraff.\nclass Solver;\n"}}).empty());
+  CHECK(broken_uses(references, {{"a.hpp", "class Solver;\n"}}).size() == 1);
+  CHECK(broken_uses(references, {{"a.hpp", "class Other;\n"}}).size() == 1);
+  CHECK(missing_entries(references, {{"a.hpp", "/// Trinkle 2000\n"}}).empty());
+  CHECK(missing_entries(references, {{"a.hpp", "/// Trinkle 1996\n"}}).size() == 1);
+  CHECK(missing_entries(references, {{"a.hpp", "/// \\see Lemke, it\n"}}).size() == 1);
+}
+
+TEST_CASE("References and sources name each other", "[structure]") {
+  const auto files = project_files();
+  const auto page = std::find_if(files.begin(), files.end(), [](const SourceFile& file) {
+    return file.path == "site/references.md";
+  });
+  REQUIRE(page != files.end());
+  const std::vector<Reference> references = references_in(page->text);
+  CHECK(references.size() > 40);
+  const std::vector<SourceFile> code = code_in(files, "src/");
+  Complaints complaints = broken_uses(references, code);
+  const Complaints more = missing_entries(references, code);
+  complaints.insert(complaints.end(), more.begin(), more.end());
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+}  // namespace tumble::structure
