@@ -1,5 +1,6 @@
 /// \file
 /// \brief The program that writes those pages of the site that are made from numbers.
+#include "driver/appendix_page.hpp"
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
 #include "driver/pages.hpp"
@@ -7,28 +8,31 @@
 #include <cstdio>
 #include <exception>
 
-/// Writes `ledger.md`, `errata.md`, `tolerances.md` and `gallery.md`.
-/// \param argc  at least 4
+/// Writes `ledger.md`, `errata.md`, `tolerances.md`, `gallery.md` and `appendix_a.md`.
+/// \param argc  at least 5
 /// \param argv  the program, the folder to write into, the folder of the figures (which need not
-///              exist), the folder of
-///              the headers of tolerances, and the files that figures_index takes
+///              exist), the folder of the library, `appendix_a.toml`, and the files that
+///              figures_index takes
 /// \return exit code: 0 done, 2 bad input, 4 cannot read or write
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
-  if (argc < 4) {
+  if (argc < 5) {
     std::fprintf(stderr,
-                 "usage: site_pages OUT FIGURES src/tumble/base FILE...\n"
+                 "usage: site_pages OUT FIGURES src/tumble chapters/appendix_a.toml FILE...\n"
                  "FILE: expected.csv, claims.toml, errata.toml, page.md, open_claims.toml\n");
     return 2;
   }
   try {
     const std::filesystem::path out = argv[1];
-    const Findings findings = read_findings(argv[2], {argv + 4, argv + argc});
-    const std::vector<Tolerance> tolerances = read_all_tolerances(argv[3]);
+    const std::filesystem::path library = argv[3];
+    const Findings findings = read_findings(argv[2], {argv + 5, argv + argc});
+    const std::vector<Tolerance> tolerances = read_all_tolerances(library / "base");
+    const std::vector<AppendixListing> appendix = read_appendix(argv[4], sources_in(library));
     write_file(out / "ledger.md", ledger_page(findings));
     write_file(out / "errata.md", errata_page(findings));
     write_file(out / "tolerances.md", tolerances_page(tolerances));
     write_file(out / "gallery.md", gallery_page(findings));
+    write_file(out / "appendix_a.md", appendix_page(appendix, findings.errata));
     return 0;
   } catch (const FileError& error) {
     std::fprintf(stderr, "site_pages: %s\n", error.what());
