@@ -23,7 +23,7 @@ from browser import PATIENCE, Browser  # noqa: E402, beside this file
 
 PAGES = ("index", "how_to_read", "live_page", "notation", "basic_colliding", "analytic_lcp", "impulse_damped",
          "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger", "errata",
-         "tolerances", "appendix_a", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
+         "tolerances", "appendix_a", "left_open", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
 SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
 FORMULAS = {"notation", "basic_colliding", "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp",

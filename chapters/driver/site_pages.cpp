@@ -3,12 +3,13 @@
 #include "driver/appendix_page.hpp"
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
+#include "driver/left_open_page.hpp"
 #include "driver/pages.hpp"
 
 #include <cstdio>
 #include <exception>
 
-/// Writes `ledger.md`, `errata.md`, `tolerances.md`, `gallery.md` and `appendix_a.md`.
+/// Writes `ledger.md`, `errata.md`, `tolerances.md`, `gallery.md`, `left_open.md` and `appendix_a.md`.
 /// \param argc  at least 5
 /// \param argv  the program, the folder to write into, the folder of the figures (which need not
 ///              exist), the folder of the library, `appendix_a.toml`, and the files that
@@ -17,9 +18,10 @@
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 5) {
-    std::fprintf(stderr,
-                 "usage: site_pages OUT FIGURES src/tumble chapters/appendix_a.toml FILE...\n"
-                 "FILE: expected.csv, claims.toml, errata.toml, page.md, open_claims.toml\n");
+    std::fprintf(
+        stderr,
+        "usage: site_pages OUT FIGURES src/tumble chapters/appendix_a.toml FILE...\n"
+        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, page.md, open_claims.toml\n");
     return 2;
   }
   try {
@@ -32,6 +34,7 @@ int main(int argc, char** argv) {
     write_file(out / "errata.md", errata_page(findings));
     write_file(out / "tolerances.md", tolerances_page(tolerances));
     write_file(out / "gallery.md", gallery_page(findings));
+    write_file(out / "left_open.md", left_open_page(findings, tolerances));
     write_file(out / "appendix_a.md", appendix_page(appendix, findings.errata));
     return 0;
   } catch (const FileError& error) {
