@@ -22,8 +22,9 @@ sys.dont_write_bytecode = True
 from browser import PATIENCE, Browser  # noqa: E402, beside this file
 
 PAGES = ("index", "how_to_read", "thesis_map", "live_page", "notation", "glossary", "basic_colliding",
-         "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger", "errata",
-         "tolerances", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
+         "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp", "filtering", "exterior_rotation",
+         "gallery", "ledger", "errata", "tolerances", "appendix_a", "left_open", "algorithms", "verified", "deviations",
+         "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
 SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
 FORMULAS = {"notation", "basic_colliding", "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp",

@@ -42,6 +42,7 @@ Findings read_findings(const std::filesystem::path& folder,
   std::vector<std::filesystem::path> expected;
   std::vector<Claim> claims;
   std::vector<Erratum> errata;
+  Choices choices;
   std::vector<std::filesystem::path> pages;
   for (const std::filesystem::path& file : files) {
     const std::string name = file.filename().string();
@@ -53,12 +54,18 @@ Findings read_findings(const std::filesystem::path& folder,
     } else if (name == "errata.toml") {
       const std::vector<Erratum> more = read_errata(file);
       errata.insert(errata.end(), more.begin(), more.end());
+    } else if (name == "choices.toml") {
+      const Choices more = read_choices(file);
+      choices.choices.insert(choices.choices.end(), more.choices.begin(), more.choices.end());
+      choices.variations.insert(choices.variations.end(), more.variations.begin(),
+                                more.variations.end());
     } else if (file.extension() == ".md") {
       pages.push_back(file);
     } else {
-      throw std::invalid_argument(file.string() +
-                                  ": give files called expected.csv, claims.toml, "
-                                  "open_claims.toml or errata.toml, or a page NAME.md");
+      throw std::invalid_argument(
+          file.string() +
+          ": give files called expected.csv, claims.toml, "
+          "open_claims.toml, errata.toml or choices.toml, or a page NAME.md");
     }
   }
   Findings findings;
@@ -66,6 +73,7 @@ Findings read_findings(const std::filesystem::path& folder,
                                                      : expected_figures(expected);
   findings.ledger = judge(claims, findings.figures);
   findings.errata = find_errata(errata, findings.figures);
+  findings.choices = find_choices(choices, findings.figures, findings.ledger);
   for (const std::filesystem::path& page : pages) {
     const std::vector<std::string> more =
         stale_numbers(read_file(page), page.string(), findings.figures);

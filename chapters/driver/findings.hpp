@@ -3,6 +3,7 @@
 #pragma once
 
 #include "driver/check.hpp"
+#include "driver/choices.hpp"
 #include "driver/errata.hpp"
 #include "driver/ledger.hpp"
 
@@ -17,14 +18,15 @@ struct Findings {
   std::vector<DrawnFigure> figures;  ///< from check_figures()
   std::vector<LedgerEntry> ledger;   ///< from judge()
   std::vector<ErratumEntry> errata;  ///< from find_errata()
+  std::vector<ChoiceEntry> choices;  ///< from find_choices()
   std::vector<std::string> stale;    ///< from stale_numbers(), of all pages of chapters
 };
 
 /// Reads everything that chapters expect and claim, and what their figures gave.
 /// \param folder  where `NAME_numbers.csv` are; if it does not exist, nothing has been computed
-/// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `page.md` of the chapters, in order,
-///                and `open_claims.toml`: told apart by their names
-/// \return figures, ledger, errata, and what is no longer so in the pages
+/// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `choices.toml`, `page.md` of the
+///                chapters, in order, and `open_claims.toml`: told apart by their names
+/// \return figures, ledger, errata, choices, and what is no longer so in the pages
 /// \throws FileError, std::invalid_argument as the readers of these files do, and the latter for a
 ///         file of another name
 Findings read_findings(const std::filesystem::path& folder,

@@ -47,6 +47,25 @@ std::string rule_html(const Claim& claim) {
 
 }  // namespace
 
+std::string as_is(const std::string& html) { return "\\htmlonly\n" + html + "\\endhtmlonly\n\n"; }
+
+std::string label_of(const std::string& kind, const std::string& id) {
+  std::string label = kind + '_';
+  for (const char c : id) {
+    const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    label += kept ? c : '_';
+  }
+  return label;
+}
+
+std::string chapter_title(std::string chapter) {
+  for (char& c : chapter) c = c == '_' ? ' ' : c;
+  if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
+    chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
+  }
+  return chapter.empty() ? "Others" : chapter;
+}
+
 std::string html_text(const std::string& text) {
   std::string result;
   for (const char c : text) {

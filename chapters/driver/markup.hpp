@@ -9,6 +9,22 @@
 
 namespace tumble::chapters {
 
+/// HTML in a page for Doxygen, which hands it on as it is.
+/// \param html  HTML
+/// \return a paragraph of Markdown
+std::string as_is(const std::string& html);
+
+/// A label that \\ref finds: letters, digits and underscores.
+/// \param kind  for example "claim"
+/// \param id    for example "2.1a"
+/// \return for example "claim_2_1a"
+std::string label_of(const std::string& kind, const std::string& id);
+
+/// The name of a chapter's folder, for reading.
+/// \param chapter  for example "basic_colliding"
+/// \return for example "Basic colliding"
+std::string chapter_title(std::string chapter);
+
 /// Text as HTML shows it.
 /// \param text  any text
 /// \return the same with < > & " and \ written as entities, so that neither a browser nor Doxygen

@@ -9,18 +9,6 @@
 namespace tumble::chapters {
 namespace {
 
-// Doxygen hands on what stands between the two words as it is.
-std::string as_is(const std::string& html) { return "\\htmlonly\n" + html + "\\endhtmlonly\n\n"; }
-
-// "basic_colliding" gives "Basic colliding".
-std::string chapter_title(std::string chapter) {
-  for (char& c : chapter) c = c == '_' ? ' ' : c;
-  if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
-    chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
-  }
-  return chapter.empty() ? "Others" : chapter;
-}
-
 // "5 confirmed, 1 refuted, 59 not measured": verdicts that nothing got are left out.
 std::string counts_of(const std::vector<LedgerEntry>& ledger) {
   std::string text;

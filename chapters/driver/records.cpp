@@ -60,6 +60,7 @@ std::vector<Record> read_root(const toml::table& root, const std::string& file,
   std::set<std::string> ids;
   for (const auto& entry : root) {
     const std::string key(entry.first.str());
+    if (!form.beside.empty() && key == form.beside) continue;
     const toml::array* list = entry.second.as_array();
     if (key != form.name || list == nullptr) {
       throw std::invalid_argument(place_of(file, entry.second) + "'" + key +

@@ -15,6 +15,7 @@ struct RecordForm {
   std::vector<std::string> required;       ///< texts that each record must have
   std::vector<std::string> optional = {};  ///< texts that it may have
   std::vector<std::string> flags = {};     ///< keys with true or false that it may have
+  std::string beside = {};                 ///< another kind of table that the file may have
 };
 
 /// One table of such a file.
@@ -26,7 +27,8 @@ struct Record {
 };
 
 /// Reads all records of a file.
-/// \param path  the file: [[name]] tables and nothing else
+/// \param path  the file: [[name]] tables, those of the form's `beside`, which are passed over, and
+///              nothing else
 /// \param form  the keys; "id" must be among the required ones
 /// \return the records in the order of the file
 /// \throws FileError for a file that cannot be read, std::invalid_argument naming file, line and id

@@ -3,45 +3,15 @@
 #include "structure/marks.hpp"
 
 #include <algorithm>
-#include <regex>
 
 namespace tumble::structure {
 
 std::vector<MarkedRegion> marked_regions(const std::vector<SourceFile>& files,
                                          Complaints& complaints) {
-  static const std::regex form(
-      R"(^\s*// \[(?:(S\d[\d.]*(?::[a-z_]+)?)|([A-Z]{3,}):(\d+)(?:-(\d+))?)\]\s*$)");
   std::vector<MarkedRegion> regions;
   for (const SourceFile& file : files) {
-    MarkedRegion open;  // from == 0: none
-    const std::vector<std::string> lines = lines_of(file.text);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      std::smatch match;
-      if (!std::regex_match(lines[i], match, form)) continue;
-      MarkedRegion here{file.path, i + 1, 0, match[1].matched ? match[1] : match[2], 0, 0};
-      if (match[3].matched) {
-        here.first_line = std::stoi(match[3]);
-        here.last_line = match[4].matched ? std::stoi(match[4]) : here.first_line;
-      }
-      if (here.last_line < here.first_line)
-        complaints.push_back(place(file, i + 1) + "the mark ends before it begins");
-
-      if (open.from == 0) {
-        open = here;
-        continue;
-      }
-      const bool twin = open.name == here.name && open.first_line == here.first_line &&
-                        open.last_line == here.last_line;
-      if (!twin) {
-        complaints.push_back(place(file, i + 1) + "the mark stands within that of line " +
-                             std::to_string(open.from));
-        continue;
-      }
-      open.to = i + 1;
-      regions.push_back(open);
-      open = {};
-    }
-    if (open.from != 0) complaints.push_back(place(file, open.from) + "the mark has no twin");
+    const auto more = chapters::marked_regions(file.path, file.text, complaints);
+    regions.insert(regions.end(), more.begin(), more.end());
   }
   return regions;
 }
@@ -67,8 +37,7 @@ Complaints listing_gaps(const std::vector<MarkedRegion>& regions,
     for (const bool as_printed : {false, true}) {
       std::set<int> covered;
       for (const MarkedRegion& region : regions) {
-        const bool printed = region.path.find("_as_printed.cpp") != std::string::npos;
-        if (region.name != listing.name || printed != as_printed) continue;
+        if (region.name != listing.name || region.as_printed() != as_printed) continue;
         for (int line = region.first_line; line <= region.last_line; ++line) covered.insert(line);
       }
       for (int line = 1; line <= listing.lines; ++line) {

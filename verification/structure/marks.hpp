@@ -2,6 +2,7 @@
 /// \brief Marks that tie lines of source to lines of the thesis's listings.
 #pragma once
 
+#include "driver/marks.hpp"
 #include "structure/source_tree.hpp"
 
 #include <map>
@@ -9,21 +10,11 @@
 
 namespace tumble::structure {
 
-/// A region of source between a mark and its twin.
-struct MarkedRegion {
-  std::string path;    ///< the file
-  std::size_t from{};  ///< line of the first mark
-  std::size_t to{};    ///< line of the second
-  std::string name;    ///< a listing's name, or a section such as "S4.3" or "S4.3:what"
-  int first_line = 0;  ///< of the listing; 0 for a section
-  int last_line = 0;   ///< of the listing; 0 for a section
-};
+using chapters::MarkedRegion;
 
-/// Finds the marks, lines with nothing but `// [NAME:from-to]`, `// [NAME:line]`, `// [S4.3]` or
-/// `// [S4.3:what]`.
+/// Finds the marks of many files: see chapters::marked_regions().
 /// \param files       C++ files
-/// \param complaints  gets one for a mark without twin, within another one, or ending before its
-///                    beginning
+/// \param complaints  gets one for each mark that is wrong
 /// \return all regions
 std::vector<MarkedRegion> marked_regions(const std::vector<SourceFile>& files,
                                          Complaints& complaints);

@@ -137,9 +137,9 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
         o.stable = true;
       }
       // [SETGEOMETRICALLYSTABLE:16-17]
-    } else {
       // [SETGEOMETRICALLYSTABLE:18-20]
       // Else it is not, unless the normal points straight up.
+    } else {
       if (!equivalent(outward_normal, positive_y_axis, repairs.tolerances)) {
         clear(top_index);
         // [SETGEOMETRICALLYSTABLE:18-20]

@@ -95,10 +95,10 @@ PrintedCollision collide_as_printed(PrintedObject& first, PrintedObject& second,
   // Erratum C2: immovable bodies as well.
   const auto falls = [&](const PrintedObject& o) { return o.movable || !repaired.has("C2"); };
 
+  // [COLLIDE:5-6]
+  // Add it to both bodies.
   for (PrintedObject* object : objects) {
     if (!falls(*object)) continue;
-    // [COLLIDE:5-6]
-    // Add it to both bodies.
     object->set_velocity(object->moving.velocity_w + delta_velocity);
     // [COLLIDE:5-6]
   }

@@ -57,8 +57,8 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
   const auto can_move = [&](int b) {
     return world.bodies()[at(b)].movable() && !world.rests()[at(b)].asleep;
   };
+  // [FIXCONTACTCONSTRAINTS:2-5]
   for (const Point& visited : sorted_) {
-    // [FIXCONTACTCONSTRAINTS:2-5]
     // The upper body is the one towards which the normal rises.
     // If that one cannot move, the lower one does, downwards.
     const Contact& contact = contacts[at(visited.contact)];

@@ -89,9 +89,9 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
     } else {
       // [SAFERSYNCTIMEWARP:16]
       int index = 0;
+      // [SAFERSYNCTIMEWARP:17-19]
+      // the two are no neighbours, ...
       for (int i = 0; i < both; ++i) {
-        // [SAFERSYNCTIMEWARP:17-19]
-        // the two are no neighbours, ...
         index = current.indices[at(i)];
         near.erase(std::remove(near.begin(), near.end(), index), near.end());
         // [SAFERSYNCTIMEWARP:17-19]

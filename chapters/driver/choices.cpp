@@ -1,0 +1,132 @@
+/// \file
+/// \brief What the thesis leaves open: our values, and what becomes of the numbers with others.
+#include "driver/choices.hpp"
+
+#include "driver/records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace tumble::chapters {
+namespace {
+
+const RecordForm kChoiceForm{
+    "choice", {"id", "section", "what", "why"}, {"value", "from", "unmeasured"}, {}, "varied"};
+const RecordForm kVariedForm{"varied",
+                             {"id", "choice", "figure", "chosen"},
+                             {"half", "double", "other", "change"},
+                             {},
+                             "choice"};
+
+// The claim that a number decides by a rule.
+const LedgerEntry* decided_by(const Variation& variation, const std::vector<LedgerEntry>& ledger) {
+  const auto found = std::find_if(ledger.begin(), ledger.end(), [&](const LedgerEntry& entry) {
+    const Claim& claim = entry.claim;
+    return !claim.open && claim.figure == variation.figure && claim.quantity == variation.chosen;
+  });
+  return found == ledger.end() ? nullptr : &*found;
+}
+
+VariedNumber varied_number(const std::string& change, const std::string& quantity,
+                           const Variation& variation, const std::vector<DrawnFigure>& figures,
+                           const LedgerEntry* decided) {
+  VariedNumber varied;
+  varied.change = change;
+  varied.number = find_number(figures, variation.figure, quantity, variation.place);
+  if (!varied.number.compared) varied.number.value = std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(varied.number.value)) return varied;
+  varied.verdict = Verdict::not_comparable;
+  if (decided != nullptr && decided->claim.comparable) {
+    const Rule rule = read_rule(decided->claim.confirmed, decided->claim.refuted);
+    varied.verdict = rule.verdict(varied.number.value);
+  }
+  return varied;
+}
+
+VariedEntry varied_entry(const Variation& variation, const std::vector<DrawnFigure>& figures,
+                         const std::vector<LedgerEntry>& ledger) {
+  const LedgerEntry* decided = decided_by(variation, ledger);
+  VariedEntry entry;
+  entry.figure = variation.figure;
+  entry.claim = decided == nullptr ? "" : decided->claim.id;
+  entry.chosen = varied_number("", variation.chosen, variation, figures, decided);
+  for (const auto& [change, quantity] : {std::pair{std::string("half"), variation.half},
+                                         {std::string("double"), variation.doubled},
+                                         {variation.change, variation.other}}) {
+    if (quantity.empty()) continue;
+    entry.changed.push_back(varied_number(change, quantity, variation, figures, decided));
+    const std::string& unit = entry.changed.back().number.unit;
+    if (unit != entry.chosen.number.unit) {
+      throw std::invalid_argument(variation.place + '\'' + quantity + "' is in " + unit + ", '" +
+                                  variation.chosen + "' in " + entry.chosen.number.unit);
+    }
+  }
+  return entry;
+}
+
+}  // namespace
+
+Choices read_choices(const std::filesystem::path& path) {
+  Choices all;
+  for (Record& record : read_records(path, kChoiceForm)) {
+    std::map<std::string, std::string>& texts = record.texts;
+    if (texts["value"].empty() && texts["from"].empty())
+      throw std::invalid_argument(record.place + "give a value, or where it is from");
+    all.choices.push_back({texts["id"], texts["section"], path.parent_path().filename().string(),
+                           texts["what"], texts["value"], texts["from"], texts["why"],
+                           texts["unmeasured"], record.place});
+  }
+  for (Record& record : read_records(path, kVariedForm)) {
+    std::map<std::string, std::string>& texts = record.texts;
+    if ((texts["half"] + texts["double"] + texts["other"]).empty())
+      throw std::invalid_argument(record.place + "give half, double or other");
+    if (texts["other"].empty() != texts["change"].empty())
+      throw std::invalid_argument(record.place + "other and change belong together");
+    all.variations.push_back({texts["choice"], texts["figure"], texts["chosen"], texts["half"],
+                              texts["double"], texts["other"], texts["change"], record.place});
+  }
+  return all;
+}
+
+bool VariedEntry::changes_verdict() const {
+  if (claim.empty() || chosen.verdict == Verdict::not_measured) return false;
+  return std::any_of(changed.begin(), changed.end(), [&](const VariedNumber& one) {
+    return one.verdict != Verdict::not_measured && one.verdict != chosen.verdict;
+  });
+}
+
+std::vector<ChoiceEntry> find_choices(const Choices& all, const std::vector<DrawnFigure>& figures,
+                                      const std::vector<LedgerEntry>& ledger) {
+  std::map<std::string, std::size_t> known;
+  std::vector<ChoiceEntry> entries;
+  for (const Choice& choice : all.choices) {
+    const auto [other, is_new] = known.emplace(choice.id, entries.size());
+    if (!is_new) {
+      throw std::invalid_argument(choice.place + "this id stands also at " +
+                                  entries[other->second].choice.place);
+    }
+    entries.push_back({choice, {}});
+  }
+  for (const Variation& variation : all.variations) {
+    const auto choice = known.find(variation.choice);
+    if (choice == known.end()) {
+      throw std::invalid_argument(variation.place + "there is no choice '" + variation.choice +
+                                  '\'');
+    }
+    entries[choice->second].numbers.push_back(varied_entry(variation, figures, ledger));
+  }
+  for (const ChoiceEntry& entry : entries) {
+    if (entry.numbers.empty() == entry.choice.unmeasured.empty()) {
+      throw std::invalid_argument(entry.choice.place +
+                                  (entry.numbers.empty()
+                                       ? "no [[varied]] names it: say in 'unmeasured' why not"
+                                       : "it was varied, so leave 'unmeasured' out"));
+    }
+  }
+  return entries;
+}
+
+}  // namespace tumble::chapters
