@@ -96,15 +96,6 @@ std::string whole_html(const std::string& text) {
   return "<span class=\"whole\">" + html_text(text) + "</span>";
 }
 
-std::string label_of(const std::string& kind, const std::string& id) {
-  std::string label = kind + '_';
-  for (const char c : id) {
-    const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    label += kept ? c : '_';
-  }
-  return label;
-}
-
 std::string number_html(double value, const std::string& unit) {
   if (std::isnan(value)) return "missing";
   return whole_html(formatted("%.6g", value) + (unit == "-" ? "" : ' ' + unit));

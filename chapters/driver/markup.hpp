@@ -36,12 +36,6 @@ std::string html_text(const std::string& text);
 /// \return HTML
 std::string whole_html(const std::string& text);
 
-/// A label that \\ref finds: letters, digits and underscores.
-/// \param kind  how it begins
-/// \param id    the rest, for example "2.1a"
-/// \return "claim_2_1a": what is no letter or digit becomes an underscore
-std::string label_of(const std::string& kind, const std::string& id);
-
 /// A number for reading, with at most 6 significant digits, and its unit.
 /// \param value  the number; NaN gives "missing"
 /// \param unit   "-" is not shown
