@@ -1,15 +1,15 @@
 /// \file
-/// \brief `tumble render`: pictures of a recorded run.
+/// \brief `tumble render`: pictures and films of a recorded run.
 #include "tumble/base/error.hpp"
 #include "tumble/record/recorded_run.hpp"
-#include "tumble/record/world_picture.hpp"
 
+#include "frames.hpp"
 #include "gnuplot.hpp"
+#include "moving.hpp"
 #include "request.hpp"
 
 #include <array>
 #include <cstdio>
-#include <map>
 
 namespace tumble::app {
 namespace {
@@ -57,83 +57,23 @@ std::string label(double time) {
   return text.data();
 }
 
-// Whether the straight way between two points runs into a box: the part of it inside the slabs of
-// all three axes is not empty.
-bool hides(const Box& box, const Vec3& from_w, const Vec3& to_w) {
-  const Vec3 start_b = box.axes_w.transpose() * (from_w - box.center_w);
-  const Vec3 way_b = box.axes_w.transpose() * (to_w - from_w);
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int k = 0; k < 3; ++k) {
-    const double low = (-box.half[k] - start_b[k]) / way_b[k];
-    const double high = (box.half[k] - start_b[k]) / way_b[k];
-    if (way_b[k] == 0.0 && std::abs(start_b[k]) > box.half[k]) return false;
-    if (way_b[k] == 0.0) continue;
-    enter = std::max(enter, std::min(low, high));
-    leave = std::min(leave, std::max(low, high));
-  }
-  return enter < leave;
-}
-
-// A fixed box between the eye and the middle of a movable one, as the front walls of a cage.
-bool stands_in_front(const World& world, std::size_t fixed, const Vec3& direction_w) {
-  if (world.bodies()[fixed].movable() || world.bodies()[fixed].shape != Shape::box) return false;
-  const Box box = box_of(world.bodies()[fixed], world.states()[fixed]);
-  for (std::size_t k = 0; k < world.bodies().size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
-    const Vec3& middle_w = world.states()[k].position_w;
-    const double far = (box.center_w - middle_w).norm() + box.half.norm();
-    if (hides(box, middle_w, middle_w + far * direction_w.normalized())) return true;
-  }
-  return false;
-}
-
-// The boxes of every frame; those that stand in front in all frames are left out of all.
-std::vector<std::vector<PictureBox>> shown_boxes(const std::vector<World>& worlds,
-                                                 const Vec3& direction_w) {
-  std::map<std::string, std::size_t> in_front;  // in how many frames
-  for (const World& world : worlds)
-    for (int k = 0; k < world.count(); ++k)
-      if (stands_in_front(world, static_cast<std::size_t>(k), direction_w))
-        ++in_front[world.name(k)];
-  std::vector<std::vector<PictureBox>> frames;
-  for (const World& world : worlds) {
-    std::vector<PictureBox>& shown = frames.emplace_back();
-    const std::vector<PictureBox> boxes = picture_boxes(world);
-    const int ground = has_ground(world) ? 1 : 0;  // comes first in the world, and is no box
-    for (std::size_t k = 0; k < boxes.size(); ++k)
-      if (in_front[world.name(static_cast<int>(k) + ground)] < worlds.size())
-        shown.push_back(boxes[k]);
-  }
-  return frames;
-}
-
 std::vector<double> times_of(const RenderRequest& request, const RecordedRun& run) {
   require::that(request.at.empty() || request.strip.empty(), "give --at or --strip, not both");
   if (!request.strip.empty()) return request.strip;
   return request.at.empty() ? std::vector<double>{run.frames.back().time} : request.at;
 }
 
-}  // namespace
-
-int render(const RenderRequest& request) {
-  require::that(request.form == "svg" || request.form == "png",
-                "--as " + request.form + ": expected svg or png" +
-                    (request.form == "gif" || request.form == "mp4" || request.form == "gltf"
-                         ? " (gif, mp4 and gltf are not available yet)"
-                         : ""));
-  require::that(request.view.size() == 3, "--view: expected X,Y,Z");
+// The name of the picture, which has been drawn.
+std::string draw_still(const RenderRequest& request, const RecordedRun& run) {
   const Vec3 direction_w(request.view[0], request.view[1], request.view[2]);
-  const RecordedRun run =
-      read_run(request.folder, request.filtered ? kFilteredFile : kTrajectoryFile);
-  const std::vector<double> times = times_of(request, run);
+  std::vector<RecordedFrame> moments;
+  for (const double time : times_of(request, run)) moments.push_back(nearest_frame(run, time));
 
   // One camera for all frames, so that a viewer can compare them.
-  std::vector<World> worlds;
-  for (const double time : times) worlds.push_back(world_of(run, nearest_frame(run, time)));
-  const std::vector<std::vector<PictureBox>> frames = shown_boxes(worlds, direction_w);
+  const std::vector<FilmFrame> frames = shown_frames(run, moments, direction_w);
   std::vector<PictureBox> all;
-  for (const auto& boxes : frames) all.insert(all.end(), boxes.begin(), boxes.end());
+  for (const FilmFrame& frame : frames)
+    all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());
   const Page page = page_for(frames.size());
   const bool floor = run.scene.ground.has_value();
   const Camera camera = camera_for(all, direction_w, page.width, page.height, floor);
@@ -143,16 +83,48 @@ int render(const RenderRequest& request) {
     commands += "set multiplot layout " + std::to_string(page.rows) + ",";
     commands += std::to_string(page.columns) + "\n";
   }
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames.size() > 1) commands += label(nearest_frame(run, times[k]).time);
-    commands += to_gnuplot(draw_boxes(frames[k], camera, floor));
+  for (const FilmFrame& frame : frames) {
+    if (frames.size() > 1) commands += label(frame.time);
+    commands += to_gnuplot(draw_boxes(frame.boxes, camera, floor));
   }
   if (frames.size() > 1) commands += "unset multiplot\n";
   const std::string stem = std::string(request.strip.empty() ? "picture" : "strip") +
                            (request.filtered ? "_filtered" : "");
-  const std::string picture = stem + "." + request.form;
-  draw_with_gnuplot(request.folder, stem + ".gp", commands, picture);
-  std::printf("%s\n", (std::filesystem::path(request.folder) / picture).c_str());
+  draw_with_gnuplot(request.folder, stem + ".gp", commands, stem + "." + request.form);
+  return stem + "." + request.form;
+}
+
+// What belongs to the one kind of output is refused for the other: nothing typed is without effect.
+void require_fitting(const RenderRequest& request, bool still) {
+  const std::string as = "--as " + request.form + ": ";
+  if (still) {
+    const bool moves = request.from || request.to || request.rate || request.speed || request.width;
+    require::that(!moves,
+                  as + "--from, --to, --fps, --speed and --width are for gif, mp4 and gltf");
+  } else {
+    require::that(request.at.empty() && request.strip.empty(),
+                  as + "--at and --strip are for svg and png; give --from and --to");
+  }
+  require::that(request.view.size() == 3, "--view: expected X,Y,Z");
+}
+
+}  // namespace
+
+int render(const RenderRequest& request) {
+  const bool still = request.form == "svg" || request.form == "png";
+  require::that(still || request.form == "gif" || request.form == "mp4" || request.form == "gltf",
+                "--as " + request.form + ": expected svg, png, gif, mp4 or gltf");
+  require_fitting(request, still);
+  const RecordedRun run =
+      read_run(request.folder, request.filtered ? kFilteredFile : kTrajectoryFile);
+  try {
+    const std::string made = still ? draw_still(request, run) : write_moving(request, run);
+    std::printf("%s\n", (std::filesystem::path(request.folder) / made).c_str());
+  } catch (const CannotWrite&) {
+    if (stop_signal() == 0) throw;
+    std::fprintf(stderr, "interrupted: nothing was written\n");
+    return 128 + stop_signal();  // as a shell reports a process ended by a signal
+  }
   return kDone;
 }
 

@@ -4,16 +4,8 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace tumble::app {
-
-/// Runs a program and waits for its end. No shell reads the words, so none needs quotes.
-/// \param words   the program, looked up in PATH, and its arguments; at least one
-/// \param folder  where it runs
-/// \return its exit code, 128 + signal if it was killed, 127 if there is no such program
-/// \throws CannotWrite if no process can be made
-int run_program(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
 /// Draws a picture. The script stays beside it, so that it can be changed by hand; a picture that
 /// cannot be finished is not left half drawn.

@@ -86,17 +86,34 @@ void add_run_options(CLI::App& command, Request& request) {
 
 void add_render_options(CLI::App& command, tumble::app::RenderRequest& request) {
   command.add_option("folder", request.folder, "of a run")->required();
-  command.add_option("--as", request.form, "svg or png")->required();
-  command.add_option("--at", request.at, "time of the frame [s]; the last one if not given")
+  command
+      .add_option("--as", request.form,
+                  "svg or png: a picture; gif or mp4: a film; gltf: a scene that moves")
+      ->required();
+  command
+      .add_option("--at", request.at, "picture: time of the frame [s]; the last one if not given")
       ->expected(1)
       ->check(number());
-  command.add_option("--strip", request.strip, "times of several frames, with commas [s]")
+  command.add_option("--strip", request.strip, "picture: times of several frames, with commas [s]")
       ->delimiter(',')
       ->check(number());
   command.add_flag("--filtered", request.filtered, "as the filter of the run showed it");
   command.add_option("--view", request.view, "direction from the boxes to the eye, X,Y,Z")
       ->delimiter(',')
       ->check(number());
+  command.add_option("--from", request.from, "film, gltf: begins at this time [s]")
+      ->check(number());
+  command.add_option("--to", request.to, "film, gltf: ends at this time [s]")->check(number());
+  command
+      .add_option("--fps", request.rate,
+                  "film, gltf: frames per second; 25, and for gltf those of the run if not given")
+      ->check(number());
+  command
+      .add_option("--speed", request.speed,
+                  "film, gltf: 1 if not given; 0.25 is four times slower than the run")
+      ->check(number());
+  command.add_option("--width", request.width, "film: in pixels; 480 for gif, 960 for mp4")
+      ->check(whole(std::numeric_limits<int>::max()));
 }
 
 // One line about a command line that cannot be read.
@@ -144,7 +161,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
 
   tumble::app::RenderRequest picture;
-  CLI::App* render = app.add_subcommand("render", "draw frames of a run that was recorded");
+  CLI::App* render =
+      app.add_subcommand("render", "draw a run that was recorded, as pictures or as a film");
   add_render_options(*render, picture);
 
   tumble::app::LcpRequest problem;
@@ -187,7 +205,7 @@ int main(int argc, char** argv) {
     return tumble::app::kBadInput;
   }
   try {
-    if (run->parsed() || compare->parsed()) tumble::app::catch_stop_signals();
+    if (run->parsed() || compare->parsed() || render->parsed()) tumble::app::catch_stop_signals();
     if (run->parsed()) return printed(tumble::app::run(request));
     if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
     if (lcp->parsed() && list_solvers) return printed(tumble::app::list_lcp_solvers());

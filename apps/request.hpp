@@ -76,14 +76,20 @@ int run(const Request& request);
 /// \return the exit code
 int compare(const Request& request, const std::vector<std::string>& techniques, double limit);
 
-/// A picture of a recorded run, as typed.
+/// A picture or a film of a recorded run, as typed.
 struct RenderRequest {
   std::string folder;                          ///< of the run
-  std::string form;                            ///< svg or png
+  std::string form;                            ///< svg, png, gif, mp4 or gltf
   std::vector<double> at;                      ///< [s] one time; empty: the last recorded frame
   std::vector<double> strip;                   ///< [s] times of several frames in one picture
   std::vector<double> view = {2.0, 1.0, 4.0};  ///< [-] direction from the boxes to the eye
   bool filtered = false;                       ///< as its filter showed it, not as it was computed
+  std::optional<double> from;                  ///< [s] start of a film; none: the first frame
+  std::optional<double> to;                    ///< [s] end of a film; none: the last frame
+  std::optional<double>
+      rate;  ///< [1/s] frames in a second of a film; none: 25, for gltf as recorded
+  std::optional<double> speed;  ///< [-] seconds of the run in a second of a film; none: 1
+  std::optional<int> width;     ///< [px] of a film; none: 480 for gif, 960 for mp4
 };
 
 /// `tumble render`.

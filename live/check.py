@@ -4,9 +4,10 @@
 usage: live/check.py BUILD_LIVE --tumble COMMAND --hashes LIVE_HASHES [--pictures DIR] [--full] [--only PART,...]
 
 The parts: throw (a click at the pyramid), keyboard (every control), links and files (bad ones get a sentence), webgl
-(its lack, too), replay (a run of the command), sessions (repeated by the command to the same state), drawing (slow),
-alone (left for long), hashes (every scene under every technique, as the native program has it; with --full at full
-size, which takes hours), hour (of steps), speed (beside the native one: a ratio, no verdict below 3).
+(its lack, too), replay (a run of the command), gltf (such a run in a glTF file, which three.js reads in node),
+sessions (repeated by the command to the same state), drawing (slow), alone (left for long), hashes (every scene under
+every technique, as the native program has it; with --full at full size, which takes hours), hour (of steps), speed
+(beside the native one: a ratio, no verdict below 3).
 
 exit codes: 0 all is well, 1 something is not, 2 bad input
 """
@@ -19,7 +20,7 @@ import time
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "site"))
 from browser import Browser  # noqa: E402
-from checks import hands, keyboard, module, refusals, time as clocks  # noqa: E402
+from checks import gltf, hands, keyboard, module, refusals, time as clocks  # noqa: E402
 from checks.page import SIZES, Page  # noqa: E402
 
 
@@ -33,6 +34,7 @@ def parts(said, page, downloads):
     yield "files", lambda: refusals.check_files(page, said.tumble)
     yield "webgl", lambda: refusals.check_no_webgl(lambda browser: Page(browser, said.folder, said.pictures))
     yield "replay", lambda: hands.check_replay(page, said.tumble)
+    yield "gltf", lambda: gltf.check_gltf(said.tumble)
     yield "sessions", lambda: hands.check_sessions(page, said.tumble, downloads)
     yield "drawing", lambda: clocks.check_slow_drawing(page)
     yield "alone", lambda: clocks.check_alone(page)

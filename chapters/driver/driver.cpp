@@ -133,6 +133,7 @@ void compute(std::string_view program, const Figure& figure, const Request& requ
   for (const Drawing& drawing : result.drawings) {
     write_file(folder / (figure.name + "_" + drawing.suffix + ".gp"), head + drawing.commands);
   }
+  if (result.film) write_file(folder / (figure.name + ".gif"), result.film());
   write_file(folder / (figure.name + "_numbers.csv"), numbers_file(head, figure, result));
 }
 
@@ -176,8 +177,9 @@ std::string head_of(std::string_view program, const Figure& figure, const Parame
 }
 
 std::string numbers_file(const std::string& head, const Figure& figure, const Result& result) {
-  std::string text =
-      head + "# caption: " + figure.caption + "\nquantity,unit,value,low,high,seeds\n";
+  std::string text = head + "# caption: " + figure.caption + '\n' +
+                     (result.film ? "# film: " + figure.film + '\n' : "") +
+                     "quantity,unit,value,low,high,seeds\n";
   for (const Quantity& quantity : result.quantities) {
     text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
             full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +

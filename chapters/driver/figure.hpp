@@ -51,6 +51,9 @@ struct Result {
   std::vector<Table> tables;           ///< what gnuplot draws from
   std::vector<Quantity> quantities;    ///< what is checked
   std::vector<Drawing> drawings = {};  ///< what gnuplot is to draw as it is
+  /// Paints the film of the figure: the bytes of a GIF. Empty: it has none. The driver alone asks for it, since
+  /// it takes seconds.
+  std::function<std::string()> film = {};
 };
 
 /// A figure that a chapter can compute.
@@ -59,7 +62,8 @@ struct Figure {
   std::string section;    ///< of the thesis
   std::string title;      ///< one line
   std::string caption;    ///< what to look at, what agrees and what does not
-  Parameters parameters;  ///< what a reader can change with --set key=value
+  std::string film = {};  ///< what to look at in its film, if it has one
+  Parameters parameters = {};      ///< what a reader can change with --set key=value
   std::vector<std::string> quick;  ///< what --quick sets first, each as key=value
   /// Computes everything; throws std::runtime_error if no such result exists.
   std::function<Result(const Parameters&)> experiment;

@@ -33,6 +33,17 @@ std::string picture(const DrawnFigure& figure, const std::string& folder, const 
          shown + "\" alt=\"" + head_html(figure, "title") + "\"></a>\n";
 }
 
+// Its film, if it has one; who does not want to see things move gets the picture.
+std::string film(const DrawnFigure& figure, const std::string& folder) {
+  if (figure.head.count("film") == 0) return "";
+  const std::string file = folder + figure.name;
+  return "<figure class=\"film\"><picture><source media=\"(prefers-reduced-motion: reduce)\" "
+         "srcset=\"" +
+         file + ".png\"><img class=\"drawn\" loading=\"lazy\" src=\"" + file +
+         ".gif\" alt=\"Film: " + head_html(figure, "title") + "\"></picture>\n<figcaption>" +
+         head_html(figure, "film") + "</figcaption></figure>\n";
+}
+
 // How to draw it again, and what can be changed.
 std::string recipe(const DrawnFigure& figure) {
   std::string text =
@@ -51,7 +62,9 @@ std::string files(const DrawnFigure& figure, const std::string& folder) {
   const std::string file = folder + name;
   return "<p class=\"soft\"><a href=\"" + file + "_numbers.csv\">" + name +
          "_numbers.csv</a> · <a href=\"" + file + ".svg\">svg</a> · <a href=\"" + file +
-         ".png\">png</a></p>\n";
+         ".png\">png</a>" +
+         (figure.head.count("film") > 0 ? " · <a href=\"" + file + ".gif\">gif</a>" : "") +
+         "</p>\n";
 }
 
 }  // namespace
@@ -82,7 +95,7 @@ std::string figure_html(const DrawnFigure& figure, const std::vector<LedgerEntry
   if (is_drawn(figure)) {
     text += " · thesis " + head_html(figure, "thesis") + "</p>\n" +
             picture(figure, style.folder, ".svg", ".png") + "<p>" + head_html(figure, "caption") +
-            "</p>\n";
+            "</p>\n" + film(figure, style.folder);
   } else {
     text += "</p>\n<p>Not measured here: run <code>make figures</code>.</p>\n";
   }

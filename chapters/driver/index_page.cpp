@@ -53,7 +53,7 @@ dt { color: var(--soft); } dd { margin: 0 0 0.4rem; }
 .verdict.refuted { color: var(--bad); }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr));
            gap: 1rem; }
-.gallery figure { margin: 0; } figcaption { font-size: 0.9rem; margin-top: 0.3rem; }
+.gallery figure, .film { margin: 0; } figcaption { font-size: 0.9rem; margin-top: 0.3rem; }
 </style>
 </head>
 <body>

@@ -77,7 +77,7 @@ struct FigureStyle {
 /// \return an HTML `table`; empty for a figure without numbers
 std::string numbers_html(const DrawnFigure& figure, bool fold);
 
-/// A figure: picture, caption, claims that it decides, numbers, how to draw it again.
+/// A figure: picture, caption, film if it has one, claims that it decides, numbers, how to draw it again.
 /// \param figure  the figure
 /// \param ledger  all claims
 /// \param style   how

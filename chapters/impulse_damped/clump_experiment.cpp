@@ -2,6 +2,7 @@
 /// \brief Cubes that fly together and settle, coloured by how much each one still shakes (6.1).
 #include "tumble/math/elementary.hpp"
 #include "tumble/record/chatter.hpp"
+#include "tumble/record/film.hpp"
 #include "tumble/record/lighting.hpp"
 #include "tumble/record/world_picture.hpp"
 
@@ -16,8 +17,10 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kQuiet = 1e-3;   // [mm] the scale of colours begins here,
-constexpr double kLoudest = 1e2;  // [mm] and ends here, a tenth of an edge of 1 m
+constexpr double kFilmRate = 15.0;  // [1/s]
+constexpr double kFilmEnds = 5.05;  // [s]
+constexpr double kQuiet = 1e-3;     // [mm] the scale of colours begins here,
+constexpr double kLoudest = 1e2;    // [mm] and ends here, a tenth of an edge of 1 m
 
 // From blue to vermilion over a pale grey: lightness turns there only, and readers who do not see
 // red or green can tell both ends apart.
@@ -59,8 +62,12 @@ Result measure_clump_settles(const Parameters& settings) {
   std::vector<std::vector<PictureBox>> frames = {picture_boxes(played.world)};
   const double from_axis = distance_to_axis(played.world);
   ChatterMeter meter;
+  std::vector<FilmFrame> film = {{0.0, frames.front()}};
   played.advance(duration, [&](const StepReport&) {
-    if (played.world.time() > duration - 0.6) watch(played, meter);
+    const double time = played.world.time();
+    if (time > duration - 0.6) watch(played, meter);
+    const double next = film.back().time + 1.0 / kFilmRate - 0.5 * PlayedScene::kStep;
+    if (time > next && time < kFilmEnds) film.push_back({time, picture_boxes(played.world)});
   });
   frames.push_back(picture_boxes(played.world));
 
@@ -120,7 +127,10 @@ Result measure_clump_settles(const Parameters& settings) {
            {"largest chatter of those that rest", "mm", worst},
            {"mean distance from the axis at the start", "m", from_axis},
            {"mean distance from the axis in the end", "m", distance_to_axis(played.world)}},
-          drawings};
+          drawings,
+          [film, direction_w] {
+            return to_gif(film_of(film, direction_w, 480, 320, true), kFilmRate);
+          }};
 }
 
 }  // namespace tumble::chapters

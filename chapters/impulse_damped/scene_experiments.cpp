@@ -3,6 +3,7 @@
 #include "impulse_damped/scene_experiments.hpp"
 
 #include "tumble/math/elementary.hpp"
+#include "tumble/record/film.hpp"
 #include "tumble/record/metrics.hpp"
 #include "tumble/record/world_picture.hpp"
 
@@ -30,6 +31,18 @@ std::vector<Drawing> drawings_of(const std::vector<std::vector<PictureBox>>& fra
     drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
   return drawings;
+}
+
+constexpr double kFilmRate = 20.0;            // [1/s]
+constexpr double kFilmTimes[] = {-0.3, 3.0};  // [s] since the shot
+
+// Takes a frame of the film, if it is time for one: every third step is.
+void take(const PlayedScene& played, double shot, std::vector<FilmFrame>& frames) {
+  const double time = played.world.time() - shot;
+  const double next = frames.empty() ? kFilmTimes[0] : frames.back().time + 1.0 / kFilmRate;
+  constexpr double half = 0.5 * PlayedScene::kStep;
+  if (time < next - half || time > kFilmTimes[1] + half) return;
+  frames.push_back({time, picture_boxes(played.world)});
 }
 
 Scene shot_scene(const Parameters& settings) {
@@ -117,14 +130,16 @@ Result measure_projectile(const Parameters& settings) {
   played.advance(0.5);
   const double settles = farthest_moved(played.world, built);
   const std::vector<BodyState> stands = poses();
-  played.advance(appears - 2.0 * PlayedScene::kStep);
+  Film film;
+  const auto watch = [&](const StepReport&) { take(played, appears, film.frames); };
+  played.advance(appears - 2.0 * PlayedScene::kStep, watch);
   const double moves = farthest_moved(played.world, stands);
 
   Table table{"", {{"time_s", "s", "since the shot"}, {"fallen", "-", "boxes that have fallen"}}};
   std::vector<std::vector<PictureBox>> frames;
   for (int k = 0; k < kFrames; ++k) {
     const double time = settings.number(std::string("t").append(std::to_string(k + 1)));
-    played.advance(appears + time);
+    played.advance(appears + time, watch);
     table.rows.push_back({time, fallen(played)});
     frames.push_back(picture_boxes(played.world));
   }
@@ -139,13 +154,17 @@ Result measure_projectile(const Parameters& settings) {
   camera.field_of_view = 0.74;
   camera.width = 300.0;
   camera.height = 200.0;
+  film.camera = camera;
+  film.camera.width = 480.0;
+  film.camera.height = 320.0;
   return {{table},
           {{"farthest that a box moves in the first half second", "mm", 1e3 * settles},
            {"farthest that a box moves from then to the shot", "mm", 1e3 * moves},
            {"boxes of the pyramid", "-", static_cast<double>(played.scene.boxes.size()) - 1.0},
            {"boxes that have fallen in the last frame", "-", table.rows.back()[1]},
            {"the same, Coulomb", "-", fallen(other)}},
-          drawings_of(frames, camera)};
+          drawings_of(frames, camera),
+          [film] { return to_gif(film, kFilmRate); }};
 }
 
 Result measure_projectile_curves(const Parameters& settings) {

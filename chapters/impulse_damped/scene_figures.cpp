@@ -28,6 +28,8 @@ Figure projectile_figure() {
       "pyramid are ours. Damped integration, times since the shot. The pyramid has stood for five "
       "seconds, and for all but the first half second no box has moved at all. The shot knocks a "
       "hole into it, and the rest stays up around the hole, as with Coulomb's friction.";
+  figure.film =
+      "The same, from a little before the shot to three seconds after it, as fast as it is.";
   add_shot(figure.parameters);
   constexpr double times[] = {0.05, 0.25, 0.4, 0.7, 1.2, 3.0};
   for (int k = 0; k < 6; ++k)
@@ -68,6 +70,7 @@ Figure clump_figure() {
       "and once it has settled some of it still chatters a little. How many, how fast "
       "and how turned is ours. Damped integration. Above, the start; below, the end, each "
       "cube with the colour of its chatter: how far its corners move within half a second.";
+  figure.film = "The first five seconds, as fast as they are: a frame every fifteenth of a second.";
   figure.parameters.add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
       .add_number("speed", 2.0, 0.0, 10.0, "m/s", "of each cube at the start")
       .add_number("duration", 10.0, 1.0, 100.0, "s", "until they have settled");

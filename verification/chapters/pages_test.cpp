@@ -114,6 +114,29 @@ TEST_CASE("The gallery shows thumbnails first and then figures by chapter", "[un
   CHECK_THAT(index_page(findings), Contains("src=\"gallery_pile.png\""));
 }
 
+TEST_CASE("A film is shown below its figure and not to those who want no motion",
+          "[unit][ledger]") {
+  const Scratch scratch("film");
+  const auto folder =
+      scratch
+          .file("figures/fig1_fall_numbers.csv",
+                "# figure: fig1_fall\n# title: A fall\n# settings: default\n# caption: It falls.\n"
+                "# film: It <moves>.\nquantity,unit,value,low,high,seeds\n")
+          .parent_path();
+  const Findings findings = read_findings(
+      folder,
+      {scratch.file("falling/expected.csv", "figure,quantity,unit,value,tolerance,reason\n")});
+  for (const std::string& page : {gallery_page(findings), index_page(findings)}) {
+    CHECK_THAT(page, Contains("fig1_fall.gif\" alt=\"Film: A fall\""));
+    CHECK_THAT(page, Contains("<source media=\"(prefers-reduced-motion: reduce)\" srcset="));
+    CHECK_THAT(page, Contains("It &lt;moves&gt;."));
+    CHECK_THAT(page, Contains(">gif</a>"));
+    CHECK(page.find("It falls.") < page.find("fig1_fall.gif"));
+  }
+  const std::string page = gallery_page(findings_with("speed,m/s,3.25,,,0\n"));
+  CHECK_THAT(page, !Contains(".gif"));
+}
+
 TEST_CASE("Small numbers are read with layer, value, unit, reason and section", "[unit][ledger]") {
   const auto found = tolerances_in(
       header_with("// --- math ----\n\n/// [m/s] Slow, or\n/// not. Reason: so. Really. (3.1)\n"

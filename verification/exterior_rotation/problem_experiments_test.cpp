@@ -38,6 +38,15 @@ TEST_CASE("The column opens by a thousandth of its edge when it turns and not wh
   CHECK(figure.number("largest gap or overlap of the column that is pushed, over an edge") < 1e-13);
 }
 
+TEST_CASE("Figure 6.1 has a film of two columns beside each other", "[unit][exterior_rotation]") {
+  const FigureUnderTest figure(problem_figures(), "fig6_1_column");
+  REQUIRE(figure.result.film);
+  const std::string gif = figure.result.film();
+  CHECK(gif.substr(0, 6) == "GIF89a");
+  CHECK(static_cast<unsigned char>(gif[6]) + 256 * static_cast<unsigned char>(gif[7]) == 640);
+  CHECK(gif.back() == ';');
+}
+
 TEST_CASE(
     "A single step of an exact column errs in the second, third and fifth power of its length",
     "[claims][exterior_rotation]") {

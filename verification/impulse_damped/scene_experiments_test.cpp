@@ -37,6 +37,18 @@ TEST_CASE("The pyramid of figure 6.6 stands still until it is shot at",
   CHECK(figure.result.drawings.size() == 6);
 }
 
+TEST_CASE("Figures 6.6 and 6.7 have films", "[unit][impulse_damped]") {
+  for (const char* name : {"fig6_6_projectile", "fig6_7_clump"}) {
+    const FigureUnderTest figure = figure_of(name);
+    INFO(name);
+    REQUIRE(figure.result.film);
+    const std::string gif = figure.result.film();
+    CHECK(gif.substr(0, 6) == "GIF89a");
+    CHECK(gif.back() == ';');
+    CHECK(gif == figure.result.film());
+  }
+}
+
 TEST_CASE("A pyramid does not overlap or chatter before a shot, and does both after it",
           "[claims][impulse_damped]") {
   const FigureUnderTest figure =

@@ -112,6 +112,26 @@ TEST_CASE("The angle between orientations keeps its digits when it is small", "[
   CHECK(angle_between(p, p) == 0.0);
 }
 
+TEST_CASE(
+    "On the way from one orientation to another the angle grows evenly, the shorter way round",
+    "[exact][rotation]") {
+  Random random(9);
+  for (int i = 0; i < 100; ++i) {
+    const Quat from = random.orientation();
+    Quat to = random.orientation();
+    const double whole = angle_between(from, to);
+    if (i % 2 == 0) to.coeffs() *= -1.0;  // the same orientation
+    for (const double share : {0.25, 0.5, 1.0}) {
+      const Quat between = rotation_between(from, to, share);
+      // [rad] rounding of components near 1 and of an angle up to pi.
+      CHECK(std::abs(angle_between(from, between) - share * whole) <= 1e-14);
+      CHECK(std::abs(angle_between(between, to) - (1.0 - share) * whole) <= 1e-14);
+    }
+  }
+  const Quat still = random.orientation();
+  CHECK(same(rotation_between(still, still, 0.3), still));
+}
+
 TEST_CASE("Degrees turn about the world's x, then y, then z", "[exact][rotation]") {
   const Vec3 deg(30.0, -50.0, 110.0);
   const Quat x(Eigen::AngleAxisd(deg.x() * pi / 180.0, Vec3::UnitX()));

@@ -18,9 +18,7 @@ BodyState between(const BodyState& a, const BodyState& b, double share) {
   out.position_w += share * (b.position_w - a.position_w);
   out.linear_momentum_w += share * (b.linear_momentum_w - a.linear_momentum_w);
   out.angular_momentum_w += share * (b.angular_momentum_w - a.angular_momentum_w);
-  const Vec3 turn = rotation_vector(b.orientation_wb * a.orientation_wb.conjugate());
-  if (turn != Vec3::Zero())
-    out.orientation_wb = normalised(rotation_from_vector(share * turn) * a.orientation_wb);
+  out.orientation_wb = rotation_between(a.orientation_wb, b.orientation_wb, share);
   return out;
 }
 

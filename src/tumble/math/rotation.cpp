@@ -127,6 +127,11 @@ double angle_between(const Quat& p, const Quat& q) {
   return 4.0 * elementary::atan2(std::min(apart, together), std::max(apart, together));
 }
 
+Quat rotation_between(const Quat& from, const Quat& to, double share) {
+  const Vec3 turn = rotation_vector(to * from.conjugate());
+  return turn == Vec3::Zero() ? from : normalised(rotation_from_vector(share * turn) * from);
+}
+
 Quat rotation_from_degrees(const Vec3& xyz_deg) {
   require::finite(xyz_deg, "xyz_deg");
   const Quat about_x = about_axis(0, xyz_deg.x());

@@ -80,6 +80,14 @@ Vec3 rotation_vector_rate(const Vec3& rotation_w, const Vec3& omega_w);
 /// \return [rad] 0 to π; 0 exactly for q = ±p
 double angle_between(const Quat& p, const Quat& q);
 
+/// An orientation on the way from one to another: the shorter way, about one axis, at an even rate.
+/// \param from   [-] length 1
+/// \param to     [-] length 1; it and its negative are the same orientation
+/// \param share  [-] of the way, 0 to 1
+/// \return [-] length 1; `from` itself, bit by bit, if `to` is the same
+/// \verified{On the way from one orientation to another the angle grows evenly, the shorter way round}
+Quat rotation_between(const Quat& from, const Quat& to, double share);
+
 /// Turns about the world's x axis, then its y axis, then its z axis.
 ///
 /// Multiples of 90 degrees give the exact components 0, ±1/2, ±√½ (rounded once) and ±1.

@@ -3,9 +3,11 @@
 #include "tumble/record/recorded_run.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/math/rotation.hpp"
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -102,6 +104,32 @@ World world_of(const RecordedRun& run, const RecordedFrame& frame) {
     world.add(body, make_state(body, pose.position_w, pose.orientation_wb), box.name);
   }
   return world;
+}
+
+RecordedFrame frame_at(const RecordedRun& run, double time) {
+  const std::vector<RecordedFrame>& frames = run.frames;
+  require::that(time >= frames.front().time && time <= frames.back().time,
+                "time " + require::text(time) + " s: the run was recorded from " +
+                    require::text(frames.front().time) + " to " +
+                    require::text(frames.back().time) + " s");
+  const auto after =
+      std::upper_bound(frames.begin(), frames.end(), time,
+                       [](double t, const RecordedFrame& frame) { return t < frame.time; });
+  const RecordedFrame& before = *(after - 1);
+  if (before.time == time) return before;
+  const double share = (time - before.time) / (after->time - before.time);
+  RecordedFrame out{time, {}};
+  for (const RecordedPose& pose : before.poses) {
+    const auto later =
+        std::find_if(after->poses.begin(), after->poses.end(),
+                     [&](const RecordedPose& other) { return other.box == pose.box; });
+    if (later == after->poses.end()) continue;
+    out.poses.push_back(pose);
+    out.poses.back().position_w += share * (later->position_w - pose.position_w);
+    out.poses.back().orientation_wb =
+        rotation_between(pose.orientation_wb, later->orientation_wb, share);
+  }
+  return out;
 }
 
 const RecordedFrame& nearest_frame(const RecordedRun& run, double time) {

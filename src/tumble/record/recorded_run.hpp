@@ -42,6 +42,16 @@ struct RecordedRun {
 ///         cannot be read
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
 
+/// What was to be seen at a time. Between two recorded frames positions go along straight lines and
+/// orientations turn the shorter way; a body is there if both frames have it, and velocities are those of the
+/// frame before.
+/// \param run   what was recorded
+/// \param time  [s] within the recorded times
+/// \return the recorded frame itself at its time
+/// \throws std::invalid_argument naming the recorded times if `time` is outside
+/// \verified{Between recorded frames boxes are on the straight way and those of one frame alone are not there}
+RecordedFrame frame_at(const RecordedRun& run, double time);
+
 /// The bodies of a frame as a world, at rest.
 /// \param run    what was recorded
 /// \param frame  one of its frames

@@ -1,0 +1,54 @@
+/// \file
+/// \brief Running ffmpeg.
+#include "ffmpeg.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/record/table_file.hpp"
+
+#include "program.hpp"
+
+namespace tumble::app {
+namespace {
+
+std::string_view bytes_of(const Raster& raster) {
+  return {reinterpret_cast<const char*>(raster.rgb.data()), raster.rgb.size()};
+}
+
+}  // namespace
+
+void write_video(const std::filesystem::path& path, int frames, double rate,
+                 const std::function<Raster(int)>& frame) {
+  const Raster first = frame(0);
+  const std::filesystem::path folder = path.parent_path();
+  const std::string part = path.filename().string() + ".part";
+  const std::vector<std::string> words = {
+      "ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+      // what comes in
+      "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
+      std::to_string(first.width) + "x" + std::to_string(first.height), "-framerate",
+      require::text(rate), "-i", "-",
+      // what goes out: what every player shows, at once, and the same bytes every time
+      "-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags",
+      "+bitexact", "-flags:v", "+bitexact", "-f", "mp4", part};
+  std::error_code failed;
+  int code = 0;
+  try {
+    code = run_program(words, folder, [&](const Feeder& feed) {
+      for (int k = 0; k < frames; ++k)
+        if (!feed(k == 0 ? bytes_of(first) : bytes_of(frame(k)))) return;
+    });
+  } catch (...) {
+    std::filesystem::remove(folder / part, failed);
+    throw;
+  }
+  if (code == 0) std::filesystem::rename(folder / part, path, failed);
+  if (code == 0 && !failed) return;
+  std::filesystem::remove(folder / part, failed);
+  if (code == kNoProgram)
+    throw CannotWrite(
+        "tumble: ffmpeg is missing: install the package ffmpeg, or take --as gif, which needs "
+        "none");
+  throw CannotWrite("tumble: ffmpeg could not write " + path.string());
+}
+
+}  // namespace tumble::app

@@ -1,0 +1,152 @@
+/// \file
+/// \brief Which frames a film has, and how it gets into its file.
+#include "moving.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/record/gif.hpp"
+#include "tumble/record/gltf.hpp"
+#include "tumble/record/table_file.hpp"
+
+#include "ffmpeg.hpp"
+#include "frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <unistd.h>
+
+namespace tumble::app {
+namespace {
+
+constexpr double kRate = 25.0;                  // [1/s]
+constexpr double kMostFrames = 20000;           // 13 minutes
+constexpr int kGifWidth = 480;                  // [px]
+constexpr int kVideoWidth = 960;                // [px]
+constexpr int kLeastWidth = 60;                 // [px]
+constexpr int kMostWidth = 3840;                // [px]
+constexpr double kVideoRates[] = {1.0, 240.0};  // [1/s]
+constexpr double kGifRates[] = {1.0, 50.0};     // [1/s] above it browsers slow down
+constexpr double kSpeeds[] = {1e-6, 1e6};       // [-]
+
+// The first and the last time.
+struct Range {
+  double from = 0.0;  // [s]
+  double to = 0.0;    // [s]
+};
+
+Range range_of(const RenderRequest& request, const RecordedRun& run) {
+  const double first = run.frames.front().time;
+  const double last = run.frames.back().time;
+  require::that(first < last, "the run has one frame only, at " + require::text(first) +
+                                  " s: run it for longer, or draw it with --as svg");
+  const Range range{request.from.value_or(first), request.to.value_or(last)};
+  for (const auto& [name, time] : {std::pair("--from ", range.from), std::pair("--to ", range.to)})
+    require::that(time >= first && time <= last,
+                  name + require::text(time) + ": the run was recorded from " +
+                      require::text(first) + " to " + require::text(last) + " s");
+  require::that(range.from < range.to, "--from " + require::text(range.from) + " --to " +
+                                           require::text(range.to) +
+                                           ": expected the end to come after the beginning");
+  return range;
+}
+
+// The frames that were recorded, or such at equal times from the first to the last one that is not
+// too late.
+std::vector<RecordedFrame> frames_of(const RenderRequest& request, const RecordedRun& run,
+                                     std::optional<double> interval) {
+  const Range range = range_of(request, run);
+  std::vector<RecordedFrame> frames;
+  if (interval) {
+    const double last = std::floor((range.to - range.from) / *interval + tolerance::on_the_grid);
+    require::that(last < kMostFrames, require::text(last + 1.0) +
+                                          " frames: expected 20000 at most; take a part with "
+                                          "--from and --to, or raise --speed");
+    for (int k = 0; k <= static_cast<int>(last); ++k)
+      frames.push_back(frame_at(run, std::min(range.to, range.from + k * *interval)));
+  } else {
+    for (const RecordedFrame& frame : run.frames)
+      if (frame.time >= range.from && frame.time <= range.to) frames.push_back(frame);
+  }
+  require::that(frames.size() > 1, "--from " + require::text(range.from) + " --to " +
+                                       require::text(range.to) +
+                                       ": fewer than two frames are in between: choose a longer "
+                                       "part, or lower --speed");
+  return frames;
+}
+
+// One line on a terminal that tells how far the film is, and nothing elsewhere.
+class FilmLine {
+ public:
+  explicit FilmLine(std::size_t frames) : frames_(frames), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~FilmLine() {
+    if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
+  }
+  FilmLine(const FilmLine&) = delete;
+  FilmLine& operator=(const FilmLine&) = delete;
+  void tell(int frame) const {
+    if (shown_) std::fprintf(stderr, "\r\x1b[Kframe %d of %zu", frame + 1, frames_);
+  }
+
+ private:
+  std::size_t frames_;
+  bool shown_;
+};
+
+int width_of(const RenderRequest& request) {
+  const int width = request.width.value_or(request.form == "gif" ? kGifWidth : kVideoWidth);
+  require::that(width >= kLeastWidth && width <= kMostWidth && width % 2 == 0,
+                "--width " + std::to_string(width) + ": expected an even number from 60 to 3840");
+  return width;
+}
+
+void write_film(const RenderRequest& request, const RecordedRun& run,
+                const std::filesystem::path& path) {
+  const bool gif = request.form == "gif";
+  const int width = width_of(request);
+  const int height = width / 3 * 2;  // even, as videos ask for
+  const double rate = request.rate.value_or(kRate);
+  const auto& rates = gif ? kGifRates : kVideoRates;
+  require::within(rate, rates[0], rates[1], "--fps");
+  const Vec3 direction_w(request.view[0], request.view[1], request.view[2]);
+  const std::vector<RecordedFrame> frames =
+      frames_of(request, run, request.speed.value_or(1.0) / rate);
+  const Film film = film_of(shown_frames(run, frames, direction_w), direction_w, width, height,
+                            run.scene.ground.has_value());
+  const FilmLine line(frames.size());
+  const auto paint = [&](int frame) {
+    if (stop_signal() != 0) throw CannotWrite("tumble: interrupted");
+    line.tell(frame);
+    return painted(film, frame);
+  };
+  if (gif) {
+    write_file(path, to_gif(film_delays(film, rate), paint));
+  } else {
+    write_video(path, static_cast<int>(frames.size()), rate, paint);
+  }
+}
+
+}  // namespace
+
+std::string write_moving(const RenderRequest& request, const RecordedRun& run) {
+  const std::string name =
+      std::string("film") + (request.filtered ? "_filtered" : "") + "." + request.form;
+  const std::filesystem::path path = std::filesystem::path(request.folder) / name;
+  const double speed = request.speed.value_or(1.0);
+  require::within(speed, kSpeeds[0], kSpeeds[1], "--speed");
+  if (request.form != "gltf") {
+    write_film(request, run, path);
+    return name;
+  }
+  require::that(!request.width, "--as gltf: --width is for gif and mp4");
+  std::optional<double> interval;
+  if (request.rate) {
+    require::within(*request.rate, kVideoRates[0], kVideoRates[1], "--fps");
+    interval = speed / *request.rate;
+  }
+  write_file(path, to_gltf(run, frames_of(request, run, interval), speed));
+  return name;
+}
+
+}  // namespace tumble::app
