@@ -17,18 +17,37 @@ namespace {
 constexpr double kStep = 0.1;  // [s] at 1/60 s a gap is too small to be seen
 constexpr int kSteps = 11;
 constexpr double kSpeed = 0.25;  // [-] of the film
-constexpr int kWidth = 320;      // [px] of one column
-constexpr int kHeight = 360;     // [px]
+constexpr int kSize = 320;       // [px] of each side
 
-std::vector<FilmFrame> fall(const World& start, PoseUpdate pose) {
+HeldRun fall(const World& start, PoseUpdate pose) {
   GluedOptions options;
   options.scheme = GluedScheme::forward_euler;
   options.pose = pose;
-  const HeldRun run = run_held(start, options, kStep, kSteps);
-  std::vector<FilmFrame> frames;
+  return run_held(start, options, kStep, kSteps);
+}
+
+Film film_of(const HeldRun& run, const Camera& camera) {
+  Film film;
+  film.camera = camera;
+  film.floor = has_ground(run.start);
   for (const HeldFrame& frame : run.frames)
-    frames.push_back({frame.time, picture_boxes(run.world(frame))});
-  return frames;
+    film.frames.push_back({frame.time, picture_boxes(run.world(frame))});
+  return film;
+}
+
+// As close as it can be with all of the column in the picture: of what it falls off a part is enough.
+Camera camera_of(const HeldRun& run) {
+  std::vector<Vec3> corners_w;
+  for (const HeldFrame& frame : run.frames) {
+    for (std::size_t k = 0; k < frame.states.size(); ++k) {
+      const BodyProperties& body = run.start.bodies()[k];
+      if (!body.movable()) continue;
+      for (const Vec3& corner_w : corners_of(box_of(body, frame.states[k])))
+        corners_w.push_back(corner_w);
+    }
+  }
+  const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which it falls, and a little above
+  return camera_for(corners_w, direction_w, kSize, kSize);
 }
 
 }  // namespace
@@ -37,15 +56,10 @@ std::string column_film(const Parameters& settings) {
   const World start =
       build_world(scene_with("fig6_1", {"count=" + std::to_string(settings.count("boxes")),
                                         setting("angle", settings.number("angle"))}));
-  std::vector<FilmFrame> apart = fall(start, PoseUpdate::separate);
-  std::vector<FilmFrame> together = fall(start, PoseUpdate::exponential);
-  const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which it falls, and a little above
-  std::vector<FilmFrame> all = apart;
-  all.insert(all.end(), together.begin(), together.end());
-  const Camera camera =
-      film_of(std::move(all), direction_w, kWidth, kHeight, has_ground(start)).camera;
-  const Film left{std::move(apart), camera, has_ground(start)};
-  const Film right{std::move(together), camera, has_ground(start)};
+  const HeldRun apart = fall(start, PoseUpdate::separate);
+  const Camera camera = camera_of(apart);
+  const Film left = film_of(apart, camera);
+  const Film right = film_of(fall(start, PoseUpdate::exponential), camera);
   return to_gif(film_delays(left, kSpeed / kStep),
                 [&](int frame) { return beside(painted(left, frame), painted(right, frame)); });
 }

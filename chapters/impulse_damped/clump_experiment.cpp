@@ -17,8 +17,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kFilmRate = 15.0;  // [1/s]
-constexpr double kFilmEnds = 5.05;  // [s]
+constexpr double kFilmRate = 20.0;  // [1/s]
+constexpr double kFilmEnds = 3.01;  // [s]
 constexpr double kQuiet = 1e-3;     // [mm] the scale of colours begins here,
 constexpr double kLoudest = 1e2;    // [mm] and ends here, a tenth of an edge of 1 m
 

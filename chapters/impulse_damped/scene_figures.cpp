@@ -70,7 +70,8 @@ Figure clump_figure() {
       "and once it has settled some of it still chatters a little. How many, how fast "
       "and how turned is ours. Damped integration. Above, the start; below, the end, each "
       "cube with the colour of its chatter: how far its corners move within half a second.";
-  figure.film = "The first five seconds, as fast as they are: a frame every fifteenth of a second.";
+  figure.film =
+      "The first three seconds, as fast as they are; then what moves moves too little to be seen.";
   figure.parameters.add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
       .add_number("speed", 2.0, 0.0, 10.0, "m/s", "of each cube at the start")
       .add_number("duration", 10.0, 1.0, 100.0, "s", "until they have settled");
