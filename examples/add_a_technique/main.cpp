@@ -69,7 +69,8 @@ void run(RunDescription d, const TechniqueRecipe& recipe, bool recorded) {
 }
 
 void compare(const Words& words, bool recorded) {
-  for (const std::string& word : words) std::printf("%s ", word.c_str());
+  std::printf("%s", words.front().c_str());
+  for (std::size_t k = 1; k < words.size(); ++k) std::printf(" %s", words[k].c_str());
   std::printf("\n");
   const TechniqueRecipe ours = example::penalty_recipe();
   const TechniqueRecipe& other = technique_recipe("contact_damped");
