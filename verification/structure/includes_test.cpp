@@ -82,7 +82,8 @@ TEST_CASE("A file without name and purpose is found", "[structure]") {
 TEST_CASE("The project's includes point downwards", "[structure]") {
   const auto files = project_files();
   Complaints complaints;
-  for (const char* folder : {"src/", "apps/", "chapters/", "verification/", "bench/", "live/"}) {
+  for (const char* folder :
+       {"src/", "apps/", "chapters/", "verification/", "bench/", "examples/", "live/"}) {
     const auto more = upward_includes(code_in(files, folder));
     complaints.insert(complaints.end(), more.begin(), more.end());
   }

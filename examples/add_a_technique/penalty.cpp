@@ -1,0 +1,167 @@
+/// \file
+/// \brief Springs and dampers where bodies overlap.
+#include "penalty.hpp"
+
+#include <algorithm>
+#include <tumble/base/error.hpp>
+#include <tumble/contact/effective_mass.hpp>
+#include <tumble/contact/told.hpp>
+#include <tumble/dynamics/advance_pose.hpp>
+
+namespace example {
+using namespace tumble;
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+// [refused]
+Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
+  require::positive(options.spring, "spring");
+  require::not_negative(options.damper, "damper");
+  const double sum = options.spring + 2.0 * options.damper;
+  require::that(sum < 4.0, "spring + 2 damper = " + require::text(sum) + ": expected below 4");
+  require::that(options.substeps >= 1,
+                "substeps = " + std::to_string(options.substeps) + ": expected 1 or more");
+}
+// [refused]
+
+std::unique_ptr<Technique> Penalty::clone() const { return std::make_unique<Penalty>(*this); }
+
+std::vector<std::string> Penalty::ignores(const World& world) const {
+  for (const BodyProperties& body : world.bodies())
+    if (body.restitution > 0.0) return {"restitution"};
+  return {};
+}
+
+// [step]
+StepReport Penalty::step(World& world, double dt) {
+  require::positive(dt, "dt");
+  StepReport report;
+  for (int k = 0; k < options_.substeps; ++k) {
+    substep(world, dt / options_.substeps, report);
+  }
+  for (ContactRecord& record : records_)  // of the last substep
+    record.time = world.time() + dt - dt / options_.substeps;
+  world.finish_step(dt);
+  return report;
+}
+
+void Penalty::substep(World& world, double h, StepReport& report) {
+  load_moving_bodies(world, start_);
+  for (std::size_t k = 0; k < start_.size(); ++k)  // gravity
+    if (world.bodies()[k].movable())
+      world.states()[k].linear_momentum_w += world.bodies()[k].mass * h * world.gravity_w;
+  load_moving_bodies(world, moving_);
+
+  find_contacts(world, report);
+  push(h);
+  rub();
+  record(h, report);
+
+  store_moving_bodies(moving_, world);
+  for (std::size_t k = 0; k < start_.size(); ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    advance_pose(world.bodies()[k], world.states()[k], h, RotationRule::splitting);
+    ++report.integrations;
+  }
+}
+// [step]
+
+// [contacts]
+void Penalty::find_contacts(const World& world, StepReport& report) {
+  bounds_.clear();
+  for (std::size_t k = 0; k < start_.size(); ++k)
+    bounds_.push_back(bounds_of(world.bodies()[k], world.states()[k]));
+  near_.find_pairs(bounds_, pairs_);
+  const auto found = gather_contacts(world, moving_, pairs_, 0.0, {}, contacts_);
+  report.pair_tests += found.pair_tests;
+  report.deepest_overlap = std::max(report.deepest_overlap, found.deepest_overlap);
+}
+// [contacts]
+
+// [split]
+// A body with five contacts counts in each of them as a fifth of it.
+void Penalty::split_bodies() {
+  split_ = moving_;
+  for (MovingBody& body : split_) {
+    body.inverse_mass.setZero();
+    body.inverse_inertia_w.setZero();
+  }
+  for (const Contact& contact : contacts_) {
+    for (const int k : {contact.first, contact.second}) {
+      split_[at(k)].inverse_mass += moving_[at(k)].inverse_mass;
+      split_[at(k)].inverse_inertia_w += moving_[at(k)].inverse_inertia_w;
+    }
+  }
+}
+// [split]
+
+// [push]
+// The spring and the damper of each point, before any of them has pushed.
+void Penalty::push(double h) {
+  split_bodies();
+  for (Contact& c : contacts_) {
+    const MovingBody& a = split_[at(c.first)];
+    const MovingBody& b = split_[at(c.second)];
+    for (int k = 0; k < c.count; ++k) {
+      ContactPoint& p = c.points[at(k)];
+      const double mass = effective_mass(a, b, p.position_w, c.normal_w) / c.count;
+      const double approach = -c.normal_w.dot(relative_velocity(a, b, p.position_w));
+      const double speed = options_.spring * -p.distance / h + options_.damper * approach;
+      p.normal_impulse = std::max(0.0, mass * speed);
+      apply_impulse(moving_[at(c.first)], moving_[at(c.second)], p.position_w,
+                    p.normal_impulse * c.normal_w);
+    }
+  }
+}
+// [push]
+
+// [rub]
+// Friction: a damper across the normal, up to Coulomb's limit.
+void Penalty::rub() {
+  split_bodies();
+  for (Contact& c : contacts_) {
+    const MovingBody& a = split_[at(c.first)];
+    const MovingBody& b = split_[at(c.second)];
+    for (int k = 0; k < c.count; ++k) {
+      ContactPoint& p = c.points[at(k)];
+      Vec3 slip_w = relative_velocity(a, b, p.position_w);
+      slip_w -= c.normal_w.dot(slip_w) * c.normal_w;
+      const double speed = slip_w.norm();
+      if (!(speed > 0.0)) continue;
+      const double mass = effective_mass(a, b, p.position_w, slip_w / speed) / c.count;
+      const double impulse = std::min(c.friction * p.normal_impulse, mass * speed);
+      p.friction_impulse_w = -impulse / speed * slip_w;
+      apply_impulse(moving_[at(c.first)], moving_[at(c.second)], p.position_w,
+                    p.friction_impulse_w);
+    }
+  }
+}
+// [rub]
+
+// [record]
+// Work is an impulse times the mean of the velocities before and after; users get forces.
+void Penalty::record(double h, StepReport& report) {
+  records_.clear();
+  for (const Contact& c : contacts_) {
+    for (int k = 0; k < c.count; ++k) {
+      const ContactPoint& p = c.points[at(k)];
+      const auto slip_w = [&](const std::vector<MovingBody>& bodies) {
+        return relative_velocity(bodies[at(c.first)], bodies[at(c.second)], p.position_w);
+      };
+      const Vec3 mean_w = 0.5 * (slip_w(start_) + slip_w(moving_));
+      report.energy.restitution += p.normal_impulse * c.normal_w.dot(mean_w);
+      report.energy.friction += p.friction_impulse_w.dot(mean_w);
+      report.impulses += p.normal_impulse > 0.0 ? 1 : 0;
+      records_.push_back(record_of(c, k, 0.0));
+      records_.back().push_w /= h;
+      records_.back().is_impulse = false;
+    }
+  }
+  report.contacts = static_cast<std::int64_t>(records_.size());
+}
+// [record]
+
+}  // namespace example

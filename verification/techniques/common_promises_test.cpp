@@ -1,0 +1,184 @@
+/// \file
+/// \brief What every technique promises, whatever its method: those of the library and the one of the example.
+#include "add_a_technique/penalty.hpp"
+#include "impulse_damped/scene_runs.hpp"
+#include "support/catch.hpp"
+#include "support/changed_world.hpp"
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+std::vector<TechniqueRecipe> all_techniques() {
+  std::vector<TechniqueRecipe> all = technique_library();
+  all.push_back(example::penalty_recipe());
+  return all;
+}
+
+std::unique_ptr<Technique> made(const TechniqueRecipe& recipe) {
+  return recipe.make(recipe.options(), 1);
+}
+
+// Chance turns normals by angles of its own, in a mirror too.
+std::unique_ptr<Technique> without_chance(const TechniqueRecipe& recipe) {
+  Parameters options = recipe.options();
+  if (options.has("randomness")) options.set("randomness", "off");
+  return recipe.make(options, 1);
+}
+
+// Who rests, who tumbles, who slides, who hits whom; short enough for every technique.
+std::vector<World> small_worlds() {
+  return {world_of("stack", {{"count", "3"}}), world_of("box_drop"), world_of("slide"),
+          world_of("two_boxes")};
+}
+
+// x to -x; spins are the other way about y and z.
+World mirrored(const World& world) {
+  return changed(world, [](BodyProperties&, BodyState& state) {
+    state.position_w.x() *= -1.0;
+    state.linear_momentum_w.x() *= -1.0;
+    state.orientation_wb.y() *= -1.0;
+    state.orientation_wb.z() *= -1.0;
+    state.angular_momentum_w.y() *= -1.0;
+    state.angular_momentum_w.z() *= -1.0;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("Every technique and its copies are called what its recipe says", "[unit][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    INFO(recipe.name);
+    const auto technique = made(recipe);
+    CHECK(technique->name() == recipe.name);
+    CHECK(technique->clone()->name() == recipe.name);
+    CHECK_FALSE(recipe.section.empty());
+    CHECK_FALSE(recipe.summary.empty());
+  }
+}
+
+TEST_CASE("Every technique refuses a step that is not above 0 and changes nothing",
+          "[unit][technique]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    World world = world_of("stack", {{"count", "2"}});
+    const std::string before = world.hash().text();
+    const auto technique = made(recipe);
+    for (const double dt : {0.0, -kFrame, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+      INFO(recipe.name << ", dt " << dt);
+      CHECK_THROWS_AS(technique->step(world, dt), std::invalid_argument);
+      CHECK(world.hash().text() == before);
+    }
+  }
+}
+
+TEST_CASE("A step of every technique takes its time, whatever there is to step",
+          "[unit][technique]") {
+  World walls;
+  walls.add_ground();
+  const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+  for (int k = 0; k < 2; ++k) walls.add(wall, make_state(wall, Vec3(0.5 * k, 0.4, 0.0)));
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    for (World world : {World(), walls, world_of("tumbling_box")}) {
+      INFO(recipe.name << ", " << world.count() << " bodies");
+      const auto technique = made(recipe);
+      CHECK(technique->step(world, kFrame).status == StepStatus::done);
+      CHECK(world.time() == kFrame);
+      CHECK(world.steps() == 1);
+    }
+  }
+}
+
+TEST_CASE("Every technique goes through the same bits again, and from a copy on",
+          "[determinism][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    for (const World& start : small_worlds()) {
+      World world = start;
+      World again = start;
+      const auto technique = made(recipe);
+      const auto fresh = made(recipe);
+      run(world, *technique, 20.0 * kFrame);
+      World copy = world;
+      const auto clone = technique->clone();
+      run(world, *technique, 20.0 * kFrame);
+      run(copy, *clone, 20.0 * kFrame);
+      run(again, *fresh, 40.0 * kFrame);
+      INFO(recipe.name << ", " << start.name(start.count() - 1));
+      CHECK(copy.hash().text() == world.hash().text());
+      CHECK(again.hash().text() == world.hash().text());
+    }
+  }
+}
+
+TEST_CASE("Under every technique a box that meets nobody falls as gravity says",
+          "[exact][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    World world;
+    const BodyProperties body = box_properties(Vec3(1.0, 0.5, 0.2), 2.0);
+    world.add(body, make_state(body, Vec3::Zero(), Quat::Identity(), Vec3(1.0, 2.0, 0.0),
+                               Vec3(0.3, 1.0, -0.5)));
+    const Vec3 spin_w = world.states()[0].angular_momentum_w;
+    const auto technique = made(recipe);
+    run(world, *technique, 0.5);
+    const double t = world.time();
+    const BodyState& state = world.states()[0];
+    INFO(recipe.name);
+    CHECK(state.position_w.x() == near(t).margin(1e-12));
+    // [m] A rule of first order is off by g t h/2.
+    CHECK(state.position_w.y() ==
+          near(2.0 * t - 0.5 * kGravity * t * t).margin(0.51 * kGravity * t * kFrame));
+    CHECK(state.linear_momentum_w.y() == near(2.0 * (2.0 - kGravity * t)).margin(1e-12));
+    CHECK((state.angular_momentum_w - spin_w).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("Under every technique boxes that meet in free space keep their momentum",
+          "[exact][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    World world = world_of("two_boxes");
+    const Vec3 before = linear_momentum(world);
+    const auto technique = made(recipe);
+    run(world, *technique, 1.0);
+    INFO(recipe.name);
+    CHECK((linear_momentum(world) - before).norm() < 1e-12);  // [kg m/s] of 2
+  }
+}
+
+TEST_CASE("Under every technique without chance a scene in the mirror does what its image does",
+          "[exact][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    for (const World& start : small_worlds()) {
+      World world = start;
+      World image = mirrored(start);
+      const auto first = without_chance(recipe);
+      const auto second = without_chance(recipe);
+      run(world, *first, 0.5);
+      run(image, *second, 0.5);
+      INFO(recipe.name << ", " << start.name(start.count() - 1));
+      CHECK(distance_of(mirrored(world), image) < 1e-9);  // [m]
+    }
+  }
+}
+
+TEST_CASE("Contacts of every technique name bodies that are there and do not pull",
+          "[unit][technique]") {
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    World world = world_of("stack", {{"count", "3"}});
+    const auto technique = made(recipe);
+    for (int k = 0; k < 20; ++k) {
+      const double begin = world.time();
+      technique->step(world, kFrame);
+      for (const ContactRecord& contact : technique->contacts()) {
+        INFO(recipe.name << ", step " << k);
+        CHECK(contact.first < contact.second);
+        CHECK(world.find(contact.first).has_value());
+        CHECK(world.find(contact.second).has_value());
+        CHECK(contact.normal_w.norm() == near(1.0).margin(1e-12));
+        CHECK(contact.push_w.dot(contact.normal_w) >= -1e-12);
+        CHECK(contact.time >= begin);
+        CHECK(contact.time <= world.time());
+      }
+    }
+  }
+}

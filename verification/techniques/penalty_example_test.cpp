@@ -1,0 +1,172 @@
+/// \file
+/// \brief What the technique of the example promises besides, and what it does badly.
+#include "add_a_technique/penalty.hpp"
+#include "impulse_damped/scene_runs.hpp"
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+#include "support/changed_world.hpp"
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+using example::Penalty;
+using example::PenaltyOptions;
+
+// Cubes that overlap in free space, with chance in their masses and velocities.
+World crowd(std::uint64_t seed) {
+  World world;
+  world.gravity_w = Vec3::Zero();
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    Random chance = Random(seed).fork(k);
+    const BodyProperties body = box_properties(Vec3::Ones(), chance.uniform(0.3, 3.0));
+    const Vec3 place = chance.in_cube(1.4);
+    const Quat turn = chance.orientation();
+    const Vec3 push = chance.in_cube(2.0);
+    world.add(body, make_state(body, place, turn, push));
+  }
+  return world;
+}
+
+// [m/s] How fast a box goes down a slope on which friction should hold it.
+double creep(int substeps) {
+  World world = world_of("slope", {{"angle", "10"}});
+  Penalty technique({.substeps = substeps});
+  run(world, technique, 3.0);
+  return fastest_of(world);
+}
+
+}  // namespace
+
+TEST_CASE("A cube on springs sinks by (4 - damper) g h² / spring", "[exact][technique]") {
+  for (const PenaltyOptions& options :
+       {PenaltyOptions{}, PenaltyOptions{0.5, 1.0, 8}, PenaltyOptions{0.25, 0.5, 2}}) {
+    World world = world_of("stack", {{"count", "1"}});
+    Penalty technique(options);
+    run(world, technique, 5.0);
+    const double h = kFrame / options.substeps;
+    const double sunk = 0.5 - world.states()[1].position_w.y();
+    // A corner of a cube that is free feels a quarter of its mass.
+    CHECK(sunk == near((4.0 - options.damper) * kGravity * h * h / options.spring).margin(1e-9));
+  }
+}
+
+TEST_CASE("A stack of three stands on springs", "[unit][technique]") {
+  World world = world_of("stack", {{"count", "3"}});
+  Penalty technique;
+  const Course course = run(world, technique, 10.0);
+  INFO("overlap " << course.overlap << " m, moved " << course.moved << " m");
+  CHECK(course.failed == 0);
+  CHECK(course.overlap < 0.01);     // [m] measured 0.0093
+  CHECK(fastest_of(world) < 1e-9);  // [m/s] measured 3e-14
+}
+
+TEST_CASE("A box that is a hundred times heavier than the one below sinks in by a quarter",
+          "[unit][technique]") {
+  World world = world_of("stack", {{"count", "2"}, {"top_mass", "100"}});
+  Penalty technique;
+  const Course course = run(world, technique, 10.0);
+  CHECK(course.overlap > 0.2);  // [m] measured 0.26; contact_damped has 2e-11
+  CHECK(course.overlap < 0.3);
+}
+
+TEST_CASE("A box on springs creeps down a slope, half as fast with twice the substeps",
+          "[unit][technique]") {
+  const double speed = creep(8);
+  CHECK(speed > 1e-3);  // [m/s] measured 5.3e-3; friction should hold it
+  CHECK(creep(16) == Approx(0.5 * speed).epsilon(0.01));
+}
+
+TEST_CASE("Without gravity springs give back nothing that is not booked", "[exact][technique]") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    World world = crowd(seed);
+    const double energy = energy_of(world).kinetic;
+    Penalty technique;
+    const Course course = run(world, technique, 1.0);
+    CHECK(course.unbooked < 1e-9 * (energy + std::abs(course.booked)));  // [J] rounding
+    CHECK(course.booked != 0.0);
+  }
+}
+
+TEST_CASE("Springs at their limit throw nobody out of a heap at rest", "[unit][technique]") {
+  // spring + 2 damper just below 4, where a point alone would swing for ever.
+  for (const PenaltyOptions& options :
+       {PenaltyOptions{1.9, 1.0, 2}, PenaltyOptions{0.9, 1.5, 8}, PenaltyOptions{0.25, 1.8, 8}}) {
+    World world = world_of("pyramid", {{"rows", "4"}, {"spacing", "1.05"}});
+    Penalty technique(options);
+    const Course course = run(world, technique, 3.0);
+    INFO(options.spring << ", " << options.damper << ": fastest " << course.fastest);
+    CHECK(course.moved < 0.1);  // [m]
+    CHECK(course.not_finite == 0);
+  }
+}
+
+TEST_CASE("Springs do the same bits in other units", "[determinism][technique]") {
+  for (const char* scene : {"box_drop", "two_boxes", "table"}) {
+    World world = world_of(scene);
+    World other = in_other_units(world, 8.0);
+    Penalty first;
+    Penalty second;
+    for (int k = 0; k < 60; ++k) {
+      first.step(world, kFrame);
+      second.step(other, 2.0 * kFrame);
+    }
+    int differ = 0;
+    for (std::size_t b = 0; b < world.states().size(); ++b)
+      if (4.0 * world.states()[b].position_w != other.states()[b].position_w) ++differ;
+    INFO(scene);
+    CHECK(differ == 0);
+  }
+}
+
+TEST_CASE("The order of the bodies changes nothing under springs but rounding",
+          "[exact][technique]") {
+  const World world = world_of("pyramid", {{"rows", "3"}});
+  World forth = world;
+  World back;
+  back.add_ground(world.bodies()[0].friction);
+  for (std::size_t k = world.bodies().size(); k-- > 1;)
+    back.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
+  Penalty first;
+  Penalty second;
+  run(forth, first, 1.0);
+  run(back, second, 1.0);
+  for (int k = 1; k < forth.count(); ++k)
+    CHECK((state_of(back, forth.name(k)).position_w -
+           forth.states()[static_cast<std::size_t>(k)].position_w)
+              .norm() < 1e-9);  // [m]
+}
+
+TEST_CASE("The four corners of a cube on springs carry a quarter of its weight each",
+          "[exact][technique]") {
+  World world = world_of("stack", {{"count", "1"}});
+  Penalty technique;
+  run(world, technique, 5.0);
+  const auto contacts = technique.contacts();
+  REQUIRE(contacts.size() == 4);
+  for (const ContactRecord& contact : contacts) {
+    CHECK_FALSE(contact.is_impulse);
+    CHECK(contact.push_w.y() == near(0.25 * kGravity).margin(1e-9));  // [N] a quarter of 1 kg
+  }
+}
+
+TEST_CASE("A warm step on springs asks for no memory", "[unit][technique]") {
+  World world = world_of("pyramid", {{"rows", "4"}});
+  Penalty technique;
+  run(world, technique, 1.0);
+  const AllocationCount count;
+  for (int k = 0; k < 10; ++k) technique.step(world, kFrame);
+  const auto asked = count.value();
+  CHECK(asked == 0);
+}
+
+TEST_CASE("Springs that would gain energy are refused, and restitution is said to be ignored",
+          "[unit][technique]") {
+  CHECK_THROWS_WITH(Penalty({.spring = 2.0, .damper = 1.5}),
+                    "tumble: spring + 2 damper = 5: expected below 4");
+  CHECK_THROWS_WITH(Penalty({.substeps = 0}), "tumble: substeps = 0: expected 1 or more");
+  CHECK_THROWS_AS(Penalty({.spring = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(Penalty({.damper = -0.1}), std::invalid_argument);
+  CHECK(Penalty().ignores(world_of("bouncing_box")) == std::vector<std::string>{"restitution"});
+  CHECK(Penalty().ignores(world_of("table")).empty());
+}
