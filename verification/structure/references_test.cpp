@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 
 namespace tumble::structure {
@@ -47,6 +48,18 @@ bool names_one_of(const std::string& text, const std::vector<std::string>& words
                      [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// Whether a name stands in a text, and not as a part of another one.
+bool has_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t after = at + word.size();
+    if ((at == 0 || !is_letter(text[at - 1])) && (after == text.size() || !is_letter(text[after])))
+      return true;
+  }
+  return false;
+}
+
 // Users that do not exist, and users none of whose files names an author.
 Complaints broken_uses(const std::vector<Reference>& references,
                        const std::vector<SourceFile>& code) {
@@ -56,7 +69,7 @@ Complaints broken_uses(const std::vector<Reference>& references,
       bool exists = false;
       bool cited = false;
       for (const SourceFile& file : code) {
-        if (!std::regex_search(file.text, std::regex("\\b" + user + "\\b"))) continue;
+        if (!has_word(file.text, user)) continue;
         exists = true;
         cited = cited || names_one_of(file.text, reference.authors);
       }
@@ -77,6 +90,7 @@ Complaints missing_entries(const std::vector<Reference>& references,
   Complaints complaints;
   for (const SourceFile& file : code) {
     for (const std::string& comment : comments_of(file.text)) {
+      if (!names_one_of(comment, {"\\see ", " 19", " 20", "(19", "(20"})) continue;
       for (const auto& [form, dated] : {std::pair{citation, true}, {see, false}}) {
         for (std::sregex_iterator it(comment.begin(), comment.end(), form), end; it != end; ++it) {
           const std::smatch& match = *it;
