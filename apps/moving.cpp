@@ -41,11 +41,12 @@ Range range_of(const RenderRequest& request, const RecordedRun& run) {
   const double last = run.frames.back().time;
   require::that(first < last, "the run has one frame only, at " + require::text(first) +
                                   " s: run it for longer, or draw it with --as svg");
-  const Range range{request.from.value_or(first), request.to.value_or(last)};
-  for (const auto& [name, time] : {std::pair("--from ", range.from), std::pair("--to ", range.to)})
-    require::that(time >= first && time <= last,
-                  name + require::text(time) + ": the run was recorded from " +
-                      require::text(first) + " to " + require::text(last) + " s");
+  // As with --at, half a frame outside is the first or the last one: a run of 5 s ends with rounding.
+  const auto recorded = [&](double time) {
+    static_cast<void>(nearest_frame(run, time));  // refuses what is farther outside
+    return std::clamp(time, first, last);
+  };
+  const Range range{recorded(request.from.value_or(first)), recorded(request.to.value_or(last))};
   require::that(range.from < range.to, "--from " + require::text(range.from) + " --to " +
                                            require::text(range.to) +
                                            ": expected the end to come after the beginning");
@@ -66,8 +67,10 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
     for (int k = 0; k <= static_cast<int>(last); ++k)
       frames.push_back(frame_at(run, std::min(range.to, range.from + k * *interval)));
   } else {
+    const double from = nearest_frame(run, range.from).time;
+    const double to = nearest_frame(run, range.to).time;
     for (const RecordedFrame& frame : run.frames)
-      if (frame.time >= range.from && frame.time <= range.to) frames.push_back(frame);
+      if (frame.time >= from && frame.time <= to) frames.push_back(frame);
   }
   require::that(frames.size() > 1, "--from " + require::text(range.from) + " --to " +
                                        require::text(range.to) +
