@@ -178,8 +178,8 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"compare stack --techniques basic,basic", "basic is there twice"},
       {"compare stack --limit 0", "limit = 0: expected a finite number above 0"},
       {"render" + in + "folder.toml --as svg", "trajectory.csv: cannot be read: give the folder"},
-      {"render" + in + "folder.toml --as gif", "--as gif: expected svg or png (gif, mp4 and gltf"},
-      {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg or png"},
+      {"render" + in + "folder.toml --as gif", "trajectory.csv: cannot be read: give the folder"},
+      {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg, png, gif, mp4 or gltf"},
       {"render" + in + "folder.toml --as svg --at soon", "--at: soon: expected a number"},
   };
   for (const Case& c : cases) {
