@@ -22,12 +22,12 @@ sys.dont_write_bytecode = True
 from browser import PATIENCE, Browser  # noqa: E402, beside this file
 
 PAGES = ("index", "how_to_read", "live_page", "notation", "basic_colliding", "analytic_lcp", "impulse_damped",
-         "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger", "errata",
+         "geometric_stability", "timewarp", "filtering", "exterior_rotation", "choose_a_technique", "gallery", "ledger", "errata",
          "tolerances", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
 SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
 FORMULAS = {"notation", "basic_colliding", "analytic_lcp", "impulse_damped", "geometric_stability", "timewarp",
-            "filtering", "exterior_rotation", "namespacetumble"}  # pages that must have some
+            "filtering", "exterior_rotation", "choose_a_technique", "namespacetumble"}  # pages that must have some
 WORD = "bisection"
 
 # Resolves when MathJax has nothing left to do.

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -15,6 +15,7 @@ namespace {
 constexpr double kStep = 1.0 / 60.0;  // [s]
 constexpr double kWatched = 0.5;      // [s] at the end of a run
 constexpr double kFell = 0.5;         // [m] half an edge
+constexpr double kFalls = 1.0;        // [m/s] what rests is slower
 constexpr double kTipped = 15.0;      // [deg] off the slope's normal
 
 constexpr std::array<const char*, 3> kMassNames = {"10", "100", "1000"};
@@ -76,7 +77,7 @@ PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double durat
   };
   const RunResult result = run_compared(scene, played, kStep, duration, look);
   run.overlap = result.worst_metrics.deepest_overlap;
-  run.stands = result.end == RunEnd::complete && moved < kFell;
+  run.stands = result.end == RunEnd::complete && moved < kFell && speed < kFalls;
   if (!run.stands) return run;
   run.speed = speed;
   if (result.last.chatter.bodies > 0) run.chatter = result.last.chatter.amplitude;
@@ -85,7 +86,8 @@ PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double durat
 
 double tipping_angle(const PlayedTechnique& played, int halves) {
   double low = 2.0, high = 60.0;
-  if (tips(played, low) || !tips(played, high)) return kNoNumber;
+  if (tips(played, low)) return 0.0;
+  if (!tips(played, high)) return std::numeric_limits<double>::infinity();
   for (int k = 0; k < halves; ++k) {
     const double middle = 0.5 * (low + high);
     (tips(played, middle) ? high : low) = middle;
@@ -97,13 +99,13 @@ Result measure_rest_and_tip(const Parameters& settings) {
   Table table{"",
               {{"technique", "-", "its row, from 0"},
                {"box_m_s", "m/s", "speed of one box in the last half second"},
-               {"stack_m_s", "m/s", "fastest of a stack in the last half second; empty: it fell"},
+               {"stack_m_s", "m/s", "fastest of a stack in the last half second; empty: it falls"},
                {"overlap_m", "m", "deepest in the stack"},
                {"chatter_m", "m", "amplitude in the stack at the end; empty: not at rest"},
                {"mass10_m", "m", "deepest overlap under a top of ten times the mass"},
                {"mass100_m", "m", "of a hundred times"},
                {"mass1000_m", "m", "of a thousand times"},
-               {"tips_deg", "deg", "slope from which a box tips; empty: at once or never"}}};
+               {"tips_deg", "deg", "slope from which a box tips; empty: not at 60 degrees"}}};
   Result result;
   const std::vector<PlayedTechnique> techniques = compared_techniques();
   for (std::size_t t = 0; t < techniques.size(); ++t) {
@@ -124,7 +126,8 @@ Result measure_rest_and_tip(const Parameters& settings) {
     for (std::size_t m = 0; m < kMassNames.size(); ++m)
       add("overlap under a load of " + std::string(kMassNames[m]), "mm",
           stack_of(settings, 2, kMassNames[m], played).overlap, 1e3);
-    add("slope from which a box tips", "deg", tipping_angle(played, settings.count("halves")), 1.0);
+    const double angle = tipping_angle(played, settings.count("halves"));
+    add("slope from which a box tips", "deg", std::isinf(angle) ? kNoNumber : angle, 1.0);
     table.rows.push_back(row);
   }
   result.quantities.push_back({"slope from which a box tips, closed form", "deg",

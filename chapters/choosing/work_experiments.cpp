@@ -32,6 +32,18 @@ LeastWork least_work(const std::vector<Try>& tries, std::size_t techniques, doub
   return least;
 }
 
+// The four timewarps are relatives: whatever is true of one counts four times unless one stands for all.
+LeastWork with_one_timewarp(const LeastWork& work, const std::vector<PlayedTechnique>& techniques) {
+  LeastWork kept;
+  bool seen = false;
+  for (std::size_t t = 0; t < work.size(); ++t) {
+    const bool timewarp = techniques[t].name.rfind("timewarp_", 0) == 0;
+    if (!timewarp || !seen) kept.push_back(work[t]);
+    seen = seen || timewarp;
+  }
+  return kept;
+}
+
 Table runs_table(const std::vector<Try>& tries) {
   Table table{
       "",
@@ -55,7 +67,7 @@ void add_errors(const std::vector<Try>& tries, const std::vector<PlayedTechnique
       add_number(result.quantities,
                  number_name(techniques[one.technique].name,
                              "error of " + problems[one.problem].name + " at 1/60 s"),
-                 "-", one.came.error);
+                 "%", 100.0 * one.came.error);
 }
 
 }  // namespace
@@ -98,6 +110,9 @@ Result measure_work_against_error(const Parameters& settings) {
       {"the same share with half of that error", "-", changing(0.5, 1.0)},
       {"the same share with twice that error", "-", changing(2.0, 1.0)},
       {"the same share with a pivot counted ten times", "-", changing(1.0, 10.0)},
+      {"the same share with one timewarp for all four", "-",
+       share_that_changes_places(
+           with_one_timewarp(least_work(tries, techniques.size(), tolerance), techniques))},
       {"techniques that were compared", "-", static_cast<double>(techniques.size())}};
   add_errors(tries, techniques, problems, result);
 

@@ -20,13 +20,6 @@ struct PlayedTechnique {
   std::vector<std::string> settings = {};  ///< each as key=value
 };
 
-/// Makes a technique with its options changed.
-/// \param played  which, and what is changed
-/// \param seed    of chance in it
-/// \return the technique, no step done
-/// \throws std::invalid_argument for a name, a key or a value that there is not
-std::unique_ptr<Technique> make_technique(const PlayedTechnique& played, std::uint64_t seed = 1);
-
 /// A scene that is being simulated at 60 steps a second.
 struct PlayedScene {
   static constexpr double kStep = 1.0 / 60.0;  ///< [s] the thesis's
