@@ -1,0 +1,139 @@
+/// \file
+/// \brief What a technique does with boxes that should rest, and with one that should tip.
+#include "choosing/rest_experiments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;  // [s]
+constexpr double kWatched = 0.5;      // [s] at the end of a run
+constexpr double kFell = 0.5;         // [m] half an edge
+constexpr double kFalls = 1.0;        // [m/s] what rests is slower
+constexpr double kTipped = 15.0;      // [deg] off the slope's normal
+
+constexpr std::array<const char*, 3> kMassNames = {"10", "100", "1000"};
+
+bool tips(const PlayedTechnique& played, double angle) {
+  const Scene scene =
+      scene_with("slope", {setting("angle", angle), "width=0.5", "height=1", "friction=2"});
+  double most = 0.0;
+  const auto look = [&](const World& world, const Metrics&, const StepReport&) {
+    const Vec3 up = world.states()[1].orientation_wb * Vec3::UnitY();
+    const Vec3 normal = world.states()[0].orientation_wb * Vec3::UnitY();
+    most = std::max(most, std::acos(std::clamp(up.dot(normal), -1.0, 1.0)));
+  };
+  run_compared(scene, played, kStep, 2.0, look);
+  return most * 180.0 / std::numbers::pi > kTipped;
+}
+
+// The worst of several starts.
+PileRun worst_of(const std::vector<PileRun>& runs) {
+  PileRun worst;
+  bool still = worst.stands = true;
+  worst.speed = worst.chatter = 0.0;
+  for (const PileRun& run : runs) {
+    worst.stands = worst.stands && run.stands;
+    worst.overlap = std::max(worst.overlap, run.overlap);
+    worst.speed = std::max(worst.speed, run.speed);
+    still = still && !std::isnan(run.chatter);
+    if (still) worst.chatter = std::max(worst.chatter, run.chatter);
+  }
+  if (!still) worst.chatter = kNoNumber;
+  if (!worst.stands) worst.speed = worst.chatter = worst.overlap = kNoNumber;
+  return worst;
+}
+
+PileRun stack_of(const Parameters& p, int count, const std::string& top,
+                 const PlayedTechnique& played) {
+  std::vector<PileRun> runs;
+  for (int seed = 1; seed <= p.count("seeds"); ++seed) {
+    const Scene scene = scene_with("stack",
+                                   {"count=" + std::to_string(count), "top_mass=" + top,
+                                    setting("scatter", p.number("scatter"))},
+                                   static_cast<std::uint64_t>(seed));
+    runs.push_back(pile_run(scene, played, p.number("duration")));
+  }
+  return worst_of(runs);
+}
+
+}  // namespace
+
+PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double duration) {
+  PileRun run;
+  double speed = 0.0, moved = 0.0;
+  const auto look = [&](const World& world, const Metrics& metrics, const StepReport&) {
+    if (world.time() > duration - kWatched) speed = std::max(speed, metrics.fastest);
+    const std::size_t ground = world.states().size() - scene.boxes.size();
+    for (std::size_t k = 0; k < scene.boxes.size(); ++k)
+      moved = std::max(moved,
+                       (world.states()[ground + k].position_w - scene.boxes[k].position_w).norm());
+  };
+  const RunResult result = run_compared(scene, played, kStep, duration, look);
+  run.overlap = result.worst_metrics.deepest_overlap;
+  run.stands = result.end == RunEnd::complete && moved < kFell && speed < kFalls;
+  if (!run.stands) return run;
+  run.speed = speed;
+  if (result.last.chatter.bodies > 0) run.chatter = result.last.chatter.amplitude;
+  return run;
+}
+
+double tipping_angle(const PlayedTechnique& played, int halves) {
+  double low = 2.0, high = 60.0;
+  if (tips(played, low)) return 0.0;
+  if (!tips(played, high)) return std::numeric_limits<double>::infinity();
+  for (int k = 0; k < halves; ++k) {
+    const double middle = 0.5 * (low + high);
+    (tips(played, middle) ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+Result measure_rest_and_tip(const Parameters& settings) {
+  Table table{"",
+              {{"technique", "-", "its row, from 0"},
+               {"box_m_s", "m/s", "speed of one box in the last half second"},
+               {"stack_m_s", "m/s", "fastest of a stack in the last half second; empty: it falls"},
+               {"overlap_m", "m", "deepest in the stack"},
+               {"chatter_m", "m", "amplitude in the stack at the end; empty: not at rest"},
+               {"mass10_m", "m", "deepest overlap under a top of ten times the mass"},
+               {"mass100_m", "m", "of a hundred times"},
+               {"mass1000_m", "m", "of a thousand times"},
+               {"tips_deg", "deg", "slope from which a box tips; empty: not at 60 degrees"}}};
+  Result result;
+  const std::vector<PlayedTechnique> techniques = compared_techniques();
+  for (std::size_t t = 0; t < techniques.size(); ++t) {
+    const PlayedTechnique& played = techniques[t];
+    std::vector<double> row = {static_cast<double>(t)};
+    const auto add = [&](const std::string& what, const std::string& unit, double value,
+                         double scale) {
+      row.push_back(value);
+      add_number(result.quantities, number_name(played.name, what), unit, scale * value);
+    };
+    const PileRun box = pile_run(scene_with("bouncing_box", {"height=0.01", "restitution=0"}),
+                                 played, settings.number("duration"));
+    add("speed of a box at rest", "mm/s", box.speed, 1e3);
+    const PileRun stack = stack_of(settings, settings.count("boxes"), "1", played);
+    add("speed in a stack at rest", "mm/s", stack.speed, 1e3);
+    add("overlap in a stack", "mm", stack.overlap, 1e3);
+    add("chatter in a stack", "mm", stack.chatter, 1e3);
+    for (std::size_t m = 0; m < kMassNames.size(); ++m)
+      add("overlap under a load of " + std::string(kMassNames[m]), "mm",
+          stack_of(settings, 2, kMassNames[m], played).overlap, 1e3);
+    const double angle = tipping_angle(played, settings.count("halves"));
+    add("slope from which a box tips", "deg", std::isinf(angle) ? kNoNumber : angle, 1.0);
+    table.rows.push_back(row);
+  }
+  result.quantities.push_back({"slope from which a box tips, closed form", "deg",
+                               std::atan(0.5) * 180.0 / std::numbers::pi});
+  result.tables = {table};
+  return result;
+}
+
+}  // namespace tumble::chapters
