@@ -14,8 +14,9 @@ Figure rest_and_tip() {
   figure.caption =
       "Above, a stack of ten cubes that begins up to a centimetre off its places, the worst of "
       "three starts. Contact areas, exact forces, time stepping and impulses bring it to rest; the "
-      "last let it sink by centimetres on the way. Damping goes on shaking it, and what knows no "
-      "rest lets it fall. Below, the overlap of two cubes whose upper one is heavier: stiff areas "
+      "last let it sink by centimetres on the way. Damping goes on shaking it, boxes at more than "
+      "1 m/s, and what knows no rest lets it fall. Below, the overlap of two cubes whose upper one "
+      "is heavier: stiff areas "
       "and forces that are solved for do not feel it.";
   figure.parameters.add_whole("boxes", 10, 1, 20, "of the stack")
       .add_whole("seeds", 3, 1, 100, "starts of each pile, of which the worst counts")

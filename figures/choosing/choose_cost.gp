@@ -1,5 +1,5 @@
 # Work of a step against the number of boxes: stacks that stand apart, and one pyramid.
-tall = 1000
+tall = 1080
 @PAGE
 set multiplot
 set lmargin at screen 0.175; set rmargin at screen 0.955
@@ -13,8 +13,8 @@ side = 'work of a step'; @SIDE
 set key at screen 0.56,0.992 center top vertical maxrows 4 width 2
 array scenes[2] = ['stacks of five that stand apart', 'one pyramid']
 do for [s = 0:1] {
-  top = 0.83 - 0.415*s
-  set tmargin at screen top; set bmargin at screen top - 0.34
+  top = 0.83 - 0.41*s
+  set tmargin at screen top; set bmargin at screen top - 0.32
   set label 1 scenes[s + 1] at graph 0.5,1.05 center textcolor rgb '#202020'
   if (s == 1) { set xlabel 'boxes' offset 0,0.3 }
   plot for [k = 1:8] stem.'.csv' using (column('technique') == rows[k] && column('scene') == s ? column('boxes') : NaN):'work' with linespoints lt k title s == 0 ? names[k] : ''
