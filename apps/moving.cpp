@@ -117,11 +117,12 @@ void write_film(const RenderRequest& request, const RecordedRun& run,
       frames_of(request, run, request.speed.value_or(1.0) / rate);
   const Film film = film_of(shown_frames(run, frames, direction_w), direction_w, width, height,
                             run.scene.ground.has_value());
+  const FilmPainter painter(film);
   const FilmLine line(frames.size());
   const auto paint = [&](int frame) {
     if (stop_signal() != 0) throw CannotWrite("tumble: interrupted");
     line.tell(frame);
-    return painted(film, frame);
+    return painter.painted(frame);
   };
   if (gif) {
     write_file(path, to_gif(film_delays(film, rate), paint));

@@ -139,13 +139,6 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
   return code;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folder) {

@@ -19,12 +19,11 @@ std::size_t figures_of_kind(const std::vector<DrawnFigure>& figures, const std::
   return count;
 }
 
-// Figures of the thesis that are drawn: fig6_6_projectile and fig6_6_projectile_curves are two pictures of one.
+// Figures of the thesis that are drawn.
 std::size_t thesis_figures(const std::vector<DrawnFigure>& figures) {
   std::set<std::string> numbers;
   for (const DrawnFigure& figure : figures)
-    if (is_of_kind(figure, "fig"))
-      numbers.insert(figure.name.substr(0, figure.name.find('_', figure.name.find('_') + 1)));
+    if (is_of_kind(figure, "fig")) numbers.insert(thesis_number(figure.name));
   return numbers.size();
 }
 
@@ -123,6 +122,12 @@ std::string others_text(const Findings& findings) {
 
 bool is_of_kind(const DrawnFigure& figure, const std::string& prefix) {
   return figure.name.rfind(prefix, 0) == 0;
+}
+
+std::string thesis_number(const std::string& name) {
+  std::string number = name.substr(3, name.find('_', name.find('_') + 1) - 3);
+  std::replace(number.begin(), number.end(), '_', '.');
+  return number;
 }
 
 bool is_drawn(const DrawnFigure& figure) { return !figure.head.empty(); }

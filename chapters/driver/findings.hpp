@@ -54,6 +54,11 @@ std::string others_text(const Findings& findings);
 /// \return true if the name begins so
 bool is_of_kind(const DrawnFigure& figure, const std::string& prefix);
 
+/// The thesis's number of a figure: fig6_6_projectile and fig6_6_projectile_curves are two pictures of one.
+/// \param name  "fig5_6_pyramid"
+/// \return "5.6"
+std::string thesis_number(const std::string& name);
+
 /// Whether the figure's numbers were computed here.
 /// \param figure  the figure
 /// \return false if only its expected values are known

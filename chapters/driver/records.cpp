@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace tumble::chapters {
@@ -90,6 +91,13 @@ std::vector<Record> read_records(const std::filesystem::path& path, const Record
     throw std::invalid_argument(path.string() + ':' + std::to_string(error.source().begin.line) +
                                 ": not TOML: " + std::string(error.description()));
   }
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream in(text);
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
 }
 
 }  // namespace tumble::chapters

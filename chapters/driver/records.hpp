@@ -36,4 +36,9 @@ struct Record {
 ///         value of another kind, an id that stands twice
 std::vector<Record> read_records(const std::filesystem::path& path, const RecordForm& form);
 
+/// A text that is a list.
+/// \param text  words with blanks between them
+/// \return the words
+std::vector<std::string> words_of(const std::string& text);
+
 }  // namespace tumble::chapters

@@ -6,7 +6,6 @@
 #include "driver/records.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace tumble::chapters {
@@ -14,13 +13,6 @@ namespace {
 
 const RecordForm kForm{
     "section", {"id", "title", "state"}, {"about", "pages", "figures", "because"}};
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream words(text);
-  std::vector<std::string> list;
-  for (std::string word; words >> word;) list.push_back(word);
-  return list;
-}
 
 void check_section(const ThesisSection& section) {
   const bool out = section.state == "out of scope";
@@ -33,13 +25,6 @@ void check_section(const ThesisSection& section) {
     throw std::invalid_argument(section.place + "because: give it if and only if out of scope");
 }
 
-// "fig5_6_pyramid" gives "figure 5.6".
-std::string figure_number(const std::string& name) {
-  std::string number = name.substr(3, name.find('_', name.find('_') + 1) - 3);
-  std::replace(number.begin(), number.end(), '_', '.');
-  return "figure " + number;
-}
-
 // Figures that stand under a number of the thesis. Of two pictures of one figure, the second is one more link.
 std::string figures_html(const ThesisSection& section, const Findings& findings) {
   std::string text;
@@ -47,7 +32,7 @@ std::string figures_html(const ThesisSection& section, const Findings& findings)
     const bool known = std::any_of(findings.figures.begin(), findings.figures.end(),
                                    [&](const DrawnFigure& figure) { return figure.name == name; });
     if (!known) throw std::invalid_argument(section.place + "no figure is called " + name);
-    text += "<a href=\"gallery.html#" + name + "\">" + figure_number(name) + "</a><br>";
+    text += "<a href=\"gallery.html#" + name + "\">figure " + thesis_number(name) + "</a><br>";
   }
   return text;
 }

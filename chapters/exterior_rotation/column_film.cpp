@@ -60,8 +60,10 @@ std::string column_film(const Parameters& settings) {
   const Camera camera = camera_of(apart);
   const Film left = film_of(apart, camera);
   const Film right = film_of(fall(start, PoseUpdate::exponential), camera);
+  const FilmPainter first(left);
+  const FilmPainter second(right);
   return to_gif(film_delays(left, kSpeed / kStep),
-                [&](int frame) { return beside(painted(left, frame), painted(right, frame)); });
+                [&](int frame) { return beside(first.painted(frame), second.painted(frame)); });
 }
 
 }  // namespace tumble::chapters

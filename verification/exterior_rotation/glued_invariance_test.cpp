@@ -92,16 +92,6 @@ TEST_CASE(
 
 TEST_CASE("A group's image in a mirror does the image of what the group does",
           "[exact][exterior_rotation]") {
-  const auto mirrored = [](const World& world) {  // x to -x; spins are the other way about y and z
-    return changed(world, [](BodyProperties&, BodyState& state) {
-      state.position_w.x() *= -1.0;
-      state.linear_momentum_w.x() *= -1.0;
-      state.orientation_wb.y() *= -1.0;
-      state.orientation_wb.z() *= -1.0;
-      state.angular_momentum_w.y() *= -1.0;
-      state.angular_momentum_w.z() *= -1.0;
-    });
-  };
   for (const GluedOptions& options : all_ways())
     for (const World& world : worlds()) {
       INFO(text_of(options));

@@ -117,9 +117,10 @@ TEST_CASE("Each digit has strokes of its own and a sign that there is not is ref
 TEST_CASE("All frames of a film are seen by one camera and have their time in a corner",
           "[unit][picture]") {
   const Film film = film_of_a_fall();
+  const FilmPainter painter(film);
   std::set<std::string> corners;
   for (int k = 0; k < 4; ++k) {
-    const Raster raster = painted(film, k);
+    const Raster raster = painter.painted(k);
     CHECK(raster.width == 120);
     CHECK(raster.height == 80);
     std::vector<std::uint8_t> corner;
@@ -129,10 +130,10 @@ TEST_CASE("All frames of a film are seen by one camera and have their time in a 
     CHECK(std::count_if(corner.begin(), corner.end(), [](int c) { return c < 0x60; }) > 20);
     corners.emplace(corner.begin(), corner.end());
     // The floor is the same in each, wherever the box is.
-    CHECK(pixel(raster, 100, 70) == pixel(painted(film, 0), 100, 70));
+    CHECK(pixel(raster, 100, 70) == pixel(painter.painted(0), 100, 70));
   }
   CHECK(corners.size() == 4);
-  CHECK_THROWS_WITH(painted(film, 4), Contains("the film has 4"));
-  CHECK_THROWS_WITH(painted(film, -1), Contains("frame -1"));
+  CHECK_THROWS_WITH(painter.painted(4), Contains("the film has 4"));
+  CHECK_THROWS_WITH(painter.painted(-1), Contains("frame -1"));
   CHECK(film_delays(film, 25.0) == std::vector<int>{4, 4, 4, 104});
 }

@@ -46,4 +46,18 @@ inline World in_other_units(const World& world, double mass) {
   });
 }
 
+/// The image in a mirror: x to -x; spins are the other way about y and z.
+/// \param world  the other one
+/// \return the new one
+inline World mirrored(const World& world) {
+  return changed(world, [](BodyProperties&, BodyState& state) {
+    state.position_w.x() *= -1.0;
+    state.linear_momentum_w.x() *= -1.0;
+    state.orientation_wb.y() *= -1.0;
+    state.orientation_wb.z() *= -1.0;
+    state.angular_momentum_w.y() *= -1.0;
+    state.angular_momentum_w.z() *= -1.0;
+  });
+}
+
 }  // namespace tumble::test

@@ -33,18 +33,6 @@ std::vector<World> small_worlds() {
           world_of("two_boxes")};
 }
 
-// x to -x; spins are the other way about y and z.
-World mirrored(const World& world) {
-  return changed(world, [](BodyProperties&, BodyState& state) {
-    state.position_w.x() *= -1.0;
-    state.linear_momentum_w.x() *= -1.0;
-    state.orientation_wb.y() *= -1.0;
-    state.orientation_wb.z() *= -1.0;
-    state.angular_momentum_w.y() *= -1.0;
-    state.angular_momentum_w.z() *= -1.0;
-  });
-}
-
 }  // namespace
 
 TEST_CASE("Every technique and its copies are called what its recipe says", "[unit][technique]") {

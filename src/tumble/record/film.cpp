@@ -54,16 +54,18 @@ Film film_of(std::vector<FilmFrame> frames, const Vec3& direction_w, int width, 
   return {std::move(frames), camera_for(all, direction_w, width, height, floor), floor};
 }
 
-Raster painted(const Film& film, int frame) {
+FilmPainter::FilmPainter(const Film& film)
+    : film_(film), around_(around(film)), decimals_(decimals_of(film)) {}
+
+Raster FilmPainter::painted(int frame) const {
   require::that(
-      frame >= 0 && static_cast<std::size_t>(frame) < film.frames.size(),
-      "frame " + std::to_string(frame) + ": the film has " + std::to_string(film.frames.size()));
-  const FilmFrame& shown = film.frames[static_cast<std::size_t>(frame)];
-  const std::array<PictureBox, 1> all = {around(film)};
-  Picture picture = draw_boxes(shown.boxes, film.camera, film.floor, all);
+      frame >= 0 && static_cast<std::size_t>(frame) < film_.frames.size(),
+      "frame " + std::to_string(frame) + ": the film has " + std::to_string(film_.frames.size()));
+  const FilmFrame& shown = film_.frames[static_cast<std::size_t>(frame)];
+  Picture picture = draw_boxes(shown.boxes, film_.camera, film_.floor, {&around_, 1});
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f s", decimals_of(film), shown.time);
-  const double letter = std::max(kSmallestLetter, kLetterShare * film.camera.height);
+  std::snprintf(text.data(), text.size(), "%.*f s", decimals_, shown.time);
+  const double letter = std::max(kSmallestLetter, kLetterShare * film_.camera.height);
   picture.areas.push_back(lettering(text.data(), Vec2(letter, letter), letter, kInk));
   return rasterised(picture);
 }
@@ -73,7 +75,8 @@ std::vector<int> film_delays(const Film& film, double rate) {
 }
 
 std::string to_gif(const Film& film, double rate) {
-  return to_gif(film_delays(film, rate), [&](int frame) { return painted(film, frame); });
+  const FilmPainter painter(film);
+  return to_gif(film_delays(film, rate), [&](int frame) { return painter.painted(frame); });
 }
 
 }  // namespace tumble

@@ -34,13 +34,25 @@ struct Film {
 Film film_of(std::vector<FilmFrame> frames, const Vec3& direction_w, int width, int height,
              bool floor);
 
-/// Paints a frame.
-/// \param film   the film
-/// \param frame  its number, from 0
-/// \return its pixels, with the time above to the left: as many decimals as tell frames apart, two at least
-/// \throws std::invalid_argument for a frame that there is not, or as draw_boxes() does
+/// Paints the frames of a film.
 /// \verified{All frames of a film are seen by one camera and have their time in a corner}
-Raster painted(const Film& film, int frame);
+class FilmPainter {
+ public:
+  /// Finds what all frames share: what the floor is drawn around, and the decimals of the time.
+  /// \param film  has to outlive this
+  explicit FilmPainter(const Film& film);
+
+  /// Paints a frame.
+  /// \param frame  its number, from 0
+  /// \return its pixels, with the time above to the left: as many decimals as tell frames apart, two at least
+  /// \throws std::invalid_argument for a frame that there is not, or as draw_boxes() does
+  [[nodiscard]] Raster painted(int frame) const;
+
+ private:
+  const Film& film_;
+  PictureBox around_;
+  int decimals_;
+};
 
 /// How long each frame of a film is shown: the last one for a second more.
 /// \param film  the film, at least one frame
@@ -53,7 +65,7 @@ std::vector<int> film_delays(const Film& film, double rate);
 /// \param film  the film, at least one frame
 /// \param rate  [1/s] frames in a second, 1 to 50
 /// \return the bytes of the file
-/// \throws std::invalid_argument as painted() and gif_delays() do
+/// \throws std::invalid_argument as FilmPainter and gif_delays() do
 std::string to_gif(const Film& film, double rate);
 
 }  // namespace tumble

@@ -62,6 +62,15 @@ RecordedPose pose_of(const Row& row, const std::map<std::string, int>& boxes) {
   return pose;
 }
 
+// A time at most so far outside of what was recorded.
+void require_recorded(const RecordedRun& run, double time, double outside) {
+  const double first = run.frames.front().time;
+  const double last = run.frames.back().time;
+  require::that(time >= first - outside && time <= last + outside,
+                "time " + require::text(time) + " s: the run was recorded from " +
+                    require::text(first) + " to " + require::text(last) + " s");
+}
+
 }  // namespace
 
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table) {
@@ -108,10 +117,7 @@ World world_of(const RecordedRun& run, const RecordedFrame& frame) {
 
 RecordedFrame frame_at(const RecordedRun& run, double time) {
   const std::vector<RecordedFrame>& frames = run.frames;
-  require::that(time >= frames.front().time && time <= frames.back().time,
-                "time " + require::text(time) + " s: the run was recorded from " +
-                    require::text(frames.front().time) + " to " +
-                    require::text(frames.back().time) + " s");
+  require_recorded(run, time, 0.0);
   const auto after =
       std::upper_bound(frames.begin(), frames.end(), time,
                        [](double t, const RecordedFrame& frame) { return t < frame.time; });
@@ -134,12 +140,7 @@ RecordedFrame frame_at(const RecordedRun& run, double time) {
 
 const RecordedFrame& nearest_frame(const RecordedRun& run, double time) {
   const std::vector<RecordedFrame>& frames = run.frames;
-  const double first = frames.front().time;
-  const double last = frames.back().time;
-  const double half = frames.size() > 1 ? 0.5 * (frames[1].time - first) : 0.0;
-  require::that(time >= first - half && time <= last + half,
-                "time " + require::text(time) + " s: the run was recorded from " +
-                    require::text(first) + " to " + require::text(last) + " s");
+  require_recorded(run, time, frames.size() > 1 ? 0.5 * (frames[1].time - frames[0].time) : 0.0);
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < frames.size(); ++k)
     if (std::abs(frames[k].time - time) < std::abs(frames[nearest].time - time)) nearest = k;
