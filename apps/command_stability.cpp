@@ -2,6 +2,7 @@
 /// \brief `tumble stability`: who of a scene stands firm at its start, why, and what moves if not.
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
@@ -21,8 +22,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kRules = {"corners", "hull", "load_proof", "equilibrium"};
 constexpr std::size_t kMostMoving = 10;  // of who begins to move, so many are told
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // A body's line of the table.
 struct Line {

@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostEvents = 4096;  // between two looks; a page draws no more
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void append(const Vec3& v, std::vector<double>& out) {
   out.insert(out.end(), {v.x(), v.y(), v.z()});

@@ -3,6 +3,7 @@
 #include "tumble/scenes/scene.hpp"
 
 #include "analytic_lcp/joined_experiments.hpp"
+#include "driver/common_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;          // [m/s²]
 constexpr double kLook = 1.0 / 15;         // [s] between two looks at the error
 constexpr double kSpacing = 3.0;           // [m] between the cubes: they never meet
 constexpr int kMany = 10;                  // cubes of the verdict

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Counted work: friction against none, new factors against updated ones.
 #include "tumble/analytic_lcp/baraff.hpp"
+#include "tumble/base/index.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"
 #include "analytic_lcp/solver_experiments.hpp"
@@ -13,8 +14,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // W between the rows of some factors: A = J W Jᵀ.
 MatX yields(const LcpFactors& factors) {

@@ -7,6 +7,7 @@
 #include "tumble/scenes/scene.hpp"
 #include "tumble/techniques.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
 #include "driver/settings.hpp"
 
@@ -28,7 +29,6 @@ std::unique_ptr<Technique> technique_with(const std::string& name,
 
 namespace {
 
-constexpr double kGravity = 9.81;     // [m/s²]
 constexpr double kRestitution = 0.5;  // of the cube that bounces
 constexpr double kFriction = 0.3;     // everywhere
 constexpr double kSlideSpeed = 3.0;   // [m/s] of the cube that slides

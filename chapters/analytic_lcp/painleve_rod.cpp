@@ -4,13 +4,14 @@
 
 #include "tumble/math/elementary.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
-constexpr double kSlip = -1.0;     // [m/s] of the lower end before the step
+constexpr double kSlip = -1.0;  // [m/s] of the lower end before the step
 
 // What an impulse (tangential, normal) at the lower end changes. The end is at -(cos, sin) from the
 // centre, the moment of inertia is 1/3.

@@ -3,7 +3,10 @@
 #include "analytic_lcp/pyramid_problem.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
+
+#include "driver/common_numbers.hpp"
 
 #include <algorithm>
 #include <string>
@@ -15,9 +18,6 @@ using Row = LcpFactors::Row;
 
 constexpr double spacing = 1.05;          // [m]
 constexpr double time_step = 1.0 / 60.0;  // [s]
-constexpr double gravity = 9.81;          // [m/s²]
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Where the cubes of a row of the pyramid begin: rows have k, k - 1, ... cubes.
 int first_of_row(int k, int row) { return row * k - row * (row - 1) / 2; }
@@ -54,7 +54,7 @@ void add_face_pair(LcpProblem& problem, int k, int below, int cube) {
 // b = J (v + g dt)
 void set_b(PyramidProblem& pyramid) {
   LcpProblem& problem = pyramid.problem;
-  const Vec3 fall(0.0, -gravity * time_step, 0.0);
+  const Vec3 fall(0.0, -kGravity * time_step, 0.0);
   problem.b.setZero(static_cast<Eigen::Index>(problem.factors.rows.size()));
   for (int i = 0; i < problem.size(); ++i) {
     const Row& row = problem.factors.rows[at(i)];
@@ -106,7 +106,7 @@ PyramidProblem next_step(const PyramidProblem& before, std::span<const double> f
   PyramidProblem pyramid = before;
   const LcpFactors& factors = before.problem.factors;
   require::that(f.size() == factors.rows.size(), "f: give a force for each contact");
-  for (Vec3& v : pyramid.linear_w) v.y() -= gravity * time_step;
+  for (Vec3& v : pyramid.linear_w) v.y() -= kGravity * time_step;
   for (std::size_t i = 0; i < f.size(); ++i) {
     const Row& row = factors.rows[i];
     const auto push = [&](int body, const Vec3& linear, const Vec3& angular) {

@@ -2,10 +2,10 @@
 /// \brief Contact problems for the claims on solvers: stacks of cubes, and chains of boxes.
 #include "analytic_lcp/redundant_contacts.hpp"
 
+#include "tumble/base/index.hpp"
+
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // I = m s² / 6 for a cube.
 LcpFactors::Body unit_cube() { return {Vec3::Ones(), Vec3::Constant(6.0).asDiagonal()}; }

@@ -2,11 +2,13 @@
 /// \brief The tolerance of the thesis's program, and its negative forces.
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/baraff_as_printed.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"
 #include "analytic_lcp/solver_experiments.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -19,10 +21,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double gravity = 9.81;  // [m/s²]
 constexpr double pi = 3.14159265358979323846;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Stacks of one to four cubes, pushed about at random by up to a tenth of their weight.
 LcpProblem random_stack(Random& random) {
@@ -30,8 +29,8 @@ LcpProblem random_stack(Random& random) {
   problem.factors = stack_on_corners(1 + static_cast<int>(random.below(4)));
   std::vector<Load> loads(problem.factors.bodies.size());
   for (Load& load : loads) {
-    load.linear_w = random.in_cube(0.1 * gravity) - Vec3(0.0, gravity, 0.0);
-    load.angular_w = random.in_cube(0.6 * gravity);
+    load.linear_w = random.in_cube(0.1 * kGravity) - Vec3(0.0, kGravity, 0.0);
+    load.angular_w = random.in_cube(0.6 * kGravity);
   }
   problem.b = constant_part(problem.factors, loads);
   multiply_out(problem.factors, problem.A);
@@ -243,12 +242,12 @@ Result measure_negative_forces(const Parameters& settings) {
   BaraffAsPrintedSolver leave({.clamp = false});
   BaraffAsPrintedSolver zero;
   BaraffSolver relative;
-  Rest left(leave, cubes, gravity);
-  Rest zeroed(zero, cubes, gravity);
-  Rest cube(leave, 1, gravity);
+  Rest left(leave, cubes, kGravity);
+  Rest zeroed(zero, cubes, kGravity);
+  Rest cube(leave, 1, kGravity);
   Rest below(leave, 1, light);
   Rest below_relative(relative, 1, light);
-  Rest stack_relative(relative, cubes, gravity);
+  Rest stack_relative(relative, cubes, kGravity);
   const std::array<Rest*, 6> runs = {&left,  &zeroed,         &cube,
                                      &below, &below_relative, &stack_relative};
 

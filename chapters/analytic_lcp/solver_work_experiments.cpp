@@ -2,6 +2,7 @@
 /// \brief Counted work: least constraint against contact forces.
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/least_constraint.hpp"
+#include "tumble/base/index.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"
 #include "analytic_lcp/solver_experiments.hpp"
@@ -15,8 +16,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double multiplications(LcpSolver& solver, const LcpProblem& problem, LcpResult& result) {
   solver.solve(problem, result);

@@ -5,6 +5,7 @@
 #include "tumble/scenes/scene.hpp"
 
 #include "analytic_lcp/joined_experiments.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -14,12 +15,11 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr int kDie = 1;             // its index: the ground comes first
-constexpr double kStep = 1.0 / 60;  // [s]
-constexpr double kLongest = 20.0;   // [s] by when every die rests
-constexpr double kQuiet = 0.5;      // [s] a die that is slow for so long rests
-constexpr double kSlow = 1e-3;      // [m/s]
-constexpr double kEdge = 1.0;       // [m] of the die
+constexpr int kDie = 1;            // its index: the ground comes first
+constexpr double kLongest = 20.0;  // [s] by when every die rests
+constexpr double kQuiet = 0.5;     // [s] a die that is slow for so long rests
+constexpr double kSlow = 1e-3;     // [m/s]
+constexpr double kEdge = 1.0;      // [m] of the die
 
 // A die of 1 m that falls with a random orientation and a random spin, or flat.
 World die(double height, double restitution, int seed, bool flat) {

@@ -7,6 +7,8 @@
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/gather.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +16,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;
 
 // --- 2.6.3a ---------------------------------------------------------------------------------------
 

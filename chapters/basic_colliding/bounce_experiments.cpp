@@ -5,6 +5,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²] of the scene
-constexpr int kCube = 1;           // its index: the ground comes first
-constexpr double kHalf = 0.5;      // [m] half its edge
+constexpr int kCube = 1;       // its index: the ground comes first
+constexpr double kHalf = 0.5;  // [m] half its edge
 
 // The library's scene of a cube that is dropped flat.
 World bouncing_cube(double height, double restitution) {

@@ -18,6 +18,7 @@
 #include "tumble/math/elementary.hpp"
 
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -30,10 +31,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
-
 // Cubes of 1 kg, from the ground up.
-struct Column {
+struct CubeColumn {
   std::vector<double> gaps;    // [m] below each cube: to the ground or to the cube below
   std::vector<double> speeds;  // [m/s] of each cube, upwards
 };
@@ -52,19 +51,19 @@ struct Count {
 };
 
 // Speed of cube k against what is below it; below 0 it comes nearer.
-double parting_speed(const Column& column, std::size_t k) {
+double parting_speed(const CubeColumn& column, std::size_t k) {
   return column.speeds[k] - (k == 0 ? 0.0 : column.speeds[k - 1]);
 }
 
 // Time until cube k meets what is below it. A gap is at least 0 up to rounding.
-double time_to_impact(const Column& column, std::size_t k) {
+double time_to_impact(const CubeColumn& column, std::size_t k) {
   const double gap = std::max(column.gaps[k], 0.0);
   const double v = parting_speed(column, k);
   if (k == 0) return (v + std::sqrt(v * v + 2.0 * kGravity * gap)) / kGravity;
   return v < 0.0 ? gap / -v : std::numeric_limits<double>::infinity();
 }
 
-void fly(Column& column, double time) {
+void fly_all(CubeColumn& column, double time) {
   for (std::size_t k = 0; k < column.gaps.size(); ++k) {
     column.gaps[k] += parting_speed(column, k) * time;
     if (k == 0) column.gaps[k] -= 0.5 * kGravity * time * time;
@@ -73,7 +72,7 @@ void fly(Column& column, double time) {
 }
 
 // Lets cube k collide with what is below it.
-void collide(Column& column, std::size_t k, const Law& law, Count& count) {
+void collide(CubeColumn& column, std::size_t k, const Law& law, Count& count) {
   const double approach = -parting_speed(column, k);
   const double change = approach + std::max(law.restitution * approach, law.slowest_rebound);
   if (k == 0) {
@@ -90,8 +89,8 @@ void collide(Column& column, std::size_t k, const Law& law, Count& count) {
 
 // Cubes start at rest, as far apart as the shortest hop is high, or less: cubes that touch exactly
 // would meet in impacts at one instant for ever, and rounding would order them.
-Column resting_column(int cubes, double hop, Random random) {
-  Column column;
+CubeColumn resting_column(int cubes, double hop, Random random) {
+  CubeColumn column;
   for (int k = 0; k < cubes; ++k) {
     column.gaps.push_back(random.uniform(0.0, kGravity * hop * hop / 8.0));
     column.speeds.push_back(0.0);
@@ -100,7 +99,7 @@ Column resting_column(int cubes, double hop, Random random) {
 }
 
 // One impact after the other, the earliest first, the lowest of those at one time.
-Count simulate(Column column, const Law& law, double duration, std::int64_t cap) {
+Count simulate(CubeColumn column, const Law& law, double duration, std::int64_t cap) {
   Count count;
   while (true) {
     std::size_t next = 0;
@@ -115,7 +114,7 @@ Count simulate(Column column, const Law& law, double duration, std::int64_t cap)
     count.capped = count.impulses == cap;
     if (count.capped || count.time + wait > duration) break;
     count.time += wait;
-    fly(column, wait);
+    fly_all(column, wait);
     collide(column, next, law, count);
   }
   if (!count.capped) count.time = duration;
@@ -139,7 +138,7 @@ Runs run_all(int cubes, double hop, const Parameters& settings) {
   const int seeds = settings.count("seeds");
   Runs runs;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Column start = resting_column(cubes, hop, Random(static_cast<std::uint64_t>(seed)));
+    const CubeColumn start = resting_column(cubes, hop, Random(static_cast<std::uint64_t>(seed)));
     const Count count = simulate(start, law, settings.number("duration"), settings.whole("cap"));
     const auto impulses = static_cast<double>(count.impulses);
     runs.rates.push_back(impulses / count.time);

@@ -7,6 +7,7 @@
 
 #include "basic_colliding/errata.hpp"
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 
 #include <limits>
 #include <optional>
@@ -17,7 +18,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
 const IndexPair kPair{0, 1};
 
 // --- S5: what is tested ---------------------------------------------------------------------
@@ -85,7 +85,7 @@ std::optional<double> impact_time(const World& world, double left, double resolu
   return kept == Side::apart ? last.low : last.high;
 }
 
-struct Impact {
+struct LiteralImpact {
   double time;     // [s] in the step
   double gap;      // [m] of the two bodies then
   double parting;  // [m/s] right after it
@@ -99,9 +99,9 @@ struct Literally {
 };
 
 // One step of two bodies that meet along `normal_w`: search, fly there, collide, search again.
-std::vector<Impact> impacts_in_step(World world, double dt, const Vec3& normal_w, int cap,
-                                    const Literally& how) {
-  std::vector<Impact> impacts;
+std::vector<LiteralImpact> impacts_in_step(World world, double dt, const Vec3& normal_w, int cap,
+                                           const Literally& how) {
+  std::vector<LiteralImpact> impacts;
   std::vector<MovingBody> moving;
   double now = 0.0;
   while (static_cast<int>(impacts.size()) < cap) {
@@ -146,10 +146,10 @@ World push_from_behind() {
   return world;
 }
 
-Table count_table(const std::vector<Impact>& impacts, std::string suffix) {
+Table count_table(const std::vector<LiteralImpact>& impacts, std::string suffix) {
   Table table{std::move(suffix),
               {{"since_ms", "ms", "time since the first impact"}, {"impacts", "-", "so far"}}};
-  for (const Impact& impact : impacts) {
+  for (const LiteralImpact& impact : impacts) {
     table.rows.push_back(
         {1e3 * (impact.time - impacts.front().time), static_cast<double>(table.rows.size() + 1)});
   }
@@ -157,7 +157,7 @@ Table count_table(const std::vector<Impact>& impacts, std::string suffix) {
 }
 
 // The gap from shortly before the cubes meet until shortly after; it does not change after an impact.
-Table gap_table(const std::vector<Impact>& impacts, std::string suffix) {
+Table gap_table(const std::vector<LiteralImpact>& impacts, std::string suffix) {
   constexpr double around = 2e-6;  // [s]
   const auto none = std::numeric_limits<double>::quiet_NaN();
   Table table{std::move(suffix),
@@ -165,7 +165,7 @@ Table gap_table(const std::vector<Impact>& impacts, std::string suffix) {
                {"gap_um", "µm", "between them; below 0 they overlap"},
                {"impact_um", "µm", "the same if this is an impact; else empty"}}};
   table.rows.push_back({-1e6 * around, 1e6 * around, none});
-  for (const Impact& impact : impacts)
+  for (const LiteralImpact& impact : impacts)
     table.rows.push_back({1e6 * (impact.time - kMeet), 1e6 * impact.gap, 1e6 * impact.gap});
   table.rows.push_back(
       {1e6 * (impacts.back().time + 4.0 * around - kMeet), 1e6 * impacts.back().gap, none});
@@ -185,7 +185,9 @@ void add_pass_erratum(Result& result) {
 }
 
 void add_progress_errata(int cap, Result& result) {
-  const auto count = [](const std::vector<Impact>& all) { return static_cast<double>(all.size()); };
+  const auto count = [](const std::vector<LiteralImpact>& all) {
+    return static_cast<double>(all.size());
+  };
 
   // S6. Flights get shorter by half each time: without an end to them the step has none.
   Literally how;

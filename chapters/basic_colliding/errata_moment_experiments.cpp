@@ -9,6 +9,7 @@
 
 #include "basic_colliding/errata.hpp"
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,9 +21,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kGravity = 9.81;     // [m/s²]
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 // --- S8: what moves the bodies while a time is searched for -----------------------------------
 

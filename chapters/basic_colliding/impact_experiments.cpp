@@ -4,6 +4,7 @@
 #include "tumble/dynamics/event_search.hpp"
 
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +13,15 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
-
-struct Impact {
+struct Rebound {
   double time;     // [s] since the start
   double rebound;  // [m/s] upwards, right after it
 };
 
 // Drops a cube flat onto the ground until it rebounds slowly. Each flight is searched for its
 // impact, the cube is put there, and it bounces.
-std::vector<Impact> bounces(double height, double restitution, double threshold, double resolution,
-                            Table* path) {
+std::vector<Rebound> bounces(double height, double restitution, double threshold, double resolution,
+                             Table* path) {
   constexpr double half = 0.5;            // [m] half the edge of the cube
   constexpr int samples_per_flight = 40;  // of the curve
   World world;
@@ -38,7 +37,7 @@ std::vector<Impact> bounces(double height, double restitution, double threshold,
   options.resolution = resolution;
   EventSearch search;
   std::vector<MovingBody> moving;
-  std::vector<Impact> impacts;
+  std::vector<Rebound> impacts;
   double now = 0.0;
   do {
     // All times of a flight count from its start.
@@ -71,7 +70,7 @@ Result measure_zeno(const Parameters& settings) {
   const double resolution = settings.number("resolution");
 
   Table path{"", {{"time_s", "s", "time"}, {"height_m", "m", "height of the lower face"}}};
-  const std::vector<Impact> impacts = bounces(height, restitution, threshold, resolution, &path);
+  const std::vector<Rebound> impacts = bounces(height, restitution, threshold, resolution, &path);
 
   // Closed form: impact k comes at t1 (1 + 2 (e + ... + e^(k-1))) and leaves e^k of the speed.
   const double first = std::sqrt(2.0 * height / kGravity);
@@ -88,7 +87,7 @@ Result measure_zeno(const Parameters& settings) {
   double exact_time = first;
   double exact_rebound = kGravity * first;
   double worst = 0.0;
-  for (const Impact& impact : impacts) {
+  for (const Rebound& impact : impacts) {
     exact_rebound *= restitution;
     // An impact found early by less than a resolution shifts all later ones by up to 3/e of that.
     const auto number = static_cast<double>(table.rows.size() + 1);

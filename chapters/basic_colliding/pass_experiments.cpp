@@ -4,6 +4,7 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -17,9 +18,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kLarge = 1.0;        // [m] edge of the large cube
-constexpr IndexPair kPair{0, 1};      // the large cube, the small one
+constexpr double kLarge = 1.0;    // [m] edge of the large cube
+constexpr IndexPair kPair{0, 1};  // the large cube, the small one
 
 // How the small cubes fly.
 struct Passes {

@@ -7,6 +7,7 @@
 #include "tumble/math/elementary.hpp"
 
 #include "basic_colliding/experiments.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -20,8 +21,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kEdge = 1.0;         // [m] of every cube
+constexpr double kEdge = 1.0;  // [m] of every cube
 
 // All pairs first, then the methods that subdivide space.
 constexpr std::array<const char*, 4> kMethods = {"all_pairs", "sweep_and_prune", "hashed_grid",
@@ -67,12 +67,12 @@ class Swarm {
 };
 
 // Tests per step with each method, on average over the steps of one run, and pairs that overlap.
-struct Work {
+struct PairWork {
   std::array<double, 4> tests{};
   double pairs = 0.0;
 };
 
-Work measure(int count, const Parameters& settings, int seed) {
+PairWork measure(int count, const Parameters& settings, int seed) {
   const int steps = settings.count("steps");
   Swarm swarm(count, settings.number("spacing"), Random(static_cast<std::uint64_t>(seed)));
   std::vector<std::unique_ptr<BroadPhase>> methods;
@@ -80,7 +80,7 @@ Work measure(int count, const Parameters& settings, int seed) {
   std::vector<Bounds> bounds;
   std::vector<IndexPair> pairs;
   std::vector<IndexPair> all_pairs;
-  Work work;
+  PairWork work;
   for (int k = 0; k < steps; ++k) {
     swarm.step();
     swarm.fill(bounds);
@@ -118,7 +118,7 @@ struct Runs {
 Runs measure_all(int count, const Parameters& settings) {
   Runs runs;
   for (int seed = 1; seed <= settings.count("seeds"); ++seed) {
-    const Work work = measure(count, settings, seed);
+    const PairWork work = measure(count, settings, seed);
     for (std::size_t m = 0; m < kMethods.size(); ++m) runs.tests[m].push_back(work.tests[m]);
     runs.pairs.push_back(work.pairs);
   }

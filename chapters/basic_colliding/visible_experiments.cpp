@@ -7,6 +7,7 @@
 
 #include "basic_colliding/experiments.hpp"
 #include "basic_colliding/near_pairs.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -17,8 +18,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kVisible = 0.01;     // [-] overlap over size
+constexpr double kVisible = 0.01;  // [-] overlap over size
 
 // A collision of one pair, within one step.
 struct Collision {

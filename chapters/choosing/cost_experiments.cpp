@@ -2,14 +2,14 @@
 /// \brief What a step costs at 10, 100 and 1000 boxes, in counts.
 #include "choosing/cost_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 struct Sized {
   std::string words;

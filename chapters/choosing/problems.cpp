@@ -4,6 +4,8 @@
 
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <gsl/gsl_sf_elljac.h>
 
 #include <cmath>
@@ -11,8 +13,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kGravity = 9.81;  // [m/s²]
 
 const BodyState& state_of(const World& world, std::string_view name) {
   return world.states()[static_cast<std::size_t>(world.index_of(*world.find(name)))];

@@ -2,6 +2,8 @@
 /// \brief What a technique does with boxes that should rest, and with one that should tip.
 #include "choosing/rest_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +14,10 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kWatched = 0.5;      // [s] at the end of a run
-constexpr double kFell = 0.5;         // [m] half an edge
-constexpr double kFalls = 1.0;        // [m/s] what rests is slower
-constexpr double kTipped = 15.0;      // [deg] off the slope's normal
+constexpr double kWatched = 0.5;  // [s] at the end of a run
+constexpr double kFell = 0.5;     // [m] half an edge
+constexpr double kFalls = 1.0;    // [m/s] what rests is slower
+constexpr double kTipped = 15.0;  // [deg] off the slope's normal
 
 constexpr std::array<const char*, 3> kMassNames = {"10", "100", "1000"};
 

@@ -5,6 +5,8 @@
 #include "tumble/scenes/scene.hpp"
 #include "tumble/techniques.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,8 +24,6 @@ struct PlayedTechnique {
 
 /// A scene that is being simulated at 60 steps a second.
 struct PlayedScene {
-  static constexpr double kStep = 1.0 / 60.0;  ///< [s] the thesis's
-
   Scene scene;                           ///< what it began with
   World world;                           ///< as it is now
   std::unique_ptr<Technique> technique;  ///< how it goes on

@@ -12,6 +12,8 @@
 
 namespace tumble::chapters {
 
+double relative_error(double found, double wanted) { return std::abs(found / wanted - 1.0); }
+
 Quantity share_of_trials(std::string name, std::int64_t hits, std::int64_t trials) {
   constexpr double z = 1.959963984540054;  // 95 % of a normal distribution lie within ± z
   const auto n = static_cast<double>(trials);

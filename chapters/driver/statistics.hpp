@@ -12,6 +12,12 @@
 
 namespace tumble::chapters {
 
+/// How far a number is from what it should be.
+/// \param found   it
+/// \param wanted  what it should be, not 0
+/// \return [-] |found / wanted - 1|
+double relative_error(double found, double wanted);
+
 /// A share of independent trials, with Wilson's interval of 95 %.
 ///
 /// With p = hits / n and z = 1.96 the interval is

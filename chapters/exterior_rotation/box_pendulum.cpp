@@ -5,6 +5,8 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <gsl/gsl_sf_ellint.h>
 
 #include <array>
@@ -13,9 +15,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kGravity = 9.81;     // [m/s²]
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 Quat about_z(double angle) { return rotation_from_vector(Vec3(0.0, 0.0, angle)); }
 

@@ -14,7 +14,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 0.1;  // [s] at 1/60 s a gap is too small to be seen
+constexpr double kCoarseStep = 0.1;  // [s] at 1/60 s a gap is too small to be seen
 constexpr int kSteps = 11;
 constexpr double kSpeed = 0.25;  // [-] of the film
 constexpr int kSize = 320;       // [px] of each side
@@ -23,7 +23,7 @@ HeldRun fall(const World& start, PoseUpdate pose) {
   GluedOptions options;
   options.scheme = GluedScheme::forward_euler;
   options.pose = pose;
-  return run_held(start, options, kStep, kSteps);
+  return run_held(start, options, kCoarseStep, kSteps);
 }
 
 Film film_of(const HeldRun& run, const Camera& camera) {
@@ -62,7 +62,7 @@ std::string column_film(const Parameters& settings) {
   const Film right = film_of(fall(start, PoseUpdate::exponential), camera);
   const FilmPainter first(left);
   const FilmPainter second(right);
-  return to_gif(film_delays(left, kSpeed / kStep),
+  return to_gif(film_delays(left, kSpeed / kCoarseStep),
                 [&](int frame) { return beside(first.painted(frame), second.painted(frame)); });
 }
 

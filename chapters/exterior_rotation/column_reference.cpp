@@ -2,6 +2,8 @@
 /// \brief Independent judges of the falling column, by GSL.
 #include "exterior_rotation/column_reference.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_linalg.h>
@@ -17,8 +19,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kGravity = 9.81;  // [m/s²]
 
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;

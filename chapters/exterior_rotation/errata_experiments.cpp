@@ -5,6 +5,7 @@
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "exterior_rotation/falling_column.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kSmallest = 1e-17;  // [m] gaps of 0 are drawn here
 
 // The column, turning about the edge with nothing else acting on it: its circles are exact.
 World turning_column(double speed) {
@@ -119,7 +118,7 @@ Result measure_rotation_errata(const Parameters& settings) {
               {"exponential_m", "m", "bodies moved by the exponential of their twist"}}};
   const int turns = settings.count("turns");
   const auto size = [](const World& world) {
-    return std::max(kSmallest, std::abs(column_gap(world)));
+    return std::max(kNearNothing, std::abs(column_gap(world)));
   };
   for (int k = 0; k <= turns; ++k) {
     const double turn = std::pow(10.0, -2.0 + 2.0 * k / turns);

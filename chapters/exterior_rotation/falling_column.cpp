@@ -2,6 +2,7 @@
 /// \brief The column of figure 6.1 as if it were one body, and measures of the simulated one.
 #include "exterior_rotation/falling_column.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
@@ -15,8 +16,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kGravity = 9.81;  // [m/s²]
 
 struct Elliptic {
   double sn = 0.0;

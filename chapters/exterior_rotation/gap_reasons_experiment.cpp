@@ -1,5 +1,6 @@
 /// \file
 /// \brief Why the gaps of figure 6.1 differ from technique to technique.
+#include "driver/common_numbers.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/technique_experiments.hpp"
 
@@ -9,9 +10,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kRate = 60.0;     // [1/s]
-constexpr double kPhi0 = 0.3;      // [rad] of the scenes
-constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kRate = 60.0;  // [1/s]
+constexpr double kPhi0 = 0.3;   // [rad] of the scenes
 
 struct Line {
   const char* name;   // of the column

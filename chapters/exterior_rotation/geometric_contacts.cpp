@@ -3,6 +3,7 @@
 #include "exterior_rotation/geometric_contacts.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool touches(const ContactSet& seen, int corner) { return ((seen.touching >> corner) & 1) != 0; }
 

@@ -2,6 +2,7 @@
 /// \brief Ways to move bodies over a step with given velocities, written out.
 #include "exterior_rotation/group_moves.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/carried_bodies.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/math/rotation.hpp"
@@ -10,8 +11,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // All states after the step, given where the centre of a movable body goes.
 template <class Centre>

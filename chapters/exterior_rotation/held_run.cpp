@@ -2,14 +2,14 @@
 /// \brief A group of bodies that stick, step by step.
 #include "exterior_rotation/held_run.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
 HeldFrame frame_of(const World& world, std::span<const Joint> joints, double time) {
   HeldFrame frame;
@@ -93,7 +93,7 @@ double relative_acceleration(const World& world, std::span<const Joint> joints) 
   for (const Joint& joint : joints) {
     const JointPoint held = held_point(joint, world.states());
     const auto of = [&](int body, const Vec3& point_w) {
-      const std::size_t k = at_index(body);
+      const std::size_t k = at(body);
       return acceleration_of(world.bodies()[k], world.states()[k], rates[k], point_w);
     };
     const Vec3 apart_w = of(joint.second, held.second_w) - of(joint.first, held.first_w);

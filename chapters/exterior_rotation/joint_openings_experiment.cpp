@@ -1,5 +1,6 @@
 /// \file
 /// \brief Where the joints of the falling column open, and what happens then.
+#include "tumble/base/index.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -26,8 +27,6 @@ constexpr std::uint32_t kHeld = 0x303030;   // an area that holds
 constexpr std::uint32_t kHinge = 0xd55e00;  // an edge that a box turns about
 const Vec2 kLow = Vec2(-1.3, 1.0);          // [m] what a frame shows
 const Vec2 kHigh = Vec2(5.0, 6.2);
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // How far a body has turned, falling.
 double tilt_of(const BodyState& state) {

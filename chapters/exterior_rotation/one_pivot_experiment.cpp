@@ -1,7 +1,8 @@
 /// \file
-/// \brief Nested spins, figure 6.3: one rotation for the group, one for each body, a tree (claim 6.2c).
+/// \brief NestedInstant spins, figure 6.3: one rotation for the group, one for each body, a tree (claim 6.2c).
 #include "tumble/exterior_rotation/glued.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
@@ -25,7 +26,6 @@ namespace {
 constexpr double kWidest = 30.0;          // [rad/s] of the frames that are tried
 constexpr double kCoarsest = 1.0 / 20.0;  // [s]
 constexpr double kFinest = 1.0 / 2000.0;  // [s]
-constexpr double kSmallest = 1e-17;       // [m] mismatches of 0 are drawn here
 struct Spins {
   double lower = 0.0;  // [rad/s]
   double upper = 0.0;
@@ -36,7 +36,7 @@ constexpr std::array kSpins = {Spins{-1.5, 1.5}, Spins{-1.5, -1.0}, Spins{-6.0, 
 constexpr Spins kSlowBelow{-0.3, -9.0};  // over a lower box that hardly turns
 
 // Figure 6.3 at one instant.
-struct Nested {
+struct NestedInstant {
   World world;
   std::vector<Joint> joints;  // lower, upper
   Vec3 pivot_w = Vec3::Zero();
@@ -45,7 +45,7 @@ struct Nested {
   double joint_speed = 0.0;  // [m/s] |v_p| of the upper joint
 
   /// \param scene  figure 6.3
-  explicit Nested(const Scene& scene) : world(build_world(scene)) {
+  explicit NestedInstant(const Scene& scene) : world(build_world(scene)) {
     Glued glued;
     glued.find(world);
     joints.assign(glued.joints().begin(), glued.joints().end());
@@ -67,8 +67,8 @@ struct Nested {
   }
 };
 
-Nested nested(const Spins& spins) {
-  return Nested(scene_with(
+NestedInstant nested(const Spins& spins) {
+  return NestedInstant(scene_with(
       "fig6_3", {setting("lower_spin", spins.lower), setting("upper_spin", spins.upper)}));
 }
 
@@ -81,7 +81,7 @@ struct Left {
   double tree = 0.0;      // [m]
 };
 
-Left left_in_step(const Nested& scene, double dt) {
+Left left_in_step(const NestedInstant& scene, double dt) {
   const auto after = [&](const std::vector<BodyState>& states) {
     return mismatch(scene.joints, states);
   };
@@ -93,7 +93,7 @@ Left left_in_step(const Nested& scene, double dt) {
 }
 
 // How much more the simplex leaves than the search over rates, from the best of four starts.
-double simplex_excess(const Nested& scene, double dt) {
+double simplex_excess(const NestedInstant& scene, double dt) {
   const BestFrame best = best_frame(scene.world, scene.joints, dt, kWidest);
   double least = std::numeric_limits<double>::infinity();
   for (const double rate : {-3.0, -1.0, 1.0, 3.0})
@@ -115,7 +115,7 @@ Table step_table(int steps, std::vector<double>& dts, std::vector<double>& first
        {"predicted_m", "m", "half h² |Δω| |v_p|"},
        {"ratio", "-", "measured over predicted"}}};
   for (std::size_t s = 0; s < kSpins.size(); ++s) {
-    const Nested scene = nested(kSpins[s]);
+    const NestedInstant scene = nested(kSpins[s]);
     for (int k = 0; k < steps; ++k) {
       const double share = static_cast<double>(k) / (steps - 1);
       const double dt = kFinest * std::exp(share * std::log(kCoarsest / kFinest));
@@ -149,7 +149,7 @@ Result measure_one_pivot(const Parameters& settings) {
                {"best_m", "m", "the best single rotation for the group"},
                {"own_m", "m", "one twist for each body"},
                {"tree_m", "m", "a tree of pivots"}}};
-  const auto drawn = [](double left) { return std::max(left, kSmallest); };
+  const auto drawn = [](double left) { return std::max(left, kNearNothing); };
   double largest_ratio = 0.0;
   double largest_left = 0.0;
   for (int k = 0; k < count; ++k) {
@@ -161,7 +161,7 @@ Result measure_one_pivot(const Parameters& settings) {
     largest_left = std::max(largest_left, left.best);
   }
 
-  const Nested scene = Nested(scene_with("fig6_3", {}));
+  const NestedInstant scene = NestedInstant(scene_with("fig6_3", {}));
   const Left left = left_in_step(scene, dt);
   const Left slow = left_in_step(nested(kSlowBelow), dt);
   Result result;

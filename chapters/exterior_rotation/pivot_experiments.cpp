@@ -1,5 +1,6 @@
 /// \file
 /// \brief Forces at the pivot of the falling column, and periods of boxes that swing on an edge.
+#include "driver/common_numbers.hpp"
 #include "exterior_rotation/box_pendulum.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/order_experiments.hpp"
@@ -16,7 +17,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kWeight = 4.0 * 9.81;  // [N] of the column
+constexpr double kWeight = 4.0 * kGravity;  // [N] of the column
 
 // A column that falls, and the force at its pivot.
 struct Falling {

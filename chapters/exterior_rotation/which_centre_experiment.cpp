@@ -2,6 +2,7 @@
 /// \brief The point about which a body that sticks, slides or flies has to be turned (thesis 6.2).
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "exterior_rotation/cure_figures.hpp"
 #include "exterior_rotation/group_moves.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr double kCoarsest = 1.0 / 5.0;   // [s]
 constexpr double kFinest = 1.0 / 1000.0;  // [s]
 constexpr double kBase = 1.0 / 60.0;      // [s] of which numbers are told
-constexpr double kSmallest = 1e-17;       // [m] errors of 0 are drawn here
 
 enum Situation { sticks, slides, flies };
 enum Way {
@@ -122,9 +122,9 @@ Result measure_which_centre(const Parameters& settings) {
       const double dt = kFinest * std::exp(share * std::log(kCoarsest / kFinest));
       const Wrong wrong = after_step(cube, c.way, dt);
       const double expected = predicted(cube, c.way, dt).most();
-      const bool right = expected < kSmallest;
+      const bool right = expected < kNearNothing;
       table.rows.push_back({static_cast<double>(c.situation + 1), static_cast<double>(c.way + 1),
-                            dt, wrong.gap, wrong.bend, std::max(wrong.most(), kSmallest),
+                            dt, wrong.gap, wrong.bend, std::max(wrong.most(), kNearNothing),
                             right ? std::numeric_limits<double>::quiet_NaN() : expected});
       if (k == 0 && !right)
         worst_at_finest = std::max(worst_at_finest, std::abs(wrong.most() / expected - 1.0));

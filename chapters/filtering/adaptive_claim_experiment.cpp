@@ -22,7 +22,7 @@ namespace {
 // The number of halvings was not: two, to 1/240 s, is what a figure can afford, and below 1/300 s the
 // thresholds of `damped` hold bodies of 1 m that nothing supports, as DampedNumbers says. The page
 // tells what four halvings do to the verdict.
-constexpr double kHalf = 0.5;
+constexpr double kHalfTheChatter = 0.5;
 constexpr double kSooner = 0.9;
 
 constexpr std::size_t kFixed = 0;
@@ -89,7 +89,7 @@ Table time_table(const Sides& sides) {
                {"substeps", "-", "sub-steps of the adaptive step, mean over the seeds"}}};
   const auto seeds = static_cast<double>(sides[kFixed].work.size());
   for (std::size_t step = 0; step < sides[kAdaptive].substeps[0].size(); ++step) {
-    const double time = static_cast<double>(step + 1) * PlayedScene::kStep;
+    const double time = static_cast<double>(step + 1) * kStep;
     std::vector<double> row{time, 0.0, 0.0, 0.0};
     for (std::size_t side = 0; side < sides.size(); ++side)
       for (const RestingMeasures& resting : sides[side].resting)
@@ -124,7 +124,7 @@ Table amplitude_table(const Sides& sides) {
 }
 
 double sayings(double of_chatter, double of_time) {
-  return (of_chatter <= kHalf ? 1.0 : 0.0) + (of_time <= kSooner ? 1.0 : 0.0);
+  return (of_chatter <= kHalfTheChatter ? 1.0 : 0.0) + (of_time <= kSooner ? 1.0 : 0.0);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ Result measure_adaptive_cost(const Parameters& settings) {
   for (int k = 0; k <= halvings; ++k) {
     finest = outcome_of(settings, damped, fixed_steps(k));
     if (k == 0) base = finest;
-    fixed.rows.push_back(cost_row(PlayedScene::kStep / (1 << k), finest, base));
+    fixed.rows.push_back(cost_row(kStep / (1 << k), finest, base));
   }
   Table adaptive{"adaptive", cost_columns({"tolerance_mm", "mm", "shake that asks to halve"})};
   double best = std::numeric_limits<double>::infinity();   // [s] time to rest
@@ -183,7 +183,7 @@ Result measure_chatter_cause(const Parameters& settings) {
   Result result;
   std::array<std::vector<Outcome>, 4> found;
   for (int k = 0; k <= settings.count("halvings"); ++k) {
-    table.rows.push_back({PlayedScene::kStep / (1 << k)});
+    table.rows.push_back({kStep / (1 << k)});
     for (std::size_t c = 0; c < causes.size(); ++c) {
       const Outcome outcome = outcome_of(settings, causes[c].make(1.0 / (1 << k)), fixed_steps(k));
       found[c].push_back(outcome);

@@ -4,6 +4,7 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "filtering/box_experiments.hpp"
 
 #include <algorithm>
@@ -14,9 +15,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr int kWindow = 5;           // frames, the thesis's
-constexpr int kLength = 21;          // frames of a motion, its event in the middle
-constexpr double kSmallest = 1e-17;  // errors of 0 are drawn here
+constexpr int kWindow = 5;   // frames, the thesis's
+constexpr int kLength = 21;  // frames of a motion, its event in the middle
 constexpr double kToDegrees = 180.0 / std::numbers::pi;
 const Vec3 kAbout = Vec3(6.0, 2.0, -3.0) / 7.0;
 
@@ -134,8 +134,8 @@ Result measure_component_means(const Parameters& settings) {
         slowest * elementary::pow(fastest / slowest, static_cast<double>(k) / speeds);
     const Errors on = errors_of(steady(speed, rate));
     const Errors off = errors_of(stopped(speed, rate));
-    table.rows.push_back({speed, on.components, std::max(off.aligned, kSmallest), off.shrunk,
-                          std::max({on.tangent, off.tangent, kSmallest})});
+    table.rows.push_back({speed, on.components, std::max(off.aligned, kNearNothing), off.shrunk,
+                          std::max({on.tangent, off.tangent, kNearNothing})});
   }
 
   const double shown_speed = settings.number("speed");

@@ -4,6 +4,7 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "filtering/box_experiments.hpp"
 
 #include <gsl/gsl_errno.h>
@@ -25,9 +26,8 @@ constexpr int kFrames = 96;     // of a recorded motion
 constexpr double kPhase = 0.3;  // [rad] at its first frame: no sample of any frequency is all 0
 constexpr double kSwing = 0.5;  // [m] and [rad] its amplitude
 constexpr double kSlow = 0.05;  // [1/frame] of the motion whose delay is measured
-constexpr double kSmallest = 1e-17;  // [-] errors of 0 are drawn here
 const Vec3 kAlong = Vec3(2.0, -1.0, 2.0) / 3.0;
-const Vec3 kAbout = Vec3(6.0, 2.0, -3.0) / 7.0;
+const Vec3 kSwingAbout = Vec3(6.0, 2.0, -3.0) / 7.0;
 
 // A body that swings to and fro along a line and about an axis at once.
 struct Swing {
@@ -43,7 +43,7 @@ Swing swing_of(double frequency, double interval) {
     swing.angle.push_back(kTurn * frequency * n + kPhase);
     const double now = kSwing * elementary::cos(swing.angle.back());
     states[0].position_w = now * kAlong;
-    states[0].orientation_wb = rotation_from_vector(now * kAbout);
+    states[0].orientation_wb = rotation_from_vector(now * kSwingAbout);
     swing.run.record(Frame{n * interval, n, ids, states});
   }
   return swing;
@@ -76,7 +76,9 @@ Gain gain_of(const Swing& swing, const std::function<double(const BodyState&)>& 
 }
 
 double way_of(const BodyState& state) { return state.position_w.dot(kAlong); }
-double turn_of(const BodyState& state) { return rotation_vector(state.orientation_wb).dot(kAbout); }
+double turn_of(const BodyState& state) {
+  return rotation_vector(state.orientation_wb).dot(kSwingAbout);
+}
 
 // How far the shown frames are from the cosine times the exact gain, over its amplitude.
 double largest_error(const Swing& swing, const std::function<double(const BodyState&)>& place,
@@ -161,7 +163,7 @@ Result measure_box_response(const Parameters& settings) {
     last_gain = gain_of(swing, way_of, shown, half, end).in_phase;
     table.rows.push_back({f, f * rate, exact, last_gain,
                           gain_of(swing, turn_of, shown, half, end).in_phase,
-                          std::max(move, kSmallest), std::max(turn, kSmallest)});
+                          std::max(move, kNearNothing), std::max(turn, kNearNothing)});
     worst_move = std::max(worst_move, move);
     worst_turn = std::max(worst_turn, turn);
   }

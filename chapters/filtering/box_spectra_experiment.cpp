@@ -24,9 +24,9 @@ constexpr std::array<ShownBy, 5> kShown = {{{"raw", ""},
                                             {"soft_envelope", "soft_envelope"},
                                             {"one_euro", "one_euro"},
                                             {"envelope", "envelope"}}};
-constexpr std::size_t kRaw = 0;
+constexpr std::size_t kUnfiltered = 0;
 constexpr std::size_t kBox = 1;
-constexpr double kHalf = 0.5;  // what the claim's two sayings compare with
+constexpr double kHalf = 0.5;  // what the claim's two sayings_held compare with
 
 // What one seed gives for one filter: medians over the bodies that chatter.
 struct SeedMeasures {
@@ -82,7 +82,7 @@ struct Measured {
   [[nodiscard]] Quantity ratio(const std::string& name, std::size_t filter,
                                double Shake::*number) const {
     return mean(name, "-", [&](const SeedOfAll& seed) {
-      return seed[filter].median.*number / seed[kRaw].median.*number;
+      return seed[filter].median.*number / seed[kUnfiltered].median.*number;
     });
   }
 };
@@ -91,8 +91,9 @@ void measure(const ChatteringClump& clump, Measured& all) {
   const std::vector<Shake> raw = clump.shakes(clump.run.frames);
   SeedOfAll seed;
   for (std::size_t f = 0; f < kShown.size(); ++f) {
-    const Trajectory shown =
-        f == kRaw ? clump.run.frames : filtered(clump.run.frames, *filter_of(kShown[f].filter));
+    const Trajectory shown = f == kUnfiltered
+                                 ? clump.run.frames
+                                 : filtered(clump.run.frames, *filter_of(kShown[f].filter));
     const std::vector<Shake> shakes = clump.shakes(shown);
     seed[f] = {median_shake(shakes), median_ratio(shakes, raw, &Shake::amplitude),
                median_ratio(shakes, raw, &Shake::squirm)};
@@ -132,8 +133,8 @@ Table bars(const Measured& all) {
   return table;
 }
 
-// The claim's two sayings.
-double sayings(double amplitude, double squirm) {
+// The claim's two sayings_held.
+double sayings_held(double amplitude, double squirm) {
   return (amplitude <= kHalf ? 1.0 : 0.0) + (squirm >= kHalf ? 1.0 : 0.0);
 }
 
@@ -149,18 +150,19 @@ Result measure_box_spectra(const Parameters& settings) {
   const Quantity squirm = all.ratio("squirm after a box of five over before", kBox, &Shake::squirm);
   int both = 0;
   for (const SeedOfAll& seed : all.seeds) {
-    const Shake& raw = seed[kRaw].median;
+    const Shake& raw = seed[kUnfiltered].median;
     const Shake& box = seed[kBox].median;
-    if (sayings(box.amplitude / raw.amplitude, box.squirm / raw.squirm) == 2.0) ++both;
+    if (sayings_held(box.amplitude / raw.amplitude, box.squirm / raw.squirm) == 2.0) ++both;
   }
 
   Result result;
   result.tables = {spectra(all), bars(all)};
   result.quantities = {
-      {"of two sayings about a box filter of five frames those that hold: amplitude falls to a "
+      {"of two sayings_held about a box filter of five frames those that hold: amplitude falls to "
+       "a "
        "half "
        "or less, squirm stays at a half or more",
-       "-", sayings(amplitude.value, squirm.value)},
+       "-", sayings_held(amplitude.value, squirm.value)},
       amplitude,
       squirm,
       all.mean("the same for amplitude, median of each body's own ratio", "-",
@@ -169,11 +171,11 @@ Result measure_box_spectra(const Parameters& settings) {
                [](const SeedOfAll& seed) { return seed[kBox].own_squirm; }),
       all.ratio("acceleration after a box of five over before", kBox, &Shake::acceleration),
       all.mean("amplitude before", "m",
-               [](const SeedOfAll& seed) { return seed[kRaw].median.amplitude; }),
+               [](const SeedOfAll& seed) { return seed[kUnfiltered].median.amplitude; }),
       all.mean("squirm before", "m/s",
-               [](const SeedOfAll& seed) { return seed[kRaw].median.squirm; }),
+               [](const SeedOfAll& seed) { return seed[kUnfiltered].median.squirm; }),
       squirm_of_white_noise("squirm after over before if chatter were white noise", 5, 1),
-      share_of_trials("share of the seeds in which both sayings hold", both,
+      share_of_trials("share of the seeds in which both sayings_held hold", both,
                       static_cast<std::int64_t>(all.seeds.size())),
       {"bodies that chatter, all seeds", "-", static_cast<double>(all.bodies)}};
   return result;

@@ -20,8 +20,8 @@ constexpr std::array<int, 8> kWidths = {1, 3, 5, 7, 9, 11, 13, 15};
 constexpr std::size_t kRaw = 0;  // places of widths 1, 5 and 15
 constexpr std::size_t kFive = 2;
 constexpr std::size_t kWidest = 7;
-constexpr double kHalf = 0.5;  // what the claim's sayings compare with
-constexpr double kFall = 1.0;  // [m] of the cube that lands
+constexpr double kAtLeastHalf = 0.5;  // what the claim's sayings compare with
+constexpr double kFall = 1.0;         // [m] of the cube that lands
 constexpr std::array<std::size_t, 3> kDrawn = {kRaw, kFive, kWidest};
 
 // Overlap while a clump flies together and settles.
@@ -210,8 +210,8 @@ Result measure_box_widths(const Parameters& settings) {
   for (int n = 0; n < landing.frames(); ++n)
     landed = std::max(landed, depth(landing.shown[kWidest], n) - depth(landing.run.frames, n));
   constexpr int in_flight = kWidths[kFive] / 2;  // the first frame with a whole window of 5
-  const double held = (squirm.value <= kHalf ? 1.0 : 0.0) + (blunt <= kHalf ? 1.0 : 0.0) +
-                      (overlap.value > 0.0 ? 1.0 : 0.0);
+  const double held = (squirm.value <= kAtLeastHalf ? 1.0 : 0.0) +
+                      (blunt <= kAtLeastHalf ? 1.0 : 0.0) + (overlap.value > 0.0 ? 1.0 : 0.0);
 
   Result result;
   result.tables = {width_table(clumps, landing), impact_table(landing)};

@@ -45,8 +45,8 @@ ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double 
   ChatterRun run;
   for (const BodyProperties& body : now.world.bodies())
     if (body.movable()) ++run.bodies;
-  const auto first = std::lround(settling / PlayedScene::kStep);
-  const auto half_seconds = std::lround(watched / PlayedScene::kStep) / (ChatterMeter::kWindow - 1);
+  const auto first = std::lround(settling / kStep);
+  const auto half_seconds = std::lround(watched / kStep) / (ChatterMeter::kWindow - 1);
   const auto last = first + half_seconds * (ChatterMeter::kWindow - 1);
   OverlapMeter near;
   ChatterMeter meter;

@@ -23,8 +23,8 @@ namespace {
 constexpr std::array<double, 10> kRadii = {0.001, 0.002, 0.003, 0.005, 0.007,
                                            0.010, 0.015, 0.020, 0.030, 0.050};
 constexpr std::size_t kStandard = 5;
-constexpr int kOverlapEvery = 6;  // frames between two in which overlap is measured
-constexpr double kStill = 0.9;    // claim 5.5c: nine frames of ten
+constexpr int kOverlapEvery = 6;     // frames between two in which overlap is measured
+constexpr double kMostFrames = 0.9;  // claim 5.5c: nine frames of ten
 
 Envelope envelope_of(double radius) {
   return {radius, radius / kRadii[kStandard] * std::numbers::pi / 180.0};
@@ -44,10 +44,6 @@ struct Shown {
 
   [[nodiscard]] double minutes(double interval) const { return steps * interval / 60.0; }
 };
-
-bool same_pose(const BodyState& a, const BodyState& b) {
-  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
-}
 
 bool as_long_as(const BodyState& from, const BodyState& to, const Envelope& envelope) {
   return (to.position_w - from.position_w).norm() >= envelope.radius ||
@@ -201,7 +197,7 @@ Result sweep_envelope(const Parameters& settings) {
     }
   }
 
-  constexpr double interval = PlayedScene::kStep;
+  constexpr double interval = kStep;
   Table table = table_of_sweep();
   for (std::size_t k = 0; k < kRadii.size(); ++k) {
     table.rows.push_back({1e3 * kRadii[k]});
@@ -221,7 +217,7 @@ Result sweep_envelope(const Parameters& settings) {
   const Numbers as_thesis(thesis[kStandard], interval, "envelope of the thesis");
   const Numbers as_soft(soft[kStandard], interval, "soft envelope");
   const double holds =
-      (as_thesis.still.value >= kStill ? 1.0 : 0.0) + (as_thesis.pops.value > 0.0 ? 1.0 : 0.0);
+      (as_thesis.still.value >= kMostFrames ? 1.0 : 0.0) + (as_thesis.pops.value > 0.0 ? 1.0 : 0.0);
   double bodies = 0.0;
   for (const Shown& shown : raw) bodies += shown.bodies;
   return {{table, unfiltered},

@@ -4,6 +4,7 @@
 #include "tumble/filtering/one_euro_filter.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "filtering/envelope_experiments.hpp"
 #include "filtering/settled_run.hpp"
@@ -18,16 +19,11 @@ namespace tumble::chapters {
 namespace {
 
 constexpr double kTossed = 2.0;  // [s] by then the cube rests
-constexpr double kStep = PlayedScene::kStep;
 
 // [envelopes] How long a move is.
 double size_of(const BodyState& from, const BodyState& to, const Envelope& envelope) {
   return std::max((to.position_w - from.position_w).norm() / envelope.radius,
                   angle_between(to.orientation_wb, from.orientation_wb) / envelope.angle);
-}
-
-bool same_pose(const BodyState& a, const BodyState& b) {
-  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
 }
 
 // Frames of movable bodies that moved by more than the envelope since the frame before.

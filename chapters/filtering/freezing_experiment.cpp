@@ -108,7 +108,7 @@ Story tell(const Parameters& settings, std::uint64_t seed, const PlayedTechnique
     look.pair_tests = static_cast<double>(report.pair_tests);
     look.impulses = static_cast<double>(report.impulses);
     story.looks.push_back(look);
-    if (world.time() < settling - 0.5 * PlayedScene::kStep) at_hit = world;
+    if (world.time() < settling - 0.5 * kStep) at_hit = world;
     if (world.time() > settling && world.time() < settling + 1.5)
       story.woken = std::max(story.woken, look.awake);
     note();

@@ -12,8 +12,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kChatters = 1e-3;  // [-] amplitude over the shortest edge; see the claim
-constexpr double kStill = 1e-9;     // [-] what moves less does not move, up to rounding
+constexpr double kRoundingMotion = 1e-9;  // [-] what moves less does not move, up to rounding
 
 // The method of the thesis, and with half and twice the constants that it does not give.
 struct Variant {
@@ -121,7 +120,7 @@ Result measure_left_chatter(const Parameters& settings) {
     for (const Left& clump : clumps) {
       chattering += clump.chattering();
       for (const double amplitude : clump.amplitudes)
-        if (amplitude >= kStill) moving.push_back(amplitude);
+        if (amplitude >= kRoundingMotion) moving.push_back(amplitude);
     }
     std::sort(moving.begin(), moving.end());
     const double count = static_cast<double>(moving.size());

@@ -130,7 +130,7 @@ Trajectory steady_run(double speed, int frames) {
   const std::array<BodyId, 1> ids = {BodyId{0}};
   std::array<BodyState, 1> states;
   for (int k = 0; k < frames; ++k) {
-    const double time = k * PlayedScene::kStep;
+    const double time = k * kStep;
     states[0].position_w.x() = speed * time;
     run.record(Frame{time, k, ids, states});
   }
@@ -143,7 +143,7 @@ double steady_delay(double speed, int frames, const PoseFilter& filter) {
   double sum = 0.0;
   for (int k = frames / 2; k < frames; ++k)
     sum += (run.frame(k).states[0].position_w - seen[static_cast<std::size_t>(k)].position_w).x();
-  return sum / ((frames - frames / 2) * speed * PlayedScene::kStep);
+  return sum / ((frames - frames / 2) * speed * kStep);
 }
 
 int later_frames_needed(const PoseFilter& filter) {

@@ -15,12 +15,10 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr std::size_t kHalf = 30;      // [frame] half a second
-constexpr std::size_t kFuture = 120;   // [frame] for which what chatters has to rest on
-constexpr double kChatters = 1e-3;     // [-] amplitude over the shortest edge, as claim 6.1b has it
-constexpr double kTurns = 0.2;         // [rad] in a second, of what rolls
-constexpr double kSlow = 0.3;          // [m/s] of slow sliding
-constexpr double kFrame = 1.0 / 60.0;  // [s]
+constexpr std::size_t kHalfSecond = 30;  // [frame] half a second
+constexpr std::size_t kFuture = 120;     // [frame] for which what chatters has to rest on
+constexpr double kTurns = 0.2;           // [rad] in a second, of what rolls
+constexpr double kSlow = 0.3;            // [m/s] of slow sliding
 
 // A body through a run.
 class Track {
@@ -37,25 +35,28 @@ class Track {
   [[nodiscard]] bool moves(std::size_t frame, Doing scene) const {
     const double far = tolerance::resting_movement * edge_;
     if (scene == Doing::rocks)
-      return largest_excursion(part(frame - kHalf)) >= far && largest_excursion(part(frame)) >= far;
-    return way(frame - kHalf) >= far && way(frame) >= far;
+      return largest_excursion(part(frame - kHalfSecond)) >= far &&
+             largest_excursion(part(frame)) >= far;
+    return way(frame - kHalfSecond) >= far && way(frame) >= far;
   }
 
   [[nodiscard]] Doing doing(std::size_t frame, Doing scene) const {
     if (moves(frame, scene)) {
       if (scene == Doing::rocks) return Doing::rocks;
-      if (2 * touching(frame - kHalf, frame) < kHalf) return Doing::falls;
-      const Quat turned =
-          state(frame + kHalf).orientation_wb * state(frame - kHalf).orientation_wb.conjugate();
+      if (2 * touching(frame - kHalfSecond, frame) < kHalfSecond) return Doing::falls;
+      const Quat turned = state(frame + kHalfSecond).orientation_wb *
+                          state(frame - kHalfSecond).orientation_wb.conjugate();
       if (rotation_vector(turned).norm() >= kTurns) return Doing::rolls;
-      const double longest = kSlow * static_cast<double>(kHalf) * kFrame;
-      if (std::max(way(frame - kHalf), way(frame)) > longest) return Doing::speeds;
+      const double longest = kSlow * static_cast<double>(kHalfSecond) * kStep;
+      if (std::max(way(frame - kHalfSecond), way(frame)) > longest) return Doing::speeds;
       return scene == Doing::creeps ? Doing::creeps : Doing::slides;
     }
     // A box that slides out to a stop by itself gets no farther in the end, and does not chatter.
-    if (scene != Doing::creeps || !rests(frame - kHalf, frame + kFuture)) return Doing::nothing;
+    if (scene != Doing::creeps || !rests(frame - kHalfSecond, frame + kFuture))
+      return Doing::nothing;
     const double seen = kChatters * edge_;
-    return largest_excursion(part(frame - kHalf)) >= seen && largest_excursion(part(frame)) >= seen
+    return largest_excursion(part(frame - kHalfSecond)) >= seen &&
+                   largest_excursion(part(frame)) >= seen
                ? Doing::chatters
                : Doing::nothing;
   }
@@ -63,7 +64,7 @@ class Track {
   // Speed of the fastest point at most, over half a second, as a share of sqrt(g L).
   [[nodiscard]] double fastest(std::size_t frame) const {
     double speed = 0.0;
-    for (std::size_t k = frame - kHalf; k <= frame; ++k)
+    for (std::size_t k = frame - kHalfSecond; k <= frame; ++k)
       speed =
           std::max(speed, velocity(body_, state(k)).norm() +
                               angular_velocity(body_, state(k)).norm() * 0.5 * body_.size.norm());
@@ -72,8 +73,8 @@ class Track {
 
   [[nodiscard]] bool small(std::size_t frame) const {
     const DampedThresholds eps =
-        thresholds_of(DampedNumbers{}, body_, run_.world.gravity_w.norm(), kFrame);
-    for (std::size_t k = frame - kHalf; k <= frame; ++k)
+        thresholds_of(DampedNumbers{}, body_, run_.world.gravity_w.norm(), kStep);
+    for (std::size_t k = frame - kHalfSecond; k <= frame; ++k)
       if (state(k).linear_momentum_w.cwiseAbs().maxCoeff() >= eps.slow ||
           state(k).angular_momentum_w.cwiseAbs().maxCoeff() >= eps.slow_spin)
         return false;
@@ -85,10 +86,10 @@ class Track {
     return run_.frames.frame(static_cast<int>(frame)).states[index_];
   }
   [[nodiscard]] std::span<const Corners> part(std::size_t begin) const {
-    return std::span(path_).subspan(begin, kHalf + 1);
+    return std::span(path_).subspan(begin, kHalfSecond + 1);
   }
   [[nodiscard]] double way(std::size_t begin) const {
-    return largest_way(path_[begin], path_[begin + kHalf]);
+    return largest_way(path_[begin], path_[begin + kHalfSecond]);
   }
   [[nodiscard]] std::size_t touching(std::size_t begin, std::size_t end) const {
     std::size_t count = 0;
@@ -97,7 +98,7 @@ class Track {
   }
   [[nodiscard]] bool rests(std::size_t begin, std::size_t end) const {
     if (end >= frames() || touching(begin, end) != end - begin + 1) return false;
-    for (std::size_t k = begin; k + kHalf <= end; k += kHalf)
+    for (std::size_t k = begin; k + kHalfSecond <= end; k += kHalfSecond)
       if (way(k) >= tolerance::resting_movement * edge_) return false;
     return true;
   }
@@ -121,7 +122,7 @@ double path_over_way(const ChatterDetector& detector, BodyId id, double edge, do
   const auto history = detector.history(id);
   const double frames = detector.options().window;
   if (!history || !touches ||
-      history->path > detector.options().speed * std::sqrt(gravity * edge) * frames * kFrame)
+      history->path > detector.options().speed * std::sqrt(gravity * edge) * frames * kStep)
     return 0.0;
   return history->way > 0.0 ? history->path / history->way
                             : std::numeric_limits<double>::infinity();
@@ -149,11 +150,11 @@ void add_run(const SettledRun& run, int every, Doing scene, MotionCorpus& corpus
 
   for (std::size_t frame = 0; frame < run.touches.size(); ++frame) {
     const auto states = run.frames.frame(static_cast<int>(frame)).states;
-    if (frame > 0) clock.finish_step(kFrame);
+    if (frame > 0) clock.finish_step(kStep);
     std::copy(states.begin(), states.end(), clock.states().begin());
     calm.add(clock, run.touches[frame]);
     for (ChatterDetector& other : others) other.add(clock, run.touches[frame]);
-    if (frame < kHalf || frame + kHalf >= run.touches.size()) continue;
+    if (frame < kHalfSecond || frame + kHalfSecond >= run.touches.size()) continue;
     std::size_t t = 0;
     for (std::size_t k = 0; k < clock.ids().size(); ++k) {
       const BodyProperties& body = clock.bodies()[k];
@@ -162,8 +163,8 @@ void add_run(const SettledRun& run, int every, Doing scene, MotionCorpus& corpus
       const BodyId id = clock.ids()[k];
       calm_for[t] = calm.calm(id) ? calm_for[t] + 1 : 0;
       if (track.moves(frame, scene)) {
-        corpus.moving += kFrame;
-        if (calm_for[t] == static_cast<int>(kHalf)) ++corpus.false_freezes;
+        corpus.moving += kStep;
+        if (calm_for[t] == static_cast<int>(kHalfSecond)) ++corpus.false_freezes;
       }
       ++t;
       if (frame % static_cast<std::size_t>(every) != 0) continue;

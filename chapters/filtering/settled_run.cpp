@@ -28,7 +28,7 @@ SettledRun record_run(PlayedScene& played, double settling, double watched,
                       const MarkTouches& touches,
                       const std::function<void(const StepReport&)>& after) {
   SettledRun run;
-  run.interval = PlayedScene::kStep;
+  run.interval = kStep;
   const auto record = [&] {
     run.frames.record(played.world);
     touches(played.world, run.touches.emplace_back());
@@ -77,6 +77,10 @@ Shake shake_of(const std::vector<Corners>& path, double gravity, double interval
   shake.acceleration /= count;
   shake.squirm = squirm(path, interval);
   return shake;
+}
+
+bool same_pose(const BodyState& a, const BodyState& b) {
+  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
 }
 
 std::vector<std::size_t> resting_bodies(const SettledRun& run) {

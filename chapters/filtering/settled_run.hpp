@@ -82,6 +82,12 @@ struct Shake {
 /// \return means over the half seconds; the squirm of all of it
 Shake shake_of(const std::vector<Corners>& path, double gravity, double interval);
 
+/// Whether two poses are the same, bit by bit.
+/// \param a  one
+/// \param b  the other
+/// \return false for a quaternion and its negative too
+bool same_pose(const BodyState& a, const BodyState& b);
+
 /// Bodies that rest in the watched part, as ChatterMeter says: in every frame in contact, and in each
 /// half second with less than a hundredth of the shortest edge as net movement of every corner.
 /// \param run the run

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // [m] Differences below it mean nothing: solvers stop there, and then there is rounding.
-constexpr double kStill = 1e-9;
+constexpr double kQuiet = 1e-9;
 constexpr double kLoud = 1e-2;  // [m] where the colours end
 constexpr double kFell = 0.5;   // [m] half an edge: what gets farther from its place in a pile fell
 constexpr std::size_t kScenes = 4;
@@ -105,7 +105,7 @@ Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTec
     cell.unsolved += run.solved ? 0.0 : 1.0;
     cell.seeds += 1.0;
     cell.capped += static_cast<double>(run.capped);
-    cell.collisions += static_cast<double>(run.last_collisions) / (watched / PlayedScene::kStep);
+    cell.collisions += static_cast<double>(run.last_collisions) / (watched / kStep);
     steps += static_cast<double>(run.steps);
     cell.calm = cell.calm && counts;
     if (counts) {
@@ -126,8 +126,8 @@ Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTec
 // Pale, so that letters can be read: from blue to vermilion on a scale of powers.
 std::uint32_t colour_of(double amplitude) {
   constexpr std::uint32_t cold = 0xc4e2f5, middle = 0xf8f3dc, hot = 0xf2a57c;
-  const double clipped = std::clamp(amplitude, kStill, kLoud);
-  const double place = elementary::log(clipped / kStill) / elementary::log(kLoud / kStill);
+  const double clipped = std::clamp(amplitude, kQuiet, kLoud);
+  const double place = elementary::log(clipped / kQuiet) / elementary::log(kLoud / kQuiet);
   return place < 0.5 ? mixed(cold, middle, 2.0 * place) : mixed(middle, hot, 2.0 * place - 1.0);
 }
 
@@ -139,7 +139,7 @@ void rank(std::vector<Cell>& cells) {
     calm.push_back(&cell);
     ranges.push_back(cell.amplitude);
   }
-  const std::vector<int> ranks = shared_ranks(ranges, kStill);
+  const std::vector<int> ranks = shared_ranks(ranges, kQuiet);
   for (std::size_t k = 0; k < calm.size(); ++k) {
     calm[k]->rank = ranks[k];
     calm[k]->tied = std::count(ranks.begin(), ranks.end(), ranks[k]) > 1;
@@ -179,7 +179,7 @@ Table shades() {
   constexpr int steps = 70;
   for (int k = 0; k <= steps; ++k) {
     const double amplitude =
-        kStill * elementary::pow(kLoud / kStill, static_cast<double>(k) / steps);
+        kQuiet * elementary::pow(kLoud / kQuiet, static_cast<double>(k) / steps);
     bar.rows.push_back({amplitude, static_cast<double>(colour_of(amplitude))});
   }
   return bar;

@@ -10,7 +10,7 @@ namespace tumble::chapters {
 
 double share_through(double speed, int throws, const AdaptiveStepOptions& options) {
   const TechniqueRecipe& recipe = technique_recipe("damped");
-  const double step = PlayedScene::kStep;
+  const double step = kStep;
   int through = 0;
   for (int k = 0; k < throws; ++k) {
     World world;

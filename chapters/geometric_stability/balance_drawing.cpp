@@ -14,7 +14,7 @@ namespace {
 // [-] Share of the fastest corner below which a box counts as one that stays.
 constexpr double kStays = 1e-6;
 
-double fastest_of(const World& world, std::span<const Acceleration> motion) {
+double fastest_body(const World& world, std::span<const Acceleration> motion) {
   double fastest = 0.0;
   for (std::size_t b = 0; b < motion.size(); ++b)
     if (world.bodies()[b].movable())
@@ -36,7 +36,7 @@ Table boxes_table() {
 
 void add_boxes(const World& world, double view, std::span<const Acceleration> motion,
                Table& table) {
-  const double fastest = fastest_of(world, motion);
+  const double fastest = fastest_body(world, motion);
   for (std::size_t b = 0; b < world.bodies().size(); ++b) {
     const BodyProperties& body = world.bodies()[b];
     if (body.shape != Shape::box) continue;
@@ -61,7 +61,7 @@ StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> 
                         {"y_m", "m", "centre"},
                         {"dx_m", "m", "four times its way until then"},
                         {"dy_m", "m", "four times its way until then"}}}};
-  const double fastest = fastest_of(world, motion);
+  const double fastest = fastest_body(world, motion);
   if (!(fastest > 0.0)) return start;
   start.time = std::sqrt(2.0 * way / fastest);
   const double half_square = way / fastest;  // [s²] t²/2

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/assembly.hpp"
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 #include "tumble/scenes/library.hpp"
@@ -25,8 +26,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The contacts below a body.
 std::vector<int> supports_of(const Structure& structure, int body) {

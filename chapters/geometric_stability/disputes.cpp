@@ -2,6 +2,7 @@
 /// \brief Bodies on which the two rules differ.
 #include "geometric_stability/disputes.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -19,8 +20,6 @@ namespace tumble::chapters {
 namespace {
 
 constexpr StabilityTolerances kExact{tolerance::exact_vertical, tolerance::exact_corner};
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool second_is_top(const Contact& contact) { return contact.normal_w.y() > 0.0; }
 int top_of_pair(const Contact& c) { return second_is_top(c) ? c.second : c.first; }

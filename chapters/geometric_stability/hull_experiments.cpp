@@ -2,6 +2,7 @@
 /// \brief Which of two rules is right where they differ.
 #include "geometric_stability/hull_experiments.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 
 #include "driver/statistics.hpp"
@@ -18,8 +19,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // What bodies are tried, as the rows of the table.
 enum Kind { kOverhang, kSide, kOther, kTriangle, kHexagon, kCut, kTower, kKinds };

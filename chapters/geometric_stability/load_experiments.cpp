@@ -16,7 +16,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kMoves = 1e-6;  // [-] of what the load alone gives; as the claim's rule has it
+constexpr double kMovesByLoad =
+    1e-6;  // [-] of what the load alone gives; as the claim's rule has it
 
 // What became of one movable box.
 struct LoadedBox {
@@ -28,7 +29,7 @@ struct LoadedBox {
   double ratio = 0.0;       // largest acceleration over that by its load alone, of all loads
   double rough = 0.0;       // ditto, by the method of multipliers
 
-  [[nodiscard]] bool moves() const { return ratio > kMoves; }
+  [[nodiscard]] bool moves() const { return ratio > kMovesByLoad; }
 };
 
 // The largest of what each load does to each body.

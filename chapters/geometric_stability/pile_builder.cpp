@@ -2,6 +2,7 @@
 /// \brief Lowering boxes onto boxes.
 #include "geometric_stability/pile_builder.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/upright.hpp"
@@ -21,8 +22,6 @@ constexpr double kGap = 5e-3;        // [m]
 constexpr double kCorner = 0.02;     // [-] of the shortest edge
 constexpr double kLean = 0.01;       // [-] sine
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool nearly(double distance, double near) { return distance > kRounding && distance < near; }
 

@@ -19,7 +19,7 @@ namespace tumble::chapters {
 namespace {
 
 constexpr std::size_t kLevels = kStabilityLevels.size();
-constexpr double kMoves = 1e-6;  // [-] of g; see the gap between what rests and what moves
+constexpr double kMovesAlone = 1e-6;  // [-] of g; see the gap between what rests and what moves
 
 // Counts of movable boxes.
 struct Cells {
@@ -53,7 +53,7 @@ std::vector<char> truth_of(const World& world, const ContactList& contacts, Pile
     const std::vector<Acceleration> found = accelerations(solver, world, contacts);
     for (std::size_t b = 0; b < found.size(); ++b) {
       const double a = fastest_of(world.bodies()[b], found[b]);
-      if (moves.size() == b) moves.push_back(a > kMoves * world.gravity_w.norm() ? 1 : 0);
+      if (moves.size() == b) moves.push_back(a > kMovesAlone * world.gravity_w.norm() ? 1 : 0);
       if (!world.bodies()[b].movable()) continue;
       if (moves[b] != 0)
         count.least_moving = std::min(count.least_moving, a);
@@ -104,7 +104,7 @@ Drawing picture_of(std::uint64_t seed) {
       colour = 0x0072b2;
     else if (balanced[b] != 0)
       colour = 0x8ecdf2;
-    else if (fastest_of(body, truth[b]) > kMoves * world.gravity_w.norm())
+    else if (fastest_of(body, truth[b]) > kMovesAlone * world.gravity_w.norm())
       colour = 0xd55e00;
     boxes.push_back({box_of(body, world.states()[b]), colour});
   }

@@ -2,6 +2,7 @@
 /// \brief Loads on the tops of a pile.
 #include "geometric_stability/pile_loads.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "geometric_stability/pile_forces.hpp"
@@ -13,14 +14,12 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kMovesAlone = 1e-6;     // [-] of g, under weights alone
-constexpr double kMoves = 1e-4;          // [-] of g, under loads: a hundred-millionth of them
-constexpr double kHeavy = 1e4;           // [-] weights of the body: a corner that hangs over by a
-                                         // hundredth is tipped
-constexpr int kRandomHalves = 20;        // loads on half of the corners
-constexpr std::uint64_t kSeed = 0x10ad;  // of these
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+constexpr double kMovesByItself = 1e-6;    // [-] of g, under weights alone
+constexpr double kMovesUnderLoads = 1e-4;  // [-] of g, under loads: a hundred-millionth of them
+constexpr double kHeavy = 1e4;             // [-] weights of the body: a corner that hangs over by a
+                                           // hundredth is tipped
+constexpr int kRandomHalves = 20;          // loads on half of the corners
+constexpr std::uint64_t kSeed = 0x10ad;    // of these
 
 // A place that can be loaded.
 struct Corner {
@@ -105,17 +104,17 @@ std::vector<char> moves_under_loads(const World& world, std::span<const Contact>
         moves[b] = 1;
     loads.assign(loads.size(), Wrench{});
   };
-  attempt(kMovesAlone);
+  attempt(kMovesByItself);
   const std::vector<Corner> corners = corners_of_tops(world, outlines);
   for (const Corner& corner : corners) {
     loads[at(corner.body)] = corner.load;
-    attempt(kMoves);
+    attempt(kMovesUnderLoads);
   }
   Random random(kSeed);
   for (int k = 0; k < kRandomHalves; ++k) {
     for (const Corner& corner : corners)
       if (random.below(2) == 0) add_to(loads[at(corner.body)], corner.load);
-    attempt(kMoves);
+    attempt(kMovesUnderLoads);
   }
   return moves;
 }

@@ -1,5 +1,6 @@
 /// \file
 /// \brief Trials seen from above.
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 
 #include "geometric_stability/disputes.hpp"
@@ -12,8 +13,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // What is seen: a square.
 struct View {

@@ -5,17 +5,12 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/base/random.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
 #include <stdexcept>
 
 namespace tumble::chapters {
-namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
-
-}  // namespace
-
 CountedRun count_run(World world, int steps, const std::function<void(const World&)>& before) {
   AnalyticOptions options;
   options.friction = AnalyticFriction::damping;

@@ -2,6 +2,7 @@
 /// \brief Random piles of boxes.
 #include "geometric_stability/random_piles.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -17,8 +18,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Quat about_y(double angle) { return rotation_from_vector(Vec3(0.0, angle, 0.0)); }
 

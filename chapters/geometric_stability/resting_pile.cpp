@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/scenes/library.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Every pair whose spheres are near each other.
 std::vector<IndexPair> pairs_of(const World& world) {

@@ -8,6 +8,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
 
 #include <algorithm>
@@ -19,8 +20,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr std::size_t kLower = 1;     // indices; the ground is 0
+constexpr std::size_t kLower = 1;  // indices; the ground is 0
 constexpr std::size_t kUpper = 2;
 
 World start_of(const SlideSetup& setup) {

@@ -3,6 +3,7 @@
 #include "geometric_stability/support_experiments.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/record/world_picture.hpp"
 #include "tumble/scenes/library.hpp"
@@ -22,8 +23,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Rows of the table of outlines.
 constexpr double kTop = 0.0;

@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/assembly.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr double kRising = 0.0;  // [-] everything is at rest
 

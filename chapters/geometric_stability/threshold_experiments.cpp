@@ -6,6 +6,7 @@
 #include "tumble/math/rotation.hpp"
 #include "tumble/techniques.hpp"
 
+#include "driver/statistics.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
 
@@ -20,8 +21,6 @@ namespace tumble::chapters {
 namespace {
 
 using std::numbers::pi;
-
-double relative(double found, double wanted) { return std::abs(found / wanted - 1.0); }
 
 using Test = bool (*)(const Structure&);
 bool whole(const Structure& structure) { return balanced(structure); }
@@ -55,7 +54,7 @@ Table mass_table(int steps) {
     const double hand = mass_ratio_by_hand(offset);
     const double found = mass_limit(offset, whole);
     table.rows.push_back(
-        {offset, hand, found, mass_limit(offset, middles_stand), relative(found, hand)});
+        {offset, hand, found, mass_limit(offset, middles_stand), relative_error(found, hand)});
   }
   return table;
 }
@@ -76,7 +75,7 @@ Table stairs_table(int most) {
     const double towers = stairs_limit(n, towers_stand);
     table.rows.push_back({static_cast<double>(n), hand, found, towers,
                           stairs_limit(n, middles_stand), stairs_limit(n, own_centres_stand),
-                          relative(found, hand), relative(towers, hand)});
+                          relative_error(found, hand), relative_error(towers, hand)});
   }
   return table;
 }
@@ -89,8 +88,8 @@ Table edge_table(int most) {
                {"towers_error", "-", "relative, as one heavier block"}}};
   for (int n = 1; n <= most; ++n) {
     const double hand = largest_overhang(n);
-    table.rows.push_back({static_cast<double>(n), hand, relative(edge_limit(n, whole), hand),
-                          relative(edge_limit(n, towers_stand), hand)});
+    table.rows.push_back({static_cast<double>(n), hand, relative_error(edge_limit(n, whole), hand),
+                          relative_error(edge_limit(n, towers_stand), hand)});
   }
   return table;
 }
@@ -147,7 +146,7 @@ Result measure_thresholds(const Parameters& settings) {
   const Table stairs = stairs_table(8);
   const Table edge = edge_table(6);
   // Five blocks to and fro stand up to 3/8: the centre of the upper three over the second.
-  const double fro = relative(
+  const double fro = relative_error(
       threshold([](double o) { return balanced(series_of("to_and_fro", 5, o)); }, 0.9, 0.1), 0.375);
   const double overhang =
       std::max({largest(stairs, 6), largest(stairs, 7), largest(edge, 2), largest(edge, 3), fro});
@@ -198,7 +197,7 @@ Result measure_weakly_stable(const Parameters& settings) {
   double apart = 0.0;  // from what the pyramid lacks
   for (int edges = 4; edges <= settings.count("edges"); edges += 4) {
     plank.turn = 0.0;
-    const double along = relative(friction_limit(plank, edges), hand);
+    const double along = relative_error(friction_limit(plank, edges), hand);
     plank.turn = pi / edges;
     const double between = friction_limit(plank, edges) / hand - 1.0;
     const double lacks = 1.0 / elementary::cos(pi / edges) - 1.0;

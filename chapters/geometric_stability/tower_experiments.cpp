@@ -2,8 +2,10 @@
 /// \brief A series of blocks as one heavier block: levels, thresholds, work.
 #include "geometric_stability/tower_experiments.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 
+#include "driver/statistics.hpp"
 #include "geometric_stability/balance_drawing.hpp"
 
 #include <algorithm>
@@ -16,8 +18,6 @@ namespace {
 
 constexpr const char* kStaircase = "staircase";
 constexpr const char* kToAndFro = "to_and_fro";
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The base of a series, and its lowest block: by index, after the ground.
 constexpr int kBase = 1;
@@ -113,8 +113,6 @@ Support support_of(const Structure& series) {
   return support;
 }
 
-double relative(double found, double wanted) { return std::abs(found / wanted - 1.0); }
-
 }  // namespace
 
 Structure blocks_over_edge(int blocks, double overhang) {
@@ -194,7 +192,7 @@ Result measure_one_block(const Parameters& settings) {
       const double found =
           threshold([&](double overhang) { return test(blocks_over_edge(n, overhang)); },
                     1.5 * wanted, 0.5 * wanted);
-      worst = std::max(worst, relative(found, wanted));
+      worst = std::max(worst, relative_error(found, wanted));
     }
     return worst;
   };

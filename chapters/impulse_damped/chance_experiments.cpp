@@ -4,6 +4,7 @@
 
 #include "tumble/scenes/library.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
@@ -14,8 +15,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 // Whether collisions are left to chance, in the order of the figure.
 struct Rule {

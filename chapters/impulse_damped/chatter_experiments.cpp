@@ -54,7 +54,7 @@ World build(const Stack& stack, int seed) {
   return world;
 }
 
-Damped undamped(const Method& method) {
+Damped without_damping(const Method& method) {
   DampedOptions options;
   options.damping = damping_parts_from("none");
   options.stable_boxes = StableRule::off;
@@ -106,7 +106,7 @@ class Watch {
 
 Shaking shake(const Stack& stack, const Method& method, int seed) {
   World world = build(stack, seed);
-  Damped technique = undamped(method);
+  Damped technique = without_damping(method);
   Watch watch;
   watch.look(world);
   Shaking out;

@@ -66,7 +66,7 @@ Result measure_clump_settles(const Parameters& settings) {
   played.advance(duration, [&](const StepReport&) {
     const double time = played.world.time();
     if (time > duration - 0.6) watch(played, meter);
-    const double next = film.back().time + 1.0 / kFilmRate - 0.5 * PlayedScene::kStep;
+    const double next = film.back().time + 1.0 / kFilmRate - 0.5 * kStep;
     if (time > next && time < kFilmEnds) film.push_back({time, picture_boxes(played.world)});
   });
   frames.push_back(picture_boxes(played.world));

@@ -8,6 +8,7 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -18,8 +19,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 // The stages of the damping, in the order in which they are done.
 struct Stage {

@@ -5,6 +5,7 @@
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/damping_experiments.hpp"
 #include "impulse_damped/settled_boxes.hpp"
@@ -16,8 +17,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 // What is booked while a heap settles.
 struct Heap {

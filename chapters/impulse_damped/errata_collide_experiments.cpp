@@ -3,10 +3,12 @@
 ///        C11).
 #include "impulse_damped/errata_collide_experiments.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/geometry/box.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_contacts.hpp"
 
 #include <algorithm>
@@ -14,8 +16,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 struct Rested {
   double hop = 0.0;    // [m] highest above where it lay
@@ -31,7 +31,7 @@ Rested rest(const ErrataSet& repaired, bool stable_boxes) {
   DampedAsPrinted technique(options);
   Rested rested;
   for (int step = 0; step < 30; ++step) {
-    technique.step(world, kErrataStep);
+    technique.step(world, kStep);
     rested.hop = std::max(rested.hop, world.states()[at(cube)].position_w.y() - 0.5);
   }
   rested.speed = velocity_of(world, cube).norm();
@@ -44,10 +44,10 @@ double bounce_on_stable(const ErrataSet& repaired) {
   World world = ground_world();
   add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   const int upper = add_box(world, Vec3::Ones(), Vec3(0.0, 1.5, 0.0), Vec3(0.0, -2.0, 0.0), 0.9);
   world.gravity_w = Vec3::Zero();
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   return velocity_of(world, upper).y();
 }
 
@@ -57,9 +57,9 @@ double tilt_after_hit(const ErrataSet& repaired) {
   World world = ground_world();
   const int column = add_box(world, Vec3(0.2, 1.0, 0.2), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   add_box(world, Vec3::Constant(0.2), Vec3(-0.21, 0.9, 0.0), Vec3(2.0, 0.0, 0.0));
-  run_steps(technique, world, kErrataStep, 60);
+  run_steps(technique, world, kStep, 60);
   const Vec3 up_w = world.states()[at(column)].orientation_wb * Vec3::UnitY();
   return std::atan2(Vec3(up_w.x(), 0.0, up_w.z()).norm(), up_w.y());
 }
@@ -72,7 +72,7 @@ double parting(const ErrataSet& repaired) {
   const int left = add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3(-0.5, 0.0, 0.0));
   const int right = add_box(world, Vec3::Ones(), Vec3(0.9, 0.0, 0.0), Vec3(0.5, 0.0, 0.0));
   DampedAsPrinted technique(undamped(repaired));
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   return velocity_of(world, right).x() - velocity_of(world, left).x();
 }
 
@@ -129,7 +129,7 @@ LeverArms lever_arms() {
   const std::vector<Vec3> fixed(2, Vec3::Zero());
   objects.begin(world, stable, fixed, slips());
   const Vec3 present_w = edge_of();
-  objects.integrate_positions(world, kErrataStep, Vec3::Zero(), RotationRule::splitting);
+  objects.integrate_positions(world, kStep, Vec3::Zero(), RotationRule::splitting);
   const Vec3 predicted_w = edge_of();
   const Vec3 present_centre_w(0.0, 0.65, 0.0);
 
@@ -150,7 +150,7 @@ double sliding_left(int index_base) {
   DampedAsPrintedOptions options = undamped(slips());
   options.index_base = index_base;
   DampedAsPrinted technique(options);
-  run_steps(technique, world, kErrataStep, 30);
+  run_steps(technique, world, kStep, 30);
   return velocity_of(world, cube).x();
 }
 

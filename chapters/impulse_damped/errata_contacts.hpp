@@ -72,7 +72,4 @@ int add_box(World& world, const Vec3& size, const Vec3& position_w,
 /// \param steps      how many
 void run_steps(Technique& technique, World& world, double dt, int steps);
 
-inline constexpr double kErrataGravity = 9.81;     ///< [m/s²]
-inline constexpr double kErrataStep = 1.0 / 60.0;  ///< [s]
-
 }  // namespace tumble::chapters

@@ -3,6 +3,7 @@
 ///        DM15, DM16).
 #include "impulse_damped/errata_damping_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_damping_setup.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace tumble::chapters {
 namespace {
 
 using namespace errata_setup;
-
-void add(Result& result, const std::string& name, const std::string& unit, double value) {
-  result.quantities.push_back({name, unit, value});
-}
 
 // The momentum that a step leaves of a cube in contact.
 Vec3 momentum_after(const Vec3& momentum_w, const PrintedNumbers& numbers,
@@ -109,8 +106,8 @@ double left_after_a_second(const DampedFactors& k) {
 void add_factors_of_a_step(double k1, Result& result) {
   DampedNumbers numbers;
   numbers.k1 = k1;
-  const double per_step = left_after_a_second(factors_of(numbers, kDt));
-  const double per_time = left_after_a_second(factors_of(numbers, 0.5 * kDt));
+  const double per_step = left_after_a_second(factors_of(numbers, kStep));
+  const double per_time = left_after_a_second(factors_of(numbers, 0.5 * kStep));
   add(result, "DM8: share of a momentum left after 1 s at 120 Hz, factor of a step", "-", per_step);
   add(result, "DM8: share of a momentum left after 1 s at 120 Hz, factor of a time", "-", per_time);
 }
@@ -133,7 +130,7 @@ double undone_turn(const ErrataSet& mended) {
   numbers.eps.frozen = 1.0;
   numbers.eps.frozen_angle = usual_thresholds().frozen_angle;
   const auto undone = [&](double turn) {
-    const double spin = turn / kDt * unit_cube().inertia_b.y();
+    const double spin = turn / kStep * unit_cube().inertia_b.y();
     World world = world_with_cube(Vec3::Zero(), Vec3::Zero(), spin * Vec3::UnitY());
     return dampen(world, true, numbers, mended).frozen == 1;
   };
@@ -147,7 +144,7 @@ double ended_slide(bool own_thresholds) {
   const BodyProperties small_cube = box_properties(Vec3::Constant(length), 1e-3);
   PrintedNumbers numbers;
   numbers.eps.still = own_thresholds
-                          ? thresholds_of(DampedNumbers{}, small_cube, kGravity, kDt).still
+                          ? thresholds_of(DampedNumbers{}, small_cube, kGravity, kStep).still
                           : usual_thresholds().still;
   const auto ended = [&](double speed) {
     World world;

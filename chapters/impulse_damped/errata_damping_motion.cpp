@@ -5,6 +5,7 @@
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/geometry/box.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_damping_experiments.hpp"
 #include "impulse_damped/errata_damping_setup.hpp"
 
@@ -19,10 +20,6 @@ namespace {
 using namespace errata_setup;
 
 constexpr double kPi = 3.14159265358979323846;
-
-void add(Result& result, const std::string& name, const std::string& unit, double value) {
-  result.quantities.push_back({name, unit, value});
-}
 
 Quat turned_about_z(double angle) {
   return Quat(std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle));
@@ -65,7 +62,7 @@ void add_pivot(double k1, Result& result) {
       std::abs(apart_w.x()));
   add(result, "DM6: sideways speed of the edge that a cube pivots on, one factor", "m/s",
       std::abs(alike_w.x()));
-  add(result, "DM6: depth that the edge gains in a step, two factors", "m", -kDt * apart_w.y());
+  add(result, "DM6: depth that the edge gains in a step, two factors", "m", -kStep * apart_w.y());
 }
 
 // --- DM7 -----------------------------------------------------------------------------------
@@ -87,7 +84,7 @@ std::vector<double> fall_speeds(double k1, bool against_each_other, int steps) {
     dampen(world, true, numbers, ErrataSet::all());
     for (BodyState& cube : world.states()) {
       cube.linear_momentum_w += common_w;
-      cube.position_w += kDt * common_w;
+      cube.position_w += kStep * common_w;
     }
     speeds.push_back(-world.states()[0].linear_momentum_w.y());
   }
@@ -103,7 +100,7 @@ void add_fall(double k1, Result& result) {
                {"printed_m_s", "m/s", "speed of the fall, damped in the world"},
                {"mended_m_s", "m/s", "damped against each other"}}};
   for (std::size_t k = 0; k < mended.size(); ++k)
-    table.rows.push_back({static_cast<double>(k) * kDt, printed[k], mended[k]});
+    table.rows.push_back({static_cast<double>(k) * kStep, printed[k], mended[k]});
   result.tables.push_back(table);
   add(result, "DM7: speed after a fall of 1 s beside another cube, damped in the world", "m/s",
       printed[second]);
@@ -205,7 +202,7 @@ Flown fly_frozen(const Vec3& momentum_w, double eps10, bool weight, int steps) {
 
 void add_freeze(double eps10, Result& result) {
   // Thrown up so that the apex is at the end of the tenth step.
-  const Vec3 throw_w(0.0, 10.0 * kGravity * kDt, 0.0);
+  const Vec3 throw_w(0.0, 10.0 * kGravity * kStep, 0.0);
   const Flown printed = fly_frozen(throw_w, eps10, true, 20);
   const Flown mended = fly_frozen(throw_w, 0.0, true, 20);
   Table table{"apex",
@@ -213,7 +210,7 @@ void add_freeze(double eps10, Result& result) {
                {"printed_mm", "mm", "height, small moves undone"},
                {"mended_mm", "mm", "height, only those of bodies in contact"}}};
   for (std::size_t k = 0; k < printed.places_w.size(); ++k)
-    table.rows.push_back({1e3 * kDt * static_cast<double>(k), 1e3 * printed.places_w[k].y(),
+    table.rows.push_back({1e3 * kStep * static_cast<double>(k), 1e3 * printed.places_w[k].y(),
                           1e3 * mended.places_w[k].y()});
   result.tables.push_back(table);
   add(result, "DM12: steps that a cube hangs at its apex, every body tested", "-", printed.frozen);
@@ -282,7 +279,7 @@ void add_motion_errata(double k1, double eps10, Result& result) {
                {"printed_m", "m", "fall, held by any contact"},
                {"mended_m", "m", "fall, held by what is below"}}};
   for (std::size_t k = 0; k < printed.size(); ++k)
-    table.rows.push_back({kDt * static_cast<double>(k), printed[k], mended[k]});
+    table.rows.push_back({kStep * static_cast<double>(k), printed[k], mended[k]});
   result.tables.push_back(table);
   add(result, "DM11: fall in 1 s beside a wall, any contact counts", "m", printed.back());
   add(result, "DM11: fall in 1 s beside a wall, support counts", "m", mended.back());

@@ -6,15 +6,25 @@
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/impulse_damped/dampen_objects_as_printed.hpp"
 
+#include "driver/common_numbers.hpp"
+#include "driver/figure.hpp"
+
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 /// Setups of the experiments with errata.
 namespace tumble::chapters::errata_setup {
 
-inline constexpr double kGravity = 9.81;   ///< [m/s²]
-inline constexpr double kDt = 1.0 / 60.0;  ///< [s] a step
+/// One more number of an experiment.
+/// \param result  gets it
+/// \param name    what it is
+/// \param unit    "-" for none
+/// \param value   in that unit
+inline void add(Result& result, const std::string& name, const std::string& unit, double value) {
+  result.quantities.push_back({name, unit, value});
+}
 
 /// A cube of 1 m and 1 kg: what the thesis's boxes all are.
 /// \return its properties
@@ -23,7 +33,7 @@ inline BodyProperties unit_cube() { return box_properties(Vec3::Ones(), 1.0); }
 /// The thresholds of that cube in a step, as the technique has them by default.
 /// \return in SI units
 inline DampedThresholds usual_thresholds() {
-  return thresholds_of(DampedNumbers{}, unit_cube(), kGravity, kDt);
+  return thresholds_of(DampedNumbers{}, unit_cube(), kGravity, kStep);
 }
 
 /// A listing in which one erratum is left, and all others are mended.
@@ -55,7 +65,7 @@ inline World world_with_cube(const Vec3& position_w, const Vec3& momentum_w,
 /// \param dt       [s] the step
 /// \return what it reports
 inline DampenReport dampen(World& world, bool touched, const PrintedNumbers& numbers,
-                           const ErrataSet& mended, double dt = kDt) {
+                           const ErrataSet& mended, double dt = kStep) {
   const std::vector<std::uint8_t> flags(world.states().size(), touched ? 1 : 0);
   return dampen_objects_as_printed(world, flags, numbers, dt, RotationRule::splitting, mended);
 }
@@ -63,7 +73,7 @@ inline DampenReport dampen(World& world, bool touched, const PrintedNumbers& num
 /// What gravity gives to all movable bodies in a step: line 3 of DAMPEDINTEGRATION.
 /// \param world  in and out
 /// \param dt     [s] the step
-inline void add_gravity(World& world, double dt = kDt) {
+inline void add_gravity(World& world, double dt = kStep) {
   for (std::size_t k = 0; k < world.states().size(); ++k)
     if (world.bodies()[k].movable())
       world.states()[k].linear_momentum_w += world.bodies()[k].mass * dt * world.gravity_w;

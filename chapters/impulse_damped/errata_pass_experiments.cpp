@@ -6,6 +6,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_contacts.hpp"
 
 #include <cmath>
@@ -35,7 +36,7 @@ DampedAsPrintedOptions contacts_alone(const ErrataSet& repaired) {
 double sag(const ErrataSet& repaired) {
   World world = stack_of(5, 0.0);
   DampedAsPrinted technique(contacts_alone(repaired));
-  run_steps(technique, world, kErrataStep, 60);
+  run_steps(technique, world, kStep, 60);
   return 4.5 - world.states()[5].position_w.y();
 }
 
@@ -46,7 +47,7 @@ double resting_speed(int steps, int loop_base, bool elastic) {
   options.loop_base = loop_base;
   options.elastic_contacts = elastic;
   DampedAsPrinted technique(options);
-  run_steps(technique, world, kErrataStep, steps);
+  run_steps(technique, world, kStep, steps);
   return velocity_of(world, 1).norm();
 }
 
@@ -54,11 +55,11 @@ double resting_speed(int steps, int loop_base, bool elastic) {
 // settle.
 double unrest(Technique& technique, double seconds) {
   World world = stack_of(5, 0.9);
-  const int steps = static_cast<int>(std::ceil(seconds / kErrataStep));
-  run_steps(technique, world, kErrataStep, steps);
+  const int steps = static_cast<int>(std::ceil(seconds / kStep));
+  run_steps(technique, world, kStep, steps);
   double sum = 0.0;
   for (int step = 0; step < steps; ++step) {
-    technique.step(world, kErrataStep);
+    technique.step(world, kStep);
     for (int k = 1; k <= 5; ++k) sum += velocity_of(world, k).squaredNorm();
   }
   return std::sqrt(sum / (5.0 * steps));
@@ -102,7 +103,7 @@ World after_step(World world, const ErrataSet& repaired) {
   DampedAsPrintedOptions options = undamped(repaired);
   options.stable_boxes = false;
   DampedAsPrinted technique(options);
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   return world;
 }
 
@@ -147,7 +148,7 @@ double turned(const ErrataSet& repaired) {
   double angle = 0.0;
   for (int step = 0; step < 30; ++step) {
     const Quat before = world.states()[0].orientation_wb;
-    technique.step(world, kErrataStep);
+    technique.step(world, kStep);
     angle += angle_between(world.states()[0].orientation_wb, before);
   }
   return angle;

@@ -22,10 +22,6 @@ using namespace errata_setup;
 constexpr double kPush = 1e-3;          // [m] ε1
 constexpr std::int64_t kMany = 100000;  // [-] pushes that a loop which ends does not need
 
-void add(Result& result, const std::string& name, const std::string& unit, double value) {
-  result.quantities.push_back({name, unit, value});
-}
-
 // All pairs of a world that touch.
 ContactList contacts_of(const World& world) {
   std::vector<IndexPair> pairs;
@@ -66,7 +62,7 @@ double deepest_overlap(const World& world) {
   return deepest;
 }
 
-void add_fixed(World& world, const Vec3& size, const Vec3& place_w) {
+void add_fixed_box(World& world, const Vec3& size, const Vec3& place_w) {
   const BodyProperties body = fixed_box_properties(size);
   world.add(body, make_state(body, place_w));
 }
@@ -98,7 +94,7 @@ void add_endless_loop(std::int64_t cap, Result& result) {
 void add_immovable_upper(Result& result) {
   const auto moved = [](const ErrataSet& mended) {
     World world;
-    add_fixed(world, Vec3(2.0, 0.25, 2.0), Vec3(0.0, 2.0, 0.0));
+    add_fixed_box(world, Vec3(2.0, 0.25, 2.0), Vec3(0.0, 2.0, 0.0));
     add_cube(world, Vec3(0.0, 1.375 + 2.5e-3, 0.0));
     fix(world, kMany, mended);
     return world.states()[0].position_w.y() - 2.0;
@@ -138,7 +134,7 @@ void add_gap(Result& result) {
 // X4. A cube overlaps a wall by 4.5 mm and touches another cube on its other side.
 void add_one_pass(Result& result) {
   World printed;
-  add_fixed(printed, Vec3(1.0, 0.5, 1.0), Vec3(0.0, 0.0, 0.0));
+  add_fixed_box(printed, Vec3(1.0, 0.5, 1.0), Vec3(0.0, 0.0, 0.0));
   add_cube(printed, Vec3(1.0 - 4.5e-3, 0.1, 0.0));
   add_cube(printed, Vec3(2.0 - 4.5e-3 + 1e-6, 0.2, 0.0));
   World mended = printed;
@@ -161,7 +157,7 @@ World plank_on_pillar(double sunk) {
   World world;
   // The pillar's left upper edge is in the plank's lower face, 2 m from its middle.
   const Vec3 edge_w(1.6, 3.2, 0.0);
-  add_fixed(world, Vec3(0.5, 3.2, 2.0), Vec3(1.6 + 0.25, 1.6, 0.0));
+  add_fixed_box(world, Vec3(0.5, 3.2, 2.0), Vec3(1.6 + 0.25, 1.6, 0.0));
   const BodyProperties plank = box_properties(Vec3(6.0, 0.2, 1.0), 1.0);
   const Vec3 middle_w = edge_w - 2.0 * along_w + (0.1 - sunk) * across_w;
   world.add(plank, make_state(plank, middle_w, lean));

@@ -30,14 +30,14 @@ struct Scene {
   std::vector<PrintedStability> bodies;
 };
 
-void add_fixed(World& world, const Vec3& size, const Vec3& place_w,
-               const Quat& orientation = Quat::Identity()) {
+void add_turned_fixed(World& world, const Vec3& size, const Vec3& place_w,
+                      const Quat& orientation = Quat::Identity()) {
   const BodyProperties body = fixed_box_properties(size);
   world.add(body, make_state(body, place_w, orientation));
 }
 
-void add_box(World& world, const Vec3& size, const Vec3& place_w,
-             const Quat& orientation = Quat::Identity()) {
+void add_turned_box(World& world, const Vec3& size, const Vec3& place_w,
+                    const Quat& orientation = Quat::Identity()) {
   const BodyProperties body = box_properties(size, 1.0);
   world.add(body, make_state(body, place_w, orientation));
 }
@@ -91,8 +91,8 @@ void compare(int number, const std::string& what, const Scene& printed, const st
 Scene side_by_side() {
   Scene scene;
   scene.world.add_ground();
-  add_box(scene.world, Vec3::Ones(), Vec3(-0.5, 0.5, 0.0));
-  add_box(scene.world, Vec3::Ones(), Vec3(0.5, 0.5, 0.0));
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(-0.5, 0.5, 0.0));
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(0.5, 0.5, 0.0));
   find_contacts(scene);
   return scene;
 }
@@ -100,11 +100,11 @@ Scene side_by_side() {
 // G3, G6. A plank on two fixed blocks and, as high as these, a block that balances on a post.
 Scene plank_on_three() {
   Scene scene;
-  add_fixed(scene.world, Vec3::Ones(), Vec3(-2.0, 0.5, 0.0));
-  add_fixed(scene.world, Vec3::Ones(), Vec3(2.0, 0.5, 0.0));
-  add_fixed(scene.world, Vec3(0.25, 0.5, 0.25), Vec3(0.0, 0.25, 0.0));
-  add_box(scene.world, Vec3(1.0, 0.5, 1.0), Vec3(0.0, 0.75, 0.0));
-  add_box(scene.world, Vec3(5.0, 0.25, 1.0), Vec3(0.0, 1.125, 0.0));
+  add_turned_fixed(scene.world, Vec3::Ones(), Vec3(-2.0, 0.5, 0.0));
+  add_turned_fixed(scene.world, Vec3::Ones(), Vec3(2.0, 0.5, 0.0));
+  add_turned_fixed(scene.world, Vec3(0.25, 0.5, 0.25), Vec3(0.0, 0.25, 0.0));
+  add_turned_box(scene.world, Vec3(1.0, 0.5, 1.0), Vec3(0.0, 0.75, 0.0));
+  add_turned_box(scene.world, Vec3(5.0, 0.25, 1.0), Vec3(0.0, 1.125, 0.0));
   find_contacts(scene);
   return scene;
 }
@@ -122,9 +122,9 @@ Scene with_unstable(Scene scene, Place place) {
 // G4. A cube on a fixed wall, and one beside it.
 Scene beside_wall() {
   Scene scene;
-  add_fixed(scene.world, Vec3(1.0, 2.0, 1.0), Vec3(0.0, 1.0, 0.0));
-  add_box(scene.world, Vec3::Ones(), Vec3(1.0, 0.5, 0.0));
-  add_box(scene.world, Vec3::Ones(), Vec3(0.0, 2.5, 0.0));
+  add_turned_fixed(scene.world, Vec3(1.0, 2.0, 1.0), Vec3(0.0, 1.0, 0.0));
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(1.0, 0.5, 0.0));
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(0.0, 2.5, 0.0));
   find_contacts(scene);
   return scene;
 }
@@ -132,8 +132,8 @@ Scene beside_wall() {
 // G5. A cube that stood on a fixed block in the step before, and has slid off by a half.
 Scene half_off() {
   Scene scene;
-  add_fixed(scene.world, Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0));
-  add_box(scene.world, Vec3::Ones(), Vec3(0.0, 1.5, 0.0));
+  add_turned_fixed(scene.world, Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0));
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(0.0, 1.5, 0.0));
   find_contacts(scene);
   scene = classified(scene, kMended);
   scene.world.states()[1].position_w.x() = 1.0;
@@ -156,8 +156,8 @@ Scene almost_level() {
   constexpr double half_angle = 0.5e-6;  // [rad]
   const Quat lean(std::cos(half_angle), 0.0, 0.0, std::sin(half_angle));
   Scene scene;
-  add_fixed(scene.world, Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0), lean);
-  add_box(scene.world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0) + lean * Vec3::UnitY(), lean);
+  add_turned_fixed(scene.world, Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0), lean);
+  add_turned_box(scene.world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0) + lean * Vec3::UnitY(), lean);
   find_contacts(scene);
   return scene;
 }

@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/damped_as_printed.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_contacts.hpp"
 #include "impulse_damped/errata_damping_experiments.hpp"
 #include "impulse_damped/errata_damping_setup.hpp"
@@ -30,7 +31,7 @@ std::vector<double> energy_added(Technique& technique, int steps) {
   World world = stack();
   std::vector<double> added = {0.0};
   for (int step = 0; step < steps; ++step) {
-    const StepReport report = technique.step(world, kDt);
+    const StepReport report = technique.step(world, kStep);
     if (report.status != StepStatus::done) throw std::runtime_error("a step of the stack failed");
     added.push_back(added.back() + report.energy.repair);
   }
@@ -71,7 +72,7 @@ Damped shock_of_velocities() {
 }  // namespace
 
 void add_stack_erratum(double duration, Result& result) {
-  const int steps = static_cast<int>(duration / kDt + 0.5);
+  const int steps = static_cast<int>(duration / kStep + 0.5);
   DampedAsPrinted listing = pushes(false);
   DampedAsPrinted listing_with_stable_boxes = pushes(true);
   DampedAsPrinted usual_damping = damped_pushes(1.0);
@@ -86,7 +87,7 @@ void add_stack_erratum(double duration, Result& result) {
                {"stable_J", "J", "the same, stable boxes being found"},
                {"mended_J", "J", "with shock propagation of velocities"}}};
   for (std::size_t k = 0; k < printed.size(); ++k)
-    table.rows.push_back({kDt * static_cast<double>(k), printed[k], stable[k], mended[k]});
+    table.rows.push_back({kStep * static_cast<double>(k), printed[k], stable[k], mended[k]});
   result.tables.push_back(table);
   const std::string added = "X6: energy added to a stack of five at rest, for each second, ";
   result.quantities.push_back({added + "positions pushed", "W", printed.back() / duration});

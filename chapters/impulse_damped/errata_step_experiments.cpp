@@ -1,5 +1,6 @@
 /// \file
 /// \brief The order of a step as printed and mended (thesis 5.2, A.2; errata D1 to D6).
+#include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_contacts.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ double difference_of_orders(const ErrataSet& repaired) {
   DampedAsPrinted prose(options);
   double most = 0.0;
   for (int step = 0; step < kSecond; ++step) {
-    listing.step(listed, kErrataStep);
-    prose.step(told, kErrataStep);
+    listing.step(listed, kStep);
+    prose.step(told, kStep);
     const auto k = static_cast<std::size_t>(cube);
     most = std::max(most,
                     std::abs(listed.states()[k].position_w.y() - told.states()[k].position_w.y()));
@@ -39,7 +40,7 @@ double flown(const ErrataSet& repaired) {
   world.gravity_w = Vec3::Zero();
   add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3::UnitX());
   DampedAsPrinted technique(undamped(repaired));
-  run_steps(technique, world, 0.5 * kErrataStep, 2 * kSecond);
+  run_steps(technique, world, 0.5 * kStep, 2 * kSecond);
   return world.states()[0].position_w.x();
 }
 
@@ -51,7 +52,7 @@ double slid(double k) {
   DampedAsPrintedOptions options = undamped(slips());
   options.numbers.k1 = k;
   DampedAsPrinted technique(options);
-  technique.step(world, kErrataStep);
+  technique.step(world, kStep);
   return world.states()[static_cast<std::size_t>(cube)].position_w.x();
 }
 
@@ -63,7 +64,7 @@ double steps_unstable(const ErrataSet& repaired) {
   DampedAsPrinted technique(undamped(repaired));
   int unstable = 0;
   for (int step = 0; step < 10; ++step) {
-    technique.step(world, kErrataStep);
+    technique.step(world, kStep);
     if (!technique.geometrically_stable(world.ids()[static_cast<std::size_t>(cube)])) ++unstable;
   }
   return unstable;
@@ -74,7 +75,7 @@ double fallen_to(const ErrataSet& repaired) {
   World world;
   add_box(world, Vec3::Ones(), Vec3(0.0, 10.0, 0.0));
   DampedAsPrinted technique(undamped(repaired));
-  run_steps(technique, world, kErrataStep, kSecond);
+  run_steps(technique, world, kStep, kSecond);
   return world.states()[0].position_w.y();
 }
 
@@ -85,7 +86,7 @@ double resting_speed(const ErrataSet& repaired) {
   DampedAsPrintedOptions options = undamped(repaired);
   options.stable_boxes = false;
   DampedAsPrinted technique(options);
-  run_steps(technique, world, kErrataStep, kSecond);
+  run_steps(technique, world, kStep, kSecond);
   return velocity_of(world, cube).norm();
 }
 

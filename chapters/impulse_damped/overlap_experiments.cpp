@@ -4,6 +4,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/repair_experiments.hpp"
 
@@ -16,8 +17,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 double total_depth(const World& world, std::span<const BodyState> poses, PairGatherer& gatherer,
                    ContactList& contacts) {

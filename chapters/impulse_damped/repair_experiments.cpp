@@ -7,6 +7,7 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -18,8 +19,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 enum class Pass { none, listing, ours };
 

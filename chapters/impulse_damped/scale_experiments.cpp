@@ -2,6 +2,7 @@
 /// \brief The same motion at any size and mass, and Coulomb's stopping distance (thesis 6.3.1).
 #include "impulse_damped/scale_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = PlayedScene::kStep;
 constexpr std::array<double, 3> kSizes{0.01, 1.0, 100.0};
 constexpr double kSpeed = 3.0;     // [m/s] of the box that slides, at size 1
 constexpr double kFriction = 0.3;  // of that box and the ground

@@ -40,7 +40,7 @@ constexpr double kFilmTimes[] = {-0.3, 3.0};  // [s] since the shot
 void take(const PlayedScene& played, double shot, std::vector<FilmFrame>& frames) {
   const double time = played.world.time() - shot;
   const double next = frames.empty() ? kFilmTimes[0] : frames.back().time + 1.0 / kFilmRate;
-  constexpr double half = 0.5 * PlayedScene::kStep;
+  constexpr double half = 0.5 * kStep;
   if (time < next - half || time > kFilmTimes[1] + half) return;
   frames.push_back({time, picture_boxes(played.world)});
 }
@@ -132,7 +132,7 @@ Result measure_projectile(const Parameters& settings) {
   const std::vector<BodyState> stands = poses();
   Film film;
   const auto watch = [&](const StepReport&) { take(played, appears, film.frames); };
-  played.advance(appears - 2.0 * PlayedScene::kStep, watch);
+  played.advance(appears - 2.0 * kStep, watch);
   const double moves = farthest_moved(played.world, stands);
 
   Table table{"", {{"time_s", "s", "since the shot"}, {"fallen", "-", "boxes that have fallen"}}};
@@ -207,7 +207,7 @@ Result measure_projectile_curves(const Parameters& settings) {
                std::max(worst[2], m.chatter.acceleration)};
     }
     last_total = total;
-    if (time > -1.0 - 0.5 * PlayedScene::kStep)
+    if (time > -1.0 - 0.5 * kStep)
       table.rows.push_back({time, m.kinetic, total, 1e3 * m.deepest_overlap,
                             1e3 * m.chatter.amplitude, static_cast<double>(m.chatter.bodies)});
   });

@@ -8,6 +8,8 @@
 #include "tumble/record/overlap.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,10 +19,9 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kShake = 0.1;        // [-] of free fall: a box that rests and shakes more chatters
-constexpr double kStill = 5e-4;       // [-] a corner that moves less in a step, in edges, rests
-constexpr double kPlay = 1e-3;        // [m] between a plank or block and what stops it
+constexpr double kShake = 0.1;   // [-] of free fall: a box that rests and shakes more chatters
+constexpr double kStill = 5e-4;  // [-] a corner that moves less in a step, in edges, rests
+constexpr double kPlay = 1e-3;   // [m] between a plank or block and what stops it
 
 // Who touches, and who has a face on what is below: a normal within 45 degrees of up that is across
 // one of its own faces, within 10 degrees. This knows nothing of the alignment test.

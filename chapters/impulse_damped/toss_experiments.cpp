@@ -15,8 +15,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kSeconds = 2.0;  // [s] the measured cubes rest after 0.7,
-constexpr double kQuiet = 0.5;    // [s] and one that has not moved for so long will not move again
+constexpr double kQuiet = 0.5;  // [s] and one that has not moved for so long will not move again
 
 // By seed: the outcomes of its tosses.
 using Outcomes = std::vector<TossNumbers>;
@@ -26,7 +25,8 @@ TossOutcome toss(const PlayedTechnique& technique, std::uint64_t seed) {
   const std::size_t cube = played.index("cube");
   const Vec3 start_w = played.world.states()[cube].position_w;
   TossOutcome outcome;
-  while (played.world.time() < kSeconds && played.world.time() < outcome.time_to_rest + kQuiet) {
+  while (played.world.time() < kTossSeconds &&
+         played.world.time() < outcome.time_to_rest + kQuiet) {
     played.step();
     const BodyProperties& body = played.world.bodies()[cube];
     const BodyState& state = played.world.states()[cube];

@@ -4,6 +4,8 @@
 
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +18,6 @@ namespace {
 
 constexpr std::size_t kColumns = 13;
 constexpr std::size_t kFree = 8;  // samples before any corner is at the table
-constexpr double kGravity = 9.81;
-constexpr double kSeconds = 2.0;  // [s] simulated; the measured cubes rest after 0.7
 
 // Measured frames have z up: y and z change places, with a sign so that it is a rotation.
 TossSample y_up(const std::array<double, kColumns>& row) {
@@ -138,7 +138,7 @@ TossOutcome simulated_outcome(const MeasuredToss& toss, Technique& technique, do
   World world = toss_world(toss);
   const Vec3 start = world.states()[1].position_w;
   TossOutcome outcome;
-  const int steps = static_cast<int>(std::lround(kSeconds / dt));
+  const int steps = static_cast<int>(std::lround(kTossSeconds / dt));
   for (int k = 0; k < steps; ++k) {
     technique.step(world, dt);
     const BodyProperties& cube = world.bodies()[1];

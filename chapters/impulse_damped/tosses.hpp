@@ -24,6 +24,9 @@ struct MeasuredToss {
   std::vector<TossSample> samples;  ///< one every `toss_interval`
 };
 
+/// [s] That are simulated; the measured cubes rest after 0.7.
+inline constexpr double kTossSeconds = 2.0;
+
 /// How a toss ended.
 struct TossOutcome {
   int face = 0;         ///< which face is up: 2 i for the one at -axis i of the cube, 2 i + 1 at +

@@ -80,4 +80,8 @@ double total(const std::vector<CageWork>& works, double CageWork::*count, int le
   return sum;
 }
 
+double per_event(const std::vector<CageWork>& works, double CageWork::*count, int left_out) {
+  return total(works, count, left_out) / total(works, &CageWork::events, left_out);
+}
+
 }  // namespace tumble::chapters

@@ -96,4 +96,11 @@ CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const Time
 /// \return the sum
 double total(const std::vector<CageWork>& works, double CageWork::*count, int left_out = -1);
 
+/// The same for each of the events.
+/// \param works     by seed
+/// \param count     which
+/// \param left_out  index of the seed that is not counted; -1: none
+/// \return the sum over the number of events
+double per_event(const std::vector<CageWork>& works, double CageWork::*count, int left_out);
+
 }  // namespace tumble::chapters

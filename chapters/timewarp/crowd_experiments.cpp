@@ -2,6 +2,7 @@
 /// \brief How often the forms of the timewarp tell a crowded frame wrong (thesis 5.1).
 #include "timewarp/crowd_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/story_tellers.hpp"
@@ -13,8 +14,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s] of a frame
-constexpr int kChain = 5;             // cubes, as in figure 5.1
+constexpr int kChain = 5;  // cubes, as in figure 5.1
 
 // How far the fastest two can come towards each other in a frame, in edges.
 constexpr std::array<double, 6> kWays = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0};

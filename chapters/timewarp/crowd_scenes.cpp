@@ -6,6 +6,8 @@
 #include "tumble/scenes/library.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/common_numbers.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -13,8 +15,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr int kStirred = 30;          // steps: an edge at the speed of the scene, 2 m/s
+constexpr int kStirred = 30;  // steps: an edge at the speed of the scene, 2 m/s
 
 World cage(int count, double room, std::uint64_t seed) {
   const SceneRecipe& recipe = scene_recipe("cage");

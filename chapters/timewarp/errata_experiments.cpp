@@ -4,6 +4,7 @@
 
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "timewarp/errata_runs.hpp"
 
 #include <cmath>
@@ -12,9 +13,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kFrame = 1.0;      // [s] of the scenes on a line
-constexpr double kDt = 1.0 / 60.0;  // [s] of the scenes with a ground
-constexpr double kGravity = 9.81;   // [m/s²]
+constexpr double kLineFrame = 1.0;  // [s] of the scenes on a line
 
 // What all of these experiments need.
 struct Bench {
@@ -35,25 +34,25 @@ struct Bench {
 // S1, S2 and S3: two cubes.
 void add_loop_errata(const Bench& bench) {
   const World head_on = line_world("0:1,2:-1");
-  const PrintedRun right = bench.run("", head_on, kFrame);
-  const PrintedRun each = bench.run("S1", head_on, kFrame);
+  const PrintedRun right = bench.run("", head_on, kLineFrame);
+  const PrintedRun each = bench.run("S1", head_on, kLineFrame);
   bench.out.add(1, "S1: place of the second of two cubes", "each turn of the loop collides",
                 each.places[1], "both cubes fly before they collide", right.places[1], "m");
   bench.show(1, each, right);
   TimewarpAsPrintedOptions parting = as_meant_but(TimewarpListing::simple, bench.cap, "S1");
   parting.collide_separating = true;
   bench.out.add_more("S1: place of the first of two cubes, each turn collides, who parts too",
-                     run_printed(parting, head_on, kFrame).places[0], "m");
+                     run_printed(parting, head_on, kLineFrame).places[0], "m");
 
   // S2 can be seen only with S1: in two loops one after the other a counter does no harm.
-  const PrintedRun counter = bench.run("S1,S2", head_on, kFrame);
+  const PrintedRun counter = bench.run("S1,S2", head_on, kLineFrame);
   bench.out.add(2, "S2: place of the second of two cubes", "one counter for both loops",
                 counter.places[1], "two loops one after the other", right.places[1], "m");
   bench.show(2, counter, right);
 
   const World from_behind = line_world("0:2,1.5:0", "0.5");
-  const PrintedRun early = bench.run("S3", from_behind, kFrame);
-  const PrintedRun late = bench.run("", from_behind, kFrame);
+  const PrintedRun early = bench.run("S3", from_behind, kLineFrame);
+  const PrintedRun late = bench.run("", from_behind, kLineFrame);
   bench.out.add(3, "S3: time up to which two cubes are valid", "one asked before the other flies",
                 early.valid_times[0], "asked when both have flown", late.valid_times[0], "s");
   bench.show(3, early, late);
@@ -62,17 +61,17 @@ void add_loop_errata(const Bench& bench) {
 // S4 and S5: three cubes.
 void add_row_errata(const Bench& bench) {
   const World row = line_world("0:2,1.5:0,3.4:-1");
-  const PrintedRun untold = bench.run("S4", row, kFrame);
-  const PrintedRun told = bench.run("", row, kFrame);
+  const PrintedRun untold = bench.run("S4", row, kLineFrame);
+  const PrintedRun told = bench.run("", row, kLineFrame);
   bench.out.add(4, "S4: time of the second collision in a row", "searched as if all began together",
                 untold.events.at(1).time, "searched from the valid times", told.events.at(1).time,
                 "s");
   bench.show(4, untold, told);
 
   const World through = line_world("0:2,1.5:0,2.8:-1");
-  const PrintedRun end = bench.run("", through, kFrame);
+  const PrintedRun end = bench.run("", through, kLineFrame);
   TimewarpSwept swept;
-  const FrameRun way = run_frame(swept, through, kFrame);
+  const FrameRun way = run_frame(swept, through, kLineFrame);
   const auto ahead = [](const FrameRun& run) { return run.places[2] - run.places[1]; };
   bench.out.add(5, "S5: third cube ahead of the second", "end of the frame tested", ahead(end),
                 "way there searched", ahead(way), "m");
@@ -91,8 +90,8 @@ Table bounce_table(const FrameRun& run, const std::string& suffix) {
 void add_progress_errata(const Bench& bench, Result& result) {
   constexpr double speed = 0.05;  // [m/s] of the landing
   const World landing = world_with_falling_cube(0.5 * speed * speed / kGravity, 0.5);
-  const PrintedRun endless = bench.run("S6", landing, kDt);
-  const PrintedRun ended = bench.run("", landing, kDt);
+  const PrintedRun endless = bench.run("S6", landing, kStep);
+  const PrintedRun ended = bench.run("", landing, kStep);
   bench.out.add(6, "S6: passes of the loop for a landing", "nothing ends them, until a cap",
                 endless.passes, "hops below the resolution end them", ended.passes, "-");
   result.tables.push_back(bounce_table(endless, "bounces_printed"));
@@ -100,8 +99,8 @@ void add_progress_errata(const Bench& bench, Result& result) {
 
   // S7 can be seen only with S6: otherwise a pair that sticks is left to the end of the frame.
   const World sticky = line_world("0:1,1.4:0", "0");
-  const PrintedRun inside = bench.run("S6,S7", sticky, kFrame);
-  const PrintedRun apart = bench.run("S6", sticky, kFrame);
+  const PrintedRun inside = bench.run("S6,S7", sticky, kLineFrame);
+  const PrintedRun apart = bench.run("S6", sticky, kLineFrame);
   bench.out.add(7, "S7: passes of the loop for one collision", "overlapping end kept, until a cap",
                 inside.passes, "end that is apart kept", apart.passes, "-");
   bench.show(7, inside, apart);
@@ -112,8 +111,8 @@ void add_flow_erratum(const Bench& bench, Result& result) {
   constexpr double height = 1e-3;  // [m]
   constexpr int frames = 80;       // [-] lengths of a frame that are shown
   const World falling = world_with_falling_cube(height, 0.0);
-  const PrintedRun euler = bench.run("S8", falling, kDt);
-  const PrintedRun exact = bench.run("", falling, kDt);
+  const PrintedRun euler = bench.run("S8", falling, kStep);
+  const PrintedRun exact = bench.run("", falling, kStep);
   bench.out.add(8, "S8: time of the landing from 1 mm", "integrated by Euler's steps",
                 euler.events.at(0).time, "flown exactly", exact.events.at(0).time, "s");
   Table table{"fall",
@@ -125,7 +124,7 @@ void add_flow_erratum(const Bench& bench, Result& result) {
     return 1e3 * (run.world.states()[1].position_w.y() - 0.5);
   };
   for (int k = 1; k <= frames; ++k) {
-    const double dt = kDt * k / frames;
+    const double dt = kStep * k / frames;
     table.rows.push_back({1e3 * dt, millimetres("S8", dt), millimetres("", dt)});
   }
   result.tables.push_back(table);
@@ -135,9 +134,9 @@ void add_flow_erratum(const Bench& bench, Result& result) {
 void add_order_errata(const Bench& bench, Result& result) {
   const World squeezed = line_world("-1.5:1,0:0,1.5:-1", "0.5");
   TimewarpAsPrintedOptions options = as_meant_but(TimewarpListing::simple, bench.cap);
-  const PrintedRun in_turn = run_printed(options, squeezed, kFrame);
+  const PrintedRun in_turn = run_printed(options, squeezed, kLineFrame);
   options.repaired = options.repaired.with("S9");
-  const PrintedRun together = run_printed(options, squeezed, kFrame);
+  const PrintedRun together = run_printed(options, squeezed, kLineFrame);
   const auto middle = [](const PrintedRun& run) {
     return velocity(run.world.bodies()[1], run.world.states()[1]).x();
   };
@@ -146,8 +145,8 @@ void add_order_errata(const Bench& bench, Result& result) {
   bench.show(9, in_turn, together);
 
   const World falling = world_with_falling_cube(1e-3, 0.0);
-  const PrintedRun all = bench.run("S10", falling, kDt);
-  const PrintedRun movable = bench.run("", falling, kDt);
+  const PrintedRun all = bench.run("S10", falling, kStep);
+  const PrintedRun movable = bench.run("", falling, kStep);
   bench.out.add(10, "S10: time up to which the ground is valid", "everybody stamped",
                 all.valid_times[0], "only who can move", movable.valid_times[0], "s");
   Table stamps{"stamps",

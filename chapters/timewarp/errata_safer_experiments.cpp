@@ -4,6 +4,7 @@
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "timewarp/errata_experiments.hpp"
 #include "timewarp/errata_runs.hpp"
 
@@ -15,18 +16,17 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kFrame = 1.0;              // [s] of the scenes on a line
-constexpr double kDt = 1.0 / 60.0;          // [s] of figure 5.1
+constexpr double kSaferFrame = 1.0;         // [s] of the scenes on a line
 enum Cube : std::size_t { A, B, C, D, E };  // of figure 5.1, by index
 
 // What all of these experiments need.
-struct Bench {
+struct SaferBench {
   int cap;  // [-] passes of the main loop until a run is given up
   ErrataTables& out;
 
   // A frame of 1 s with some slips left in.
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world) const {
-    return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kFrame);
+    return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kSaferFrame);
   }
   // The ways of the bodies on both sides of a row.
   void show(int row, const FrameRun& printed, const FrameRun& mended) const {
@@ -46,7 +46,7 @@ struct PlaceErratum {
   std::string reading;
 };
 
-void add_place(const Bench& bench, const PlaceErratum& e) {
+void add_place(const SaferBench& bench, const PlaceErratum& e) {
   const World world = line_world(e.boxes);
   const PrintedRun printed = bench.run(e.left, world);
   const PrintedRun mended = bench.run("", world);
@@ -56,7 +56,7 @@ void add_place(const Bench& bench, const PlaceErratum& e) {
 }
 
 // F1 to F5: what becomes of the two, and of their neighbours.
-void add_states(const Bench& bench) {
+void add_states(const SaferBench& bench) {
   const std::string neighbour = "-1.2:-1,0:2,1.5:0";
   add_place(bench, {1, "F1", "0:2,1.5:0,10:1", 0, "place of a cube that has hit another",
                     "test states collide", "valid states collide"});
@@ -71,7 +71,7 @@ void add_states(const Bench& bench) {
 }
 
 // F6 and F7: who is looked at. F6 can be seen only with S7: else the present pair is a little apart.
-void add_group(const Bench& bench) {
+void add_group(const SaferBench& bench) {
   const World two = line_world("0:2,1.5:0");
   const PrintedRun present = bench.run("F6,S7", two);
   const PrintedRun others = bench.run("S7", two);
@@ -83,7 +83,7 @@ void add_group(const Bench& bench) {
   nothing_mended.listing = TimewarpListing::safer;
   nothing_mended.cap = bench.cap;
   bench.out.add_more("passes of the loop for one collision, nothing mended, until a cap",
-                     run_printed(nothing_mended, two, kFrame).passes, "-");
+                     run_printed(nothing_mended, two, kSaferFrame).passes, "-");
   add_place(bench, {7, "F7", "0:3,1.7:0,3.1:0", 0, "place of a cube that flies over another",
                     "near at the end of the frame", "near on the way to the collision"});
 }
@@ -98,15 +98,15 @@ class FirstLook : public TimewarpWatcher {
 };
 
 // F8 and F9: the five cubes of figure 5.1.
-void add_figure_errata(const Bench& bench) {
+void add_figure_errata(const SaferBench& bench) {
   const SceneRecipe& recipe = scene_recipe("fig5_1");
   const World world = build_world(recipe.build(recipe.parameters(), Random(0)));
   TimewarpSafer safer;
   FirstLook look;
   safer.watch(&look);
-  const FrameRun neighbours = run_frame(safer, world, kDt);
+  const FrameRun neighbours = run_frame(safer, world, kStep);
   TimewarpSwept swept;
-  const FrameRun ways = run_frame(swept, world, kDt);
+  const FrameRun ways = run_frame(swept, world, kStep);
 
   const BodyId b = world.ids()[B];
   const auto hits = [&](const FrameRun& run) {
@@ -143,7 +143,7 @@ Table start_table() {
 
 Result measure_safer_errata(const Parameters& settings) {
   ErrataTables tables;
-  const Bench bench{settings.count("cap"), tables};
+  const SaferBench bench{settings.count("cap"), tables};
   add_states(bench);
   add_group(bench);
   add_figure_errata(bench);

@@ -37,10 +37,6 @@ constexpr std::size_t kFull = 4;  // the last one
 
 using Works = std::vector<CageWork>;  // by seed
 
-double per_event(const Works& works, double CageWork::*count, int left_out) {
-  return total(works, count, left_out) / total(works, &CageWork::events, left_out);
-}
-
 // What remains of the integrations if each frame's flights of all bodies are taken off.
 double per_event_alone(const Works& works, int bodies, int left_out) {
   return (total(works, &CageWork::integrations, left_out) -

@@ -14,14 +14,10 @@ namespace {
 using Works = std::vector<CageWork>;  // by seed
 
 constexpr std::array<double, 8> kStrides = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};  // [frames]
-constexpr std::size_t kFrame = 1;
+constexpr std::size_t kOneFrame = 1;
 constexpr std::size_t kEight = 4;
 constexpr std::size_t kSixteen = 5;
 constexpr std::size_t kLongest = 7;
-
-double per_event(const Works& works, double CageWork::*count, int left_out) {
-  return total(works, count, left_out) / total(works, &CageWork::events, left_out);
-}
 
 }  // namespace
 
@@ -75,14 +71,14 @@ Result measure_stride(const Parameters& settings) {
     quantities.push_back(over_seeds(
         name, "-", seeds, [&, i, count](int k) { return per_event(works[i], count, k); }));
   };
-  add("pair tests per collision, a frame at a time", kFrame, &CageWork::pair_tests);
+  add("pair tests per collision, a frame at a time", kOneFrame, &CageWork::pair_tests);
   add("pair tests per collision, 8 frames at a time", kEight, &CageWork::pair_tests);
   add("pair tests per collision, 16 frames at a time", kSixteen, &CageWork::pair_tests);
   add("pair tests per collision, 64 frames at a time", kLongest, &CageWork::pair_tests);
-  add("integrations per collision, a frame at a time", kFrame, &CageWork::integrations);
+  add("integrations per collision, a frame at a time", kOneFrame, &CageWork::integrations);
   add("integrations per collision, 8 frames at a time", kEight, &CageWork::integrations);
   add("integrations per collision, 64 frames at a time", kLongest, &CageWork::integrations);
-  add("bodies taken back per collision, a frame at a time", kFrame, &CageWork::rewinds);
+  add("bodies taken back per collision, a frame at a time", kOneFrame, &CageWork::rewinds);
   add("bodies taken back per collision, 64 frames at a time", kLongest, &CageWork::rewinds);
   quantities.push_back(between);
   return {{table}, quantities};

@@ -6,6 +6,7 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
@@ -16,9 +17,8 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;  // [s] of a frame
-constexpr int kWithin = 10;           // bins of the time between, up to the tolerance
-constexpr int kBins = 15;             // all of them
+constexpr int kWithin = 10;  // bins of the time between, up to the tolerance
+constexpr int kBins = 15;    // all of them
 
 // Sees how many bodies the first moment of a frame takes out of their flight.
 class FirstMoment final : public TimewarpWatcher {
@@ -62,7 +62,7 @@ struct Tally {
 };
 
 // Who is asked, of cubes that do not turn and of those that do.
-enum Asked { kSimple, kSwept, kTogether, kAsked };
+enum Asked { kBySimple, kBySwept, kByBoth, kAsked };
 using Answers = std::array<std::array<Tally, 2>, kAsked>;
 
 struct Techniques {
@@ -100,9 +100,9 @@ Answers ask(int bin, const Parameters& settings, Techniques& techniques) {
       const TwoImpacts impacts = two_impacts(
           {.frame = kStep, .delay = share * tolerance, .turning = turning}, chance.fork(0));
       const std::size_t which = turning ? 1 : 0;
-      answers[kSimple][which].add(impacts, techniques.simple);
-      answers[kSwept][which].add(impacts, techniques.swept);
-      answers[kTogether][which].add_together(impacts, techniques.together);
+      answers[kBySimple][which].add(impacts, techniques.simple);
+      answers[kBySwept][which].add(impacts, techniques.swept);
+      answers[kByBoth][which].add_together(impacts, techniques.together);
     }
   }
   return answers;
@@ -150,28 +150,28 @@ Result measure_ties(const Parameters& settings) {
   for (int bin = 0; bin < kBins; ++bin) {
     const Answers answers = ask(bin, settings, techniques);
     const double between = (bin + 0.5) / kWithin;
-    const Tally together = both(answers[kTogether]);
+    const Tally together = both(answers[kByBoth]);
     table.rows.push_back({between, share_of_trials("", together.together, together.trials).value});
     for (const Tally& tally :
-         {both(answers[kSimple]), answers[kSwept][0], answers[kSwept][1], together}) {
+         {both(answers[kBySimple]), answers[kBySwept][0], answers[kBySwept][1], together}) {
       const Quantity share = wrong_of("", tally);
       for (const double value : {share.value, share.low, share.high})
         table.rows.back().push_back(value);
     }
-    if (bin >= kWithin) beyond.add(both(answers[kSwept]));
+    if (bin >= kWithin) beyond.add(both(answers[kBySwept]));
     for (std::size_t asked = 0; asked < kAsked && bin < kWithin; ++asked)
       for (std::size_t k = 0; k < 2; ++k) within[asked][k].add(answers[asked][k]);
   }
 
-  const Tally stroke = both(within[kTogether]);
+  const Tally stroke = both(within[kByBoth]);
   return {
       {table, expected_of_bisection(tolerance)},
       {wrong_of("share of the pairs of impacts nearer in time than the tolerance that swept "
                 "volumes bring in the wrong order",
-                both(within[kSwept])),
-       wrong_of("the same, cubes that do not turn", within[kSwept][0]),
-       wrong_of("the same, cubes that turn", within[kSwept][1]),
-       wrong_of("the same, simple", both(within[kSimple])),
+                both(within[kBySwept])),
+       wrong_of("the same, cubes that do not turn", within[kBySwept][0]),
+       wrong_of("the same, cubes that turn", within[kBySwept][1]),
+       wrong_of("the same, simple", both(within[kBySimple])),
        wrong_of("the same, ties together", stroke),
        share_of_trials("share of them resolved at one stroke, ties together", stroke.together,
                        stroke.trials),

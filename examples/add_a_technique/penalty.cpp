@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <tumble/base/error.hpp>
+#include <tumble/base/index.hpp>
 #include <tumble/contact/effective_mass.hpp>
 #include <tumble/contact/told.hpp>
 #include <tumble/dynamics/advance_pose.hpp>
 
 namespace example {
 using namespace tumble;
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 // [refused]
 Penalty::Penalty(const PenaltyOptions& options) : options_(options) {

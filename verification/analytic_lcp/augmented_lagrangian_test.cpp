@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/least_constraint.hpp"
+#include "tumble/base/index.hpp"
 
 #include "analytic_lcp/lcp_cases.hpp"
 #include "analytic_lcp/pyramid_problem.hpp"
@@ -26,8 +27,6 @@ namespace {
 // [m/s²], [N] residual of 1e-12, times loads up to 50 and the condition of small problems: measured
 // 1.8e-11.
 constexpr double rounding = 1e-10;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 LcpResult solved(const LcpProblem& problem, const AugmentedLagrangianOptions& options = {}) {
   AugmentedLagrangianSolver solver(options);

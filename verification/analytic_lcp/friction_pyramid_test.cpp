@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 
 #include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/rotation.hpp"
@@ -22,8 +23,6 @@ using namespace tumble;
 using Catch::Matchers::Contains;
 
 constexpr double kPi = std::numbers::pi;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The floor, and a particle of 1 kg on it.
 std::vector<MovingBody> particle_on_floor() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/math/complementarity.hpp"
 
@@ -17,11 +18,6 @@ inline constexpr double kG = 9.81;       ///< [m/s²]
 inline constexpr double kMargin = 1e-9;  ///< [m] of contacts between bodies that touch exactly
 /// [m/s] Every point gets a row.
 inline constexpr double kAll = std::numeric_limits<double>::infinity();
-
-/// An index into standard containers.
-/// \param index at least 0
-/// \return the same
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A rotation.
 /// \param axis   [any] of any length

@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/analytic_lcp/least_constraint.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/complementarity.hpp"
 #include "tumble/math/enumeration.hpp"
@@ -22,8 +23,6 @@ using namespace tumble;
 using namespace tumble::test;
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // What forces do to the bodies, W Jᵀ f: unlike f, there is only one answer.
 std::vector<double> pushed(const LcpFactors& factors, const std::vector<double>& f) {

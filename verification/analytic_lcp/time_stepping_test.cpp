@@ -2,6 +2,7 @@
 /// \brief Time stepping: sliding, inclines, stacks and impacts, without a search for events.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/techniques.hpp"
 
@@ -24,8 +25,6 @@ using Catch::Matchers::Contains;
 constexpr double kPi = std::numbers::pi;
 constexpr double kG = 9.81;
 constexpr double kStep = 1.0 / 60.0;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
                 double friction = 0.5, double restitution = 0.0) {

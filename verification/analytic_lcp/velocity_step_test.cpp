@@ -2,6 +2,7 @@
 /// \brief One velocity-level step: energy, momentum, Painlevé's rod, redundant points.
 #include "tumble/analytic_lcp/velocity_step.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -18,8 +19,6 @@ using namespace tumble;
 using Catch::Matchers::Contains;
 
 constexpr double kStep = 1.0 / 60.0;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Contact touching(int first, int second, const Vec3& place_w, const Vec3& normal_w,
                  double friction) {

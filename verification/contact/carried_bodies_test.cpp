@@ -2,6 +2,7 @@
 /// \brief Tests of bodies that turn about the points on which they stand.
 #include "tumble/contact/carried_bodies.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 using namespace tumble;
 using Catch::Matchers::Contains;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Bodies with their momenta, and who pushes whom.
 struct Scene {

@@ -1,5 +1,6 @@
 /// \file
 /// \brief A column that turns about an edge, by each technique that can carry bodies.
+#include "tumble/base/index.hpp"
 #include "tumble/contact/carried_bodies.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
@@ -20,8 +21,6 @@ constexpr double kStep = 1.0 / 60.0;
 constexpr double kLean = 0.3;  // [rad] of the centre of mass about the edge, at the start
 // [rad] The same after half a second, from the closed form of a pendulum whose bodies are glued.
 constexpr double kLeanAfterHalf = 0.441380063385;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Four unit cubes with a friction of 10, leaning over the edge of a fixed box, at rest. The whole may be
 // turned about the vertical, so that nothing is along an axis.

@@ -2,6 +2,7 @@
 /// \brief Tests of moving overlapping bodies apart.
 #include "tumble/contact/repair.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/geometry/separation.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 
 using namespace tumble;
 using Catch::Matchers::Contains;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr double kSlop = tolerance::repair_slop;  // [m] for bodies with a shortest edge of 1 m
 

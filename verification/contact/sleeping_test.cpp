@@ -2,6 +2,7 @@
 /// \brief Tests of falling asleep and waking.
 #include "tumble/contact/sleeping.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include "support/allocation_counter.hpp"
@@ -17,8 +18,6 @@ using namespace tumble;
 using Catch::Matchers::Contains;
 
 constexpr double kDt = 1.0 / 60.0;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 BodyState place(double x, double y) {
   BodyState state;

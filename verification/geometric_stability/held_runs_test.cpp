@@ -1,6 +1,7 @@
 /// \file
 /// \brief Runs with stable boxes left out: books, slides, gaps, loads, and what they must not brake.
 #include "tumble/analytic_lcp/analytic.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 
 #include "support/catch.hpp"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;
 constexpr std::array kRules = {StableRule::corners, StableRule::hull, StableRule::equilibrium};
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int add(World& world, const Vec3& size, double mass, const Vec3& position_w,
         const Vec3& velocity_w = Vec3::Zero(), const Quat& turned = Quat::Identity()) {

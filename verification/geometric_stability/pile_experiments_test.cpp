@@ -2,6 +2,7 @@
 /// \brief Random piles: what they are, who rests in them, and every way to tell (thesis 5.4, 6.3.1).
 #include "geometric_stability/pile_experiments.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 #include "tumble/geometry/separation.hpp"
@@ -28,8 +29,6 @@ using namespace tumble::chapters;
 namespace {
 
 constexpr int kPiles = 60;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 World pile(int seed) { return random_pile(static_cast<std::uint64_t>(seed)); }
 

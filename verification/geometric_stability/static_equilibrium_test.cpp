@@ -2,6 +2,7 @@
 /// \brief Static equilibrium: closed forms, certificates, friction, errors, scales, orders.
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/math/elementary.hpp"
@@ -25,8 +26,6 @@ using namespace tumble;
 
 constexpr double kGravity = 9.81;  // [m/s²]
 constexpr double kPi = std::numbers::pi;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Bodies at rest that touch.
 struct Pile {

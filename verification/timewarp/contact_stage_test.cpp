@@ -2,6 +2,7 @@
 /// \brief Pairs that rest: when they are left to the end of the frame, that they stay, and come back.
 #include "tumble/timewarp/contact_stage.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
@@ -16,8 +17,6 @@ using namespace tumble;
 using namespace tumble::test;
 
 constexpr double kFrame = 1.0 / 60.0;  // [s]
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Cubes of 1 m on top of each other on the ground, exactly touching.
 World tower(int count, double restitution) {

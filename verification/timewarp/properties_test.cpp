@@ -1,5 +1,6 @@
 /// \file
 /// \brief What holds in every scene: time stamps, mirrors, momentum, counters, an end to each step.
+#include "tumble/base/index.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/dynamics/energy.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr double kFrame = 1.0 / 60.0;  // [s]
 

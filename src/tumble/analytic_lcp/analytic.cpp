@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
 
 std::int64_t movable_bodies(const World& world) {
   return std::count_if(world.bodies().begin(), world.bodies().end(),
@@ -98,7 +97,7 @@ StepReport Analytic::step(World& world, double dt) {
 // diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. Who is
 // carried goes beside it.
 void Analytic::find_candidates(const World& world, double left, bool carried) {
-  bounds_.resize(place(world.count()));
+  bounds_.resize(at(world.count()));
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     const double beside = carried ? flight_.offset_w(static_cast<int>(k), left).norm() : 0.0;
@@ -197,10 +196,10 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
 // Whether no point of a body in contact moves far enough for forces to change.
 bool Analytic::hardly_moves(const World& world, double time) const {
   const auto still = [&](int b) {
-    const BodyProperties& body = world.bodies()[place(b)];
+    const BodyProperties& body = world.bodies()[at(b)];
     if (!body.movable()) return true;
-    const MovingBody& m = moving_[place(b)];
-    const Acceleration& a = forces_.accelerations()[place(b)];
+    const MovingBody& m = moving_[at(b)];
+    const Acceleration& a = forces_.accelerations()[at(b)];
     const double reach = 0.5 * body.size.norm();
     const double speed = m.velocity_w.norm() + reach * m.angular_velocity_w.norm();
     const double change = a.linear_w.norm() + reach * a.angular_w.norm();
@@ -248,16 +247,15 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
   // A body that is held is booked as a whole, below: what holds it up is known as a sum only.
   const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
     if (forces_.held().holds(world, body)) return Vec3::Zero();
-    const BodyProperties& b = world.bodies()[place(body)];
-    const BodyState& start = flight_.start()[place(body)];
-    const Vec3 turning =
-        0.5 * (angular_velocity(b, start) + ended_[place(body)].angular_velocity_w);
-    return 0.5 * (velocity(b, start) + ended_[place(body)].velocity_w) +
-           turning.cross(point_w - moving_[place(body)].position_w);
+    const BodyProperties& b = world.bodies()[at(body)];
+    const BodyState& start = flight_.start()[at(body)];
+    const Vec3 turning = 0.5 * (angular_velocity(b, start) + ended_[at(body)].angular_velocity_w);
+    return 0.5 * (velocity(b, start) + ended_[at(body)].velocity_w) +
+           turning.cross(point_w - moving_[at(body)].position_w);
   };
   for (const Contact& contact : resting_) {
     for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& point = contact.points[place(k)];
+      const ContactPoint& point = contact.points[at(k)];
       const Vec3 slip_w = mean_velocity(contact.second, point.position_w) -
                           mean_velocity(contact.first, point.position_w);
       report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
@@ -266,14 +264,14 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
   }
   for (int b = 0; b < world.count(); ++b) {
     report.energy.repair -=
-        world.bodies()[place(b)].movable()
-            ? world.bodies()[place(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
+        world.bodies()[at(b)].movable()
+            ? world.bodies()[at(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
             : 0.0;
     if (!forces_.held().holds(world, b)) continue;
-    const BodyProperties& body = world.bodies()[place(b)];
-    const BodyState& start = flight_.start()[place(b)];
-    const MovingBody& end = ended_[place(b)];
-    const Wrench& acts = forces_.wrenches()[place(b)];
+    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyState& start = flight_.start()[at(b)];
+    const MovingBody& end = ended_[at(b)];
+    const Wrench& acts = forces_.wrenches()[at(b)];
     report.energy.restitution +=
         0.5 * time *
         (acts.force_w.dot(velocity(body, start) + end.velocity_w) +

@@ -2,6 +2,7 @@
 /// \brief The analytic technique's collisions, and what it tells about its contacts.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/told.hpp"
 
 #include <algorithm>
@@ -9,13 +10,11 @@
 namespace tumble {
 namespace {
 
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
-
 // The fastest approach decides for the whole contact.
 double fastest_point(const Contact& contact) {
   double least = contact.points[0].approach_speed;
   for (int k = 1; k < contact.count; ++k)
-    least = std::min(least, contact.points[place(k)].approach_speed);
+    least = std::min(least, contact.points[at(k)].approach_speed);
   return least;
 }
 
@@ -28,7 +27,7 @@ bool Analytic::collide(World& world, const Progress& progress, StepReport& repor
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> which = islands_.contacts(i);
     const bool collision = std::any_of(which.begin(), which.end(), [&](int c) {
-      const Contact& contact = near_[place(c)];
+      const Contact& contact = near_[at(c)];
       const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
       const auto end = contact.points.begin() + contact.count;
       return std::any_of(contact.points.begin(), end, [&](const ContactPoint& point) {
@@ -50,7 +49,7 @@ bool Analytic::collide(World& world, const Progress& progress, StepReport& repor
 void Analytic::resolve(std::span<const int> which, const World& world, const Progress& progress,
                        StepReport& report) {
   island_.clear();
-  for (const int c : which) island_.push_back(near_[place(c)]);
+  for (const int c : which) island_.push_back(near_[at(c)]);
   keep_points(island_, [&](const Contact& contact, const ContactPoint& point) {
     const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
     return motion_of(point, scale) != PointMotion::waits;

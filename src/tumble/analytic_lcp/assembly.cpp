@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/assembly.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void require_entries(std::size_t given, std::size_t needed, std::string_view name) {
   if (given != needed)

@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/augmented_lagrangian.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double dot(const std::vector<Vec6>& x, const std::vector<Vec6>& y) {
   double sum = 0.0;

@@ -3,17 +3,13 @@
 #include "tumble/analytic_lcp/baraff_as_printed.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 /// How far the force at d may grow, and at which contact that ends; -1: at none.
 struct BaraffAsPrintedSolver::Step {

@@ -2,12 +2,9 @@
 /// \brief Cholesky factor of a sparse matrix of 6×6 blocks.
 #include "tumble/analytic_lcp/block_cholesky.hpp"
 
+#include "tumble/base/index.hpp"
+
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void BlockCholesky::analyse(const BlockRows& rows) {
   multiplications_ = 0;

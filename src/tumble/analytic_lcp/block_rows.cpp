@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/mass_root.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void require_diagonal(const LcpProblem& problem, int row, double product) {
   const double A_ii = problem.A(row, row);

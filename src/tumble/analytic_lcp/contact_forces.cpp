@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Whether an answer is one, whatever its solver says.
 bool holds(const LcpResult& result) {

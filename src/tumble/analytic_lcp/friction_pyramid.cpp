@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <cmath>
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void require_index(int index, std::size_t count, std::string_view name) {
   if (index < 0 || at(index) >= count)

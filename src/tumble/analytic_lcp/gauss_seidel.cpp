@@ -3,14 +3,13 @@
 #include "tumble/analytic_lcp/gauss_seidel.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Puts row i right; returns by how much it was wrong, as lcp_residual() sees it: where the force is
 // set to 0 that is A_ii f_i, otherwise a_i.

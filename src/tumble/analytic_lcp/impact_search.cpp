@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/impact_search.hpp"
 
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Whether a point is below the surface and still goes down.
 bool sinks(const Contact& contact, const TouchScale& scale) {

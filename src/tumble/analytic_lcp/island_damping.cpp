@@ -2,6 +2,7 @@
 /// \brief Damping in place of friction.
 #include "tumble/analytic_lcp/island_damping.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool pushes(const Contact& contact) {
   const auto end = contact.points.begin() + contact.count;

@@ -10,6 +10,7 @@
 #include "tumble/analytic_lcp/least_constraint.hpp"
 #include "tumble/analytic_lcp/lemke.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerance.hpp"
 
@@ -20,8 +21,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // "A(2, 0)"
 std::string entry(int row, int column) {

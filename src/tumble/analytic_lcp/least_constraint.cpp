@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/mass_root.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The length of a column of E without its last entry: of a column of G.
 double length_of(const MatX& E, int column) {

@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/lemke.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -11,11 +12,6 @@
 #include <string>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 LemkeSolver::LemkeSolver(const LemkeOptions& options) : options_(options) {
   if (options.pivot_cap < 0)

@@ -2,6 +2,7 @@
 /// \brief The linear algebra of Lemke's method.
 #include "tumble/analytic_lcp/lemke_basis.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace {
 // What is smaller has rounding errors that no number can hold.
 constexpr double underflow =
     std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // y += s |x|
 void add_sizes(double s, const double* x, std::vector<double>& y) {

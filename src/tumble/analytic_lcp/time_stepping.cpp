@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/told.hpp"
 
@@ -11,11 +12,6 @@
 #include <string>
 
 namespace tumble {
-namespace {
-
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 TimeStepping::TimeStepping(const TimeSteppingOptions& options)
     : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
@@ -86,11 +82,11 @@ void TimeStepping::move(World& world, double dt, StepReport& report) {
       if (const std::optional<PushedPair> pair = pushed_pair(contact)) pushed_.push_back(*pair);
   carried_.find(world.bodies(), moving_, pushed_);
   for (int b = 0; b < world.count(); ++b) {
-    if (!world.bodies()[place(b)].movable()) continue;
+    if (!world.bodies()[at(b)].movable()) continue;
     if (carried_.carries(b)) {
       report.energy.repair += carried_.move(b, dt, world);
     } else {
-      advance_pose(world.bodies()[place(b)], world.states()[place(b)], dt, options_.rotation);
+      advance_pose(world.bodies()[at(b)], world.states()[at(b)], dt, options_.rotation);
     }
     ++report.integrations;
   }
@@ -127,7 +123,7 @@ void TimeStepping::find_pairs(const World& world, double margin) {
 void TimeStepping::record(const World& world) {
   for (const Contact& contact : contacts_) {
     for (int p = 0; p < contact.count; ++p) {
-      const ContactPoint& point = contact.points[place(p)];
+      const ContactPoint& point = contact.points[at(p)];
       if (point.distance > 0.0 && !(point.normal_impulse > 0.0)) continue;
       records_.push_back(record_of(contact, p, world.time()));
     }

@@ -4,6 +4,7 @@
 
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/collision_law.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Velocity of the second body against the first at a point.
 Vec3 motion(std::span<const MovingBody> bodies, const Contact& contact, const Vec3& place_w) {

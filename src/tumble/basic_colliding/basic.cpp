@@ -3,17 +3,13 @@
 #include "tumble/basic_colliding/basic.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <string>
 
 namespace tumble {
-namespace {
-
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 Basic::Basic(const BasicOptions& options)
     : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
@@ -88,7 +84,7 @@ StepReport Basic::step(World& world, double dt) {
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
 // diagonal, overlap. A parabola stays within g t²/8 of its chord.
 void Basic::find_candidates(const World& world, double left) {
-  bounds_.resize(place(world.count()));
+  bounds_.resize(at(world.count()));
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     bounds_[k] =
@@ -158,9 +154,9 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   double push = 0.0;
   for (const Contact& contact : contacts_) {
     double impulse = 0.0;
-    for (int p = 0; p < contact.count; ++p) impulse += contact.points[place(p)].normal_impulse;
+    for (int p = 0; p < contact.count; ++p) impulse += contact.points[at(p)].normal_impulse;
     for (const int body : {contact.first, contact.second})
-      push = std::max(push, impulse * moving_[place(body)].inverse_mass.maxCoeff());
+      push = std::max(push, impulse * moving_[at(body)].inverse_mass.maxCoeff());
   }
   return push;
 }
@@ -172,8 +168,8 @@ void Basic::let_go_of_rounding(const World& world, double push, double left) {
   for (const IndexPair& pair : touching_) {
     double size = 0.0;
     for (const int body : {pair.first, pair.second})
-      if (world.bodies()[place(body)].movable())
-        size = std::max(size, world.bodies()[place(body)].size.maxCoeff());
+      if (world.bodies()[at(body)].movable())
+        size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
     const double rounding = tolerance::rounding_overlap * size;
     if (push * left > rounding) return let_go_.clear();
     if (gap_at(flight, pair, left).distance > -rounding) let_go_.push_back(pair);

@@ -3,6 +3,7 @@
 #include "tumble/contact/block.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/collision_law.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // All of the impulse at a point.
 Vec3 impulse_w(const PatchPoint& point, const Vec3& normal_w) {

@@ -3,6 +3,7 @@
 #include "tumble/contact/carried_bodies.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/elementary.hpp"
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool stays(const MovingBody& body) { return body.inverse_mass.isZero(0.0); }
 

@@ -3,6 +3,7 @@
 #include "tumble/contact/graph.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <string>
@@ -12,8 +13,6 @@ namespace {
 
 constexpr int kUnvisited = -1;  // the search has not come here
 constexpr int kOpen = -1;       // the body's component is not complete
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

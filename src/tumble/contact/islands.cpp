@@ -3,14 +3,13 @@
 #include "tumble/contact/islands.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <string>
 #include <utility>
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Refuses a contact of a body that there is not.
 void check(const IndexPair& contact, int count) {

@@ -3,6 +3,7 @@
 #include "tumble/contact/repair.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The pair with the smaller index first, so that its order cannot change a bit of the result.
 IndexPair sorted(const IndexPair& pair, int count) {

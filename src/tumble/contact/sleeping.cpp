@@ -3,14 +3,13 @@
 #include "tumble/contact/sleeping.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void list_pairs(std::span<const Contact> contacts, std::vector<IndexPair>& pairs) {
   pairs.clear();

@@ -2,13 +2,13 @@
 /// \brief For how long two bodies in flight surely stay apart (thesis 3.2, 5.1).
 #include "tumble/dynamics/safe_flight.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 #include <array>
 
 namespace tumble {
 namespace {
-
-std::size_t place(int body) { return static_cast<std::size_t>(body); }
 
 // A body that turns at a constant rate.
 struct Turning {
@@ -23,8 +23,8 @@ struct Turning {
 
 Turning turning_of(const Flight& flight, int body, double time) {
   Turning out;
-  const BodyProperties& properties = flight.bodies[place(body)];
-  out.constant = turns_evenly(properties, flight.states[place(body)], flight.rule);
+  const BodyProperties& properties = flight.bodies[at(body)];
+  out.constant = turns_evenly(properties, flight.states[at(body)], flight.rule);
   if (!out.constant) return out;
   const BodyState state = state_at(flight, body, time);
   out.position_w = state.position_w;

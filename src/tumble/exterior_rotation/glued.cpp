@@ -3,6 +3,7 @@
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
@@ -14,8 +15,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The method of several stages, or nullptr.
 const ButcherTable* table_of(GluedScheme scheme) {

@@ -3,6 +3,7 @@
 #include "tumble/exterior_rotation/joint.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/gather.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Vec3 to_world(const BodyState& state, const Vec3& point_b) {
   return state.position_w + state.orientation_wb * point_b;

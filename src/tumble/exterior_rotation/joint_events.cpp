@@ -2,6 +2,7 @@
 /// \brief When joints open, come apart and close.
 #include "tumble/exterior_rotation/joint_events.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Size and mass of a joint's lighter movable body: units of its forces.
 struct Unit {

@@ -2,6 +2,7 @@
 /// \brief The forces in joints.
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Acceleration of a point of a body that does not accelerate: it goes on an arc.
 Vec3 centripetal(const MovingBody& body, const Vec3& point_w) {

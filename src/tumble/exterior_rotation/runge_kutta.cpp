@@ -2,6 +2,7 @@
 /// \brief Runge and Kutta's methods for bodies in joints.
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Adds weight * rate to a sum, in the order of the stages.
 template <typename Rate>

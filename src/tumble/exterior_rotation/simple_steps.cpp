@@ -2,16 +2,12 @@
 /// \brief Steps with forces found once.
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void SimpleSteps::step(SimpleScheme scheme, PoseUpdate pose, double dt,
                        std::span<const Joint> joints, JointForces& forces, World& world) {

@@ -3,6 +3,7 @@
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@ namespace tumble {
 namespace {
 
 constexpr int kLargestWindow = static_cast<int>(kMostPlaces) - 1;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

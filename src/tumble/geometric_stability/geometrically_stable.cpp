@@ -3,6 +3,7 @@
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
@@ -14,10 +15,6 @@
 
 namespace tumble {
 namespace {
-
-constexpr std::uint8_t kAllCorners = 0b1111;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // A coordinate as a reader wants it.
 std::string coordinate(double value) {

@@ -2,17 +2,13 @@
 /// \brief The largest load-proof set, by taking out who breaks a condition.
 #include "tumble/geometric_stability/load_proof.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void LoadProof::run(const World& world, std::span<const Contact> contacts,
                     std::vector<char>& stable) {

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/geometric_stability/printed_contacts.hpp"
+#include "tumble/geometric_stability/support_polygon.hpp"
 
 #include <array>
 #include <string>
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-constexpr std::uint8_t kAllCorners = 0b1111;
 
 // Erratum G8: two directions, or two places in the ground plane, are equal if they are the same.
 bool equivalent(const Vec3& direction_w, const Vec3& vertical_w, bool tolerant) {
@@ -24,19 +23,6 @@ bool equivalent(const Vec3& direction_w, const Vec3& vertical_w, bool tolerant) 
 
 Vec2 project_xz_plane(const Vec3& point_w) { return {point_w.x(), point_w.z()}; }
 
-// The corners of the face that looks down most.
-std::array<Vec3, 4> lower_corners(const Box& box) {
-  Eigen::Index down = 0;
-  box.axes_w.row(1).cwiseAbs().maxCoeff(&down);
-  const int axis = static_cast<int>(down);
-  const int low = box.axes_w(1, down) > 0.0 ? 0 : 1;  // the bit of the corners below
-  std::array<Vec3, 4> corners;
-  std::size_t count = 0;
-  for (int corner = 0; corner < 8; ++corner)
-    if (((corner >> axis) & 1) == low) corners[count++] = corner_of(box, corner);
-  return corners;
-}
-
 // Marks the corners of a body that lie over a place.
 void mark_projected_corners(const World& world, int body, const Vec2& place, bool tolerant,
                             PrintedStability& o) {
@@ -44,9 +30,9 @@ void mark_projected_corners(const World& world, int body, const Vec2& place, boo
   const BodyProperties& properties = world.bodies()[index];
   if (properties.shape == Shape::ground) return;  // it has none
   const double reach = tolerant ? tolerance::corner_support * properties.size.minCoeff() : 0.0;
-  const std::array<Vec3, 4> corners = lower_corners(box_of(properties, world.states()[index]));
+  const std::array<Vec2, 4> corners = lower_corners(box_of(properties, world.states()[index]));
   for (std::size_t k = 0; k < corners.size(); ++k)
-    if ((project_xz_plane(corners[k]) - place).norm() <= reach)
+    if ((corners[k] - place).norm() <= reach)
       o.corners = static_cast<std::uint8_t>(o.corners | (1U << k));
 }
 

@@ -3,6 +3,7 @@
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // How a body moves, as far as balance is concerned.
 enum Motion : char {

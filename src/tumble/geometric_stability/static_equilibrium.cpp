@@ -3,6 +3,7 @@
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/elementary.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Two directions across a normal, at right angles.
 std::pair<Vec3, Vec3> across(const Vec3& normal_w) {

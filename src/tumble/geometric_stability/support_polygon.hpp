@@ -7,6 +7,7 @@
 #include "tumble/geometry/box.hpp"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace tumble {
 /// \param box the box
 /// \return [m] x and z of each, in order around the face
 [[nodiscard]] std::array<Vec2, 4> lower_corners(const Box& box);
+
+/// A bit for each of the lower corners: all of them are held.
+inline constexpr std::uint8_t kAllCorners = 0b1111;
 
 /// All corners of a box, seen from above.
 /// \param box      the box

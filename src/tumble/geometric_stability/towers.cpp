@@ -2,6 +2,7 @@
 /// \brief From the top down: what rests on one body only becomes a load on it.
 #include "tumble/geometric_stability/towers.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/upright.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 constexpr int kNobody = -1;
 constexpr int kSeveral = -2;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "tumble/geometry/manifold.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
 #include "tumble/geometry/separation_pair.hpp"
 
@@ -15,8 +16,6 @@ namespace tumble {
 namespace {
 
 using Three = std::array<double, 3>;
-
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The number of a box edge, 0 to 11: the axis that it is parallel to, and on which sides of the
 // other two axes it lies.

@@ -3,6 +3,7 @@
 #include "tumble/geometry/painters_order.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/geometry/separation.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Whether a plane through the viewer and an edge of one box has all of that box on one side and all
 // of the other box on the other.

@@ -3,6 +3,7 @@
 #include "tumble/geometry/separation.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/separation_pair.hpp"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // One of the axes and the separation along it.
 struct Candidate {

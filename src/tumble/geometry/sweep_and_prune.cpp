@@ -2,6 +2,8 @@
 /// \brief Sweep and prune, in columns.
 #include "tumble/geometry/sweep_and_prune.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,6 @@ namespace {
 // Insertion sort may move this many places per body before std::sort takes over: more is not the
 // work of one step but a new scene, and would cost n²/4 moves.
 constexpr std::int64_t kMovesPerBody = 32;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

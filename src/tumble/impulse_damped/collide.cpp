@@ -2,13 +2,13 @@
 /// \brief The listing COLLIDE.
 #include "tumble/impulse_damped/collide.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 #include <array>
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // [m/s] of the point that approaches fastest; below 0: it does
 double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {

@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/collision_noise.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/elementary.hpp"
@@ -19,8 +20,6 @@ namespace tumble {
 namespace {
 
 constexpr int kMostHalvings = 8;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // [m/s] normal velocity of a contact's only point; below 0: approach
 double normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {

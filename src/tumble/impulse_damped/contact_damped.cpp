@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/contact_damped.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/integrate.hpp"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 #include <string>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options)
     : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {

@@ -1,5 +1,6 @@
 /// \file
 /// \brief The default technique: bounces, repair and the books.
+#include "tumble/base/index.hpp"
 #include "tumble/impulse_damped/block_solve.hpp"
 #include "tumble/impulse_damped/contact_damped.hpp"
 #include "tumble/math/rotation.hpp"
@@ -9,8 +10,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int kBouncePasses = 10;    // over all areas
 constexpr int kBounceRounds = 20;    // of friction and pressure in turn within an area

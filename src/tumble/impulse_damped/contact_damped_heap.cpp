@@ -1,5 +1,6 @@
 /// \file
 /// \brief The default technique: the impulses of a heap.
+#include "tumble/base/index.hpp"
 #include "tumble/impulse_damped/block_solve.hpp"
 #include "tumble/impulse_damped/contact_damped.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr std::size_t kSmallHeap = 20;  // bodies of a heap that is solved well at any speed
 constexpr double kSoon = 0.05;        // of what a sweep found is left after the next: they soon end

@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/damped_as_printed.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/impulse_damped/dampen_objects_as_printed.hpp"
 #include "tumble/impulse_damped/fix_contact_constraints_as_printed.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void require_count(std::int64_t value, std::int64_t least, const char* name) {
   require::that(value >= least, std::string(name) + " = " + std::to_string(value) +

@@ -2,14 +2,13 @@
 /// \brief Velocities, predicted poses and marks of damped integration's bodies.
 #include "tumble/impulse_damped/damped_bodies.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <cmath>
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Vec3 angular_momentum_of(const World& world, std::size_t k, const Vec3& angular_velocity_w) {
   const Mat3 r = world.states()[k].orientation_wb.toRotationMatrix();

@@ -2,6 +2,7 @@
 /// \brief The listing FIXCONTACTCONSTRAINTS.
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // How deep two bodies overlap now, and the normal from the first to the second.
 Separation separation_of(const World& world, int first, int second) {

@@ -1,5 +1,6 @@
 /// \file
 /// \brief All contact areas of a heap together: the last digits.
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/impulse_damped/heap_parts.hpp"
 #include "tumble/impulse_damped/heap_solver.hpp"
@@ -13,8 +14,6 @@ namespace tumble {
 using heap::add_push, heap::into_cone, heap::motion_at, heap::raise, heap::wrench_of;
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int kMostLooks = 12;     // for where a step leads too far
 constexpr double kLevel = 0.3;     // of the slope at its start: so far is gone along a step

@@ -1,5 +1,6 @@
 /// \file
 /// \brief All contact areas of a heap together: what is solved, and its matrix.
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/impulse_damped/heap_parts.hpp"
 #include "tumble/impulse_damped/heap_solver.hpp"
@@ -11,12 +12,6 @@ namespace tumble {
 
 using heap::add_push, heap::into_cone, heap::motion_at, heap::motion_of, heap::Spring,
     heap::velocities_of;
-
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void HeapSolver::load(std::span<const int> members, std::span<const int> contacts,
                       std::span<const MovingBody> free, std::span<const ContactBlock> blocks,

@@ -2,6 +2,7 @@
 /// \brief All contact areas of a heap together: the rounds.
 #include "tumble/impulse_damped/heap_solver.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/impulse_damped/heap_parts.hpp"
 
@@ -13,8 +14,6 @@ namespace tumble {
 using heap::add_push, heap::into_cone, heap::motion_at, heap::raise, heap::wrench_of;
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr double kRanAway = 10.0;  // times what was wrong after a round
 

@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/impulse.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/contact/told.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void at_least_one(int value, const char* name) {
   require::that(value >= 1,

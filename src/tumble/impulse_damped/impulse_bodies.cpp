@@ -2,14 +2,10 @@
 /// \brief Bodies of a step that is solved by impulses.
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 bool ImpulseBodies::moves(const World& world, std::size_t k) const {
   return world.bodies()[k].movable() && !world.rests()[k].asleep;

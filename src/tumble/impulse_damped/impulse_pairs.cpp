@@ -2,6 +2,7 @@
 /// \brief Pairs of bodies that overlap at the poses they are about to have.
 #include "tumble/impulse_damped/impulse_pairs.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/ground.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The geometry of a pair, the normal from the first to the second.
 bool touch(const World& world, std::span<const BodyState> poses, const IndexPair& pair,

@@ -2,6 +2,7 @@
 /// \brief One impulse between two bodies that overlap where they are about to be.
 #include "tumble/impulse_damped/impulse_push.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/collision_law.hpp"
 
@@ -9,11 +10,6 @@
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
   double least = 0.0;

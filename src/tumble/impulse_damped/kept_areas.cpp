@@ -2,6 +2,7 @@
 /// \brief The contact areas of a step, kept while bodies rest.
 #include "tumble/impulse_damped/kept_areas.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/geometry/ground.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // The small rotation from one orientation to another, as a vector; the sign of a quaternion is no matter.
 Vec3 turned(const Quat& from, const Quat& to) {

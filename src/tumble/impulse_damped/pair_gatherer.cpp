@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/signed_distance.hpp"
@@ -15,8 +16,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Index of a name in a list.
 template <std::size_t N>

@@ -2,12 +2,11 @@
 /// \brief The listings RESOLVECOLLISIONS and RESOLVECONTACTS as they are printed (thesis A.2).
 #include "tumble/impulse_damped/resolve_as_printed.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void integrate_object_positions(PrintedStage& stage, PrintedGravity gravity) {
   const bool plus = gravity == PrintedGravity::velocity_plus_gravity;

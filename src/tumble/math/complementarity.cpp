@@ -3,6 +3,7 @@
 #include "tumble/math/complementarity.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/complementarity_check.hpp"
 
@@ -14,8 +15,6 @@ namespace tumble {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::int64_t count(const std::vector<int>& indices) {
   return static_cast<std::int64_t>(indices.size());

@@ -2,6 +2,8 @@
 /// \brief Numbers of twice the precision, as unevaluated sums of two doubles.
 #pragma once
 
+#include <limits>
+
 /// Arithmetic with the rounding error kept.
 ///
 /// The error of a sum or product of two doubles is itself a double (barring overflow and
@@ -10,6 +12,9 @@
 /// \see Dekker, "A floating-point technique for extending the available precision",
 ///      Numerische Mathematik 18 (1971); Knuth, The Art of Computer Programming, 4.2.2.
 namespace tumble::double_double {
+
+/// What functions return where they are not defined.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The number high + low, where low is about a rounding error of high.
 struct Pair {

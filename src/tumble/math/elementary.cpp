@@ -10,15 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tumble::elementary {
 namespace {
 
+using double_double::nan;
 using double_double::Pair;
 using double_double::series;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // π/2 and π as pairs: the nearest double, and the nearest double to what it misses.
 constexpr Pair half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};

@@ -15,10 +15,10 @@
 namespace tumble::elementary {
 namespace {
 
+using double_double::nan;
 using double_double::Pair;
 using double_double::series;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // ln 2 cut into 40 bits, whose product with any exponent of two is exact, and 53 more.

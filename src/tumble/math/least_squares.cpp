@@ -3,6 +3,7 @@
 #include "tumble/math/least_squares.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double length_of(const VecRef& v) {
   double square = 0.0;

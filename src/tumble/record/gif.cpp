@@ -3,6 +3,7 @@
 #include "tumble/record/gif.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/record/palette.hpp"
 
 #include <algorithm>
@@ -74,7 +75,6 @@ class Words {
   [[nodiscard]] int last() const { return count_ - 1; }
 
  private:
-  static std::size_t at(int code) { return static_cast<std::size_t>(code); }
   std::array<int, 1U << kMostBits> first_{}, next_{};
   std::array<std::uint8_t, 1U << kMostBits> pixel_{};
   int count_ = 0;

@@ -3,6 +3,7 @@
 #include "tumble/record/picture.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/geometry/painters_order.hpp"
 #include "tumble/record/lighting.hpp"
 #include "tumble/record/picture_parts.hpp"
@@ -17,8 +18,6 @@ namespace {
 constexpr double kTooSmall = 0.02;    // [px²] an area that nobody sees
 constexpr double kOutlineRoom = 1.5;  // [px] beside an edge for the line that is drawn along it
 constexpr int kDeepestRing = 6;       // how often a ring is looked for inside what is left of one
-
-std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 // Puts areas into a picture in the right order.
 class Painter {

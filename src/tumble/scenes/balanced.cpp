@@ -18,12 +18,6 @@ SceneBox fixed_at(const char* name, const Vec3& size, const Vec3& position_w) {
   return box;
 }
 
-// Everything of the scene gets its friction; the ground too, if there is to be one.
-void finish(const Parameters& p, bool ground, Scene& scene) {
-  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
-  if (ground) scene.ground = SceneGround{p.number("friction"), 0.0};
-}
-
 Parameters rocking_parameters() {
   Parameters p;
   p.add_number("width", 0.4, 1e-3, 1e3, "m", "of the block, along x and z");
@@ -48,7 +42,7 @@ Scene rocking_block(const Parameters& p, Random) {
   const Vec3 from_edge = block.orientation_wb * Vec3(0.5 * width, 0.5 * height, 0.0);
   block.position_w = Vec3(-0.5 * width, 0.0, 0.0) + from_edge;
   scene.boxes.push_back(block);
-  finish(p, true, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -71,7 +65,7 @@ Scene seesaw(const Parameters& p, Random) {
                  box_at("plank", Vec3(4.0, 0.1, 1.0), Vec3(0.0, 0.55, 0.0), p.number("plank")),
                  box_at("left", Vec3::Constant(load), Vec3(-1.75, 0.85, 0.0), p.number("left")),
                  box_at("right", Vec3::Constant(load), Vec3(1.75, 0.85, 0.0), p.number("right"))};
-  finish(p, true, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -98,7 +92,7 @@ Scene fig6_5(const Parameters& p, Random) {
                  box_at("right", lower, Vec3(2.0, 1.5, 0.0), 1.0),
                  box_at("top", Vec3(2.5, 1.0, 1.0), Vec3(p.number("offset"), 2.5, 0.0),
                         p.number("mass_ratio"))};
-  finish(p, true, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -135,7 +129,7 @@ Scene leaning(const Parameters& p, Random) {
     scene.boxes.push_back(block);
     scene.boxes.push_back(board);
   }
-  finish(p, true, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -160,7 +154,7 @@ Scene table(const Parameters& p, Random) {
   scene.boxes.push_back(box_at("plate", Vec3(2.0, 0.1, 1.2), Vec3(0.0, 0.85, 0.0), 1.0));
   scene.boxes.push_back(
       box_at("box", Vec3::Constant(0.5), Vec3(p.number("offset"), 1.15, 0.0), p.number("load")));
-  finish(p, true, scene);
+  add_ground(p, scene);
   return scene;
 }
 

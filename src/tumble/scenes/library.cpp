@@ -46,6 +46,11 @@ SceneBox recipes::box_at(std::string_view name, const Vec3& size, const Vec3& po
   return box;
 }
 
+void recipes::add_ground(const Parameters& p, Scene& scene) {
+  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
+  scene.ground = SceneGround{p.number("friction"), 0.0};
+}
+
 std::string recipes::numbered(std::string_view stem, std::initializer_list<int> places) {
   std::string name(stem);
   bool first = true;

@@ -82,6 +82,11 @@ void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 /// \return the box, with the friction and restitution of SceneBox
 SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass);
 
+/// Puts a scene on the ground, with one friction everywhere.
+/// \param p      has the setting `friction`
+/// \param scene  its boxes get that friction too
+void add_ground(const Parameters& p, Scene& scene);
+
 /// A box's name: a stem and its place, such as "level3" or "l2_1_4".
 /// \param stem    letters
 /// \param places  numbers from 1, with a low line between them

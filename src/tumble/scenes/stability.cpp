@@ -23,12 +23,6 @@ Quat about_vertical(double degrees) {
   return rotation_from_vector(Vec3(0.0, degrees * kDegree, 0.0));
 }
 
-// Everything of the scene gets its friction, and stands on a ground.
-void finish(const Parameters& p, Scene& scene) {
-  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
-  scene.ground = SceneGround{p.number("friction"), 0.0};
-}
-
 void add_friction(Parameters& p) {
   p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of everything");
 }
@@ -52,7 +46,7 @@ Scene fig5_3(const Parameters& p, Random) {
   scene.boxes = {solid_at("bottom", Vec3::Ones(), Vec3(0.0, 0.5, 0.0)),
                  solid_at("top", Vec3::Ones(), Vec3(shift, 1.5, -shift))};
   scene.boxes[1].orientation_wb = about_vertical(p.number("yaw"));
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -71,7 +65,7 @@ Scene fig5_4(const Parameters& p, Random) {
   scene.boxes = {solid_at("bottom", Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0)),
                  solid_at("top", Vec3::Ones(), Vec3(p.number("offset"), 1.5, 0.0))};
   scene.boxes[1].velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -93,7 +87,7 @@ Scene fig5_5(const Parameters& p, Random) {
                  solid_at("right", bottom, Vec3(aside, 0.5, 0.0)),
                  solid_at("top", Vec3(1.5, 1.0, 0.8), Vec3(0.0, 1.5, 0.0))};
   scene.boxes[2].orientation_wb = about_vertical(p.number("yaw"));
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -116,7 +110,7 @@ Scene fig5_6(const Parameters& p, Random random) {
   scene.title = "a flat pyramid of " + given + " rows without its bottom centre box (figure 5.6)";
   build_pyramid(rows, 1.0 + p.number("gap"), scene);
   scene.boxes.erase(scene.boxes.begin() + rows / 2);
-  finish(p, scene);
+  add_ground(p, scene);
   scatter(p, random, scene);
   return scene;
 }
@@ -148,7 +142,7 @@ Scene fig6_4(const Parameters& p, Random) {
     scene.boxes.push_back(solid_at(numbered("block", {k + 1}), Vec3(1.0, 0.5, 1.0),
                                    Vec3(aside * p.number("overhang"), 0.5 * k + 0.75, 0.0)));
   }
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 

@@ -25,11 +25,6 @@ void add_larger(const Parameters& p, Scene& scene) {
   scene.boxes.push_back(larger);
 }
 
-void finish(const Parameters& p, Scene& scene) {
-  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
-  scene.ground = SceneGround{p.number("friction"), 0.0};
-}
-
 // A box that turns about a point of its own, given where that point is and how it moves.
 struct Turning {
   Vec3 pivot_w = Vec3::Zero();           // [m]
@@ -59,7 +54,7 @@ Scene leaning_column(const Parameters& p, int count) {
     scene.boxes.push_back(turning_box(
         numbered("box", {k + 1}), Vec3::Ones(), Vec3(-0.5, 0.5 + k, 0.0),
         {Vec3(0.0, kTop, 0.0), Vec3::Zero(), -(p.number("angle") + upright), -p.number("spin")}));
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 
@@ -118,7 +113,7 @@ Scene fig6_3(const Parameters& p, Random) {
   const Turning upper{lower.pivot_w + lever_w, Vec3(0.0, 0.0, lower.spin).cross(lever_w),
                       p.number("upper_angle"), p.number("upper_spin")};
   scene.boxes.push_back(turning_box("upper", Vec3::Ones(), Vec3(0.5, 0.5, 0.0), upper));
-  finish(p, scene);
+  add_ground(p, scene);
   return scene;
 }
 

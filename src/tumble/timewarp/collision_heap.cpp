@@ -2,14 +2,11 @@
 /// \brief Collisions that are foreseen, the earliest first (thesis A.1: collisionHeap).
 #include "tumble/timewarp/collision_heap.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void CollisionHeap::reset(int bodies) {
   heap_.clear();

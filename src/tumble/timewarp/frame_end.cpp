@@ -3,17 +3,13 @@
 ///        A.1: fixInterpenetration).
 #include "tumble/timewarp/frame_end.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/told.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 FrameEnd::FrameEnd() : broad_phase_(make_broad_phase("bounding_tree")) {}
 

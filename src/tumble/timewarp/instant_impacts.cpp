@@ -3,6 +3,7 @@
 ///        collideTwoObjects).
 #include "tumble/timewarp/instant_impacts.hpp"
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/told.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Whether what is left of approach is what gravity does in a frame, or less than repair leaves.
 bool hardly_approach(const World& world, std::span<const IndexPair> pairs,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/base/errata_set.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include <memory>
@@ -161,7 +162,6 @@ class PrintedQueries {
   bool bounce_parting(const IndexPair& pair, double time);
   void collide_approaching(std::span<const IndexPair> pairs, double margin, double time);
   int keep_pushed(std::span<const IndexPair> pairs);
-  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   TimewarpAsPrintedOptions options_;
   Mended mended_;

@@ -1,15 +1,11 @@
 /// \file
 /// \brief SAFERSYNCTIMEWARP, one statement for each printed line (thesis A.1).
+#include "tumble/base/index.hpp"
 #include "tumble/timewarp/timewarp_as_printed.hpp"
 
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 // | symbol        | meaning                                                      | unit |
 // |---------------|--------------------------------------------------------------|------|

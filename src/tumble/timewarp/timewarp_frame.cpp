@@ -3,15 +3,11 @@
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void require_step(double dt, const TimewarpOptions& options, double steps) {
   require::positive(dt, "dt");

@@ -3,6 +3,7 @@
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 
 namespace tumble {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool same_bodies(const World& a, const World& b) {
   return a.time() == b.time() && a.steps() == b.steps() && a.gravity_w == b.gravity_w &&

@@ -1,5 +1,6 @@
 /// \file
 /// \brief Timewarp as Mirtich made it: taking back, and the end of a step (thesis 2.4.3).
+#include "tumble/base/index.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include <algorithm>
@@ -7,11 +8,6 @@
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 std::unique_ptr<Technique> TimewarpFull::clone() const {
   return std::make_unique<TimewarpFull>(*this);

@@ -2,14 +2,11 @@
 /// \brief The synchronised timewarp that looks at neighbours too (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
 #include "tumble/timewarp/timewarp_safer.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <array>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 TimewarpSafer::TimewarpSafer(const TimewarpOptions& options)
     : frame_(options, SearchMethod::discrete) {}

@@ -2,14 +2,11 @@
 /// \brief The synchronised timewarp in its simple form (thesis 5.1, A.1: SIMPLESYNCTIMEWARP).
 #include "tumble/timewarp/timewarp_simple.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <array>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 TimewarpSimple::TimewarpSimple(const TimewarpOptions& options)
     : frame_(options, SearchMethod::discrete) {}

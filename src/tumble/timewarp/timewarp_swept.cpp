@@ -2,14 +2,11 @@
 /// \brief The synchronised timewarp with swept volumes (thesis 5.1): nothing is missed.
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "tumble/base/index.hpp"
+
 #include <algorithm>
 
 namespace tumble {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 TimewarpSwept::TimewarpSwept(const TimewarpSweptOptions& options)
     : options_(options), frame_(options, SearchMethod::conservative) {}

@@ -1,0 +1,14 @@
+/// \file
+/// \brief From the numbers of bodies and rows, which are ints, to places in the standard library's containers.
+#pragma once
+
+#include <cstddef>
+
+namespace tumble {
+
+/// A number as a place in a container: `bodies[at(k)]`.
+/// \param number  at least 0
+/// \return the same
+constexpr std::size_t at(int number) { return static_cast<std::size_t>(number); }
+
+}  // namespace tumble
