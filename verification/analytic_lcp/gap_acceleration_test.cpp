@@ -7,6 +7,7 @@
 
 #include "analytic_lcp/instant.hpp"
 #include "dynamics/random_bodies.hpp"
+#include "support/pose.hpp"
 
 #include <array>
 #include <cmath>
@@ -45,8 +46,7 @@ TEST_CASE("A corner that slides along a plate that turns feels the plate come af
   // -2 w u across it: the term with the turning normal. The rest is w² times the height of the
   // face over the plate's centre.
   const double w = 2.0, u = 3.0, s = 0.5;
-  const Quat corner_down =
-      Quat::FromTwoVectors(Vec3(-1, -1, -1).normalized(), Vec3(0, -1, 0)).normalized();
+  const Quat corner_down = test::on_corner();
   const Vec3 centre = Vec3(s, 0.1 + 0.5 * std::sqrt(3.0), 0.0);
   for (const bool plate_is_first : {true, false}) {
     World world;

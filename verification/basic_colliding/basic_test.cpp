@@ -8,19 +8,14 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <cmath>
 
 namespace {
 
 using namespace tumble;
-
-World world_of(const char* scene, std::initializer_list<std::pair<const char*, const char*>> set) {
-  const SceneRecipe& recipe = scene_recipe(scene);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return build_world(recipe.build(p, Random(1)));
-}
+using tumble::test::world_of;
 
 class Collector : public Observer {
  public:

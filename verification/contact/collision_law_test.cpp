@@ -2,7 +2,7 @@
 /// \brief Tests of the impact at one point: closed forms, and energy that never rises.
 #include "tumble/contact/collision_law.hpp"
 
-#include "impact_cases.hpp"
+#include "contact/impact_cases.hpp"
 #include "support/catch.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 /// \brief Tests of inverse masses at a point and of impulses on a pair.
 #include "tumble/contact/effective_mass.hpp"
 
-#include "impact_cases.hpp"
+#include "contact/impact_cases.hpp"
 #include "support/catch.hpp"
 
 using namespace tumble;

@@ -2,7 +2,7 @@
 /// \brief Tests of collisions of several bodies at one instant.
 #include "tumble/contact/impacts.hpp"
 
-#include "impact_cases.hpp"
+#include "contact/impact_cases.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "tumble/contact/block.hpp"
 
-#include "impact_cases.hpp"
+#include "contact/impact_cases.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/changed_world.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +15,6 @@
 #include <vector>
 
 namespace tumble::test {
-
-constexpr double kFrame = 1.0 / 60.0;  ///< [s]
-
-/// Parameters of a scene as words.
-using Settings = std::vector<std::pair<const char*, std::string>>;
-
-/// The start of a built-in scene.
-/// \param name  what it is called
-/// \param set   parameters other than the defaults
-/// \return the world at time 0
-inline World world_of(const char* name, const Settings& set = {}) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return build_world(recipe.build(p, Random(1)));
-}
 
 /// Options of the technique.
 /// \param scheme  how the motion is integrated

@@ -4,6 +4,7 @@
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
@@ -19,8 +20,6 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 std::vector<Joint> joints_of(const World& world) {
   Glued glued;

@@ -8,6 +8,7 @@
 
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <limits>
 #include <stdexcept>
@@ -50,7 +51,7 @@ TEST_CASE("A contact of one point makes a corner, of two an edge, of four and ei
           "[unit][exterior_rotation]") {
   const double half = std::sqrt(0.5);
   // A cube on its corner: the diagonal is upright.
-  const Quat on_corner(Quat::FromTwoVectors(Vec3::Ones(), Vec3::UnitY()));
+  const Quat on_corner = test::on_corner();
   const Joint corner = only_joint(two(Vec3::Ones(), Vec3(0.0, std::sqrt(0.75), 0.0), on_corner));
   CHECK(corner.count == 1);
   CHECK(corner.hold == JointHold::corner);

@@ -1,5 +1,6 @@
 /// \file
 /// \brief Figures 6.1 to 6.3 and claim 6.2a: what opens, by how much in a step, and what does not.
+#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/quick.hpp"
 #include "exterior_rotation/falling_column.hpp"
@@ -17,8 +18,6 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 World nested_start() { return build_world(scene_with("fig6_3", {})); }
 

@@ -17,7 +17,7 @@ using namespace tumble::chapters;
 
 namespace {
 
-constexpr double kFrame = PlayedScene::kStep;  // [s]
+constexpr double kFrame = kStep;  // [s]
 
 double delay(const char* filter, double speed) {
   return steady_delay(speed, 960, *filter_of(filter));

@@ -20,7 +20,6 @@
 namespace {
 
 using namespace tumble;
-using test::at;
 using test::Instant;
 using test::kG;
 

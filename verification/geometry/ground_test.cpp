@@ -5,6 +5,7 @@
 #include "tumble/base/random.hpp"
 
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ TEST_CASE("A cube on an edge touches in two points, on a corner in one, above th
   CHECK(collide_with_ground(make_box({0, low - 1e-6, 0}, on_edge, Vec3::Ones()), 0.0, m));
   CHECK(m.count == 2);
   // Space diagonal upright: half of it is below the centre.
-  const Quat on_corner = Quat::FromTwoVectors(Vec3::Ones(), Vec3::UnitY());
+  const Quat on_corner = test::on_corner();
   const double reach_down = std::sqrt(0.75);
   CHECK(collide_with_ground(make_box({0, reach_down - 1e-6, 0}, on_corner, Vec3::Ones()), 0.0, m));
   CHECK(m.count == 1);

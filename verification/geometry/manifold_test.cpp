@@ -6,6 +6,7 @@
 #include "tumble/geometry/rectangle.hpp"
 
 #include "support/catch.hpp"
+#include "support/pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +185,7 @@ TEST_CASE("Faces that meet in a line have two points, in a corner one", "[exact]
   CHECK(collided(lower, cube_at({0.5, 0.5 + low - 1e-6, 0}, on_edge)).count == 2);
   CHECK(collided(lower, cube_at({0.5, 0.5 + low, 0.2}, on_edge), 1e-9).count == 2);
   // And on a corner.
-  const Quat on_corner = Quat::FromTwoVectors(Vec3::Ones(), Vec3::UnitY());
+  const Quat on_corner = test::on_corner();
   const Manifold corner =
       collided(lower, cube_at({0.1, 0.5 + std::sqrt(0.75) - 1e-6, 0}, on_corner));
   CHECK(corner.count == 1);

@@ -8,6 +8,7 @@
 #include "tumble/techniques.hpp"
 
 #include "support/pose.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +22,6 @@
 
 namespace tumble::test {
 
-/// [s] The step that the technique is meant for.
-inline constexpr double kFrame = 1.0 / 60.0;
-
-/// [m/s²] Of every scene with gravity.
-inline constexpr double kGravity = 9.81;
-
-/// Settings of a scene or a technique, as a user writes them.
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
 /// A technique with its defaults, but for sleeping: what stands has to stand without it.
 /// \param name  its name
 /// \param set   options to change
@@ -41,18 +33,6 @@ inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& s
   if (options.has("pose")) options.set("pose", name_of(pose_under_test));
   for (const auto& [key, value] : set) options.set(key, value);
   return recipe.make(options, 1);
-}
-
-/// A built-in scene.
-/// \param name  its name
-/// \param set   settings to change
-/// \param seed  of its chance
-/// \return the world at its start
-inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return build_world(checked(recipe.build(p, Random(seed))));
 }
 
 /// A body of a world.

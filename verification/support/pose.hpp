@@ -1,10 +1,12 @@
 /// \file
-/// \brief Tests of continuous motion that techniques have to pass with both ways of moving bodies.
+/// \brief Poses that several tests need, and both ways to change them that techniques have to pass.
 #pragma once
 
 #include "tumble/dynamics/pose_update.hpp"
 
 #include "support/catch.hpp"
+
+#include <cmath>
 
 namespace tumble::test {
 
@@ -28,6 +30,14 @@ template <class Options>
 Options posed(Options options = {}) {
   options.pose = pose_under_test;
   return options;
+}
+
+/// A cube on its corner: turns the diagonal (1, 1, 1) upright, about the axis that lies level.
+/// \return body to world
+inline Quat on_corner() {
+  const double half = 0.5 * std::acos(std::sqrt(1.0 / 3.0));
+  const double part = std::sin(half) * std::sqrt(0.5);
+  return Quat(std::cos(half), -part, 0.0, part);
 }
 
 }  // namespace tumble::test

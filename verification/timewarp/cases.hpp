@@ -8,6 +8,8 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "support/scenes.hpp"
+
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -40,20 +42,6 @@ inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
   TimewarpSweptOptions swept;
   static_cast<TimewarpOptions&>(swept) = options;
   return std::make_unique<TimewarpSwept>(swept);
-}
-
-/// A named scene as a world.
-/// \param scene  its name
-/// \param set    parameters that differ from the standard
-/// \param seed   [-] of its chance
-/// \return the bodies
-inline World world_of(std::string_view scene,
-                      std::initializer_list<std::pair<const char*, std::string>> set = {},
-                      std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(scene);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return build_world(recipe.build(p, Random(seed)));
 }
 
 /// Keeps all collisions.

@@ -2,6 +2,7 @@
 /// \brief The errata S1 to S10 and F1 to F9, each with both of its numbers.
 #include "timewarp/errata_experiments.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -17,7 +18,6 @@ constexpr double kRounding = 1e-12;  // of some ten operations on numbers up to 
 constexpr double kTime = 2e-6;       // [s] two searches, each to a microsecond
 constexpr double kPlace = 1e-5;      // [m] what cubes with up to 5 m/s fly meanwhile
 constexpr int kCap = 50;             // [-] that of --quick
-constexpr double kGravity = 9.81;    // [m/s²]
 
 double number(const std::string& name) {
   static const FigureUnderTest simple(errata_figures(), "errata_timewarp_simple");

@@ -45,7 +45,7 @@ std::string wrong(const std::vector<std::string>& reference,
   return marks;
 }
 
-World world_of(const std::string& scene, const std::vector<std::string>& settings = {}) {
+World world_with(const std::string& scene, const std::vector<std::string>& settings = {}) {
   const SceneRecipe& recipe = scene_recipe(scene);
   Parameters parameters = recipe.parameters();
   set_all(parameters, settings);
@@ -109,7 +109,7 @@ TEST_CASE("A longest common story leaves out no more collisions than any other c
 }
 
 TEST_CASE("A story goes on over frames and takes its observer away", "[unit][timewarp]") {
-  const World start = world_of("line");
+  const World start = world_with("line");
   const auto technique = technique_with("timewarp_simple");
   CHECK(story_of(*technique, start, 1.0).size() == 3);
   World again = start;
@@ -133,7 +133,7 @@ TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]"
     for (const char* scene : {"fig5_1", "line"}) {
       CAPTURE(name, scene);
       const double frame = std::string(scene) == "line" ? 1.0 : 1.0 / 60.0;
-      const World start = world_of(scene);
+      const World start = world_with(scene);
       World end = start;
       const EventLog events = events_of(*technique_with(name), end, frame);
       const std::vector<Way> ways = ways_of(start, events, frame);
@@ -148,7 +148,7 @@ TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]"
 }
 
 TEST_CASE("Bands refuse gravity and bodies that go back in time", "[unit][timewarp]") {
-  World start = world_of("line");
+  World start = world_with("line");
   EventLog events(2);
   for (Event& event : events) {
     event.first = start.ids()[0];

@@ -1,0 +1,36 @@
+/// \file
+/// \brief Built-in scenes as worlds, for tests.
+#pragma once
+
+#include "tumble/scenes/library.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tumble::test {
+
+/// [s] The step that the techniques are meant for.
+inline constexpr double kFrame = 1.0 / 60.0;
+
+/// [m/s²] Of every scene with gravity.
+inline constexpr double kGravity = 9.81;
+
+/// Settings of a scene or a technique, as a user writes them.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// A built-in scene.
+/// \param name  its name
+/// \param set   settings to change
+/// \param seed  of its chance
+/// \return the world at its start
+inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters p = recipe.parameters();
+  for (const auto& [key, value] : set) p.set(key, value);
+  return build_world(checked(recipe.build(p, Random(seed))));
+}
+
+}  // namespace tumble::test
