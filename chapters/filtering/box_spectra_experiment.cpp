@@ -26,7 +26,7 @@ constexpr std::array<ShownBy, 5> kShown = {{{"raw", ""},
                                             {"envelope", "envelope"}}};
 constexpr std::size_t kUnfiltered = 0;
 constexpr std::size_t kBox = 1;
-constexpr double kHalf = 0.5;  // what the claim's two sayings_held compare with
+constexpr double kHalf = 0.5;  // what the claim's two sayings compare with
 
 // What one seed gives for one filter: medians over the bodies that chatter.
 struct SeedMeasures {
@@ -133,7 +133,7 @@ Table bars(const Measured& all) {
   return table;
 }
 
-// The claim's two sayings_held.
+// The claim's two sayings.
 double sayings_held(double amplitude, double squirm) {
   return (amplitude <= kHalf ? 1.0 : 0.0) + (squirm >= kHalf ? 1.0 : 0.0);
 }
@@ -158,10 +158,8 @@ Result measure_box_spectra(const Parameters& settings) {
   Result result;
   result.tables = {spectra(all), bars(all)};
   result.quantities = {
-      {"of two sayings_held about a box filter of five frames those that hold: amplitude falls to "
-       "a "
-       "half "
-       "or less, squirm stays at a half or more",
+      {"of two sayings about a box filter of five frames those that hold: amplitude falls to a "
+       "half or less, squirm stays at a half or more",
        "-", sayings_held(amplitude.value, squirm.value)},
       amplitude,
       squirm,
@@ -175,7 +173,7 @@ Result measure_box_spectra(const Parameters& settings) {
       all.mean("squirm before", "m/s",
                [](const SeedOfAll& seed) { return seed[kUnfiltered].median.squirm; }),
       squirm_of_white_noise("squirm after over before if chatter were white noise", 5, 1),
-      share_of_trials("share of the seeds in which both sayings_held hold", both,
+      share_of_trials("share of the seeds in which both sayings hold", both,
                       static_cast<std::int64_t>(all.seeds.size())),
       {"bodies that chatter, all seeds", "-", static_cast<double>(all.bodies)}};
   return result;
