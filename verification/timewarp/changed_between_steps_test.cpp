@@ -15,8 +15,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-
 World weightless() {
   World world;
   world.gravity_w.setZero();

@@ -16,8 +16,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-
 // Cubes of 1 m on top of each other on the ground, exactly touching.
 World tower(int count, double restitution) {
   World world;

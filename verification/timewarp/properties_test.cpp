@@ -16,8 +16,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-
 // Where bodies without gravity ought to be after the collisions that were told of them.
 class DeadReckoning {
  public:
