@@ -2,6 +2,7 @@
 /// \brief `tumble scenes`, `tumble techniques`, `tumble filters` and `tumble lcp --list`.
 #include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/filtering/filters.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -24,7 +25,7 @@ void print_line(std::string_view name, std::string_view second, std::string_view
 
 std::string range_of(const Parameter& p) {
   if (p.kind == ParameterKind::number || p.kind == ParameterKind::whole)
-    return require::text(p.low) + " to " + require::text(p.high);
+    return shortest_text(p.low) + " to " + shortest_text(p.high);
   std::string words;
   for (const std::string& word : p.choices) words += (words.empty() ? "" : "|") + word;
   return words;

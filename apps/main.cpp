@@ -1,5 +1,6 @@
 /// \file
 /// \brief The command `tumble`.
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/version.hpp"
 
@@ -27,10 +28,7 @@ constexpr std::array<std::string_view, 8> kCommands = {
 CLI::Validator number() {
   return CLI::Validator(
       [](std::string& text) {
-        char* end = nullptr;
-        std::strtod(text.c_str(), &end);
-        const bool good = !text.empty() && end == text.c_str() + text.size();
-        return good ? std::string() : text + ": expected a number";
+        return tumble::parse_number(text) ? std::string() : text + ": expected a finite number";
       },
       "");
 }

@@ -3,6 +3,7 @@
 #include "moving.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/record/gif.hpp"
 #include "tumble/record/gltf.hpp"
@@ -39,7 +40,7 @@ struct Range {
 Range range_of(const RenderRequest& request, const RecordedRun& run) {
   const double first = run.frames.front().time;
   const double last = run.frames.back().time;
-  require::that(first < last, "the run has one frame only, at " + require::text(first) +
+  require::that(first < last, "the run has one frame only, at " + shortest_text(first) +
                                   " s: run it for longer, or draw it with --as svg");
   // As with --at, half a frame outside is the first or the last one: a run of 5 s ends with rounding.
   const auto recorded = [&](double time) {
@@ -47,8 +48,8 @@ Range range_of(const RenderRequest& request, const RecordedRun& run) {
     return std::clamp(time, first, last);
   };
   const Range range{recorded(request.from.value_or(first)), recorded(request.to.value_or(last))};
-  require::that(range.from < range.to, "--from " + require::text(range.from) + " --to " +
-                                           require::text(range.to) +
+  require::that(range.from < range.to, "--from " + shortest_text(range.from) + " --to " +
+                                           shortest_text(range.to) +
                                            ": expected the end to come after the beginning");
   return range;
 }
@@ -61,7 +62,7 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
   std::vector<RecordedFrame> frames;
   if (interval) {
     const double last = std::floor((range.to - range.from) / *interval + tolerance::on_the_grid);
-    require::that(last < kMostFrames, require::text(last + 1.0) +
+    require::that(last < kMostFrames, shortest_text(last + 1.0) +
                                           " frames: expected 20000 at most; take a part with "
                                           "--from and --to, or raise --speed");
     for (int k = 0; k <= static_cast<int>(last); ++k)
@@ -72,8 +73,8 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
     for (const RecordedFrame& frame : run.frames)
       if (frame.time >= from && frame.time <= to) frames.push_back(frame);
   }
-  require::that(frames.size() > 1, "--from " + require::text(range.from) + " --to " +
-                                       require::text(range.to) +
+  require::that(frames.size() > 1, "--from " + shortest_text(range.from) + " --to " +
+                                       shortest_text(range.to) +
                                        ": fewer than two frames are in between: choose a longer "
                                        "part, or lower --speed");
   return frames;

@@ -12,6 +12,14 @@ if (!folder) {
   console.error('usage: node build.mjs MODULE.wasm FOLDER');
   process.exit(2);
 }
+const bytes = await readFile(moduleFile);
+// page/module.js has these; the others are what C would tell an operating system, and come to nothing.
+const ASKED = ['page.number', 'page.text', 'env.emscripten_notify_memory_growth'];
+for (const {module, name} of WebAssembly.Module.imports(new WebAssembly.Module(bytes))) {
+  if (module === 'wasi_snapshot_preview1' || ASKED.includes(`${module}.${name}`)) continue;
+  console.error(`build.mjs: the module asks for ${module}.${name}, which page/module.js does not have`);
+  process.exit(1);
+}
 const THREE = '[/\\\\]three[/\\\\]src[/\\\\]';
 const SHADERS = THREE + 'renderers[/\\\\]shaders[/\\\\]';
 const UNUSED_CHUNKS = new RegExp(SHADERS + 'ShaderChunk[/\\\\].*(physical|transmission|iridescence|clearcoat|' +
@@ -37,7 +45,7 @@ const common = {bundle: true, minify: true, format: 'iife', target: 'es2021', ch
 // bytes themselves. base64 is a quarter larger.
 const PLACE = 'place of the module';
 const ESCAPES = {'\n': '\\n', '\r': '\\r', "'": "\\'", '\\': '\\\\'};
-const literal = `'${(await readFile(moduleFile)).toString('latin1').replace(/[\n\r'\\]/g, it => ESCAPES[it])}'`;
+const literal = `'${bytes.toString('latin1').replace(/[\n\r'\\]/g, it => ESCAPES[it])}'`;
 
 const embedded = {
   name: 'embedded',

@@ -4,6 +4,7 @@
 #include "tumble/analytic_lcp/gauss_seidel.hpp"
 #include "tumble/analytic_lcp/lemke.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include "analytic_lcp/brick_pyramid.hpp"
 #include "analytic_lcp/force_experiments.hpp"
@@ -186,7 +187,7 @@ Result measure_pyramid_forces(const Parameters& settings) {
   std::vector<Quantity> quantities;
   for (int k = 0; k < rows; ++k)
     quantities.push_back(
-        {"on feet: load of brick " + require::text(k + 1.0) + " of the lowest row, over its weight",
+        {"on feet: load of brick " + shortest_text(k + 1.0) + " of the lowest row, over its weight",
          "-", feet_loads[static_cast<std::size_t>(k)]});
   const auto add = [&](const char* name, const char* unit, double value) {
     quantities.push_back({name, unit, value});

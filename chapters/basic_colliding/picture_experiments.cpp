@@ -1,6 +1,7 @@
 /// \file
 /// \brief Scenes run for a while and drawn as boxes in three dimensions.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
@@ -128,7 +129,7 @@ Result measure_dice_strip(const Parameters& settings) {
   Parameters scene_settings = scene_recipe("dice").parameters();
   scene_settings.set("count", "1");
   for (const char* key : {"speed", "spin", "restitution"})
-    scene_settings.set(key, require::text(settings.number(key)));
+    scene_settings.set(key, shortest_text(settings.number(key)));
   const auto seed = static_cast<std::uint64_t>(settings.whole("seed"));
   const Scene scene = scene_recipe("dice").build(scene_settings, Random(seed));
   World world = build_world(scene);

@@ -1,6 +1,7 @@
 /// \file
 /// \brief The figures that show boxes in three dimensions: a strip of frames and the gallery.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "basic_colliding/experiments.hpp"
@@ -85,7 +86,7 @@ Figure gallery_figure(const Shot& shot) {
   figure.name = "gallery_" + std::string(shot.scene);
   figure.section = recipe.section;
   figure.title = shot.title;
-  figure.caption = shot.time > 0.0 ? "After " + require::text(shot.time) +
+  figure.caption = shot.time > 0.0 ? "After " + shortest_text(shot.time) +
                                          " s under the basic technique: tumble run "
                                    : std::string("At the start: tumble run ");
   figure.caption += shot.scene;

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/scenes/library.hpp"
 
@@ -61,7 +62,7 @@ Scene pyramid_without_middle(int rows, double gap) {
   const SceneRecipe& recipe = scene_recipe("fig5_6");
   Parameters settings = recipe.parameters();
   settings.set("rows", std::to_string(rows));
-  settings.set("gap", require::text(gap));
+  settings.set("gap", shortest_text(gap));
   return recipe.build(settings, Random(1));
 }
 

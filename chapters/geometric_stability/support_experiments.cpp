@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/record/world_picture.hpp"
 #include "tumble/scenes/library.hpp"
@@ -34,7 +35,7 @@ constexpr std::array<std::uint32_t, 3> kColours = {0xe69f00, 0x0072b2, 0x009e73}
 SupportInstant instant_of(std::string_view name, const Parameters& settings,
                           std::initializer_list<const char*> keys) {
   Parameters p = scene_recipe(name).parameters();
-  for (const char* key : keys) p.set(key, require::text(settings.number(key)));
+  for (const char* key : keys) p.set(key, shortest_text(settings.number(key)));
   return SupportInstant(build_world(scene_recipe(name).build(p, Random(1))));
 }
 
@@ -194,7 +195,7 @@ double tipping_shift(Parameters settings) {
   double high = 0.8;
   while (high - low > 1e-9) {
     const double shift = 0.5 * (low + high);
-    settings.set("shift", require::text(shift));
+    settings.set("shift", shortest_text(shift));
     const SupportInstant instant = instant_of("fig5_3", settings, {"shift", "yaw"});
     const bool tips = instant.acceleration(index_of(instant.world(), "top")) > 1e-9;
     (tips ? high : low) = shift;
@@ -215,7 +216,7 @@ Result measure_one_corner(const Parameters& settings) {
   Parameters shifted = settings;
   const int count = settings.count("shifts");
   for (int k = 0; k < count; ++k) {
-    shifted.set("shift", require::text(0.8 * k / (count - 1)));
+    shifted.set("shift", shortest_text(0.8 * k / (count - 1)));
     const SupportInstant instant = instant_of("fig5_3", shifted, {"shift", "yaw"});
     const int top = index_of(instant.world(), "top");
     const double g = instant.world().gravity_w.norm();
@@ -225,7 +226,7 @@ Result measure_one_corner(const Parameters& settings) {
                            yes(instant.ask(StableRule::corners, top).stable)});
   }
   result.tables.push_back(shifts);
-  result.drawings.back().commands += "shown = " + require::text(settings.number("shift")) + "\n";
+  result.drawings.back().commands += "shown = " + shortest_text(settings.number("shift")) + "\n";
   result.quantities.push_back(
       {"shift from which its own weight tips it", "m", tipping_shift(settings)});
   return result;

@@ -4,6 +4,7 @@
 #include "timewarp/event_story.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/techniques.hpp"
 
 #include "driver/settings.hpp"
@@ -79,7 +80,7 @@ std::unique_ptr<Technique> technique_with(std::string_view name,
 
 std::unique_ptr<Technique> search_over_all(double resolution) {
   return technique_with("basic", {"search=conservative", "event_cap=100000",
-                                  "resolution=" + require::text(resolution)});
+                                  "resolution=" + shortest_text(resolution)});
 }
 
 EventLog events_of(Technique& technique, World& world, double dt, int frames) {

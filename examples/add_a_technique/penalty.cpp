@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tumble/base/error.hpp>
 #include <tumble/base/index.hpp>
+#include <tumble/base/number_text.hpp>
 #include <tumble/contact/effective_mass.hpp>
 #include <tumble/contact/told.hpp>
 #include <tumble/dynamics/advance_pose.hpp>
@@ -17,7 +18,7 @@ Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
   require::positive(options.spring, "spring");
   require::not_negative(options.damper, "damper");
   const double sum = options.spring + 2.0 * options.damper;
-  require::that(sum < 4.0, "spring + 2 damper = " + require::text(sum) + ": expected below 4");
+  require::that(sum < 4.0, "spring + 2 damper = " + shortest_text(sum) + ": expected below 4");
   require::that(options.substeps >= 1,
                 "substeps = " + std::to_string(options.substeps) + ": expected 1 or more");
 }

@@ -12,11 +12,31 @@ export const CONTACT = {size: 14, time: 0, first: 1, second: 2, point: 3, normal
 // A sentence from the library: what is wrong, and what would be right.
 export class Refusal extends Error {}
 
+// What the module asks the page for: numbers as text and text as numbers (live/number_text.cpp).
+class NumberTexts {
+  memory;  // the module's
+
+  number = (at, size, taken) => {
+    const text = String.fromCharCode(...new Uint8Array(this.memory.buffer, at, size));
+    const [found] = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?/i.exec(text) ?? [''];
+    new DataView(this.memory.buffer).setInt32(taken, found.length, true);
+    return Number(found);
+  };
+
+  text = (value, digits, at) => {
+    const rounded = digits ? Number(value.toPrecision(digits)) : value;
+    const text = Object.is(rounded, -0) ? '-0' : String(rounded).replace('NaN', 'nan').replace('Infinity', 'inf');
+    return new TextEncoder().encodeInto(text, new Uint8Array(this.memory.buffer, at)).written;
+  };
+}
+
 export class Module {
   // Makes a module of its bytes; each has a memory of its own.
   static async from(bytes) {
     const nothing = () => 0;
+    const page = new NumberTexts();
     const imports = {
+      page,
       env: {emscripten_notify_memory_growth: nothing},
       wasi_snapshot_preview1: new Proxy({}, {get: () => nothing}),  // what C's start-up would ask an operating system
     };
@@ -26,6 +46,7 @@ export class Module {
       imports[module][name] ??= nothing;
     }
     const {exports} = await WebAssembly.instantiate(compiled, imports);
+    page.memory = exports.memory;
     exports._initialize();
     return new Module(exports);
   }

@@ -151,7 +151,7 @@ TEST_CASE("What a film cannot be made of is told in one line with what would be 
   const std::pair<const char*, const char*> wrong[] = {
       {"avi", "expected svg, png, gif, mp4 or gltf"},
       {"gif --from 0.6", "time 0.6 s: the run was recorded"},
-      {"gif --to nan", "time nan s: the run was recorded"},
+      {"gif --to nan", "--to: nan: expected a finite number"},
       {"gif --from 0.3 --to 0.2", "expected the end to come after the beginning"},
       {"gif --from 0.3 --to 0.31", "fewer than two frames"},
       {"gltf --from 0.301 --to 0.302", "fewer than two frames"},

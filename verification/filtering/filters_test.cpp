@@ -142,7 +142,7 @@ TEST_CASE("A number that a filter cannot use is refused with the word and with w
       {"envelope:-0.01m,1deg", "-0.01", "above 0"},
       {"envelope:0m,1deg", "0", "above 0"},
       {"envelope:1m,-1deg", "angle", "above 0"},
-      {"soft_envelope:1e-400m,1deg", "radius", "above 0"},
+      {"soft_envelope:1e-400m,1deg", "\"1e-400m\"", "finite number"},
       {"one_euro:1", "\"1\"", "Hz"},
       {"one_euro:1hz", "\"1hz\"", "Hz"},
       {"one_euro:0Hz", "cutoff", "above 0"},

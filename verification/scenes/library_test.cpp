@@ -3,6 +3,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
@@ -159,7 +160,7 @@ TEST_CASE("Every scene can be built at both ends of each of its parameters", "[u
     for (const Parameter& parameter : standard.all()) {
       if (parameter.kind == ParameterKind::text) continue;  // has no ends
       std::vector<std::string> values = parameter.choices;
-      if (values.empty()) values = {require::text(parameter.low), require::text(parameter.high)};
+      if (values.empty()) values = {shortest_text(parameter.low), shortest_text(parameter.high)};
       for (const std::string& value : values) {
         INFO(recipe.name << ", " << parameter.key << " = " << value);
         Parameters p = recipe.parameters();
@@ -189,13 +190,13 @@ TEST_CASE("Scenes can be built at random values of all parameters together", "[u
                                                                    : parameter.high;
         double value = random.uniform(parameter.low, high);
         if (parameter.kind == ParameterKind::whole) value = std::floor(value);
-        std::string text = require::text(value);
+        std::string text = shortest_text(value);
         if (!parameter.choices.empty())
           text =
               parameter.choices[random.below(static_cast<std::uint32_t>(parameter.choices.size()))];
-        if (parameter.key == "moving") text = require::text(1.0);  // fewer than count
+        if (parameter.key == "moving") text = shortest_text(1.0);  // fewer than count
         if (recipe.name == "fig5_6" && parameter.key == "rows")
-          text = require::text(2.0 * std::floor(0.5 * value) + 1.0);  // odd, or it is refused
+          text = shortest_text(2.0 * std::floor(0.5 * value) + 1.0);  // odd, or it is refused
         p.set(parameter.key, text);
         told.append(" ").append(parameter.key).append("=").append(text);
       }

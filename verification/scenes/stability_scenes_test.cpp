@@ -1,6 +1,7 @@
 /// \file
 /// \brief Scenes of geometric stability: names, numbers of boxes, what is over what, refusals.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/library.hpp"
 
@@ -80,7 +81,7 @@ double largest_overhang(const char* pattern, int count) {
     const double middle = 0.5 * (low + high);
     const Scene scene = built("fig6_4", {{"pattern", pattern},
                                          {"count", std::to_string(count)},
-                                         {"overhang", require::text(middle)}});
+                                         {"overhang", shortest_text(middle)}});
     (stands(scene) ? low : high) = middle;
   }
   return low;

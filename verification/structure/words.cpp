@@ -56,7 +56,7 @@ bool ends_with(const std::string& text, const std::string& ending) {
 }
 
 // Why a name is forbidden; empty if it is not.
-std::string fault_of(const Name& name, bool defines_elementary, bool may_time) {
+std::string fault_of(const Name& name, bool defines_elementary, bool is_program) {
   static const std::set<std::string> transcendental{
       "sin",   "cos",   "tan",   "asin", "acos", "atan",  "atan2", "sinh",   "cosh",   "tanh",
       "asinh", "acosh", "atanh", "exp",  "exp2", "exp10", "expm1", "log",    "log2",   "log10",
@@ -68,6 +68,9 @@ std::string fault_of(const Name& name, bool defines_elementary, bool may_time) {
   static const std::set<std::string> clocks{"clock_gettime", "gettimeofday", "chrono"};
   static const std::set<std::string> too_new{"ranges",   "views",     "format",
                                              "bit_cast", "execution", "jthread"};
+  static const std::set<std::string> by_locale{
+      "snprintf", "sprintf", "strtod", "strtof",       "atof",          "stod",
+      "stof",     "sscanf",  "scanf",  "stringstream", "ostringstream", "istringstream"};
 
   const bool of_std = name.qualifier == "std";
   if (transcendental.count(name.text) > 0) {
@@ -84,7 +87,10 @@ std::string fault_of(const Name& name, bool defines_elementary, bool may_time) {
     return "take Random";
   if (ends_with(name.text, "_distribution") || name.text.rfind("mt19937", 0) == 0)
     return "standard libraries differ; take Random";
-  if (!may_time && clocks.count(name.text) > 0) return "results must not depend on the time of day";
+  if (!is_program && clocks.count(name.text) > 0)
+    return "results must not depend on the time of day";
+  if (!is_program && by_locale.count(name.text) > 0)
+    return "a program's locale changes it; see base/number_text.hpp";
   if (of_std && too_new.count(name.text) > 0) return "em++ 3.1.6 or clang++ 14 cannot compile it";
   return "";
 }
@@ -96,10 +102,10 @@ Complaints forbidden_calls(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     const std::string code = code_of(file.text);
     const bool defines_elementary = file.path.find("math/elementary") != std::string::npos;
-    const bool may_time = file.path.rfind("apps/", 0) == 0;
+    const bool is_program = file.path.rfind("apps/", 0) == 0;
     std::string before;
     for (const Name& name : names_in(code)) {
-      std::string fault = fault_of(name, defines_elementary, may_time);
+      std::string fault = fault_of(name, defines_elementary, is_program);
       if (before == "long" && name.text == "double") fault = "long double differs between machines";
       before = name.text;
       if (fault.empty()) continue;

@@ -49,6 +49,14 @@ TEST_CASE("A call that makes an order or a number depend on chance is found", "[
   CHECK(calls_in("std::ranges::sort(v);") == 1);
 }
 
+TEST_CASE("A call that writes or reads numbers by the locale is found outside of programs",
+          "[structure]") {
+  CHECK(calls_in("std::snprintf(text, 9, \"%g\", x);") == 1);
+  CHECK(calls_in("x = std::strtod(text, nullptr) + std::stod(word);") == 2);
+  CHECK(calls_in("std::ostringstream out;") == 1);
+  CHECK(forbidden_calls({{"apps/a.cpp", "x = std::strtod(text, nullptr);"}}).empty());
+}
+
 TEST_CASE("Calls with the same bits everywhere are allowed", "[structure]") {
   CHECK(calls_in("x = elementary::sin(y) + tumble::elementary::atan2(y, z);") == 0);
   CHECK(calls_in("x = std::sqrt(y) + std::abs(y) + std::floor(y) + std::ldexp(y, 2);") == 0);

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
@@ -134,7 +135,7 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
   require_entries(bodies.size(), world.bodies().size(), "bodies");
   require_entries(free.size(), bodies.size(), "free");
   if (!(parting_speed >= 0.0))
-    require::that(false, "parting_speed = " + require::text(parting_speed) + ": give at least 0");
+    require::that(false, "parting_speed = " + shortest_text(parting_speed) + ": give at least 0");
   for (const int body : involved_) place_[at(body)] = -1;
   place_.resize(bodies.size(), -1);
   involved_.clear();

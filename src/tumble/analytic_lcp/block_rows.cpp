@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/mass_root.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void require_diagonal(const LcpProblem& problem, int row, double product) {
   const double A_ii = problem.A(row, row);
   if (std::abs(product - A_ii) <= tolerance::symmetry * std::max(product, std::abs(A_ii))) return;
   require::that(false, "row " + std::to_string(row) + " of the factors makes " +
-                           require::text(product) + " of A_ii = " + require::text(A_ii) +
+                           shortest_text(product) + " of A_ii = " + shortest_text(A_ii) +
                            ": give the factors of A");
 }
 

@@ -11,6 +11,7 @@
 #include "tumble/analytic_lcp/lemke.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerance.hpp"
 
@@ -56,8 +57,8 @@ void require_symmetric(const MatX& A) {
       if (A(i, j) == A(j, i)) continue;
       const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
       if (std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale) continue;
-      require::that(false, entry(i, j) + " = " + require::text(A(i, j)) + " but " + entry(j, i) +
-                               " = " + require::text(A(j, i)) + ": give a symmetric matrix");
+      require::that(false, entry(i, j) + " = " + shortest_text(A(i, j)) + " but " + entry(j, i) +
+                               " = " + shortest_text(A(j, i)) + ": give a symmetric matrix");
     }
 }
 

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/mass_root.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -102,8 +103,8 @@ void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
     const double scale = std::max(length * length, std::abs(A_ii));
     if (!(std::abs(length * length - A_ii) <= tolerance::symmetry * scale))
       require::that(false, "row " + std::to_string(i) + " of the factors makes " +
-                               require::text(length * length) +
-                               " of A_ii = " + require::text(A_ii) + ": give the factors of A");
+                               shortest_text(length * length) +
+                               " of A_ii = " + shortest_text(A_ii) + ": give the factors of A");
   }
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
     for (int row = 0; row < rows; ++row) E_(row, n + static_cast<int>(k)) = -E_(row, mirrored_[k]);

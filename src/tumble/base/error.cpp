@@ -2,12 +2,10 @@
 /// \brief How a caller's mistake is refused.
 #include "tumble/base/error.hpp"
 
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace tumble::require {
@@ -21,29 +19,18 @@ namespace {
 std::string text(const Vec3& v) {
   std::string out =
       "(";  // appended to, since "(" + string warns falsely in g++ 12 (its bug 105651)
-  return out.append(require::text(v.x()))
+  return out.append(shortest_text(v.x()))
       .append(", ")
-      .append(require::text(v.y()))
+      .append(shortest_text(v.y()))
       .append(", ")
-      .append(require::text(v.z()))
+      .append(shortest_text(v.z()))
       .append(")");
 }
 
 }  // namespace
 
-std::string text(double value) {
-  std::array<char, 32> buffer{};
-  // 17 digits always read back; fewer often do. std::to_chars would say this in one call, but
-  // the standard library of em++ 3.1.6 does not have it for floating point.
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
-    if (std::strtod(buffer.data(), nullptr) == value) break;
-  }
-  return buffer.data();
-}
-
 void finite(double value, std::string_view name) {
-  if (!std::isfinite(value)) refuse(name, text(value), "a finite number");
+  if (!std::isfinite(value)) refuse(name, shortest_text(value), "a finite number");
 }
 
 void finite(const Vec3& value, std::string_view name) {
@@ -57,17 +44,19 @@ void finite(const Mat3& value, std::string_view name) {
 }
 
 void positive(double value, std::string_view name) {
-  if (!(std::isfinite(value) && value > 0.0)) refuse(name, text(value), "a finite number above 0");
+  if (!(std::isfinite(value) && value > 0.0))
+    refuse(name, shortest_text(value), "a finite number above 0");
 }
 
 void not_negative(double value, std::string_view name) {
   if (!(std::isfinite(value) && value >= 0.0))
-    refuse(name, text(value), "a finite number, 0 or above");
+    refuse(name, shortest_text(value), "a finite number, 0 or above");
 }
 
 void within(double value, double low, double high, std::string_view name) {
   if (!(value >= low && value <= high))
-    refuse(name, text(value), "a number from " + text(low) + " to " + text(high));
+    refuse(name, shortest_text(value),
+           "a number from " + shortest_text(low) + " to " + shortest_text(high));
 }
 
 void unit(const Vec3& value, std::string_view name) {
@@ -80,7 +69,7 @@ void unit(const Quat& value, std::string_view name) {
   const bool good =
       value.coeffs().allFinite() && std::abs(value.norm() - 1.0) <= tolerance::unit_length;
   if (good) return;
-  refuse(name, "(w " + text(value.w()) + ", x y z " + text(Vec3(value.vec())) + ")",
+  refuse(name, "(w " + shortest_text(value.w()) + ", x y z " + text(Vec3(value.vec())) + ")",
          "a quaternion of length 1: normalise it first");
 }
 

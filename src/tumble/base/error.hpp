@@ -70,9 +70,4 @@ void unit(const Quat& value, std::string_view name);
 /// \throws std::invalid_argument with the message
 void that(bool condition, std::string_view message);
 
-/// Writes a number as error messages show it: the shortest form that reads back to the same bits.
-/// \param value  any number, NaN and infinities included
-/// \return for example `0.1`, `nan`, `-inf`
-std::string text(double value);
-
 }  // namespace tumble::require

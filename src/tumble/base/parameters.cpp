@@ -3,23 +3,14 @@
 #include "tumble/base/parameters.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace tumble {
 namespace {
-
-// The whole text as a number; NaN if it is anything else.
-double parsed(std::string_view text) {
-  const std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  const bool all_read = !copy.empty() && end == copy.c_str() + copy.size();
-  return all_read ? value : std::nan("");
-}
 
 std::string list_of(const std::vector<std::string>& words) {
   std::string out;
@@ -37,11 +28,11 @@ std::string complaint(const Parameter& p, std::string_view value) {
     const bool known = std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end();
     return known ? "" : "expected one of: " + list_of(p.choices);
   }
-  const double number = parsed(value);
-  const bool whole = p.kind == ParameterKind::number || number == std::floor(number);
-  if (std::isfinite(number) && whole && number >= p.low && number <= p.high) return "";
+  const std::optional<double> number = parse_number(value);
+  const bool whole = p.kind == ParameterKind::number || number == std::floor(number.value_or(0.0));
+  if (number && whole && number >= p.low && number <= p.high) return "";
   return std::string("expected a ") + (p.kind == ParameterKind::whole ? "whole " : "") +
-         "number from " + require::text(p.low) + " to " + require::text(p.high) +
+         "number from " + shortest_text(p.low) + " to " + shortest_text(p.high) +
          (p.unit == "-" ? "" : " " + p.unit);
 }
 
@@ -51,7 +42,7 @@ Parameters& Parameters::add_number(std::string key, double initial, double low, 
                                    std::string unit, std::string meaning) {
   items_.push_back({std::move(key),
                     ParameterKind::number,
-                    require::text(initial),
+                    shortest_text(initial),
                     std::move(unit),
                     std::move(meaning),
                     low,
@@ -132,10 +123,12 @@ const Parameter& Parameters::get(std::string_view key) const {
   return items_.front();  // not reached
 }
 
-double Parameters::number(std::string_view key) const { return parsed(get(key).value); }
+double Parameters::number(std::string_view key) const {
+  return parse_number(get(key).value).value();  // set() has looked
+}
 
 std::int64_t Parameters::whole(std::string_view key) const {
-  return static_cast<std::int64_t>(parsed(get(key).value));
+  return static_cast<std::int64_t>(number(key));
 }
 
 bool Parameters::flag(std::string_view key) const { return get(key).value == "on"; }

@@ -3,6 +3,7 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/safe_flight.hpp"
 
 #include <algorithm>
@@ -16,10 +17,10 @@ void require_valid(const SearchOptions& options, double start, double end) {
   require::positive(options.resolution, "options.resolution");
   // Messages are made only when they are needed: nothing is allocated in a search that goes well.
   if (start > end)
-    require::that(false, "end = " + require::text(end) +
-                             ": expected at least start = " + require::text(start));
+    require::that(false, "end = " + shortest_text(end) +
+                             ": expected at least start = " + shortest_text(start));
   if (start + options.resolution <= start || end + options.resolution <= end)
-    require::that(false, "options.resolution = " + require::text(options.resolution) +
+    require::that(false, "options.resolution = " + shortest_text(options.resolution) +
                              ": expected more than rounding at the times searched");
   if (options.cap < 2)
     require::that(false, "options.cap = " + std::to_string(options.cap) + ": expected at least 2");

@@ -3,6 +3,7 @@
 #include "tumble/dynamics/world.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <algorithm>
@@ -30,13 +31,13 @@ void require_valid(const BodyProperties& body) {
   };
   require::positive(body.mass, "body.mass");
   require::that(reciprocal(body.mass, body.inverse_mass),
-                "body.inverse_mass = " + require::text(body.inverse_mass) +
-                    ": expected 1 / mass = " + require::text(1.0 / body.mass));
+                "body.inverse_mass = " + shortest_text(body.inverse_mass) +
+                    ": expected 1 / mass = " + shortest_text(1.0 / body.mass));
   for (int k = 0; k < 3; ++k) {
     require::positive(body.inertia_b[k], "body.inertia_b");
     require::that(reciprocal(body.inertia_b[k], body.inverse_inertia_b[k]),
-                  "body.inverse_inertia_b has " + require::text(body.inverse_inertia_b[k]) +
-                      ": expected 1 / inertia_b = " + require::text(1.0 / body.inertia_b[k]));
+                  "body.inverse_inertia_b has " + shortest_text(body.inverse_inertia_b[k]) +
+                      ": expected 1 / inertia_b = " + shortest_text(1.0 / body.inertia_b[k]));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
@@ -153,7 +154,7 @@ StepReport Glued::step(World& world, double dt) {
 double Glued::advance(double dt, World& world) {
   if (const ButcherTable* table = table_of(options_.scheme)) {
     if (!std::isfinite(runge_kutta_.step(*table, dt, joints_, forces_, world)))
-      require::that(false, "dt = " + require::text(dt) +
+      require::that(false, "dt = " + shortest_text(dt) +
                                ": a body makes a full turn or more in it, " +
                                "or leaves all numbers: expected a shorter dt");
   } else {
@@ -177,8 +178,8 @@ double Glued::advance_adaptively(double most, World& world) {
     }
     std::copy(start_.begin(), start_.end(), world.states().begin());
     if (dt <= tolerance::joint_moment * most)
-      require::that(false, "accuracy = " + require::text(options_.accuracy) +
-                               ": not met by steps of " + require::text(dt) +
+      require::that(false, "accuracy = " + shortest_text(options_.accuracy) +
+                               ": not met by steps of " + shortest_text(dt) +
                                " s: expected slower bodies or a larger number");
     dt = next;
   }

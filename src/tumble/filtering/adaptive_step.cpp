@@ -3,6 +3,7 @@
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void sort_and_thin(std::vector<BodyId>& ids) {
 void require_valid(const AdaptiveStepOptions& options) {
   const auto above_zero = [](double value, const char* name) {  // infinity: no limit
     require::that(value > 0.0,
-                  std::string(name) + " = " + require::text(value) + ": expected a number above 0");
+                  std::string(name) + " = " + shortest_text(value) + ": expected a number above 0");
   };
   require::that(options.halvings >= 0 && options.halvings <= AdaptiveStepOptions::kMostHalvings,
                 "halvings = " + std::to_string(options.halvings) + ": expected 0 to " +

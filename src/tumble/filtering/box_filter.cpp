@@ -3,6 +3,7 @@
 #include "tumble/filtering/box_filter.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -61,7 +62,7 @@ void BoxFilter::take(const Frame& frame, const FrameSink& show) {
     require::that(false, where(frame) +
                              ": a box filter needs frames at equal times, and the one before it "
                              "did not come after " +
-                             require::text(interval_) +
+                             shortest_text(interval_) +
                              " s like the others. Keep the step constant, or use resampled()");
   const double interval = kept_.empty() ? 0.0 : frame.time - kept_.back().time;
   if (kept_.size() == 1) interval_ = interval;

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
                              " bodies, the world " + std::to_string(world.count()));
   const double now = world.time();
   if (frames_.begun() && !(now >= frames_.now()))
-    require::that(false, "the world's time " + require::text(now) + " s is before the last one");
+    require::that(false, "the world's time " + shortest_text(now) + " s is before the last one");
   frames_.go_on(now);
   forget_removed(world, tracks_);
   const auto frames = static_cast<std::size_t>(options_.window + 1);

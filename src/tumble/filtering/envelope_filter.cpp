@@ -3,6 +3,7 @@
 #include "tumble/filtering/envelope_filter.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ void require_valid(const Envelope& envelope) {
 }
 
 std::string text_of(const Envelope& envelope) {
-  return require::text(envelope.radius) + "m," + require::text(envelope.angle) + "rad";
+  return shortest_text(envelope.radius) + "m," + shortest_text(envelope.angle) + "rad";
 }
 
 // How far two poses are apart, in envelopes.

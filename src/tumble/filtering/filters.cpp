@@ -3,6 +3,7 @@
 #include "tumble/filtering/filters.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/filtering/envelope_filter.hpp"
@@ -51,16 +52,14 @@ struct Request {
   }
 
   [[nodiscard]] double number(std::size_t place, std::span<const Unit> units) const {
-    const std::string word(numbers[place]);
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    const bool read = end != word.c_str() && word[0] != ' ' && std::isfinite(value);
+    std::string_view rest = numbers[place];
+    const std::optional<double> value = take_number(rest);
     std::string names;
     for (const Unit& unit : units) {
-      if (read && end == unit.name) return value * unit.times / unit.over;
+      if (value && rest == unit.name) return *value * unit.times / unit.over;
       names.append(names.empty() ? "" : " or ").append(unit.name);
     }
-    refuse(quoted(word) + " is not a finite number" +
+    refuse(quoted(numbers[place]) + " is not a finite number" +
            (names.empty() ? "" : " with the unit " + names));
   }
 };

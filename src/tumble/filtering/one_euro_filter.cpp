@@ -3,6 +3,7 @@
 #include "tumble/filtering/one_euro_filter.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <numbers>
@@ -24,8 +25,8 @@ OneEuroFilter::OneEuroFilter(const OneEuroOptions& options) : options_(options) 
 }
 
 std::string OneEuroFilter::text() const {
-  return "one_euro:" + require::text(options_.cutoff) + "Hz," + require::text(options_.gain) + "," +
-         require::text(options_.speed_cutoff) + "Hz";
+  return "one_euro:" + shortest_text(options_.cutoff) + "Hz," + shortest_text(options_.gain) + "," +
+         shortest_text(options_.speed_cutoff) + "Hz";
 }
 
 std::unique_ptr<PoseFilter> OneEuroFilter::clone() const {

@@ -3,6 +3,7 @@
 #include "tumble/filtering/pose_filter.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 
 #include <cmath>
@@ -18,13 +19,13 @@ bool in_order(const BodyState& state) {
 }  // namespace
 
 std::string PoseFilter::where(const Frame& frame) const {
-  return "frame " + std::to_string(taken_) + " at " + require::text(frame.time) + " s";
+  return "frame " + std::to_string(taken_) + " at " + shortest_text(frame.time) + " s";
 }
 
 void PoseFilter::add(const Frame& frame, const FrameSink& show) {
   require::finite(frame.time, "time of a frame");
   if (taken_ > 0 && !(frame.time > last_time_))
-    require::that(false, where(frame) + ": expected a time after " + require::text(last_time_) +
+    require::that(false, where(frame) + ": expected a time after " + shortest_text(last_time_) +
                              " s, that of the frame before");
   if (frame.ids.size() != frame.states.size())
     require::that(false, where(frame) + ": " + std::to_string(frame.ids.size()) + " ids and " +

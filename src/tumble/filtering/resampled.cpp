@@ -3,6 +3,7 @@
 #include "tumble/filtering/resampled.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -49,13 +50,13 @@ void require_in_order(const Trajectory& run) {
     require::finite(run.frame(k).time, "time of a frame");
     if (k > 0 && !(run.frame(k).time > run.frame(k - 1).time))
       require::that(false, "frame " + std::to_string(k) + " at " +
-                               require::text(run.frame(k).time) + " s: expected a time after " +
-                               require::text(run.frame(k - 1).time) +
+                               shortest_text(run.frame(k).time) + " s: expected a time after " +
+                               shortest_text(run.frame(k - 1).time) +
                                " s, that of the frame before");
     for (std::size_t b = 0; b < run.frame(k).states.size(); ++b)
       if (!is_finite(run.frame(k).states[b]))
         require::that(false, "frame " + std::to_string(k) + " at " +
-                                 require::text(run.frame(k).time) + " s, body with id " +
+                                 shortest_text(run.frame(k).time) + " s, body with id " +
                                  std::to_string(number_of(run.frame(k).ids[b])) +
                                  ": its state is not finite. Resample the frames before it");
   }
@@ -71,7 +72,7 @@ Trajectory resampled(const Trajectory& run, double interval) {
   const double first = run.frame(0).time;
   const double near = tolerance::on_the_grid * interval;
   const double intervals = (run.frame(run.count() - 1).time - first + near) / interval;
-  require::that(intervals < kMostFrames, "interval of resampled() = " + require::text(interval) +
+  require::that(intervals < kMostFrames, "interval of resampled() = " + shortest_text(interval) +
                                              " s: expected fewer than 1e8 frames");
   Mixer mixer;
   int at = 0;  // the last frame that is not after the time

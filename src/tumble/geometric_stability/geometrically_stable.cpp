@@ -4,24 +4,20 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 namespace tumble {
 namespace {
 
 // A coordinate as a reader wants it.
-std::string coordinate(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string coordinate(double value) { return rounded_text(value, 4); }
 
 }  // namespace
 

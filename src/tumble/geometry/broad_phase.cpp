@@ -3,6 +3,7 @@
 #include "tumble/geometry/broad_phase.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/geometry/all_pairs.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/hashed_grid.hpp"
@@ -27,8 +28,8 @@ bool sound(const Bounds& b) {
 }
 
 std::string text(const Vec3& v) {
-  std::string out = require::text(v.x());
-  return out.append(", ").append(require::text(v.y())).append(", ").append(require::text(v.z()));
+  std::string out = shortest_text(v.x());
+  return out.append(", ").append(shortest_text(v.y())).append(", ").append(shortest_text(v.z()));
 }
 
 }  // namespace

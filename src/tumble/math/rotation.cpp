@@ -3,6 +3,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/elementary.hpp"
 
@@ -53,7 +54,7 @@ Mat3 skew(const Vec3& a) {
 Quat normalised(const Quat& q) {
   const double square = q.squaredNorm();
   if (!usable(square)) {  // the message is built only when it is needed
-    require::that(false, "q: |q|² = " + require::text(square) +
+    require::that(false, "q: |q|² = " + shortest_text(square) +
                              ": expected a quaternion of a length from 1e-150 to 1e150");
   }
   const double length = std::sqrt(square);

@@ -3,6 +3,7 @@
 #include "tumble/record/camera.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, doubl
   const double slope_x = (0.5 * width - air * height) / axes.scale();
   const double slope_y = (0.5 - air) * height / axes.scale();
   require::that(slope_x > 0.0,
-                "width = " + require::text(width) + ": less than the free air at both edges");
+                "width = " + shortest_text(width) + ": less than the free air at both edges");
   Fit x, y;
   double nearest = -kInfinity;
   double farthest = kInfinity;

@@ -3,12 +3,11 @@
 #include "tumble/record/film.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/gif.hpp"
 #include "tumble/record/lettering.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
 
 namespace tumble {
@@ -63,10 +62,9 @@ Raster FilmPainter::painted(int frame) const {
       "frame " + std::to_string(frame) + ": the film has " + std::to_string(film_.frames.size()));
   const FilmFrame& shown = film_.frames[static_cast<std::size_t>(frame)];
   Picture picture = draw_boxes(shown.boxes, film_.camera, film_.floor, {&around_, 1});
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f s", decimals_, shown.time);
   const double letter = std::max(kSmallestLetter, kLetterShare * film_.camera.height);
-  picture.areas.push_back(lettering(text.data(), Vec2(letter, letter), letter, kInk));
+  picture.areas.push_back(
+      lettering(fixed_text(shown.time, decimals_) + " s", Vec2(letter, letter), letter, kInk));
   return rasterised(picture);
 }
 

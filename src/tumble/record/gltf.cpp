@@ -3,14 +3,15 @@
 #include "tumble/record/gltf.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/record/gltf_buffer.hpp"
 #include "tumble/record/gltf_tracks.hpp"
+#include "tumble/record/lighting.hpp"
 #include "tumble/record/world_picture.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -120,10 +121,8 @@ void Writer::add_body(const SceneBox& box, std::uint32_t colour, const GltfTrack
   add_numbers(box.size, node.scale);
   node.position.assign(track.positions.begin(), track.positions.begin() + 3);
   node.orientation.assign(track.orientations.begin(), track.orientations.begin() + 4);
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%s #%06x", box.fixed ? "fixed" : "movable",
-                static_cast<unsigned>(colour));
-  materials_.try_emplace(colour, static_cast<std::int64_t>(materials_.size()), name.data());
+  materials_.try_emplace(colour, static_cast<std::int64_t>(materials_.size()),
+                         (box.fixed ? "fixed " : "movable ") + colour_text(colour));
   if (track.moves) {
     channels_.push_back(
         {number, "translation", times_, buffer_.add(Use::keys, 3, track.positions, false)});
@@ -256,7 +255,7 @@ std::string to_gltf(const RecordedRun& run, std::span<const RecordedFrame> frame
   require::positive(speed, "speed");
   for (std::size_t k = 1; k < frames.size(); ++k)
     require::that(frames[k].time > frames[k - 1].time,
-                  "frame " + std::to_string(k) + " at " + require::text(frames[k].time) +
+                  "frame " + std::to_string(k) + " at " + shortest_text(frames[k].time) +
                       " s: expected a time after that of the frame before");
   return Writer(run, frames, speed).text();
 }

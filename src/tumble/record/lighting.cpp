@@ -24,6 +24,12 @@ constexpr double kGoldenAngle = 2.399963229728653;  // [rad] spreads points even
 
 }  // namespace
 
+std::string colour_text(std::uint32_t colour) {
+  std::string text = "#";
+  for (int place = 20; place >= 0; place -= 4) text += "0123456789abcdef"[colour >> place & 15U];
+  return text;
+}
+
 std::uint32_t mixed(std::uint32_t colour, std::uint32_t with, double share) {
   std::uint32_t out = 0;
   for (int shift = 16; shift >= 0; shift -= 8) {

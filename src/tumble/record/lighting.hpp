@@ -7,6 +7,7 @@
 #include "tumble/record/polygon.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace tumble {
@@ -17,6 +18,11 @@ namespace tumble {
 /// \param share   [-] how much of the second one, 0 to 1
 /// \return 0xRRGGBB, rounded
 std::uint32_t mixed(std::uint32_t colour, std::uint32_t with, double share);
+
+/// Writes a colour as web pages and gnuplot do.
+/// \param colour 0xRRGGBB
+/// \return for example "#0072b2"
+std::string colour_text(std::uint32_t colour);
 
 /// A flat surface that shadows fall on.
 struct Plane {

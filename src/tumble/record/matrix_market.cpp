@@ -3,12 +3,12 @@
 #include "tumble/record/matrix_market.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/table_file.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -121,11 +121,9 @@ double value_of(const Words& words, const Header& header, const Lines& lines) {
       lines.refuse(words, "expected a whole number of at most 2^53");
     return static_cast<double>(value);
   }
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (end != word.c_str() + word.size() || !std::isfinite(value))
-    lines.refuse(words, "expected a finite number");
-  return value;
+  const std::optional<double> value = parse_number(word);
+  if (!value) lines.refuse(words, "expected a finite number");
+  return *value;
 }
 
 // A whole number of a line that has to be in a range.

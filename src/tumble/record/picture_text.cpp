@@ -1,37 +1,20 @@
 /// \file
 /// \brief A picture as commands of gnuplot and as SVG.
+#include "tumble/base/number_text.hpp"
+#include "tumble/record/lighting.hpp"
 #include "tumble/record/picture.hpp"
-
-#include <array>
-#include <cstdio>
 
 namespace tumble {
 namespace {
 
 // A tenth of a pixel is as fine as anybody sees.
 std::string pair_text(double x, double y, char separator) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.1f%c%.1f", x, separator, y);
-  return buffer.data();
+  return fixed_text(x, 1).append(1, separator).append(fixed_text(y, 1));
 }
 
-std::string colour_text(std::uint32_t colour) {
-  std::array<char, 16> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "#%06x", static_cast<unsigned>(colour));
-  return buffer.data();
-}
+std::string share_text(double share) { return fixed_text(share, 4); }
 
-std::string share_text(double share) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.4f", share);
-  return buffer.data();
-}
-
-std::string whole_text(double pixels) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.0f", pixels);
-  return buffer.data();
-}
+std::string whole_text(double pixels) { return fixed_text(pixels, 0); }
 
 // gnuplot's polygons have one loop: each loop after the first is reached over a bridge of no width.
 Polygon joined(const std::vector<Polygon>& loops) {

@@ -3,6 +3,7 @@
 #include "tumble/record/recorded_run.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -31,12 +32,9 @@ class Row {
 
   double number(std::size_t column) const {
     const std::string& text = cells_[column];
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const bool whole = !text.empty() && end == text.c_str() + text.size();
-    require::that(whole && std::isfinite(value),
-                  where_ + ": " + text + ": expected a finite number");
-    return value;
+    const std::optional<double> value = parse_number(text);
+    require::that(value.has_value(), where_ + ": " + text + ": expected a finite number");
+    return *value;
   }
 
   const std::string& name() const { return cells_[1]; }
@@ -67,8 +65,8 @@ void require_recorded(const RecordedRun& run, double time, double outside) {
   const double first = run.frames.front().time;
   const double last = run.frames.back().time;
   require::that(time >= first - outside && time <= last + outside,
-                "time " + require::text(time) + " s: the run was recorded from " +
-                    require::text(first) + " to " + require::text(last) + " s");
+                "time " + shortest_text(time) + " s: the run was recorded from " +
+                    shortest_text(first) + " to " + shortest_text(last) + " s");
 }
 
 }  // namespace
@@ -94,7 +92,7 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
     const double time = row.number(0);
     if (run.frames.empty() || run.frames.back().time != time) {
       require::that(run.frames.empty() || run.frames.back().time < time,
-                    row.where() + ": time_s = " + require::text(time) + ": expected it to grow");
+                    row.where() + ": time_s = " + shortest_text(time) + ": expected it to grow");
       run.frames.push_back(RecordedFrame{time, {}});
     }
     run.frames.back().poses.push_back(pose_of(row, boxes));

@@ -3,6 +3,7 @@
 #include "tumble/record/run.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/scene_run.hpp"
@@ -84,7 +85,7 @@ void require_valid(const RunSettings& settings) {
   require::that(settings.every >= 1,
                 "every = " + std::to_string(settings.every) + ": expected 1 or more");
   require::that(settings.duration / settings.dt < kMostSteps,
-                "duration / dt = " + require::text(settings.duration / settings.dt) +
+                "duration / dt = " + shortest_text(settings.duration / settings.dt) +
                     ": expected fewer than 1e12 steps");
 }
 

@@ -2,11 +2,10 @@
 /// \brief Writing whole lines.
 #include "tumble/record/table_file.hpp"
 
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/csv_cells.hpp"
 
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 
 namespace tumble {
@@ -20,12 +19,7 @@ constexpr std::size_t kBlock = std::size_t{1} << 16U;  // bytes handed to the sy
 
 }  // namespace
 
-std::string full_text(double value) {
-  if (std::isnan(value)) return "nan";  // printf tells its sign, which depends on the machine
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
-  return buffer.data();
-}
+std::string full_text(double value) { return rounded_text(value, 17); }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
   errno = 0;

@@ -3,6 +3,7 @@
 #include "tumble/scenes/scene.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/separation.hpp"
@@ -15,8 +16,8 @@ namespace {
 
 std::string text_of(const Vec3& v) {
   std::string out = "[";
-  out.append(require::text(v.x())).append(", ").append(require::text(v.y())).append(", ");
-  return out.append(require::text(v.z())).append("]");
+  out.append(shortest_text(v.x())).append(", ").append(shortest_text(v.y())).append(", ");
+  return out.append(shortest_text(v.z())).append("]");
 }
 
 void refuse_overlap(const Scene& scene, int box, const std::string& other, double depth,
@@ -25,8 +26,8 @@ void refuse_overlap(const Scene& scene, int box, const std::string& other, doubl
   const SceneBox& b = scene.boxes[static_cast<std::size_t>(box)];
   std::string message = " = ";
   message.append(text_of(b.position_w)).append(": ").append(b.name).append(" and ").append(other);
-  message.append(" overlap by ").append(require::text(depth)).append(" m at the start: ");
-  message.append("move them apart, up to ").append(require::text(allowed));
+  message.append(" overlap by ").append(shortest_text(depth)).append(" m at the start: ");
+  message.append("move them apart, up to ").append(shortest_text(allowed));
   throw SceneMistake(box, "position", message.append(" m is accepted"));
 }
 
@@ -125,8 +126,8 @@ Scene checked(Scene scene) {
     try {
       require::not_negative(box.appears, "appears");
       require::that(box.disappears > box.appears,
-                    "disappears = " + require::text(box.disappears) + ": expected later than " +
-                        require::text(box.appears) + " s, when it appears");
+                    "disappears = " + shortest_text(box.disappears) + ": expected later than " +
+                        shortest_text(box.appears) + " s, when it appears");
       const BodyProperties body = properties_of(box);
       const BodyState state = make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
                                          box.angular_velocity_w);

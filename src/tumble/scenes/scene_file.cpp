@@ -3,13 +3,13 @@
 #include "tumble/scenes/scene_file.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/math/rotation.hpp"
 
-// Some bad files, one of "[[[" for example, break what toml++ takes for granted: it would end the
-// process, or with NDEBUG and clang do anything at all. Without these checks of its own it goes on to
-// where it reports the mistake.
+// Some bad files, such as "[[[", break what toml++ takes for granted: it would end the process, or with
+// NDEBUG and clang do anything at all. Without checks of its own it goes on to where it reports the mistake.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(belief) static_assert(true)
@@ -17,11 +17,12 @@
 // toml++ reads numbers by streams unless the standard library has functions for it, and streams would be a
 // tenth of the module of the live page. The library of em++ lacks these two; the second one is never called.
 #include <charconv>
+#include <cmath>
 #include <concepts>
 namespace std {
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
-  value = strtod(string(first, last).c_str(), nullptr);  // toml++ has looked at every character
-  return {last, errc()};
+  value = tumble::parse_number(string_view(first, last - first)).value_or(HUGE_VAL);
+  return {last, errc()};  // toml++ has looked at every character
 }
 template <floating_point Float, class... Form>
 to_chars_result to_chars(char* /*first*/, char* last, Float /*value*/, Form... /*form*/) {
@@ -59,7 +60,7 @@ std::string shown(const toml::node& node) {
   std::string out(1, '"');
   if (const auto* text = node.as_string()) return shortened(out.append(text->get()).append(1, '"'));
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
-  if (const auto* number = node.as_floating_point()) return require::text(number->get());
+  if (const auto* number = node.as_floating_point()) return shortest_text(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   const toml::array* list = node.as_array();
   if (list == nullptr) return node.is_table() ? "a table" : "a date or time";
@@ -192,7 +193,7 @@ void read_orientation(const Place& place, SceneBox& box) {
     if (std::abs(box.orientation_wb.norm() - 1.0) > tolerance::unit_length)
       place.refuse("orientation", place.find("orientation"),
                    "expected w x y z of length 1, this has length " +
-                       require::text(box.orientation_wb.norm()));
+                       shortest_text(box.orientation_wb.norm()));
   }
   if (turned) box.orientation_wb = rotation_from_degrees(degrees);
 }
@@ -218,7 +219,7 @@ SceneBox read_box(const Place& place) {
     place.refuse("appears", place.find("appears"), "expected 0 s or later");
   if (place.number("disappears", box.disappears) && !(box.disappears > box.appears))
     place.refuse("disappears", place.find("disappears"),
-                 "expected later than " + require::text(box.appears) + " s, when it appears");
+                 "expected later than " + shortest_text(box.appears) + " s, when it appears");
   return box;
 }
 

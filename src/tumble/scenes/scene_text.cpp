@@ -1,6 +1,7 @@
 /// \file
 /// \brief Writing a scene as a TOML file.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 // A number as TOML writes floats: with a point or an exponent, and reading back to the same bits.
 std::string number(double value) {
-  std::string out = require::text(value);
+  std::string out = shortest_text(value);
   if (out.find_first_of(".e") == std::string::npos) out += ".0";
   return out;
 }

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Scenes in which the order of collisions matters: boxes on a line without gravity.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/scenes/recipes.hpp"
 
 #include <cmath>
@@ -19,19 +20,14 @@ Parameters line_parameters() {
 }
 
 // Reads a number that ends at a character or at the end of the text; takes it off the text.
-double take_number(std::string_view& text, char end, const std::string& all) {
+double take_part(std::string_view& text, char end, const std::string& all) {
   const std::string_view part = text.substr(0, text.find(end));
-  const std::string copy(part);
-  char* stop = nullptr;
-  const double value = std::strtod(copy.c_str(), &stop);
-  const bool good = !copy.empty() && *stop == '\0' &&
-                    copy.find_first_not_of("0123456789+-.eE") == std::string::npos &&
-                    std::abs(value) <= 1e6;
-  if (!good)
-    require::that(
-        false, "boxes = " + all + ": '" + copy + "' is no number; expected x:v, as in 0:2,1.5:0");
+  const std::optional<double> value = parse_number(part);
+  if (!value || !(std::abs(*value) <= 1e6))
+    require::that(false, "boxes = " + all + ": '" + std::string(part) +
+                             "' is no number; expected x:v, as in 0:2,1.5:0");
   text.remove_prefix(part.size());
-  return value;
+  return *value;
 }
 
 SceneBox cube_at(const std::string& name, double size, double x, double speed) {
@@ -55,11 +51,11 @@ Scene line(const Parameters& p, Random) {
   const std::string& all = p.text("boxes");
   std::string_view rest = all;
   for (;;) {
-    const double x = take_number(rest, ':', all);
+    const double x = take_part(rest, ':', all);
     require::that(!rest.empty(),
                   "boxes = " + all + ": a speed is missing; expected x:v, as in 0:2,1.5:0");
     rest.remove_prefix(1);
-    const double speed = take_number(rest, ',', all);
+    const double speed = take_part(rest, ',', all);
     const double size = p.number("size");
     scene.boxes.push_back(cube_at(name_of_place(scene.boxes.size()), size, size * x, speed));
     if (rest.empty()) break;

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include <algorithm>
 
@@ -12,9 +13,9 @@ namespace tumble {
 void require_step(double dt, const TimewarpOptions& options, double steps) {
   require::positive(dt, "dt");
   if (steps * dt + options.resolution <= steps * dt)
-    require::that(false, "resolution = " + require::text(options.resolution) +
+    require::that(false, "resolution = " + shortest_text(options.resolution) +
                              ": expected more than rounding of a flight of " +
-                             require::text(steps * dt) + " s");
+                             shortest_text(steps * dt) + " s");
 }
 
 void require_finite_states(const World& world) {

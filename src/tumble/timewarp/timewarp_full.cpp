@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,9 @@ TimewarpFull::TimewarpFull(const TimewarpFullOptions& options) : options_(option
   const bool good =
       options.stride == 0.0 || (options.stride >= TimewarpFullOptions::kShortestStride &&
                                 options.stride <= TimewarpFullOptions::kLongestStride);
-  require::that(good, "stride = " + require::text(options.stride) + ": expected 0, or from " +
-                          require::text(TimewarpFullOptions::kShortestStride) + " to " +
-                          require::text(TimewarpFullOptions::kLongestStride) + " steps");
+  require::that(good, "stride = " + shortest_text(options.stride) + ": expected 0, or from " +
+                          shortest_text(TimewarpFullOptions::kShortestStride) + " to " +
+                          shortest_text(TimewarpFullOptions::kLongestStride) + " steps");
   require::that(
       options.synchronise_every >= 0,
       "synchronise_every = " + std::to_string(options.synchronise_every) + ": expected 0 or more");
