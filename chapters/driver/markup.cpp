@@ -63,6 +63,8 @@ std::string chapter_title(std::string chapter) {
   if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
     chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
   }
+  if (const std::size_t at = chapter.find(" lcp"); at != std::string::npos)
+    chapter.replace(at, 4, " LCP");  // letters that stand for words
   return chapter.empty() ? "Others" : chapter;
 }
 
