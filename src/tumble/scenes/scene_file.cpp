@@ -21,7 +21,7 @@
 #include <concepts>
 namespace std {
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
-  value = tumble::parse_number(string_view(first, last - first)).value_or(HUGE_VAL);
+  value = tumble::parse_number(string(first, last)).value_or(HUGE_VAL);
   return {last, errc()};  // toml++ has looked at every character
 }
 template <floating_point Float, class... Form>
