@@ -14,7 +14,10 @@
 
 namespace tumble::live {
 
-// Shell 1959, with Gonnet's ratio of gaps.
+/// Sorts in place (Shell 1959, with Gonnet's ratio of gaps).
+/// \param begin the first
+/// \param end   after the last
+/// \param less  whether one comes before another; without ties
 template <class Iterator, class Less>
 void sort(Iterator begin, Iterator end, Less less) {
   const auto count = end - begin;
@@ -29,6 +32,10 @@ void sort(Iterator begin, Iterator end, Less less) {
   }
 }
 
+/// Sorts by merging halves, the lower one through a copy.
+/// \param begin the first
+/// \param end   after the last
+/// \param less  whether one comes before another; what ties stays in order
 template <class Iterator, class Less>
 void stable_sort(Iterator begin, Iterator end, Less less) {
   if (end - begin < 2) return;
@@ -44,6 +51,7 @@ void stable_sort(Iterator begin, Iterator end, Less less) {
 }  // namespace tumble::live
 
 // More specialised than the standard library's own, so these are chosen.
+/// \cond
 namespace std {
 template <class T, class Less>
 void sort(T* begin, T* end, Less less) {
@@ -66,4 +74,5 @@ void stable_sort(__wrap_iter<T*> begin, __wrap_iter<T*> end, Less less) {
   tumble::live::stable_sort(begin, end, less);
 }
 }  // namespace std
+/// \endcond
 #pragma clang attribute pop

@@ -12,7 +12,7 @@ export const CONTACT = {size: 14, time: 0, first: 1, second: 2, point: 3, normal
 // A sentence from the library: what is wrong, and what would be right.
 export class Refusal extends Error {}
 
-// What the module asks the page for: numbers as text and text as numbers (live/number_text.cpp).
+// What the module asks the page for: numbers as text and text as numbers (live/numbers_by_page.cpp).
 class NumberTexts {
   memory;  // the module's
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Numbers as text and text as numbers, by <charconv>, which knows no locale.
+/// \brief Numbers as text and text as numbers, by functions that know no locale.
 #include "tumble/base/number_text.hpp"
 
 #include <array>

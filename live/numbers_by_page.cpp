@@ -1,13 +1,14 @@
 /// \file
 /// \brief Numbers as text and text as numbers, by the page.
 ///
-/// It takes the place of src/tumble/base/number_text.cpp in the module: the standard library of em++ has no
-/// <charconv> for floating point, and what C has instead is a thirtieth of all that a reader has to load.
+/// It takes the place of src/tumble/base/number_text.cpp in the module: the standard library of em++ does
+/// not have std::to_chars() for floating point, and what C has instead is a thirtieth of all that a reader has to load.
 #include "tumble/base/number_text.hpp"
 
 #include <array>
 #include <cmath>
 
+/// \cond
 // page/module.js has both.
 extern "C" {
 // The number that `size` characters begin with; their count goes to `*taken`, 0 if they begin with none.
@@ -18,6 +19,8 @@ __attribute__((import_module("page"), import_name("number"))) double page_number
 __attribute__((import_module("page"), import_name("text"))) int page_text(double value, int digits,
                                                                           char* out);
 }
+
+/// \endcond
 
 namespace tumble {
 
