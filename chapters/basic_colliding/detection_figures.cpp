@@ -93,8 +93,8 @@ Figure subdivision_figure() {
       "to it. Below, how many tests each saves: at 1000 bodies the best one needs 150 times "
       "fewer than all pairs, confirmed. All four find the same pairs. The other half of the "
       "claim, that few bodies do without, shows in the size of the numbers: the 55 boxes of "
-      "the thesis's pyramid make 1500 tests of a few comparisons, and the tree only pays from"
-      " 10 bodies on. Sorting bodies and dealing them to columns or cells is not counted "
+      "the thesis's pyramid make 1500 tests of a few comparisons, and the tree pays from 4"
+      " bodies on. Sorting bodies and dealing them to columns or cells is not counted "
       "here, so that the other two seem to save work for a handful of bodies already.";
   figure.parameters.add_whole("seeds", 20, 1, 1000, "runs for each number of bodies")
       .add_whole("steps", 30, 1, 1000, "of 1/60 s in a run")

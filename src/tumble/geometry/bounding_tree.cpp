@@ -36,7 +36,8 @@ Bounds widened(const Bounds& b, double part) {
 
 void BoundingTree::search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
   update(bounds);
-  search_tree(bounds, out);
+  pair_leaves();
+  for (const IndexPair& pair : near_) test(bounds, pair.first, pair.second, out);
   // Bodies outside the tree against all; of two of them the one with the lower index tests.
   const int n = static_cast<int>(bounds.size());
   for (const int a : outside_) {
@@ -50,7 +51,9 @@ void BoundingTree::search(std::span<const Bounds> bounds, std::vector<IndexPair>
 void BoundingTree::update(std::span<const Bounds> bounds) {
   // Leaves of bodies that are gone. If a body in the middle was removed, later bodies have moved to
   // lower indices; to the tree that looks as if they had jumped.
+  changed_.assign(std::max(bounds.size(), leaf_.size()), 0);
   for (std::size_t body = bounds.size(); body < leaf_.size(); ++body) {
+    changed_[body] = 1;
     if (leaf_[body] != kNone) remove(leaf_[body]);
   }
   leaf_.resize(bounds.size(), kNone);
@@ -58,15 +61,17 @@ void BoundingTree::update(std::span<const Bounds> bounds) {
   free_.reserve(2 * bounds.size());
 
   outside_.clear();
+  new_leaves_.clear();
   for (std::size_t body = 0; body < bounds.size(); ++body) {
     int& leaf = leaf_[body];
     const Bounds& now = bounds[body];
-    const bool finite = widened(now, tolerance::tree_slack).low.allFinite() &&
-                        widened(now, tolerance::tree_slack).high.allFinite();
+    const Bounds wide = widened(now, tolerance::tree_slack);
+    const bool finite = wide.low.allFinite() && wide.high.allFinite();
     if (finite && leaf != kNone && contains(at(leaf).bounds, now) &&
-        contains(widened(now, tolerance::tree_slack), at(leaf).bounds)) {
+        contains(wide, at(leaf).bounds)) {
       continue;
     }
+    changed_[body] = 1;
     if (leaf != kNone) remove(std::exchange(leaf, kNone));
     if (!finite) {
       outside_.push_back(static_cast<int>(body));
@@ -76,15 +81,31 @@ void BoundingTree::update(std::span<const Bounds> bounds) {
     at(leaf).bounds = widened(now, tolerance::tree_margin);
     at(leaf).body = static_cast<int>(body);
     insert(leaf);
+    new_leaves_.push_back(static_cast<int>(body));
   }
 }
 
-void BoundingTree::search_tree(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
+void BoundingTree::pair_leaves() {
+  // Pairs of leaves that stayed are still right; the others are found anew.
+  std::erase_if(near_, [&](const IndexPair& pair) {
+    return changed_[static_cast<std::size_t>(pair.first)] != 0 ||
+           changed_[static_cast<std::size_t>(pair.second)] != 0;
+  });
+  if (new_leaves_.empty()) return;
   // On the way down the stack grows by two for each level at which a node meets itself and by one
   // for each level of both nodes below: by four times the number of leaves at most.
-  stack_.clear();
-  stack_.reserve(4 * bounds.size() + 4);
-  if (root_ != kNone) stack_.push_back({root_, root_});
+  stack_.reserve(4 * leaf_.size() + 4);
+  if (2 * new_leaves_.size() > leaf_.size()) {
+    near_.clear();
+    pair_all_leaves();
+  } else {
+    for (const int body : new_leaves_) pair_new_leaf(body);
+  }
+  std::sort(near_.begin(), near_.end());
+}
+
+void BoundingTree::pair_all_leaves() {
+  stack_.assign(1, {root_, root_});
   while (!stack_.empty()) {
     const NodePair pair = stack_.back();
     stack_.pop_back();
@@ -97,12 +118,12 @@ void BoundingTree::search_tree(std::span<const Bounds> bounds, std::vector<Index
       stack_.push_back({node.left, node.right});
       continue;
     }
-    if (is_leaf(pair.a) && is_leaf(pair.b)) {
-      test(bounds, at(pair.a).body, at(pair.b).body, out);
-      continue;
-    }
     count_test();
     if (!overlap(at(pair.a).bounds, at(pair.b).bounds)) continue;
+    if (is_leaf(pair.a) && is_leaf(pair.b)) {
+      remember(at(pair.a).body, at(pair.b).body);
+      continue;
+    }
     // Descend into the larger one; leaves cannot be descended into.
     const bool into_a = is_leaf(pair.b) || (!is_leaf(pair.a) && surface(at(pair.a).bounds) >=
                                                                     surface(at(pair.b).bounds));
@@ -111,6 +132,30 @@ void BoundingTree::search_tree(std::span<const Bounds> bounds, std::vector<Index
     stack_.push_back({node.left, other});
     stack_.push_back({node.right, other});
   }
+}
+
+void BoundingTree::pair_new_leaf(int body) {
+  const int leaf = leaf_[static_cast<std::size_t>(body)];
+  stack_.assign(1, {root_, leaf});
+  while (!stack_.empty()) {
+    const int node = stack_.back().a;
+    stack_.pop_back();
+    if (node == leaf) continue;
+    count_test();
+    if (!overlap(at(node).bounds, at(leaf).bounds)) continue;
+    if (!is_leaf(node)) {
+      stack_.push_back({at(node).left, leaf});
+      stack_.push_back({at(node).right, leaf});
+      continue;
+    }
+    // Two new leaves meet twice; the pair is that of the lower one.
+    const int other = at(node).body;
+    if (changed_[static_cast<std::size_t>(other)] == 0 || body < other) remember(body, other);
+  }
+}
+
+void BoundingTree::remember(int a, int b) {
+  near_.push_back(a < b ? IndexPair{a, b} : IndexPair{b, a});
 }
 
 void BoundingTree::insert(int leaf) {

@@ -14,9 +14,10 @@ namespace tumble {
 /// proportional to the node's surface. On the way back up, a child and a grandchild change places
 /// where that saves surface, which keeps the tree shallow.
 ///
-/// Pairs are found by testing the tree against itself: of two nodes that overlap the larger one is
-/// replaced by its children. Sizes may be mixed at will. Bodies that reach to infinity stay
-/// outside the tree and are tested against all others.
+/// Pairs of leaves that overlap are remembered: what overlaps can only be among them, and they change with
+/// the leaves alone. A leaf that is new is tested against the tree. If most of them are, the tree is tested
+/// against itself: of two nodes that overlap the larger one is replaced by its children. Sizes may be mixed at
+/// will. Bodies that reach to infinity stay outside the tree and are tested against all others.
 ///
 /// The tree depends on the past; the pairs do not.
 ///
@@ -50,7 +51,10 @@ class BoundingTree final : public BroadPhase {
 
   void search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) override;
   void update(std::span<const Bounds> bounds);
-  void search_tree(std::span<const Bounds> bounds, std::vector<IndexPair>& out);
+  void pair_leaves();
+  void pair_all_leaves();
+  void pair_new_leaf(int body);
+  void remember(int a, int b);
 
   void insert(int leaf);
   void remove(int leaf);
@@ -67,6 +71,9 @@ class BoundingTree final : public BroadPhase {
   std::vector<int> free_;    // nodes not in use
   std::vector<int> leaf_;    // of every body; kNone: outside the tree
   std::vector<int> outside_;
+  std::vector<IndexPair> near_;  // bodies whose leaves overlap, sorted
+  std::vector<char> changed_;    // of every body: its leaf is new, or gone, since near_ was found
+  std::vector<int> new_leaves_;  // the bodies whose leaf is new
   std::vector<NodePair> stack_;
   int root_ = kNone;
 };

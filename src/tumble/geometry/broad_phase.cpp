@@ -44,7 +44,7 @@ void BroadPhase::find_pairs(std::span<const Bounds> bounds, std::vector<IndexPai
   pair_tests_ = 0;
   out.clear();
   search(bounds, out);
-  std::sort(out.begin(), out.end());
+  if (!std::is_sorted(out.begin(), out.end())) std::sort(out.begin(), out.end());
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name) {
