@@ -104,7 +104,8 @@ Result measure_sticky(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   const double usual = tolerance::sticky_speed;
   // From collisions that are hard to those that the technique takes for rest in any case.
-  std::vector<double> thresholds = {usual, tolerance::resting_speed};
+  // The usual one is a choice: half and twice of it are written down beside it.
+  std::vector<double> thresholds = {usual, 0.5 * usual, 2.0 * usual, tolerance::resting_speed};
   for (double t = 0.7; t > tolerance::resting_speed; t *= 0.5) thresholds.push_back(t);
   std::sort(thresholds.begin(), thresholds.end());
 
@@ -131,12 +132,12 @@ Result measure_sticky(const Parameters& settings) {
     table.rows.push_back({threshold, collisions / seeds, work / seeds, moved / seeds});
   }
 
-  const auto place = static_cast<std::size_t>(
-      std::find(thresholds.begin(), thresholds.end(), usual) - thresholds.begin());
-  const auto ratio = [&](double Fall::*what) {
+  const auto ratio = [&](double Fall::*what, double threshold) {
+    const auto place = std::find(thresholds.begin(), thresholds.end(), threshold);
     std::vector<double> with;
     std::vector<double> without;
-    for (const Fall& fall : falls[place]) with.push_back(fall.*what);
+    for (const Fall& fall : falls[static_cast<std::size_t>(place - thresholds.begin())])
+      with.push_back(fall.*what);
     for (const Fall& fall : falls.front()) without.push_back(fall.*what);
     return [with, without](int left_out) {
       return sum_without(with, left_out) / sum_without(without, left_out);
@@ -161,10 +162,14 @@ Result measure_sticky(const Parameters& settings) {
   }
   return {{table, flat},
           {over_seeds("collisions until rest with sticky collisions over those without", "-", seeds,
-                      ratio(&Fall::collisions)),
+                      ratio(&Fall::collisions, usual)),
            over_seeds("separations and integrations until rest, over those without", "-", seeds,
-                      ratio(&Fall::work)),
-           {"thresholds at which a flat drop misses its closed form", "-", wrong}}};
+                      ratio(&Fall::work, usual)),
+           {"thresholds at which a flat drop misses its closed form", "-", wrong},
+           over_seeds("the same collisions, half the threshold", "-", seeds,
+                      ratio(&Fall::collisions, 0.5 * usual)),
+           over_seeds("the same collisions, twice the threshold", "-", seeds,
+                      ratio(&Fall::collisions, 2.0 * usual))}};
 }
 
 Result measure_all_sticky(const Parameters& settings) {

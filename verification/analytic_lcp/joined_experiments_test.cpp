@@ -59,6 +59,8 @@ TEST_CASE("Sticky collisions spare about half of the collisions of a die",
   // [-] measured 0.51 over 20 dice, three here
   CHECK(share > 0.4);
   CHECK(share < 0.65);
+  CHECK(figure.number("the same collisions, half the threshold") > share);
+  CHECK(figure.number("the same collisions, twice the threshold") < share);
   CHECK(figure.number("thresholds at which a flat drop misses its closed form") == 0.0);
 }
 
