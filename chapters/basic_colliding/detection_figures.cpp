@@ -73,10 +73,11 @@ Figure restarts_figure() {
       "That is the case that the thesis tells of, and it falls with the square of the step. "
       "Its last two marks are one or two events.";
   figure.parameters.add_whole("seeds", 20, 1, 1000, "runs for each step")
+      .add_whole("varied", 4, 1, 1000, "runs with half and with twice as many cubes")
       .add_whole("duration", 10, 1, 100, "length of a run in seconds")
       .add_whole("count", 60, 2, 1000, "cubes")
       .add_number("room", 2.5, 1.8, 100.0, "m", "edge of the space that each cube has");
-  figure.quick = {"seeds=2", "duration=5"};
+  figure.quick = {"seeds=2", "varied=2", "duration=5"};
   figure.experiment = measure_restarts;
   return figure;
 }

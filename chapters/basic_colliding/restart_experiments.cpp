@@ -70,11 +70,11 @@ class CarefulSearch {
 };
 
 // Cubes fly about in a closed cage, without gravity, friction and loss.
-void run_cage(const Parameters& settings, int steps_per_second, int seed, Counts& counts) {
+void run_cage(double room, int cubes, int seconds, int steps_per_second, int seed, Counts& counts) {
   const SceneRecipe& recipe = scene_recipe("cage");
   Parameters p = recipe.parameters();
-  p.set("count", std::to_string(settings.count("count")));
-  p.set("room", std::to_string(settings.number("room")));
+  p.set("count", std::to_string(cubes));
+  p.set("room", std::to_string(room));
   World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
   BasicOptions options;
   options.rotation = RotationRule::frozen;  // exact for cubes, and the fastest
@@ -82,7 +82,7 @@ void run_cage(const Parameters& settings, int steps_per_second, int seed, Counts
   double collisions = 0.0;
   double restarts = 0.0;
   CarefulSearch search;
-  const int steps = settings.count("duration") * steps_per_second;
+  const int steps = seconds * steps_per_second;
   for (int k = 0; k < steps; ++k) {
     search.look_ahead(world, 1.0 / steps_per_second);
     const StepReport report = basic.step(world, 1.0 / steps_per_second);
@@ -96,11 +96,28 @@ void run_cage(const Parameters& settings, int steps_per_second, int seed, Counts
   counts.uncovered.push_back(search.uncovered);
 }
 
+// The ratio that decides, with another number of cubes that have as much space each, in runs of about as
+// many collisions. Fewer seeds do: the bound is far away.
+Quantity ratio_with(const Parameters& settings, int cubes, const char* name) {
+  const int seconds = std::max(1, settings.count("duration") * settings.count("count") / cubes);
+  const int seeds = settings.count("varied");
+  Counts coarse;
+  Counts fine;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    run_cage(settings.number("room"), cubes, seconds, 60, seed, coarse);
+    run_cage(settings.number("room"), cubes, seconds, 480, seed, fine);
+  }
+  return over_seeds(name, "-", seeds, [&](int left_out) {
+    return fine.restarts_per_collision(left_out) / coarse.restarts_per_collision(left_out);
+  });
+}
+
 }  // namespace
 
 Result measure_restarts(const Parameters& settings) {
   constexpr std::array<int, 6> steps_per_second = {15, 30, 60, 120, 240, 480};
   const int seeds = settings.count("seeds");
+  const int cubes = settings.count("count");
   std::array<Counts, 6> counts;
   const auto per_collision = [&](std::size_t i, const char* name) {
     return over_seeds(name, "-", seeds,
@@ -122,7 +139,8 @@ Result measure_restarts(const Parameters& settings) {
        {"collisions", "-", "collisions in a run, on average"}}};
   for (std::size_t i = 0; i < counts.size(); ++i) {
     for (int seed = 1; seed <= seeds; ++seed)
-      run_cage(settings, steps_per_second[i], seed, counts[i]);
+      run_cage(settings.number("room"), cubes, settings.count("duration"), steps_per_second[i],
+               seed, counts[i]);
     const Quantity restarts = per_collision(i, "");
     const Quantity uncovered = per_search(i, "");
     table.rows.push_back({1.0 / steps_per_second[i], restarts.value, restarts.low, restarts.high,
@@ -141,6 +159,9 @@ Result measure_restarts(const Parameters& settings) {
           {over_seeds("restarts per collision at 1/480 s over those at 1/60 s", "-", seeds,
                       ratio(5, 2)),
            over_seeds("the same, 1/120 s over 1/15 s", "-", seeds, ratio(3, 0)),
+           ratio_with(settings, std::max(2, cubes / 2),
+                      "the same, 1/480 s over 1/60 s, half as many cubes"),
+           ratio_with(settings, 2 * cubes, "the same, 1/480 s over 1/60 s, twice as many cubes"),
            per_collision(0, "restarts per collision at 1/15 s"),
            per_collision(2, "restarts per collision at 1/60 s"),
            per_collision(5, "restarts per collision at 1/480 s"),

@@ -88,17 +88,21 @@ struct Techniques {
   }
 };
 
+TwoImpacts impacts_in(int bin, int trial, bool turning, double tolerance) {
+  Random chance = Random(turning ? 2 : 1)
+                      .fork(static_cast<std::uint64_t>(bin))
+                      .fork(static_cast<std::uint64_t>(trial));
+  const double share = (bin + chance.unit()) / kWithin;
+  return two_impacts({.frame = kStep, .delay = share * tolerance, .turning = turning},
+                     chance.fork(0));
+}
+
 Answers ask(int bin, const Parameters& settings, Techniques& techniques) {
   Answers answers;
   const double tolerance = settings.number("resolution");
   for (const bool turning : {false, true}) {
     for (int k = 0; k < settings.count("trials"); ++k) {
-      Random chance = Random(turning ? 2 : 1)
-                          .fork(static_cast<std::uint64_t>(bin))
-                          .fork(static_cast<std::uint64_t>(k));
-      const double share = (bin + chance.unit()) / kWithin;
-      const TwoImpacts impacts = two_impacts(
-          {.frame = kStep, .delay = share * tolerance, .turning = turning}, chance.fork(0));
+      const TwoImpacts impacts = impacts_in(bin, k, turning, tolerance);
       const std::size_t which = turning ? 1 : 0;
       answers[kBySimple][which].add(impacts, techniques.simple);
       answers[kBySwept][which].add(impacts, techniques.swept);
@@ -112,6 +116,17 @@ Tally both(const std::array<Tally, 2>& answers) {
   Tally all = answers[0];
   all.add(answers[1]);
   return all;
+}
+
+// The tolerance is ours: swept volumes alone with another one, and pairs as near to it as before.
+Tally wrong_with(double tolerance, int trials) {
+  Techniques techniques(tolerance);
+  Tally tally;
+  for (int bin = 0; bin < kWithin; ++bin)
+    for (const bool turning : {false, true})
+      for (int k = 0; k < trials; ++k)
+        tally.add(impacts_in(bin, k, turning, tolerance), techniques.swept);
+  return tally;
 }
 
 Quantity wrong_of(const std::string& name, const Tally& tally) {
@@ -169,6 +184,10 @@ Result measure_ties(const Parameters& settings) {
       {wrong_of("share of the pairs of impacts nearer in time than the tolerance that swept "
                 "volumes bring in the wrong order",
                 both(within[kBySwept])),
+       wrong_of("the same, a tenth of the tolerance",
+                wrong_with(0.1 * tolerance, settings.count("varied"))),
+       wrong_of("the same, ten times the tolerance",
+                wrong_with(10.0 * tolerance, settings.count("varied"))),
        wrong_of("the same, cubes that do not turn", within[kBySwept][0]),
        wrong_of("the same, cubes that turn", within[kBySwept][1]),
        wrong_of("the same, simple", both(within[kBySimple])),

@@ -17,8 +17,9 @@ std::vector<Figure> tie_figures() {
       "Below, ties resolved at one stroke: no order is made up then, and none was wrong.";
   figure.parameters
       .add_whole("trials", 400, 1, 100000, "pairs of impacts in each bin, turning and not")
+      .add_whole("varied", 400, 1, 100000, "the same with other tolerances")
       .add_number("resolution", 1e-6, 1e-9, 1e-3, "s", "tolerance of the search for collisions");
-  figure.quick = {"trials=40"};
+  figure.quick = {"trials=40", "varied=40"};
   figure.experiment = measure_ties;
   return {figure};
 }

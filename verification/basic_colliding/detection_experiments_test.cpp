@@ -68,6 +68,8 @@ TEST_CASE("Smaller steps make restarts of the event search rarer", "[claims][bas
   const Result result = small_run("claim_3_3_1c_restarts");
   CHECK(std::abs(number(result, "restarts per collision at 1/480 s over those at 1/60 s") - 0.143) <
         0.06);  // measured 0.150
+  CHECK(number(result, "the same, 1/480 s over 1/60 s, half as many cubes") < 0.5);
+  CHECK(number(result, "the same, 1/480 s over 1/60 s, twice as many cubes") < 0.5);
   CHECK(std::abs(number(result, "restarts per collision at 1/15 s") - 0.9) <
         0.15);  // measured 0.89
 }

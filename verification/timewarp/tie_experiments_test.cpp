@@ -61,6 +61,8 @@ TEST_CASE(
   // [-] measured with 8000 pairs 0.033; here 800
   CHECK(figure.number(kDecides) > 0.01);
   CHECK(figure.number(kDecides) < 0.1);
+  CHECK(figure.number("the same, a tenth of the tolerance") > 0.01);
+  CHECK(figure.number("the same, ten times the tolerance") > 0.01);
   CHECK(figure.number("the same, cubes that do not turn") == 0.0);
   CHECK(figure.number("the same, cubes that turn") > 0.02);
   CHECK(figure.number("share of the pairs farther apart than the tolerance in the wrong order") ==
