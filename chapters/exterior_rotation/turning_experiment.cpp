@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -29,6 +30,12 @@ double largest(const HeldRun& run, const std::function<double(const HeldFrame&)>
 
 double largest_glue_gap(const HeldRun& run) {
   return largest(run, [&](const HeldFrame& f) { return widest(run, f, JointHold::area); });
+}
+
+// Of the claim's two sayings those that hold, from the gaps of the column that turns and of the one that
+// is pushed.
+double holding(double turned, double pushed) {
+  return (turned >= kSmall ? 1.0 : 0.0) + (pushed < 0.1 * kSmall ? 1.0 : 0.0);
 }
 
 // Gaps of single steps from the exact state at the end, by length of the step.
@@ -98,7 +105,7 @@ Result measure_turning(const Parameters& settings) {
       {"of two sayings those that hold: the column of figure 6.1 opens or overlaps by a thousandth "
        "of an edge or more within a second of its fall at 60 steps a second, and the same column "
        "pushed along without turning by less than a tenth of that",
-       "-", (turned >= kSmall ? 1.0 : 0.0) + (pushed.gap < 0.1 * kSmall ? 1.0 : 0.0)},
+       "-", holding(turned, pushed.gap)},
       {"largest gap or overlap of the column that turns, over an edge", "-", turned},
       {"the same, semi-implicit", "-", semi},
       {"the same, of the edge about which it turns", "-", edge},
@@ -106,6 +113,16 @@ Result measure_turning(const Parameters& settings) {
       {"the same, falling freely under the technique glued", "-", largest_glue_gap(free)},
       {"largest force in the glue of the column that is pushed, over its weight", "-",
        pushed.force / weight}};
+  // The angle is ours. The column that is pushed has none.
+  for (const auto& [factor, words] : {std::pair(0.5, "half"), std::pair(2.0, "twice")}) {
+    const World other_start = column_world(factor * settings.number("angle"));
+    const double gap =
+        largest_glue_gap(run_held(other_start, options_of(film_schemes()[0]), dt, steps));
+    const std::string angle = std::string(words) + " the angle at the start";
+    result.quantities.push_back({"the same sayings, " + angle, "-", holding(gap, pushed.gap)});
+    result.quantities.push_back(
+        {"largest gap or overlap of the column that turns, over an edge, " + angle, "-", gap});
+  }
   result.tables = {table};
   result.tables.push_back(single_steps(settings, result));
   return result;

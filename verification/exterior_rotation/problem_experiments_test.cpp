@@ -33,6 +33,8 @@ TEST_CASE("The column opens by a thousandth of its edge when it turns and not wh
   // Evaluated apart from this code to five digits.
   CHECK(figure.number("largest gap or overlap of the column that turns, over an edge") ==
         near(1.0170e-2).margin(5e-7));
+  CHECK(figure.number("the same sayings, half the angle at the start") == 2.0);
+  CHECK(figure.number("the same sayings, twice the angle at the start") == 2.0);
   CHECK(figure.number("the same, semi-implicit") == near(5.3367e-3).margin(5e-8));
   CHECK(figure.number("largest gap or overlap of the column that is pushed, over an edge") < 1e-13);
 }
