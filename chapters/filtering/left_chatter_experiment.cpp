@@ -19,13 +19,15 @@ struct Variant {
   std::string words;
   PlayedTechnique technique;
 };
-const std::array<Variant, 5>& variants() {
-  static const std::array<Variant, 5> list = {
+const std::array<Variant, 7>& variants() {
+  static const std::array<Variant, 7> list = {
       Variant{"", {"damped", {}}},
       Variant{" with half the epsilons", {"damped", {"eps_scale=0.5"}}},
       Variant{" with twice the epsilons", {"damped", {"eps_scale=2"}}},
       Variant{" with half the damping", {"damped", {"k_scale=0.5"}}},
-      Variant{" with twice the damping", {"damped", {"k_scale=2"}}}};
+      Variant{" with twice the damping", {"damped", {"k_scale=2"}}},
+      Variant{" with half the passes", {"damped", {"collision_passes=3", "contact_passes=5"}}},
+      Variant{" with twice the passes", {"damped", {"collision_passes=10", "contact_passes=20"}}}};
   return list;
 }
 
@@ -34,9 +36,9 @@ struct Left {
   std::vector<double> amplitudes;  // [-] of those that rest
   double bodies = 0.0;             // that can move
 
-  [[nodiscard]] double chattering() const {
+  [[nodiscard]] double chattering(double line = kChatters) const {
     return static_cast<double>(std::count_if(amplitudes.begin(), amplitudes.end(),
-                                             [](double a) { return a >= kChatters; }));
+                                             [line](double a) { return a >= line; }));
   }
 };
 
@@ -61,14 +63,15 @@ Left left_in(const Parameters& p, const PlayedTechnique& technique, int seed) {
 
 // The claim counts all bodies of the clump, those too that do not rest and so cannot chatter; the same
 // among those that rest is told beside it. The interval is over seeds, since bodies of a
-// clump shake together.
-Quantity share(std::string name, const std::vector<Left>& clumps, bool of_resting) {
+// clump shake together. The line is ours, so half and twice of it are told too.
+Quantity share(std::string name, const std::vector<Left>& clumps, bool of_resting,
+               double line = kChatters) {
   return over_seeds(std::move(name), "-", static_cast<int>(clumps.size()), [&](int left_out) {
     double chattering = 0.0;
     double all = 0.0;
     for (std::size_t k = 0; k < clumps.size(); ++k) {
       if (static_cast<int>(k) == left_out) continue;
-      chattering += clumps[k].chattering();
+      chattering += clumps[k].chattering(line);
       all += of_resting ? static_cast<double>(clumps[k].amplitudes.size()) : clumps[k].bodies;
     }
     return all > 0.0 ? chattering / all : 0.0;
@@ -90,7 +93,8 @@ Result measure_left_chatter(const Parameters& settings) {
                {"quiet", "-", "rest and move by less than the claim's thousandth"},
                {"chattering", "-", "rest and move by that or more"}}};
   Table shares{"shares",
-               {{"variant", "-", "0: as it is; half, twice the epsilons; half, twice the damping"},
+               {{"variant", "-",
+                 "0: as it is; half, twice the epsilons; the same of the damping, of the passes"},
                 {"share", "-", "of all bodies, those that chatter"},
                 {"low", "-", "lower end of the interval of 95 %"},
                 {"high", "-", "upper end"},
@@ -134,6 +138,10 @@ Result measure_left_chatter(const Parameters& settings) {
     result.quantities.push_back({"share of bodies that do not rest", "-", 1.0 - resting / bodies});
     result.quantities.push_back(
         {"largest amplitude of a body that rests", "-", moving.empty() ? 0.0 : moving.back()});
+    result.quantities.push_back(
+        share("the same share, chatter from half a thousandth on", clumps, false, 0.5 * kChatters));
+    result.quantities.push_back(
+        share("the same share, chatter from two thousandths on", clumps, false, 2.0 * kChatters));
   }
   result.tables = {sorted, shares, still};
   return result;

@@ -46,8 +46,9 @@ Figure left_chatter() {
       "stand "
       "perfectly still, as many shake by a thousandth of an edge or more, and many lie just below "
       "that line. So some chatter is left, as the thesis says. Below, the same with half and twice "
-      "the thresholds and the damping, for which the thesis gives no numbers: twice as much of "
-      "either leaves none, half the thresholds leave more.";
+      "the thresholds, the damping and the passes over contacts, for which the thesis gives no "
+      "numbers: twice as much of the first two leaves none, twice the passes leave less, and half "
+      "the thresholds or half the passes leave more.";
   figure.parameters.add_whole("seeds", 20, 1, 100, "clumps")
       .add_whole("varied", 3, 1, 100, "of these, with other constants")
       .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")

@@ -2,6 +2,8 @@
 /// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
 #include "impulse_damped/friction_experiments.hpp"
 
+#include "tumble/scenes/library.hpp"
+
 #include "driver/played_scene.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
@@ -68,6 +70,18 @@ double largest_difference(const Speeds& damped, const Speeds& coulomb, std::size
   for (std::size_t k = 0; k <= last; ++k)
     largest = std::max(largest, std::abs(damped.speed[0][k] - coulomb.speed[0][k]));
   return largest / damped.speed[0][0];
+}
+
+// The coefficient of friction is ours too.
+struct OtherFriction {
+  std::string words;
+  std::string setting;  // of the scene
+};
+
+std::vector<OtherFriction> other_frictions(const char* scene) {
+  const double usual = scene_recipe(scene).parameters().number("friction");
+  return {{"half the friction", setting("friction", 0.5 * usual)},
+          {"twice the friction", setting("friction", 2.0 * usual)}};
 }
 
 }  // namespace
@@ -172,6 +186,13 @@ Result measure_friction_on_upper(const Parameters& settings) {
   quantities.push_back({"speed given to the lower block, damped over Coulomb", "-",
                         runs[0].fastest(1) / coulomb.fastest(1)});
 
+  const auto difference = [&](const std::vector<std::string>& changed) {
+    return largest_difference(blocks(changed, {"damped"}, duration),
+                              blocks(changed, coulomb_technique(), duration), all);
+  };
+  for (const OtherFriction& other : other_frictions("fig5_2"))
+    quantities.push_back({"the same, " + other.words, "-", difference({speed, other.setting})});
+
   // Is there a friction that damping comes close to? It knows none.
   Table friction{"friction",
                  {{"friction", "-", "Coulomb's coefficient"},
@@ -183,10 +204,6 @@ Result measure_friction_on_upper(const Parameters& settings) {
   for (int k = 1; k <= steps; ++k) {
     const double mu = static_cast<double>(k) / steps;
     const std::string with = setting("friction", mu);
-    const auto difference = [&](const std::vector<std::string>& scene) {
-      return largest_difference(blocks(scene, {"damped"}, duration),
-                                blocks(scene, coulomb_technique(), duration), all);
-    };
     const double on_held = difference({speed, with, held});
     friction.rows.push_back({mu, difference({speed, with}), on_held});
     if (on_held < least) {
@@ -202,7 +219,8 @@ Result measure_friction_on_upper(const Parameters& settings) {
 
 Result measure_friction_chain(const Parameters& settings) {
   const double duration = settings.number("duration");
-  const Scene scene = scene_with("sled", {setting("speed", settings.number("speed"))});
+  const std::string fast = setting("speed", settings.number("speed"));
+  const Scene scene = scene_with("sled", {fast});
   const std::vector<std::string> names = {"sled", "load1", "load2"};
   const Speeds coulomb = speeds_of(scene, coulomb_technique(), names, duration);
   const std::string decides =
@@ -215,6 +233,12 @@ Result measure_friction_chain(const Parameters& settings) {
     quantities.push_back({variant.words.empty() ? decides : "the same, " + variant.words, "-",
                           run.fastest(2) / coulomb.fastest(2)});
     if (variant.words.empty()) damped = std::move(run);
+  }
+  for (const OtherFriction& other : other_frictions("sled")) {
+    const Scene changed = scene_with("sled", {fast, other.setting});
+    quantities.push_back({"the same, " + other.words, "-",
+                          speeds_of(changed, {"damped"}, names, duration).fastest(2) /
+                              speeds_of(changed, coulomb_technique(), names, duration).fastest(2)});
   }
   quantities.push_back({"the same of the lower box", "-", damped.fastest(1) / coulomb.fastest(1)});
   quantities.push_back(

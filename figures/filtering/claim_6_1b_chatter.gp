@@ -39,12 +39,12 @@ set xrange [0.42:2.38]; set xtics ('half' 0.5, 'as it is' 1, 'twice' 2)
 set yrange [-0.04:1.04]
 set xlabel 'constants that the thesis does not give' offset 0,0.2
 set arrow 1 from graph 0,first 0.05 to graph 1,first 0.05 nohead lt 8 dt (6,4)
-set label 1 'confirmed above' at graph 0.985,first 0.105 right textcolor rgb soft
+set label 1 'confirmed above' at 1.75,0.105 right textcolor rgb soft
 set key at screen 0.56,0.45 center top horizontal
-factor(v) = (v == 1 || v == 3) ? 0.5 : (v == 2 || v == 4) ? 2.0 : 1.0
-thresholds(v) = (v <= 2) ? column('share') : NaN
-damping(v) = (v >= 3 || v == 0) ? column('share') : NaN
+factor(v) = (v == 0) ? 1.0 : (int(v) % 2 == 1) ? 0.5 : 2.0
+series(v, first) = (v == 0 || v == first || v == first + 1) ? column('share') : NaN
 shares = stem.'_shares.csv'
 set datafile missing NaN
-plot shares using (factor(column('variant'))*0.97):(thresholds(column('variant'))):'low':'high' with yerrorbars lt 1 ps 1.2 title 'thresholds', \
-  '' using (factor(column('variant'))*1.03):(damping(column('variant'))):'low':'high' with yerrorbars lt 2 ps 1.2 title 'damping factors'
+plot shares using (factor(column('variant'))*0.95):(series(column('variant'), 1)):'low':'high' with yerrorbars lt 1 ps 1.2 title 'thresholds', \
+  '' using (factor(column('variant'))):(series(column('variant'), 3)):'low':'high' with yerrorbars lt 2 ps 1.2 title 'damping factors', \
+  '' using (factor(column('variant'))*1.05):(series(column('variant'), 5)):'low':'high' with yerrorbars lt 3 ps 1.2 title 'passes'

@@ -228,6 +228,8 @@ TEST_CASE("Some chatter is left in the settled clump, and none with twice the da
       "share of the bodies of the settled clump that chatter by a thousandth of an edge or more");
   CHECK(share >= 0.05);  // measured: 0.3 of 64 cubes, two seeds
   CHECK(figure.number("the same share of those that rest") >= share);
+  CHECK(figure.number("the same share, chatter from half a thousandth on") >= share);
+  CHECK(figure.number("the same share, chatter from two thousandths on") <= share);
   CHECK(figure.number("the same share with twice the damping") < 0.05);
   CHECK(figure.number("the same share with twice the epsilons") < 0.05);
 }

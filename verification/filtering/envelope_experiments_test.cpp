@@ -39,6 +39,11 @@ TEST_CASE(
   CHECK(figure.number("pops of a body that chatters, envelope of the thesis") > 0.0);
   CHECK(figure.number("pops of a body that chatters, soft envelope") == 0.0);
   CHECK(figure.number("largest pop, envelope of the thesis") >= 10.0);
+  // Both sayings hold for half the envelope and for twice, which pops less often.
+  CHECK(figure.number("the same sayings, half the envelope") == 2.0);
+  CHECK(figure.number("the same sayings, twice the envelope") == 2.0);
+  CHECK(figure.number("pops of a body that chatters, half the envelope") >
+        figure.number("pops of a body that chatters, twice the envelope"));
   // Filtering takes most of the movement away, and it costs overlap.
   CHECK(figure.number("mean speed of the fastest corner at rest, envelope of the thesis") <
         0.2 * figure.number("mean speed of the fastest corner at rest, computed"));

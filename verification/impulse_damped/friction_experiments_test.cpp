@@ -57,6 +57,8 @@ TEST_CASE(
   for (const char* variant : {"half the epsilons", "twice the epsilons", "half the damping"})
     CHECK(near_to(figure.number(std::string("the same, ") + variant), 1.0 / 3.0, 0.01));
   CHECK(figure.number("the same, twice the damping") > figure.number(decides));
+  CHECK(figure.number("the same, half the friction") > figure.number(decides));
+  CHECK(near_to(figure.number("the same, twice the friction"), 1.0 / 3.0, 0.01));
   // [-] While there is friction it is closer: measured 0.16; 0.16 at the best too.
   const double sliding =
       figure.number("the same, only while it slides on the lower block with Coulomb's friction");
@@ -73,8 +75,8 @@ TEST_CASE("Damping gives nothing to boxes on a sled, and friction takes them alo
       "speed that friction gives to the upper box of a stack on a sled, damped, over that with "
       "Coulomb's friction";
   CHECK(figure.number(decides) == 0.0);
-  for (const char* variant :
-       {"half the epsilons", "twice the epsilons", "half the damping", "twice the damping"})
+  for (const char* variant : {"half the epsilons", "twice the epsilons", "half the damping",
+                              "twice the damping", "half the friction", "twice the friction"})
     CHECK(figure.number(std::string("the same, ") + variant) == 0.0);
   CHECK(figure.number("the same of the lower box") == 0.0);
   // [m/s] momentum is kept: 4 kg at 1 m/s become 6 kg.
