@@ -41,7 +41,7 @@ plot path using 'time_s':(column('stack_m') > 1e-17 ? column('stack_m') : 1e-17)
 set tmargin at screen 0.21; set bmargin at screen 0.09
 unset logscale y
 set format y '%g'; set format x '%g'
-set xlabel 'time [s]'
+set xlabel 'time [s]' offset 0,0.3
 set yrange [0:*]; set ytics 0,20
 side = 'energy [J]'; @SIDE
 set label 1 'all of them together' at graph 0.97,0.8

@@ -12,7 +12,7 @@ set xlabel 'largest error of a height [m]' offset 0,0.3
 side = 'work of ten cubes'; @SIDE
 set xrange [*:*] reverse
 set arrow 1 from 0.01,graph 0 to 0.01,graph 1 nohead lt 8 dt (6,4)
-set label 1 ' accepted' at 0.01,graph 0.06 left textcolor rgb soft
+set label 1 'accepted' at 0.01,graph 0.06 left offset 0.7,0 textcolor rgb soft
 plot stem.'.csv' using (column('exact') == 1 ? column('error_m') : NaN):'work' with points lt 1 ps 1.2 title 'exact impact times', \
   '' using (column('exact') == 0 ? column('error_m') : NaN):'work' with points lt 2 ps 1.2 title 'time stepping'
 

@@ -11,7 +11,7 @@ set tmargin at screen 0.87; set bmargin at screen 0.49
 set yrange [0:*]
 side = 'collisions until rest'; @SIDE
 set arrow 1 from 0.05,graph 0 to 0.05,graph 1 nohead lt 8 dt (6,4)
-set label 1 'default ' at 0.05,graph 0.93 right textcolor rgb soft
+set label 1 'default' at 0.05,graph 0.93 right offset -0.7,0 textcolor rgb soft
 plot stem.'.csv' using 'threshold':'collisions' with linespoints lt 2 title 'thrown dice, mean', \
   stem.'_flat.csv' using 'threshold':'collisions' with points lt 1 ps 1.2 title 'flat drop', \
   '' using 'threshold':'exact' with lines lt 8 title 'closed form'

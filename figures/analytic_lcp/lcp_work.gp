@@ -25,7 +25,7 @@ do for [panel = 1:2] {
     set tmargin at screen 0.46; set bmargin at screen 0.09
     unset key
     set format x '%g'
-    set xlabel 'contacts'
+    set xlabel 'contacts' offset 0,0.3
   }
   set label 1 (panel == 1 ? 'at rest' : 'with random velocities') at graph 0.03,0.93 textcolor rgb soft
   plot numbers using 'contacts':'dense' with lines lt 8 title 'one factorisation', \

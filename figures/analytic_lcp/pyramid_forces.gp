@@ -42,7 +42,7 @@ level(name) = column('y_m') + scale*column(name)
 set key at graph 0.0,0.99 left top vertical maxcols 1 Left reverse samplen 1
 plot @drawn notitle, \
   stem.'.csv' using 'x_m':'y_m':(0):(scale*column('least')) with vectors nohead lw 1.5 dt 1 lc rgb '#b59f00' notitle, \
-  stem.'.csv' using 'x_m':(level('least')):(column('x_m') - 0.13):(column('x_m') + 0.13):(level('least')):(level('most')) with boxxy lc rgb '#F7EE9A' lw 1.2 dt 1 fs solid 1.0 border lc rgb '#b59f00' title 'possible forces', \
+  stem.'.csv' using 'x_m':(level('least')):(column('x_m') - 0.13):(column('x_m') + 0.13):(level('least')):(level('most')) with boxxy lc rgb '#F7EE9A' lw 1.2 dt 1 fs solid 1.0 border lc rgb '#b59f00' title 'possible', \
   '' using (place(1)):(level('baraff')) with points lt 1 ps mark title 'Baraff', \
   '' using (place(2)):(level('lemke')) with points lt 2 ps mark title 'Lemke', \
   '' using (place(3)):(level('gauss_seidel')) with points lt 3 ps 1.2*mark title 'Gauss–Seidel', \

@@ -18,7 +18,7 @@ set tmargin at screen 0.98; set bmargin at screen 0.75
 set format x ''
 set yrange [0:*]
 side = 'height [m]'; @SIDE
-set label 1 'at rest ' at rest_max,graph 0.9 right textcolor rgb soft
+set label 1 'at rest' at rest_max,graph 0.9 right offset -0.7,0 textcolor rgb soft
 plot path using 'time_s':'height_m' with lines lt 1
 unset label 1
 
@@ -43,7 +43,7 @@ step = 1.0/60
 set xrange [rest_max-4*step:rest_max+8*step]
 set yrange [-1.7:1]
 set xtics 0.05
-set xlabel 'time [s]'
+set xlabel 'time [s]' offset 0,0.3
 side = 'height [mm]'; @SIDE
 set label 3 'left by repair' at graph 0.02,first left_max offset 0,-0.6 textcolor rgb soft
 set label 4 'ground' at graph 0.98,first 0 right offset 0,0.6 textcolor rgb soft

@@ -11,7 +11,7 @@ set tmargin at screen 0.91; set bmargin at screen 0.50
 set format x ''
 set yrange [0:1.25]; set ytics 0,0.25
 side = 'missed [%]'; @SIDE
-set label 1 'decides ' at 1,1.12 right textcolor rgb soft
+set label 1 'decides' at 1,1.12 right offset -0.7,0 textcolor rgb soft
 set arrow 2 from graph 0,first 1 to graph 1,first 1 nohead lt 8 dt (2,4)
 set label 2 'refuted above' at graph 0.98,first 1 right offset 0,0.7 textcolor rgb soft
 set key at screen 0.56,0.985 center top horizontal
@@ -27,7 +27,7 @@ set format x '%g'
 set xlabel 'overlap that counts as visible [% of the size]'
 set logscale y
 set yrange [0.5:1e5]; set ytics 1,10; set format y powers
-side = 'collisions'; @SIDE
+side = 'collisions, both'; @SIDE
 set key at screen 0.56,0.475 center top horizontal
-plot stem.'.csv' using (100*column('depth')):'collisions' with linespoints lt 3 title 'as deep, both scenes', \
-  '' using (100*column('depth')):'missed' with linespoints lt 4 title 'missed'
+plot stem.'.csv' using (100*column('depth')):'collisions' with linespoints lt 3 title 'as deep or deeper', \
+  '' using (100*column('depth')):'missed' with linespoints lt 4 title 'of these, missed'

@@ -18,7 +18,7 @@ plot stem.'.csv' using 'kind':(choices(0)) with boxes dt 1 lc rgb '#BBBBBB' titl
   '' using 'kind':(divisions(0)) with boxes dt 1 lc rgb '#D55E00' title '÷ √', \
   '' using 'kind':(products(0)) with boxes dt 1 lc rgb '#56B4E9' title '×', \
   '' using 'kind':(sums(0)) with boxes dt 1 lc rgb '#0072B2' title '+ −', \
-  '' using 'kind':(choices(0)):(sprintf('%g', divisions(0))) with labels offset 0,0.7 notitle
+  '' using 'kind':(choices(0)):(sprintf('%g arithmetic', divisions(0))) with labels offset 0,0.7 notitle
 
 set tmargin at screen 0.605; set bmargin at screen 0.42
 set xrange [-6:96]

@@ -25,7 +25,7 @@ set format x '%g'
 set xlabel 'bodies'
 set yrange [0.5:1000]
 side = 'all pairs over it'; @SIDE
-set label 1 'decides ' at 1000,1 right offset 0,-0.4 textcolor rgb soft
+set label 1 'decides' at 1000,1 right offset -0.7,-0.4 textcolor rgb soft
 set label 2 'confirmed above 10' at 2,10 offset 0,0.7 textcolor rgb soft
 set arrow 2 from graph 0,first 10 to graph 1,first 10 nohead lt 8 dt (2,4)
 set arrow 3 from graph 0,first 1 to graph 1,first 1 nohead lt 8

@@ -7,9 +7,9 @@ top(row) = 0.935 - 0.187*row
 set label 90 'taken literally' at screen 0.34,0.985 center
 set label 91 'mended' at screen 0.77,0.985 center
 LEFT = 'set lmargin at screen 0.15; set rmargin at screen 0.53'
-RIGHT = "set lmargin at screen 0.58; set rmargin at screen 0.96; set format y ''; unset label 99"
+RIGHT = "set lmargin at screen 0.58; set rmargin at screen 0.96; set format y ''; unset label 90; unset label 91; unset label 92; unset label 99"
 ROW = "set tmargin at screen top(row); set bmargin at screen top(row)-0.102; set label 92 title_of_row at screen 0.02,top(row)+0.017 textcolor rgb '#202020'; set label 99 side at screen 0.027,top(row)-0.051 center rotate textcolor rgb '#202020'"
-NEXT = "unset label 90; unset label 91; unset label 92; set format y '%g'"
+NEXT = "set format y '%g'"
 
 # S5: three cubes on a line, each a band as wide as the cube.
 row = 0
@@ -86,7 +86,7 @@ set label 1 "Euler's step" at first 0.8,0.2
 plot fall using 'time_ms':'exact_mm' with lines lw 7 lc rgb '#c8c8c8', '' using 'time_ms':'euler_mm' with lines lt 2 dt 1
 unset label 1
 @RIGHT
-set label 1 'flight' at first 5,0.6
+set label 1 'flight' at first 3,0.35
 plot fall using 'time_ms':'exact_mm' with lines lw 7 lc rgb '#c8c8c8', '' using 'time_ms':'flight_mm' with lines lt 1
 unset label 1; unset arrow 1
 @NEXT
@@ -104,5 +104,5 @@ landing = stem.'_landing.csv'
 set label 1 'tilts' at first 70,0.1 center
 plot for [k=1:4] landing using 'time_ms':'literal'.k.'_m' with lines lt 2 dt 1
 @RIGHT
-set label 1 'stays level' at first 65,0.06 center
+set label 1 'stays level' at first 67,0.03 center
 plot for [k=1:4] landing using 'time_ms':'mended'.k.'_m' with lines lt 1

@@ -25,8 +25,8 @@ side = 'energy error'; @SIDE
 set logscale y
 set yrange [1e-12:1]; set ytics 1e-12,1e3
 set format y powers
-set label 'accepted' at graph 0.46,first 1e-6 center offset 0,0.6 textcolor rgb soft
-plot stem.'.csv' using 'time_s':'accepted' with lines lt 8, \
+set label 'accepted' at graph 0.46,first 1e-6 center offset 0,0.6 textcolor rgb '#0072B2'
+plot stem.'.csv' using 'time_s':'accepted' with lines lt 1 lw 1.2, \
   '' using 'time_s':'frozen_energy' with lines lt 2, \
   '' using 'time_s':'midpoint_energy' with lines lt 3, \
   '' using 'time_s':'splitting_energy' with lines lt 4, \

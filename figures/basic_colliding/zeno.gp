@@ -14,7 +14,7 @@ set tmargin at screen 0.97; set bmargin at screen 0.68
 set format x ''
 set yrange [0:*]
 side = 'height [m]'; @SIDE
-set label 1 'at rest ' at rest_max,graph 0.93 right textcolor rgb soft
+set label 1 'at rest' at rest_max,graph 0.93 right offset -0.7,0 textcolor rgb soft
 plot stem.'.csv' using 'time_s':'height_m' with lines lt 1
 unset label 1
 

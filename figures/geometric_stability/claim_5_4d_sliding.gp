@@ -1,5 +1,5 @@
 # A stable box slides off another one: four moments, its speed, and which steps count.
-tall = 1235
+tall = 1270
 @PAGE
 set multiplot
 height(points) = 1 - points*1.0/tall
@@ -21,7 +21,7 @@ set lmargin at screen 0.17; set rmargin at screen 0.955
 set tmargin at screen height(555); set bmargin at screen height(795)
 set xrange [0:0.5]; set xtics nomirror 0,0.1; set ytics nomirror
 set yrange [0:*]
-set xlabel 'time [s]' offset 0,0.3
+set xlabel 'time [s]' offset 0,0.5
 side = 'speed [m/s]'; @SIDE
 set key at screen 0.56,height(470) center top vertical maxrows 2 maxcols 2 samplen 2.5 width -1
 table = stem.'.csv'
@@ -33,8 +33,8 @@ plot table using 'time_s':'free_m_s' with lines lt 3 title 'analytic, no frictio
   '' using 'time_s':'analytic_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' notitle, \
   '' using 'time_s':'damped_stable_m_s' with points pt 7 ps big lc rgb '#3D3D3D' notitle
 
-set tmargin at screen height(945); set bmargin at screen height(1160)
-set key at screen 0.56,height(870) center top vertical maxrows 2 maxcols 1 samplen 1.5 width 0
+set tmargin at screen height(960); set bmargin at screen height(1175)
+set key at screen 0.56,height(882) center top vertical maxrows 2 maxcols 1 samplen 1.5 width 0
 set xrange [*:*] noextend; set xtics nomirror 1
 set yrange [0:*]
 set xlabel 'speed at the start [m/s]' offset 0,0.2

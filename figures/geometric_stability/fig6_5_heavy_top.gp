@@ -1,5 +1,5 @@
 # A heavy top on two overhanging blocks: forces that balance, a top that is too light, and who stands.
-tall = 1180
+tall = 1200
 @PAGE
 set multiplot
 boxes = stem.'_boxes.csv'
@@ -16,7 +16,7 @@ set arrow 1 from -3.35,0 to 3.35,0 nohead lw 1.5 lc rgb '#808080'
 set tmargin at screen 0.995; set bmargin at screen 0.75
 set yrange [-0.08:3.2]
 long = 0.68  # [m] of arrow for the weight of a lower block
-set label 1 "heavy enough:\nforces upwards,\nin weights of a\nlower block" at -3.25,2.9 left textcolor rgb '#202020'
+set label 1 "heavy enough:\nforces in weights\nof a lower block" at -3.25,2.9 left textcolor rgb '#202020'
 plot for [r=0:1] boxes using (shown(0, r)):'y_m':(half('width_m')):(half('height_m')) with boxxy dt 1 lw 1 lc rgb tone(r), \
   stem.'_forces.csv' using (column('share') > 0.005 ? column('x_m') : NaN):(column('y_m') - long*column('share')):(0):(long*column('share')) with vectors head filled size 0.1,22 fixed lt 1 lw 3, \
   '' using (column('share') > 0.005 ? column('x_m') : NaN):(column('y_m') - long*(column('share') < 0.7 ? column('share') : 0.7)):(sprintf('%.2f', column('share'))) with labels left offset 0.5,0 textcolor rgb '#0072B2'
@@ -32,12 +32,12 @@ set xtics nomirror; set ytics nomirror
 
 # Who stands.
 set lmargin at screen 0.17; set rmargin at screen 0.955
-set tmargin at screen 0.465; set bmargin at screen 0.165
+set tmargin at screen 0.465; set bmargin at screen 0.185
 set xrange [-0.26:0.26]; set yrange [0.3:0.95]
 set xtics 0.1
-set xlabel 'offset of the top block [m]' offset 0,0.3
+set xlabel 'offset of the top block [m]' offset 0,0.5
 side = 'mass of top over lower'; @SIDE
-set key at screen 0.5,0.104 center top horizontal maxcols 2 samplen 2
+set key at screen 0.5,0.122 center top horizontal maxcols 2 samplen 2
 set label 1 'stands' at 0,0.9 center front textcolor rgb soft
 set label 2 'friction can hold it' at 0,0.545 center textcolor rgb soft
 set label 3 'falls' at 0,0.335 center textcolor rgb soft

@@ -18,7 +18,7 @@ set xrange [0:1]; set yrange [0:3]
 swatch(k,x,y,c) = sprintf("set object %d rectangle from %g,%g to %g,%g fc rgb '%s' fs solid border lc rgb '#202020'; set label %d at %g,%g left", k, x, y + 0.2, x + 0.04, y + 0.8, c, k, x + 0.055, y + 0.5)
 eval swatch(1, 0.00, 2, '#0072B2'); set label 1 'stable by corners and hull'
 eval swatch(2, 0.53, 2, '#8ecdf2'); set label 2 'in balance: towers, islands'
-eval swatch(3, 0.00, 1, '#f0e442'); set label 3 'rests, and is not found by either'
+eval swatch(3, 0.00, 1, '#f0e442'); set label 3 'rests, found by neither'
 eval swatch(4, 0.53, 1, '#d55e00'); set label 4 'begins to move'
 eval swatch(5, 0.00, 0, '#9a9a9a'); set label 5 'immovable'
 plot NaN

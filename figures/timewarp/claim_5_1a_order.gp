@@ -14,7 +14,7 @@ chains = stem.'_chains.csv'
 set tmargin at screen 0.92; set bmargin at screen 0.69
 side = 'frames told wrong'; @SIDE
 set label 1 'a cage of cubes; grey: decides' at graph 0.5,1.09 center textcolor rgb '#202020'
-set key at screen 0.56,0.99 center top horizontal
+set key at screen 0.56,0.99 center top horizontal maxcols 3 width -1
 plot stem.'.csv' using 'way':'simple' with linespoints lt 1 title 'simple', \
   '' using 'way':'simple':'simple_low':'simple_high' with yerrorbars lt 1 notitle, \
   '' using 'way':'safer' with linespoints lt 2 title 'safer', \
@@ -38,7 +38,7 @@ unset object 1
 set tmargin at screen 0.305; set bmargin at screen 0.08
 side = 'chains told wrong'; @SIDE
 set label 1 'five cubes on a line' at graph 0.5,1.09 center textcolor rgb '#202020'
-set label 2 'up to here simple is right ' at 1.95,0.55 right textcolor rgb soft
+set label 2 'up to here simple is right' at 2,0.55 right offset -0.7,0 textcolor rgb soft
 set arrow 1 from 2,graph 0 to 2,graph 1 nohead lt 8 dt (6,4)
 plot chains using 'way':'simple' with linespoints lt 1, \
   '' using 'way':'simple':'simple_low':'simple_high' with yerrorbars lt 1, \

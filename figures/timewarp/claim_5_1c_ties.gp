@@ -10,7 +10,7 @@ set arrow 1 from 1,graph 0 to 1,graph 1 nohead lt 8 dt (6,4)
 set tmargin at screen 0.84; set bmargin at screen 0.47
 set yrange [-0.015:0.53]; set ytics 0,0.1
 side = 'in the wrong order'; @SIDE
-set label 1 ' the tolerance' at 1,0.5 left textcolor rgb soft
+set label 1 'the tolerance' at 1,0.5 left offset 0.7,0 textcolor rgb soft
 set key at screen 0.56,0.99 center top vertical maxcols 1
 plot stem.'_bisection.csv' using 'between':'expected' with lines lt 8 title 'bisection, closed form', \
   stem.'.csv' using 'between':'simple':'simple_low':'simple_high' with yerrorbars lt 1 title 'simple', \

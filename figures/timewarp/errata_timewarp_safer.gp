@@ -1,7 +1,7 @@
 # Errata of SAFERSYNCTIMEWARP, one in each row: on the left as printed, on the right mended. Lines are the
 # ways of the cubes' centres, dots are collisions. The number above a panel is the erratum's.
 rows = 9
-pitch = 262
+pitch = 270
 tall = 40 + pitch*rows
 @PAGE
 array what[9] = [ \
@@ -21,6 +21,7 @@ array low[9] = [-0.6, -0.6, -2.6, -2.6, -5, -0.4, -0.6, -0.05, -0.2]
 array high[9] = [3.4, 5.6, 3.4, 3.4, 5, 3.4, 5.6, 0.85, 0.2]
 ways = stem.'_ways.csv'
 set multiplot
+below = form eq 'svg' ? 0.8 : 0.4  # terminals put labels at different distances
 unset key
 top(row) = 1 - (100.0 + pitch*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center textcolor rgb '#B34A00'
@@ -33,8 +34,8 @@ do for [k=1:8] {
   side = 'place [m]'
   tic = k == 8 ? 0.2 : k == 5 ? 4 : 2
   set ytics tic
-  if (k == 8) { set xlabel 'time in the frame [ms]' offset 0,0.4; set xtics 5 } \
-  else { set xlabel 'time in the frame [s]' offset 0,0.4; set xtics 0.5 }
+  if (k == 8) { set xlabel 'time in the frame [ms]' offset 0,below; set xtics 5 } \
+  else { set xlabel 'time in the frame [s]' offset 0,below; set xtics 0.5 }
   do for [m=0:1] {
     set xrange [*:*]; set yrange [*:*]
     stats stem.'.csv' using (column('row') == k ? (m ? column('mended') : column('failure')) : NaN) name 'N' nooutput
@@ -64,7 +65,7 @@ stats start using (column(0) == 3 ? column('place_m') : NaN) name 'D' nooutput
 stats start using (column(0) == 4 ? column('place_m') : NaN) name 'E' nooutput
 set label 92 what[k] at screen 0.02,top(row)+48.0/tall textcolor rgb '#202020'
 unset label 99; unset ytics; set border 1; unset grid
-set xlabel 'place [m]' offset 0,0.4; set xtics 0.2
+set xlabel 'place [m]' offset 0,below; set xtics 0.2
 do for [m=0:1] {
   set xrange [*:*]; set yrange [*:*]
   stats stem.'.csv' using (column('row') == k ? (m ? column('mended') : column('failure')) : NaN) name 'N' nooutput

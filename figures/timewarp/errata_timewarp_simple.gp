@@ -1,7 +1,7 @@
 # Errata of SIMPLESYNCTIMEWARP, one in each row: on the left as printed, on the right mended. Lines are
 # the ways of the cubes' centres, dots are collisions. The number above a panel is the erratum's.
 rows = 10
-pitch = 262
+pitch = 270
 tall = 40 + pitch*rows
 @PAGE
 array what[10] = [ \
@@ -23,6 +23,7 @@ array low[10] = [-0.6, -0.6, -0.6, -0.9, -0.6, 0, -0.4, 0, -15, -0.6]
 array high[10] = [3.4, 3.4, 3.4, 4.9, 4.6, 21, 2.2, 1.1, 30, 1.6]
 ways = stem.'_ways.csv'
 set multiplot
+below = form eq 'svg' ? 0.8 : 0.4  # terminals put labels at different distances
 unset key
 top(row) = 1 - (100.0 + pitch*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center textcolor rgb '#B34A00'
@@ -37,11 +38,11 @@ do for [k=1:rows] {
   set ytics tic
   if (k == 10) {
     set ytics ('ground' 0, 'cube' 1)
-    set xlabel 'valid time [ms]' offset 0,0.4; set xtics 5
+    set xlabel 'valid time [ms]' offset 0,below; set xtics 5
   } else { if (k == 6 || k == 8) {
-    set xlabel 'time in the frame [ms]' offset 0,0.4; set xtics 5
+    set xlabel 'time in the frame [ms]' offset 0,below; set xtics 5
   } else {
-    set xlabel 'time in the frame [s]' offset 0,0.4; set xtics 0.5
+    set xlabel 'time in the frame [s]' offset 0,below; set xtics 0.5
   } }
   do for [m=0:1] {
     set xrange [*:*]; set yrange [*:*]

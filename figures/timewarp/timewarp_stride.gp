@@ -28,7 +28,7 @@ plot numbers using 'stride':'pair_tests' with lines lt 1, \
 
 set tmargin at screen 0.355; set bmargin at screen 0.095
 set format x '%g'
-set xlabel 'length of a flight, in frames'
+set xlabel 'length of a flight, in frames' offset 0,0.3
 set yrange [0:1.5]; set ytics 0,0.5
 side = 'taken back per collision'; @SIDE
 plot numbers using 'stride':'taken_back' with lines lt 1, \
