@@ -34,6 +34,15 @@ void append_count(std::string& list, std::size_t count, const std::string& one,
   list += (list.empty() ? "also " : ", ") + std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
+// What is wrong with a film that README shows; nothing if it was not painted here.
+std::vector<std::string> stale_film(const std::filesystem::path& film,
+                                    const std::filesystem::path& folder) {
+  const std::filesystem::path painted = folder / film.filename();
+  if (!std::filesystem::exists(painted) || read_file(painted) == read_file(film)) return {};
+  return {film.string() + ": is not the film that was painted now: look at " + painted.string() +
+          " and copy it there"};
+}
+
 }  // namespace
 
 Findings read_findings(const std::filesystem::path& folder,
@@ -43,6 +52,7 @@ Findings read_findings(const std::filesystem::path& folder,
   std::vector<Erratum> errata;
   Choices choices;
   std::vector<std::filesystem::path> pages;
+  std::vector<std::filesystem::path> films;
   for (const std::filesystem::path& file : files) {
     const std::string name = file.filename().string();
     if (name == "expected.csv") {
@@ -60,11 +70,13 @@ Findings read_findings(const std::filesystem::path& folder,
                                 more.variations.end());
     } else if (file.extension() == ".md") {
       pages.push_back(file);
+    } else if (file.extension() == ".gif") {
+      films.push_back(file);
     } else {
       throw std::invalid_argument(
           file.string() +
           ": give files called expected.csv, claims.toml, "
-          "open_claims.toml, errata.toml or choices.toml, or a page NAME.md");
+          "open_claims.toml, errata.toml or choices.toml, a page NAME.md, or a film NAME.gif");
     }
   }
   Findings findings;
@@ -76,6 +88,10 @@ Findings read_findings(const std::filesystem::path& folder,
   for (const std::filesystem::path& page : pages) {
     const std::vector<std::string> more =
         stale_numbers(read_file(page), page.string(), findings.figures);
+    findings.stale.insert(findings.stale.end(), more.begin(), more.end());
+  }
+  for (const std::filesystem::path& film : films) {
+    const std::vector<std::string> more = stale_film(film, folder);
     findings.stale.insert(findings.stale.end(), more.begin(), more.end());
   }
   return findings;

@@ -19,23 +19,25 @@ struct Findings {
   std::vector<LedgerEntry> ledger;   ///< from judge()
   std::vector<ErratumEntry> errata;  ///< from find_errata()
   std::vector<ChoiceEntry> choices;  ///< from find_choices()
-  std::vector<std::string> stale;    ///< from stale_numbers(), of all pages of chapters
+  std::vector<std::string>
+      stale;  ///< from stale_numbers(), of all pages of chapters, and films of another run
 };
 
 /// Reads everything that chapters expect and claim, and what their figures gave.
 /// \param folder  where `NAME_numbers.csv` are; if it does not exist, nothing has been computed
 /// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `choices.toml`, `page.md` of the
-///                chapters, in order, and `open_claims.toml`: told apart by their names
-/// \return figures, ledger, errata, choices, and what is no longer so in the pages
+///                chapters, in order, `open_claims.toml`, and films `NAME.gif` that README shows: told apart by
+///                their names
+/// \return figures, ledger, errata, choices, and what is no longer so in the pages or the films
 /// \throws FileError, std::invalid_argument as the readers of these files do, and the latter for a
 ///         file of another name
 Findings read_findings(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& files);
 
-/// Every number that is not the expected one, and every one in a page that is not the computed
-/// one, in words.
+/// Every number that is not the expected one, every one in a page that is not the computed one, and every film
+/// that is not the one that was painted, in words.
 /// \param findings  from read_findings()
-/// \return a line for each: figure or page, number, value, what it should be
+/// \return a line for each: figure, page or film, what it has, what it should have
 std::vector<std::string> differences(const Findings& findings);
 
 /// The last line of `make figures`. Its words never change, so that a script can read it.

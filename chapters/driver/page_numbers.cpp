@@ -31,6 +31,14 @@ double rounding_of(const std::string& digits) {
   return 0.5000001 * std::pow(10.0, power - static_cast<double>(decimals));
 }
 
+// Markdown takes a number with a full stop or a bracket after it, first in its line, for an item of a list.
+bool looks_like_a_list(const std::smatch& match) {
+  const std::string before = match.prefix();
+  const std::string after = match.suffix();
+  return (before.empty() || before.back() == '\n') && after.size() > 1 &&
+         (after[0] == '.' || after[0] == ')') && after[1] == ' ';
+}
+
 }  // namespace
 
 std::vector<std::string> stale_numbers(const std::string& page, const std::string& name,
@@ -47,6 +55,9 @@ std::vector<std::string> stale_numbers(const std::string& page, const std::strin
       messages.push_back(where + "a comment about a number follows a number");
       continue;
     }
+    if (looks_like_a_list(match))
+      messages.push_back(where +
+                         "begins a line and would be shown as a list: put a word before it");
     const CheckedNumber* number = number_of(figures, match[3], match[4]);
     if (number == nullptr) {
       messages.push_back(where + "no figure has this number");

@@ -18,8 +18,8 @@ namespace tumble::chapters {
 /// \param page     the text
 /// \param name     of the page, for the messages
 /// \param figures  from check_figures()
-/// \return a message for each number that differs, and for each comment that names a figure or
-///         quantity that does not exist or follows no number
+/// \return a message for each number that differs, for each comment that names a figure or quantity that does
+///         not exist or follows no number, and for each number that Markdown would show as an item of a list
 std::vector<std::string> stale_numbers(const std::string& page, const std::string& name,
                                        const std::vector<DrawnFigure>& figures);
 

@@ -80,6 +80,34 @@ TEST_CASE("A changed number is reported with what was expected", "[unit][ledger]
   CHECK(findings.figures.at(2).chapter == "falling");  // told by its command
 }
 
+TEST_CASE("A number that Markdown would take for an item of a list is reported", "[unit][ledger]") {
+  const Scratch scratch("list");
+  const auto folder = scratch.figure("fig2_1_fall", "depth,m,5,,,0\n");
+  const auto stale = [&](const std::string& text) {
+    return read_findings(folder, {scratch.file("falling/page.md", text)}).stale;
+  };
+  CHECK(stale("It is\n5<!-- fig2_1_fall: depth -->m. It\nis 5<!-- fig2_1_fall: depth -->. So.\n")
+            .empty());
+  const std::vector<std::string> wrong = stale("It is\n5<!-- fig2_1_fall: depth -->. So.\n");
+  REQUIRE(wrong.size() == 1);
+  CHECK_THAT(wrong[0], Contains("would be shown as a list"));
+}
+
+TEST_CASE("A film that README shows is the one that was painted", "[unit][ledger]") {
+  const Scratch scratch("films");
+  const auto folder = scratch.figure("fig2_1_fall", "depth,m,5,,,0\n");
+  const auto wrong = [&](const std::string& shown, const std::string& painted) {
+    const auto film = scratch.file("films/fig2_1_fall.gif", shown);
+    if (!painted.empty()) write_file(folder / "fig2_1_fall.gif", painted);
+    return read_findings(folder, {film}).stale;
+  };
+  CHECK(wrong("GIF89a;", "").empty());
+  CHECK(wrong("GIF89a;", "GIF89a;").empty());
+  const std::vector<std::string> stale = wrong("GIF89a;", "GIF89a,;");
+  REQUIRE(stale.size() == 1);
+  CHECK_THAT(stale[0], Contains("fig2_1_fall.gif: is not the film that was painted now"));
+}
+
 TEST_CASE("Without any figures everything is expected and nothing is measured", "[unit][ledger]") {
   const Scratch scratch("nothing");
   const auto expected = scratch.file("falling/expected.csv", kExpected);
