@@ -80,7 +80,7 @@ Figure which_centre_figure() {
   figure.caption =
       "A cube that turns, and what is wrong after one step: marks are measured, lines are half h² "
       "ω² times a lever. If it sticks, it has to go round the point that it touches. If it slides "
-      "without friction, no point of it serves: its centre goes straight along the floor, and the "
+      "without friction, no point of it serves: its centre goes straight along the ground, and the "
       "cube is put back on it. In flight its centre goes straight; about what is at rest its way "
       "would bend. What is right leaves rounding, as written in each panel.";
   figure.parameters.add_number("spin", 2.0, 0.1, 20.0, "rad/s", "of the cube")

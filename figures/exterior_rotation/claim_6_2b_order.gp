@@ -37,11 +37,11 @@ set key at screen 0.55,0.627 center top vertical maxrows 4 width -4
 plot for [k=1:7] stem.'.csv' using 'step_s':columns[k].'_gap' with linespoints lt types[k] title sprintf('%s: %.2f', names[k], gap[k])
 unset arrow 1; unset label 1; unset label 2
 
-set tmargin at screen 0.212; set bmargin at screen 0.052
+set tmargin at screen 0.212; set bmargin at screen 0.06
 unset logscale; set format '%g'
 set xrange [-0.0025:0.055]; set xtics 0,0.01
 set yrange [0.22:0.75]; set ytics 0,0.1
-set key at screen 0.55,0.242 center top vertical maxrows 1 width -3
+set key at screen 0.55,0.24 center top vertical maxrows 1 width -3
 side = 'gap / step [m/s]'; @SIDE
 plot for [k=1:3] constants using (column('step_s') > 0 ? column('step_s') : NaN):columns[k] with linespoints lt types[k] title names[k], \
   for [k=1:3] constants using (column('step_s') == 0 ? 0 : NaN):columns[k].'_exact' with points pt 6 ps 1.8 lw 2 lc rgb '#202020' notitle, \

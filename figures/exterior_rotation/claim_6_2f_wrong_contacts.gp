@@ -1,5 +1,5 @@
 # Changes of contact of the falling column, by scheme and time; how many are wrong; and the tolerance.
-tall = 1470
+tall = 1500
 @PAGE
 set multiplot
 height(points) = 1 - points*1.0/tall
@@ -16,7 +16,7 @@ set yrange [9.7:0.3]; unset ytics; unset grid
 do for [k=1:9] { set label k names[k] at graph -0.02,first k right textcolor rgb '#202020' }
 set label 20 'exponential' at screen 0.022,first 7.5 center rotate textcolor rgb soft
 set arrow 20 from graph -0.42,first 5.5 to graph 1,first 5.5 nohead lc rgb '#808080' lw 1
-set key at screen 0.54,height(6) center top horizontal maxcols 2 samplen 1.5 width -3
+set key at screen 0.54,height(6) center top vertical maxrows 3 samplen 1.5 width -3
 set xlabel 'time [s]' offset 0,0.3
 row(k, w) = column('scheme') > 0 && column('kind') == k && column('wrong') == w ? column('scheme') + (column('joint') - 1.5)*0.17 : NaN
 plot changes using (column('scheme') == 0 ? column('time_s') : NaN):(9.7):(0):(-9.4) with vectors nohead lc rgb '#9a9a9a' lw 1.5 dt (6,4) title 'the right motion', \
@@ -49,13 +49,13 @@ unset key; unset label; unset arrow
 
 # Tolerances.
 set lmargin at screen 0.17
-set tmargin at screen height(1170); set bmargin at screen height(1400)
+set tmargin at screen height(1180); set bmargin at screen height(1410)
 set logscale x; set mxtics 1; set xrange [1e-9:0.1]; set xtics nomirror 1e-9,1e2; set format x powers
 set yrange [-1:*]; set ytics nomirror 0,10
 set grid y
 side = 'wrong changes'; @SIDE
 set xlabel 'distance that counts as touching, over an edge' offset 0,0.3
-set key at screen 0.54,height(1082) center top horizontal maxcols 2 samplen 2 width -3
+set key at screen 0.54,height(1092) center top vertical maxrows 3 samplen 2 width -3
 plot sweep using 'tolerance':'wrong_1' with linespoints lt 5 title 'forward Euler', \
   '' using 'tolerance':'wrong_2' with linespoints lt 3 title 'semi-implicit', \
   '' using 'tolerance':'wrong_4' with linespoints lt 2 title 'midpoint', \

@@ -1,5 +1,5 @@
 # Errors across openings of joints against the step, of the first opening's moment, and under error control.
-tall = 1480
+tall = 1500
 @PAGE
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955

@@ -64,7 +64,7 @@ low = low + 176
 set tmargin at screen height(low); set bmargin at screen height(low + 210)
 set format x '%g'
 set xlabel 'time [s]' offset 0,0.3
-side = 'angle between two boxes [°]'; @SIDE
+side = 'angle between [°]'; @SIDE
 set autoscale
 stats stem.'.csv' using (column('hinge1_deg') > column('hinge2_deg') ? column('hinge1_deg') : column('hinge2_deg')) name 'hinge' nooutput
 set xrange [0.9:1.9]; set yrange [0:1.05*hinge_max]; set ytics 0,5

@@ -35,8 +35,8 @@ set tmargin at screen 0.3; set bmargin at screen 0.058
 set format x '%g'
 set xlabel 'systems of joint forces solved' offset 0,0.3
 side = 'error of the angle [rad]'; @SIDE
-set key at screen 0.55,0.358 center top vertical maxrows 3 width -1
+set key at screen 0.55,0.358 center top vertical maxrows 3 width -4
 set label 2 'each body by its exponential:' at screen 0.55,0.366 center textcolor rgb soft
 plot for [k=1:4] stem.'.csv' using still[k].'_solves':still[k].'_angle' with linespoints lt still_types[k] title named[k], \
-  '' using 'rk4_solves':'rk4_angle' with linespoints lt 6 title 'Runge-Kutta 4 (separate)'
+  '' using 'rk4_solves':'rk4_angle' with linespoints lt 6 title 'Runge-Kutta 4, apart'
 unset multiplot

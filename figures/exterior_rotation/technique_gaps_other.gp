@@ -12,7 +12,7 @@ set border 1 lc rgb '#808080'; unset grid; set grid x
 set ytics scale 0 ('' -5)
 set for [k=1:6] ytics add (names[k] k - 1)
 set key at screen 0.6,0.985 center top vertical maxrows 1 samplen 1
-set label 1 'stands still' at 5e-5,-0.22 left textcolor rgb soft
+set label 1 'stands still' at 6e-5,-0.22 left textcolor rgb soft
 shown(g) = g > 4e-5 ? g : 4e-5
 plot stem.'.csv' using (shown(column('fig6_1_gap_m'))):($1-0.22) with points lt 1 ps 1.5 title 'figure 6.1', \
   '' using 'fig6_2_gap_m':'technique' with points lt 2 ps 1.5 title 'figure 6.2', \

@@ -1,5 +1,5 @@
 # Largest gap in a second over the step, and the error of where the column is.
-tall = 1040
+tall = 1070
 @PAGE
 set multiplot
 set lmargin at screen 0.175; set rmargin at screen 0.955
@@ -7,7 +7,7 @@ set logscale xy; set format y powers
 set xrange [0.0009:0.23]; set xtics (0.001, 0.003, 0.01, 0.03, 0.1)
 
 set key at screen 0.56,0.99 center top vertical maxrows 3 width -2
-set tmargin at screen 0.905; set bmargin at screen 0.53
+set tmargin at screen 0.905; set bmargin at screen 0.55
 set yrange [1e-17:1]; set ytics 1e-16,1e3
 set xlabel 'length of a step [s]' offset 0,0.3
 side = 'largest gap or overlap [m]'; @SIDE
@@ -21,8 +21,8 @@ plot stem.'.csv' using 'step_s':'separate_m' with linespoints lt 2 title 'semi-i
   '' using 'step_s':'flight_m' with linespoints lt 6 title 'leapfrog, in flight'
 unset arrow 1; unset label 1
 
-set tmargin at screen 0.41; set bmargin at screen 0.08
-set key at screen 0.56,0.465 center top vertical maxrows 2 width -2
+set tmargin at screen 0.4; set bmargin at screen 0.08
+set key at screen 0.56,0.458 center top vertical maxrows 2 width -2
 set yrange [1e-7:1]; set ytics 1e-7,10
 side = 'error of the angle after it [rad]'; @SIDE
 set label 2 'slope 1' at 0.002,3.5e-4 left textcolor rgb soft

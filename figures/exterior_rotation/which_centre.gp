@@ -31,7 +31,7 @@ unset key
 set tmargin at screen 0.635; set bmargin at screen 0.39
 side = 'gap or bend [m]'; @SIDE
 set label 1 'it slides'
-set label 2 sprintf('centre straight, put back on the floor: %.0g m', slid)
+set label 2 sprintf('centre straight, put back on the ground: %.0g m', slid)
 plot for [c=1:3] stem.'.csv' using 'step_s':(of(2, c, 'predicted_m')) with lines lt 8 notitle, \
   '' using 'step_s':(of(2, 1, 'error_m')) with points lt 2 ps 1.1, \
   '' using 'step_s':(of(2, 2, 'error_m')) with points lt 1 ps 1.1, \

@@ -12,7 +12,7 @@ limit = 1e-3
 set multiplot
 set lmargin at screen 0.17; set rmargin at screen 0.955
 
-set tmargin at screen 0.965; set bmargin at screen 0.53
+set tmargin at screen 0.965; set bmargin at screen 0.54
 side = 'bodies that move less'; @SIDE
 set logscale x
 set format x powers
@@ -25,7 +25,7 @@ set arrow 1 from limit,graph 0 to limit,graph 1 nohead lt 8 dt (6,4)
 set label 1 sprintf('%.0f %% chatter', 100*loud) at screen 0.945,first 0.2 right textcolor rgb '#A04000'
 set label 2 sprintf('%.0f %% rest and do not move', 100*calm) at graph 0.03,first (calm - 0.045) left textcolor rgb '#005A8C'
 set label 3 sprintf('%.0f %% do not rest', 100*away) at graph 0.03,first (1 - 0.5*away) left textcolor rgb '#202020'
-set label 4 'one thousandth ' at limit,first 0.06 right textcolor rgb soft
+set label 4 'one thousandth' at limit,first 0.06 right offset -0.6,0 textcolor rgb soft
 stats stem.'.csv' using 'amplitude' name 'moving' nooutput
 set arrow 2 from graph 0,first calm to moving_min,calm nohead lc rgb '#0072B2' lw 3
 plot stem.'.csv' using 'amplitude':'share' with lines lt 1 lw 3 notitle
@@ -40,7 +40,7 @@ set yrange [-0.04:1.04]
 set xlabel 'constants that the thesis does not give' offset 0,0.2
 set arrow 1 from graph 0,first 0.05 to graph 1,first 0.05 nohead lt 8 dt (6,4)
 set label 1 'confirmed above' at 1.75,0.105 right textcolor rgb soft
-set key at screen 0.56,0.45 center top horizontal
+set key at screen 0.56,0.447 center top horizontal
 factor(v) = (v == 0) ? 1.0 : (int(v) % 2 == 1) ? 0.5 : 2.0
 series(v, first) = (v == 0 || v == first || v == first + 1) ? column('share') : NaN
 shares = stem.'_shares.csv'

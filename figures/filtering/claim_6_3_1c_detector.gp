@@ -35,7 +35,7 @@ unset label 99
 set lmargin at screen 0.22
 set xlabel 'share that is told to chatter, or called slow' offset 0,0.3
 place(kind) = kind == 5 ? 3 : kind == 3 ? 4 : kind == 4 ? 5 : kind
-set key at screen 0.58,0.596 center top horizontal maxcols 4
+set key at screen 0.58,0.592 center top horizontal maxcols 4
 plot stem.'_kinds.csv' using 'rule':(place(column('kind')) - 0.24) with points lt 1 ps 0.9 title 'rule', \
   '' using 'path':(place(column('kind')) - 0.08) with points lt 2 ps 0.9 title 'path', \
   '' using 'slow':(place(column('kind')) + 0.08) with points lt 3 ps 0.9 title 'sleeping', \
@@ -47,7 +47,7 @@ set logscale x 2; set xrange [7.3:66]; set xtics (8, 12, 16, 20, 24, 30, 45, 60)
 set yrange [0.81:1.015]; set ytics 0.85,0.05
 side = 'told right'; @SIDE
 set xlabel 'frames in the window' offset 0,0.3
-set key at screen 0.56,0.274 center top horizontal maxcols 2
+set key at screen 0.56,0.27 center top horizontal maxcols 2
 set label 1 'nineteen of twenty' at graph 0.985,first 0.925 right textcolor rgb soft
 plot stem.'_windows.csv' using 'frames':'hits' with linespoints lt 1 title 'chatter', \
   '' using 'frames':'kept' with linespoints lt 2 title 'what moves', \

@@ -22,7 +22,7 @@ set xrange [7e-5:0.15]; set xtics autofreq
 set yrange [-0.01:0.25]
 side = 'kinetic over added'; @SIDE
 set arrow 1 from 9.81/3600,graph 0 to 9.81/3600,graph 1 nohead lt 8 dt (6,4)
-set label 1 'one step of gravity ' at 9.81/3600,graph 0.08 right textcolor rgb soft
+set label 1 'one step of gravity' at 9.81/3600,graph 0.12 right offset -0.6,0 textcolor rgb soft
 plot stem.'_depth.csv' using 'depth_m':'ratio' with linespoints lt 2 title 'pushes', \
   '' using 'depth_m':'ratio_ours' with linespoints lt 3 title 'our repair'
 unset multiplot

@@ -1,13 +1,13 @@
 # Errata of damping and of the ending of overlap, one in each row: on the left as printed, on the
 # right mended.
 rows = 8
-tall = 60 + 235*rows
+tall = 45 + 265*rows
 @PAGE
 stack = stem.'_stack.csv'
 stats stack using (column('printed_J')) name 'added' nooutput
 set multiplot
 unset key
-top(row) = 1 - (70.0 + 235*row)/tall
+top(row) = 1 - (70.0 + 265*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center
 set label 91 'mended' at screen 0.77,1-14.0/tall center
 LEFT = 'set lmargin at screen 0.15; set rmargin at screen 0.53'
@@ -148,7 +148,7 @@ set xrange [0:*]; set xtics autofreq
 set yrange [-0.09*added_max:1.15*added_max]; set ytics 20
 @ZERO
 @LEFT
-set label 1 'none marked' at graph 0.40,0.72 right
+set label 1 'none marked' at graph 0.54,0.8 right
 set label 2 'all marked' at graph 0.98,0.24 right
 plot stack using 'time_s':'printed_J' with lines lt 2 dt 1, '' using 'time_s':'stable_J' with lines lt 5
 unset label 1; unset label 2
