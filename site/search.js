@@ -36,9 +36,9 @@ class Search {
     Search.show();
   }
 
-  // Every word has to occur. Names weigh more than text, chapters more than the reference.
+  // Every word has to occur, and COLLIDE:5 is two. Names weigh more than text, chapters more than the reference.
   static find(query) {
-    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = query.toLowerCase().replace(/([^:]):(?=\d)/g, '$1 ').split(/\s+/).filter(Boolean);
     const hits = [];
     for (const entry of Search.entries) {
       let score = entry.reference ? 0 : 25;
