@@ -31,11 +31,13 @@ double rounding_of(const std::string& digits) {
   return 0.5000001 * std::pow(10.0, power - static_cast<double>(decimals));
 }
 
-// Markdown takes a number with a full stop or a bracket after it, first in its line, for an item of a list.
+// Markdown takes a whole number with a full stop or a bracket after it, first in its line, for an item of a list.
 bool looks_like_a_list(const std::smatch& match) {
   const std::string before = match.prefix();
   const std::string after = match.suffix();
-  return (before.empty() || before.back() == '\n') && after.size() > 1 &&
+  const std::string written = match[1];
+  return written.find_first_not_of("0123456789") == std::string::npos &&
+         (before.empty() || before.back() == '\n') && after.size() > 1 &&
          (after[0] == '.' || after[0] == ')') && after[1] == ' ';
 }
 
