@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <regex>
 
 namespace tumble::chapters {
 namespace {
@@ -40,7 +41,7 @@ std::string finding_html(const LedgerEntry& entry) {
 }
 
 std::string rule_html(const Claim& claim) {
-  const std::string reason = "<br><span class=\"soft\">" + html_text(claim.reason) + "</span>";
+  const std::string reason = "<br><span class=\"soft\">" + prose_html(claim.reason) + "</span>";
   if (!claim.comparable) return "none" + reason;
   return printed_rule(rule_text(claim)) + "; fixed before the first run" + reason;
 }
@@ -92,6 +93,10 @@ std::string html_text(const std::string& text) {
     }
   }
   return result;
+}
+
+std::string prose_html(const std::string& text) {
+  return std::regex_replace(html_text(text), std::regex("`([^`]*)`"), "<code>$1</code>");
 }
 
 std::string whole_html(const std::string& text) {

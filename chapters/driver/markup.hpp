@@ -31,6 +31,10 @@ std::string chapter_title(std::string chapter);
 ///         takes a part of it for its own
 std::string html_text(const std::string& text);
 
+/// \param text  a sentence, in which names of code stand between backticks
+/// \return the same as HTML, names as code
+std::string prose_html(const std::string& text);
+
 /// Text that stays on one line: "1e-10 s" would be broken after its hyphen.
 /// \param text  any text
 /// \return HTML

@@ -71,7 +71,7 @@ std::string tolerance_html(const Tolerance& tolerance) {
   const std::string unit = tolerance.unit == "-" ? "" : ' ' + tolerance.unit;
   return "<div class=\"entry\">\n<p><code>" + html_text(tolerance.name) + "</code> = <strong>" +
          whole_html(tolerance.value + unit) + "</strong><br>\n" + html_text(tolerance.meaning) +
-         "</p>\n<p class=\"soft\">Reason: " + html_text(tolerance.reason) + " (" +
+         "</p>\n<p class=\"soft\">Reason: " + prose_html(tolerance.reason) + " (" +
          html_text(tolerance.section) + ")</p>\n</div>\n";
 }
 

@@ -39,6 +39,7 @@ std::vector<Tolerance> tolerances_in(const std::string& text) {
 TEST_CASE("Text in HTML keeps browsers and Doxygen from taking it for their own",
           "[unit][ledger]") {
   CHECK(html_text("a<b> & \"c\" \\ref d") == "a&lt;b&gt; &amp; &quot;c&quot; &#92;ref d");
+  CHECK(prose_html("below `eps`, a < b") == "below <code>eps</code>, a &lt; b");
 }
 
 TEST_CASE("The ledger has the gap of each technique", "[unit][ledger]") {
