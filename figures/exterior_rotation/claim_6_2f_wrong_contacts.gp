@@ -1,5 +1,5 @@
 # Changes of contact of the falling column, by scheme and time; how many are wrong; and the tolerance.
-tall = 1500
+tall = 1530
 @PAGE
 set multiplot
 height(points) = 1 - points*1.0/tall
@@ -31,7 +31,7 @@ unset key; unset label; unset arrow
 
 # How many.
 set ytics nomirror; unset grid
-set tmargin at screen height(680); set bmargin at screen height(1010)
+set tmargin at screen height(696); set bmargin at screen height(1026)
 set xrange [0:*]; set xtics nomirror 0,10; set grid x lc rgb '#dddddd' lw 0.7 dt 1
 set yrange [9.7:0.3]; unset ytics
 do for [k=1:9] { set label k names[k] at graph -0.02,first k right textcolor rgb '#202020' }
@@ -39,7 +39,7 @@ set label 20 'exponential' at screen 0.022,first 7.5 center rotate textcolor rgb
 set arrow 20 from graph -0.42,first 5.5 to graph 1,first 5.5 nohead lc rgb '#808080' lw 1
 set style fill solid 0.85 noborder
 set xlabel 'changes of contact' offset 0,0.3
-set key at screen 0.54,height(650) center top horizontal maxcols 2 samplen 1.5 width 1
+set key at screen 0.54,height(662) center top horizontal maxcols 2 samplen 1.5 width 1
 plot stem.'.csv' using (0.5*column('wrong')):(column('scheme') - 0.17):(0.5*column('wrong')):(0.16) with boxxy lc rgb '#D55E00' title 'wrong', \
   '' using (0.5*column('missed')):(column('scheme') + 0.19):(0.5*column('missed')):(0.16) with boxxy lc rgb '#56B4E9' title 'missed', \
   '' using (column('wrong') + 0.5):(column('scheme') - 0.17):(sprintf('%d', column('wrong'))) with labels left font ',11' notitle, \
@@ -49,13 +49,13 @@ unset key; unset label; unset arrow
 
 # Tolerances.
 set lmargin at screen 0.17
-set tmargin at screen height(1180); set bmargin at screen height(1410)
+set tmargin at screen height(1208); set bmargin at screen height(1438)
 set logscale x; set mxtics 1; set xrange [1e-9:0.1]; set xtics nomirror 1e-9,1e2; set format x powers
 set yrange [-1:*]; set ytics nomirror 0,10
 set grid y
 side = 'wrong changes'; @SIDE
 set xlabel 'distance that counts as touching, over an edge' offset 0,0.3
-set key at screen 0.54,height(1092) center top vertical maxrows 3 samplen 2 width -3
+set key at screen 0.54,height(1118) center top vertical maxrows 3 samplen 2 width -3
 plot sweep using 'tolerance':'wrong_1' with linespoints lt 5 title 'forward Euler', \
   '' using 'tolerance':'wrong_2' with linespoints lt 3 title 'semi-implicit', \
   '' using 'tolerance':'wrong_4' with linespoints lt 2 title 'midpoint', \
