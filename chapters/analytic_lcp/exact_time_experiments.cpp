@@ -4,6 +4,7 @@
 
 #include "analytic_lcp/joined_experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

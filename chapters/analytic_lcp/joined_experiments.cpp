@@ -5,7 +5,6 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/scene.hpp"
-#include "tumble/techniques.hpp"
 
 #include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
@@ -18,14 +17,6 @@
 namespace tumble::chapters {
 
 std::string setting_text(double value) { return full_text(value); }
-
-std::unique_ptr<Technique> technique_with(const std::string& name,
-                                          const std::vector<std::string>& settings) {
-  const TechniqueRecipe& recipe = technique_recipe(name);
-  Parameters options = recipe.options();
-  set_all(options, settings);
-  return recipe.make(options, 1);
-}
 
 namespace {
 

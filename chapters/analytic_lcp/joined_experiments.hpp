@@ -3,23 +3,11 @@
 ///        measured on (thesis 3.3.1, 4.3).
 #pragma once
 
-#include "tumble/dynamics/technique.hpp"
-
 #include "driver/figure.hpp"
 
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace tumble::chapters {
-
-/// A technique of the library with some of its options changed.
-/// \param name      for example "analytic"
-/// \param settings  each as key=value
-/// \return the technique
-/// \throws std::invalid_argument for a name, a key or a value that there is not
-std::unique_ptr<Technique> technique_with(const std::string& name,
-                                          const std::vector<std::string>& settings);
 
 /// A number as a setting has it.
 /// \param value  any finite number

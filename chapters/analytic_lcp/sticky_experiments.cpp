@@ -6,6 +6,7 @@
 
 #include "analytic_lcp/joined_experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>

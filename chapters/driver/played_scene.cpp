@@ -12,19 +12,11 @@
 #include <utility>
 
 namespace tumble::chapters {
-namespace {
-
-std::unique_ptr<Technique> make(const PlayedTechnique& played, std::uint64_t seed) {
-  const TechniqueRecipe& recipe = technique_recipe(played.name);
-  Parameters options = recipe.options();
-  set_all(options, played.settings);
-  return recipe.make(options, seed);
-}
-
-}  // namespace
 
 PlayedScene::PlayedScene(Scene start, const PlayedTechnique& played, std::uint64_t seed)
-    : scene(std::move(start)), world(build_world(scene)), technique(make(played, seed)) {}
+    : scene(std::move(start)),
+      world(build_world(scene)),
+      technique(technique_with(played.name, played.settings, seed)) {}
 
 StepReport PlayedScene::step() {
   const double before = world.time();

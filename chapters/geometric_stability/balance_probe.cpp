@@ -9,7 +9,6 @@
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 #include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
 #include "driver/csv.hpp"
 #include "driver/settings.hpp"
@@ -181,10 +180,7 @@ bool stays(const Structure& scene, std::string_view technique,
            const std::vector<std::string>& settings, double seconds) {
   constexpr double step = 1.0 / 60.0;  // [s]
   constexpr double moved = 0.01;       // [m]
-  const TechniqueRecipe& recipe = technique_recipe(technique);
-  Parameters options = recipe.options();
-  set_all(options, settings);
-  const std::unique_ptr<Technique> runs = recipe.make(options, 1);
+  const std::unique_ptr<Technique> runs = technique_with(technique, settings);
   World world = scene.world;
   while (world.time() < seconds - 0.5 * step) {
     const StepReport report = runs->step(world, step);

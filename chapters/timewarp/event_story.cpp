@@ -5,7 +5,6 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/techniques.hpp"
 
 #include "driver/settings.hpp"
 
@@ -69,14 +68,6 @@ std::vector<std::size_t> longest_ascending(const std::vector<std::size_t>& numbe
 }
 
 }  // namespace
-
-std::unique_ptr<Technique> technique_with(std::string_view name,
-                                          const std::vector<std::string>& settings) {
-  const TechniqueRecipe& recipe = technique_recipe(name);
-  Parameters options = recipe.options();
-  set_all(options, settings);
-  return recipe.make(options, 1);
-}
 
 std::unique_ptr<Technique> search_over_all(double resolution) {
   return technique_with("basic", {"search=conservative", "event_cap=100000",

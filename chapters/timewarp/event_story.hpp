@@ -6,8 +6,6 @@
 #include "tumble/dynamics/technique.hpp"
 
 #include <memory>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace tumble::chapters {
@@ -18,14 +16,6 @@ struct Collision {
   int first = 0;      ///< index of a body
   int second = 0;     ///< index of the other one, above the first
 };
-
-/// A technique of the library.
-/// \param name      for example "timewarp_safer"
-/// \param settings  each as key=value
-/// \return the technique
-/// \throws std::invalid_argument for a name, a key or a value that there is not
-std::unique_ptr<Technique> technique_with(std::string_view name,
-                                          const std::vector<std::string>& settings = {});
 
 /// What stories are held against: a search over all bodies that misses nothing, all of them taken back
 /// for each collision. Meant for steps much smaller than a frame.

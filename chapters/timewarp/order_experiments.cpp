@@ -5,6 +5,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "driver/settings.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 

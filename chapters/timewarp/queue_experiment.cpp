@@ -6,6 +6,7 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/settings.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/order_experiments.hpp"

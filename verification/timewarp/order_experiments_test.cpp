@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "driver/quick.hpp"
+#include "driver/settings.hpp"
 #include "support/catch.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
