@@ -12,15 +12,12 @@
 #include <sstream>
 
 namespace tumble::chapters {
-namespace {
 
 std::string formatted(const char* format, double value) {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
-
-}  // namespace
 
 std::string full_text(double value) { return std::isnan(value) ? "" : formatted("%.17g", value); }
 

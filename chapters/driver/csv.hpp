@@ -16,6 +16,12 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number as printf writes it.
+/// \param format  of one double, for example "%.4g"
+/// \param value   any number
+/// \return at most 39 characters
+std::string formatted(const char* format, double value);
+
 /// A number with 17 significant digits: it reads back to the same bits.
 /// \param value any number; NaN gives an empty cell
 /// \return for example `0.10000000000000001`

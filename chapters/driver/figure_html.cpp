@@ -3,6 +3,7 @@
 #include "driver/csv.hpp"
 #include "driver/markup.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble::chapters {
@@ -54,6 +55,17 @@ std::string recipe(const DrawnFigure& figure) {
   }
   return text + "</ul>\n<p class=\"soft\">The numbers were computed by <code>" +
          head_html(figure, "command") + "</code>.</p>\n</details>\n";
+}
+
+// A command in a caption: "--set" is not broken after its hyphens.
+std::string with_whole_options(std::string html) {
+  for (std::size_t at = html.find(" --"); at != std::string::npos; at = html.find(" --", at)) {
+    const std::size_t end = std::min(html.find(' ', at + 1), html.size());
+    const std::string option = html.substr(at + 1, end - at - 1);
+    html.replace(at + 1, option.size(), "<span class=\"whole\">" + option + "</span>");
+    ++at;
+  }
+  return html;
 }
 
 // Of the tables only the numbers are there under the same name for every figure.
@@ -114,7 +126,7 @@ std::string gallery_html(const std::vector<DrawnFigure>& figures, const std::str
     if (!is_of_kind(figure, "gallery_") || !is_drawn(figure)) continue;
     text += "<figure id=\"" + figure.name + "\">\n" + picture(figure, folder, ".png", ".svg") +
             "<figcaption>" + head_html(figure, "title") + "<br>\n<span class=\"soft\">" +
-            head_html(figure, "caption") + "</span></figcaption>\n</figure>\n";
+            with_whole_options(head_html(figure, "caption")) + "</span></figcaption>\n</figure>\n";
   }
   return text.empty() ? text : "<div class=\"gallery\">\n" + text + "</div>\n";
 }

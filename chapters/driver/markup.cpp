@@ -2,18 +2,13 @@
 /// \brief Pieces of HTML that say one thing: a text, a number, a verdict, a claim.
 #include "driver/markup.hpp"
 
+#include "driver/csv.hpp"
+
 #include <cmath>
-#include <cstdio>
 #include <regex>
 
 namespace tumble::chapters {
 namespace {
-
-std::string formatted(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 // An end of an interval: four digits, and whole numbers whole.
 std::string end_html(double value) {

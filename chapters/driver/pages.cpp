@@ -75,6 +75,21 @@ std::string tolerance_html(const Tolerance& tolerance) {
          html_text(tolerance.section) + ")</p>\n</div>\n";
 }
 
+// Links to the parts of a long page, each once and in their order.
+std::string jumps_md(const std::string& kind, const std::vector<std::string>& parts) {
+  std::string text;
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    if (part != parts.begin() && *part == *(part - 1)) continue;
+    text += (text.empty() ? "" : " · ") + ("\\ref " + label_of(kind, *part)) + " \"" +
+            chapter_title(*part) + '"';
+  }
+  return text.empty() ? text : text + "\n\n";
+}
+
+std::string part_md(const std::string& kind, const std::string& part) {
+  return "\\anchor " + label_of(kind, part) + "\n\n## " + chapter_title(part) + "\n\n";
+}
+
 // What figures measure of each technique on the same scene.
 std::string techniques_md(const std::vector<DrawnFigure>& figures) {
   std::string text;
@@ -125,6 +140,12 @@ and what we do.
 
 )";
   if (findings.errata.empty()) text += "No chapter has found one yet.\n\n";
+  std::string jumps;
+  for (const ErratumEntry& entry : findings.errata) {
+    const std::string& id = entry.erratum.id;
+    jumps += "<a href=\"#" + label_of("erratum", id) + "\">" + html_text(id) + "</a>\n";
+  }
+  if (!jumps.empty()) text += as_is("<p>" + jumps + "</p>\n");
   for (const ErratumEntry& entry : findings.errata) {
     text += "\\anchor " + label_of("erratum", entry.erratum.id) + '\n' + as_is(erratum_html(entry));
   }
@@ -136,12 +157,15 @@ std::string tolerances_page(const std::vector<Tolerance>& tolerances) {
       "# Small numbers {#tolerances}\n\nEvery tolerance and threshold of the library, " +
       std::to_string(tolerances.size()) + R"( of them, as
 tumble/base/tolerance.hpp defines them. Those without a unit are ratios and hold for boxes of any
-size and mass. "The same" refers to the number before.
+size and mass. "The same" refers to the number before; `0x1p-27` is 2 to the power of -27.
 
 )";
+  std::vector<std::string> layers;
+  for (const Tolerance& tolerance : tolerances) layers.push_back(tolerance.layer);
+  text += jumps_md("small_numbers", layers);
   std::string layer;
   for (const Tolerance& tolerance : tolerances) {
-    if (tolerance.layer != layer) text += "## " + chapter_title(tolerance.layer) + "\n\n";
+    if (tolerance.layer != layer) text += part_md("small_numbers", tolerance.layer);
     layer = tolerance.layer;
     text += as_is(tolerance_html(tolerance));
   }
@@ -152,8 +176,14 @@ std::string gallery_page(const Findings& findings) {
   std::string text = R"(# Gallery and figures {#gallery}
 
 All pictures are drawn from numbers that the library has computed. `make figures` draws them again.
+Below the scenes stand the figures, chapter by chapter:
 
 )";
+  std::vector<std::string> chapters;
+  for (const DrawnFigure& figure : findings.figures) {
+    if (!is_of_kind(figure, "gallery_")) chapters.push_back(figure.chapter);
+  }
+  text += jumps_md("figures_of", chapters);
   const std::string thumbnails = gallery_html(findings.figures, "figures/");
   if (!thumbnails.empty()) text += as_is(thumbnails);
 
@@ -161,7 +191,7 @@ All pictures are drawn from numbers that the library has computed. `make figures
   std::string chapter;
   for (const DrawnFigure& figure : findings.figures) {
     if (is_of_kind(figure, "gallery_")) continue;
-    if (figure.chapter != chapter) text += "## " + chapter_title(figure.chapter) + "\n\n";
+    if (figure.chapter != chapter) text += part_md("figures_of", figure.chapter);
     chapter = figure.chapter;
     text += as_is(figure_html(figure, findings.ledger, {"figures/", "h3", true}));
   }

@@ -28,11 +28,15 @@ void check_section(const ThesisSection& section) {
 // Figures that stand under a number of the thesis. Of two pictures of one figure, the second is one more link.
 std::string figures_html(const ThesisSection& section, const Findings& findings) {
   std::string text;
+  std::string last;
   for (const std::string& name : section.figures) {
     const bool known = std::any_of(findings.figures.begin(), findings.figures.end(),
                                    [&](const DrawnFigure& figure) { return figure.name == name; });
     if (!known) throw std::invalid_argument(section.place + "no figure is called " + name);
-    text += "<a href=\"gallery.html#" + name + "\">figure " + thesis_number(name) + "</a><br>";
+    const std::string number = "figure " + thesis_number(name);
+    text += "<a href=\"gallery.html#" + name + "\">" +
+            (number == last ? "the same, another picture" : number) + "</a><br>";
+    last = number;
   }
   return text;
 }
