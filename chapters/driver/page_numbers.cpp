@@ -36,7 +36,7 @@ bool looks_like_a_list(const std::smatch& match) {
   const std::string before = match.prefix();
   const std::string after = match.suffix();
   const std::string written = match[1];
-  return written.find_first_not_of("0123456789") == std::string::npos &&
+  return !match[2].matched && written.find_first_not_of("0123456789") == std::string::npos &&
          (before.empty() || before.back() == '\n') && after.size() > 1 &&
          (after[0] == '.' || after[0] == ')') && after[1] == ' ';
 }

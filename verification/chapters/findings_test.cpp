@@ -88,6 +88,7 @@ TEST_CASE("A number that Markdown would take for an item of a list is reported",
   };
   CHECK(stale("It is\n5<!-- fig2_1_fall: depth -->m. It\nis 5<!-- fig2_1_fall: depth -->. So.\n")
             .empty());
+  CHECK(stale("It is\n500 per cent<!-- fig2_1_fall: depth -->. So.\n").empty());
   const std::vector<std::string> wrong = stale("It is\n5<!-- fig2_1_fall: depth -->. So.\n");
   REQUIRE(wrong.size() == 1);
   CHECK_THAT(wrong[0], Contains("would be shown as a list"));
