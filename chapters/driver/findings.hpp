@@ -19,8 +19,7 @@ struct Findings {
   std::vector<LedgerEntry> ledger;   ///< from judge()
   std::vector<ErratumEntry> errata;  ///< from find_errata()
   std::vector<ChoiceEntry> choices;  ///< from find_choices()
-  std::vector<std::string>
-      stale;  ///< from stale_numbers(), of all pages of chapters, and films of another run
+  std::vector<std::string> stale;    ///< what pages and README's films tell that is no longer so
 };
 
 /// Reads everything that chapters expect and claim, and what their figures gave.
