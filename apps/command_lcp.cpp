@@ -1,7 +1,7 @@
 /// \file
 /// \brief `tumble lcp`: a linear complementarity problem from files, solved.
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
 

@@ -1,9 +1,9 @@
 /// \file
 /// \brief `tumble scenes`, `tumble techniques`, `tumble filters` and `tumble lcp --list`.
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/filtering/filters.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/techniques.hpp"

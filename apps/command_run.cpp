@@ -1,6 +1,6 @@
 /// \file
 /// \brief `tumble run`: one scene, one technique, a folder of files.
-#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include "progress.hpp"
 #include "request.hpp"

@@ -2,7 +2,7 @@
 /// \brief Videos by ffmpeg, which runs as a program of its own.
 #pragma once
 
-#include "tumble/record/raster.hpp"
+#include "tumble/pictures/raster.hpp"
 
 #include <filesystem>
 #include <functional>

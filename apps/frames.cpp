@@ -2,7 +2,7 @@
 /// \brief Who is seen, and in which colour.
 #include "frames.hpp"
 
-#include "tumble/record/world_picture.hpp"
+#include "tumble/pictures/world_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

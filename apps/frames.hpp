@@ -2,7 +2,7 @@
 /// \brief The boxes of recorded frames as they are drawn.
 #pragma once
 
-#include "tumble/record/film.hpp"
+#include "tumble/pictures/film.hpp"
 #include "tumble/record/recorded_run.hpp"
 
 #include <span>

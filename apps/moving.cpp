@@ -5,8 +5,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerance.hpp"
-#include "tumble/record/gif.hpp"
-#include "tumble/record/gltf.hpp"
+#include "tumble/pictures/gif.hpp"
+#include "tumble/pictures/gltf.hpp"
 #include "tumble/record/table_file.hpp"
 
 #include "ffmpeg.hpp"

@@ -12,7 +12,7 @@
 /// at build time: ODE, Bullet, DART and Siconos (`TUMBLE_HAVE_ODE` and so on).
 ///
 /// Run `lcp [largest n]`.
-#include "tumble/analytic_lcp/augmented_lagrangian.hpp"
+#include "tumble/lcp_solvers/augmented_lagrangian.hpp"
 
 #include "analytic_lcp/pyramid_problem.hpp"
 #include "lcp_peers.hpp"

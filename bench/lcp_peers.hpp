@@ -2,7 +2,7 @@
 /// \brief The contact solvers of installed engines, behind one call, for lcp.cpp.
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #ifdef TUMBLE_HAVE_ODE
 #include <ode/ode.h>

@@ -41,9 +41,9 @@ class OwnEngine : public Engine {
   }
 
   [[nodiscard]] int asleep(const World& world) const override {
-    const auto rests = world.rests();
-    return static_cast<int>(std::count_if(rests.begin(), rests.end(),
-                                          [](const tumble::Rest& rest) { return rest.asleep; }));
+    const auto rests = world.sleep_states();
+    return static_cast<int>(std::count_if(
+        rests.begin(), rests.end(), [](const tumble::SleepState& rest) { return rest.asleep; }));
   }
 
   [[nodiscard]] std::string note() const override {

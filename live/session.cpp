@@ -5,8 +5,8 @@
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/islands.hpp"
+#include "tumble/contact/pivot_update.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
 #include <algorithm>
@@ -176,7 +176,7 @@ void Session::look_at_bodies(unsigned wanted) {
     append(was ? states_before_[place] : world.states()[i], bodies_);
     const bool thrown = world.name(static_cast<int>(i)).rfind("thrown", 0) == 0;
     const unsigned kind = (body.movable() ? 0U : kFixed) |
-                          (world.rests()[i].asleep ? kAsleep : 0U) |
+                          (world.sleep_states()[i].asleep ? kAsleep : 0U) |
                           (stable_[i] != 0 ? kStable : 0U) | (thrown ? kThrown : 0U);
     bodies_.push_back(kind);
     bodies_.push_back(island_of_[i]);
@@ -227,7 +227,7 @@ void Session::find_pivots() {
   const World& world = run_.world();
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  CarriedBodies carried;
+  PivotUpdate carried;
   carried.find(world.bodies(), moving, pushed_pairs(world, technique_->contacts()));
   for (const int b : carried.bodies())
     if (const auto arm_w = carried.arm_w(b))

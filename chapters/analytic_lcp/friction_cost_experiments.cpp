@@ -1,7 +1,7 @@
 /// \file
 /// \brief Counted work: friction against none, new factors against updated ones.
-#include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"
 #include "analytic_lcp/solver_experiments.hpp"

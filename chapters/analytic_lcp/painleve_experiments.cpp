@@ -1,6 +1,6 @@
 /// \file
 /// \brief Where Coulomb's law has no answer, and what a time step does there (thesis 2.6.3).
-#include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/force_experiments.hpp"

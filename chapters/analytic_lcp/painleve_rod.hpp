@@ -2,7 +2,7 @@
 /// \brief Painlevé's rod: a stick that slides on its lower end (thesis 2.6.3).
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <vector>
 

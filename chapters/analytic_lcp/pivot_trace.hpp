@@ -2,7 +2,7 @@
 /// \brief What Baraff's algorithm does, step by step (thesis 3.3.1).
 #pragma once
 
-#include "tumble/analytic_lcp/baraff_as_printed.hpp"
+#include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
 
 #include <vector>
 

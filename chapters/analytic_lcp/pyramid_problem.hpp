@@ -2,7 +2,7 @@
 /// \brief The contact problems that solvers are measured with: pyramids of cubes without friction.
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <cstdint>
 

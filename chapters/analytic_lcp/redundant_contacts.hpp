@@ -3,8 +3,8 @@
 ///        many points (thesis 2.6.2, 3.3.1, 5.3).
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/random.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 /// \file
 /// \brief Counted work: least constraint against contact forces.
-#include "tumble/analytic_lcp/baraff.hpp"
-#include "tumble/analytic_lcp/least_constraint.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/least_constraint.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"
 #include "analytic_lcp/solver_experiments.hpp"

@@ -51,21 +51,21 @@ struct Count {
 };
 
 // Speed of cube k against what is below it; below 0 it comes nearer.
-double parting_speed(const CubeColumn& column, std::size_t k) {
+double separation_speed(const CubeColumn& column, std::size_t k) {
   return column.speeds[k] - (k == 0 ? 0.0 : column.speeds[k - 1]);
 }
 
 // Time until cube k meets what is below it. A gap is at least 0 up to rounding.
 double time_to_impact(const CubeColumn& column, std::size_t k) {
   const double gap = std::max(column.gaps[k], 0.0);
-  const double v = parting_speed(column, k);
+  const double v = separation_speed(column, k);
   if (k == 0) return (v + std::sqrt(v * v + 2.0 * kGravity * gap)) / kGravity;
   return v < 0.0 ? gap / -v : std::numeric_limits<double>::infinity();
 }
 
 void fly_all(CubeColumn& column, double time) {
   for (std::size_t k = 0; k < column.gaps.size(); ++k) {
-    column.gaps[k] += parting_speed(column, k) * time;
+    column.gaps[k] += separation_speed(column, k) * time;
     if (k == 0) column.gaps[k] -= 0.5 * kGravity * time * time;
   }
   for (double& speed : column.speeds) speed -= kGravity * time;
@@ -73,7 +73,7 @@ void fly_all(CubeColumn& column, double time) {
 
 // Lets cube k collide with what is below it.
 void collide(CubeColumn& column, std::size_t k, const Law& law, Count& count) {
-  const double approach = -parting_speed(column, k);
+  const double approach = -separation_speed(column, k);
   const double change = approach + std::max(law.restitution * approach, law.slowest_rebound);
   if (k == 0) {
     column.speeds[0] += change;

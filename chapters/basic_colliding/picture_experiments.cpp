@@ -6,8 +6,8 @@
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
-#include "tumble/record/world_picture.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "basic_colliding/experiments.hpp"

@@ -33,7 +33,7 @@ std::vector<MovingBody> row_of_cubes(int count, bool wall_first) {
 // Contact i lies between cube i and the next one.
 Vec3 contact_point(int contact) { return {contact + 0.5, 0.0, 0.0}; }
 
-double parting_speed(const std::vector<MovingBody>& row, int contact) {
+double separation_speed(const std::vector<MovingBody>& row, int contact) {
   const auto i = static_cast<std::size_t>(contact);
   return relative_velocity(row[i], row[i + 1], contact_point(contact)).x();
 }
@@ -49,7 +49,7 @@ std::vector<Contact> contacts_of(const std::vector<MovingBody>& row, double rest
     contact.restitution = restitution;
     contact.count = 1;
     contact.points[0].position_w = contact_point(i);
-    contact.points[0].approach_speed = parting_speed(row, i);
+    contact.points[0].approach_speed = separation_speed(row, i);
   }
   return contacts;
 }

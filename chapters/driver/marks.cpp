@@ -7,7 +7,7 @@
 
 namespace tumble::chapters {
 
-bool MarkedRegion::as_printed() const { return path.find("_as_printed.cpp") != std::string::npos; }
+bool MarkedRegion::as_printed() const { return path.find("as_printed/") != std::string::npos; }
 
 std::vector<MarkedRegion> marked_regions(const std::string& path, const std::string& text,
                                          std::vector<std::string>& complaints) {

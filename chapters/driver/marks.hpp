@@ -18,7 +18,7 @@ struct MarkedRegion {
   int last_line = 0;   ///< of the listing; 0 for a section
 
   /// Whether it follows the listing as printed.
-  /// \return true in files called *_as_printed.cpp
+  /// \return true in folders called as_printed
   [[nodiscard]] bool as_printed() const;
 };
 

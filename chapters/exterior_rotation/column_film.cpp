@@ -2,9 +2,9 @@
 /// \brief A film of the column of figure 6.1.
 #include "exterior_rotation/column_film.hpp"
 
-#include "tumble/record/film.hpp"
-#include "tumble/record/gif.hpp"
-#include "tumble/record/world_picture.hpp"
+#include "tumble/pictures/film.hpp"
+#include "tumble/pictures/gif.hpp"
+#include "tumble/pictures/world_picture.hpp"
 
 #include "driver/played_scene.hpp"
 #include "exterior_rotation/held_run.hpp"

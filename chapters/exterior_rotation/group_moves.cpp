@@ -3,7 +3,7 @@
 #include "exterior_rotation/group_moves.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact/carried_bodies.hpp"
+#include "tumble/contact/pivot_update.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -62,7 +62,7 @@ std::vector<BodyState> moved_in_tree(const World& world, std::span<const Joint> 
           {joint.first, joint.second, held_point(joint, world.states()).first_w, Vec3::UnitY()});
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  CarriedBodies carried;
+  PivotUpdate carried;
   carried.find(world.bodies(), moving, pairs);
 
   World after = world;

@@ -51,7 +51,7 @@ std::vector<BodyState> moved_in_frame(const World& world, const GroupFrame& fram
 /// \return states, by index; momenta as they were
 std::vector<BodyState> moved_by_own_twist(const World& world, double dt);
 
-/// A tree of pivots, as techniques move bodies with `pose=exponential` (CarriedBodies): each body turns
+/// A tree of pivots, as techniques move bodies with `pose=exponential` (PivotUpdate): each body turns
 /// about the point on which it stands, and that point is carried along by the body below.
 /// \param world   at the start of the step
 /// \param joints  that hold at the start; the two sides of each move alike there

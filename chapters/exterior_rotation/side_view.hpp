@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
-#include "tumble/record/polygon.hpp"
+#include "tumble/pictures/polygon.hpp"
 
 #include "driver/figure.hpp"
 

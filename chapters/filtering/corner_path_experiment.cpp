@@ -1,7 +1,7 @@
 /// \file
 /// \brief The path of one corner of a cube that chatters, as computed and as shown by five filters.
 #include "tumble/filtering/filters.hpp"
-#include "tumble/record/world_picture.hpp"
+#include "tumble/pictures/world_picture.hpp"
 
 #include "filtering/envelope_experiments.hpp"
 #include "filtering/shown_clump.hpp"

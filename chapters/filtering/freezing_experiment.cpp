@@ -79,7 +79,7 @@ Story tell(const Parameters& settings, std::uint64_t seed, const PlayedTechnique
     for (std::size_t k = 0; k < played.world.states().size(); ++k) {
       before.push_back(played.world.bodies()[k].movable() ? corners_now(played.world, k)
                                                           : Corners());
-      slept.push_back(played.world.rests()[k].asleep ? 1 : 0);
+      slept.push_back(played.world.sleep_states()[k].asleep ? 1 : 0);
     }
   };
   note();
@@ -92,8 +92,8 @@ Story tell(const Parameters& settings, std::uint64_t seed, const PlayedTechnique
     for (std::size_t k = 0; k < world.states().size(); ++k) {
       if (!world.bodies()[k].movable()) continue;
       movable += 1.0;
-      look.awake += world.rests()[k].asleep ? 0.0 : 1.0;
-      if (!world.rests()[k].asleep) continue;
+      look.awake += world.sleep_states()[k].asleep ? 0.0 : 1.0;
+      if (!world.sleep_states()[k].asleep) continue;
       asleep += 1.0;
       touches[k] = 1;
       if (k < slept.size() && slept[k] == 0)

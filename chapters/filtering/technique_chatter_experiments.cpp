@@ -3,7 +3,7 @@
 #include "filtering/technique_chatter_experiments.hpp"
 
 #include "tumble/math/elementary.hpp"
-#include "tumble/record/lighting.hpp"
+#include "tumble/pictures/lighting.hpp"
 
 #include "filtering/chatter_ranks.hpp"
 #include "filtering/chatter_run.hpp"

@@ -3,11 +3,11 @@
 #include "geometric_stability/balance_probe.hpp"
 
 #include "tumble/analytic_lcp/assembly.hpp"
-#include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/towers.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "driver/csv.hpp"

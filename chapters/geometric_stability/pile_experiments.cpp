@@ -2,7 +2,7 @@
 /// \brief What each way calls stable, and what rests.
 #include "geometric_stability/pile_experiments.hpp"
 
-#include "tumble/record/picture.hpp"
+#include "tumble/pictures/picture.hpp"
 
 #include "driver/statistics.hpp"
 #include "geometric_stability/pile_builder.hpp"

@@ -3,8 +3,8 @@
 #include "geometric_stability/pile_levels.hpp"
 
 #include "tumble/base/tolerance.hpp"
+#include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
-#include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 #include "tumble/geometric_stability/towers.hpp"

@@ -2,7 +2,7 @@
 /// \brief How long the upper box of figure 5.4 is stable, and how it is slowed down meanwhile.
 #include "geometric_stability/sliding_experiments.hpp"
 
-#include "tumble/record/picture.hpp"
+#include "tumble/pictures/picture.hpp"
 
 #include "geometric_stability/sliding_run.hpp"
 

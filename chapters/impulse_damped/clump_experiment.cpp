@@ -1,10 +1,10 @@
 /// \file
 /// \brief Cubes that fly together and settle, coloured by how much each one still shakes (6.1).
 #include "tumble/math/elementary.hpp"
+#include "tumble/pictures/film.hpp"
+#include "tumble/pictures/lighting.hpp"
+#include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/chatter.hpp"
-#include "tumble/record/film.hpp"
-#include "tumble/record/lighting.hpp"
-#include "tumble/record/world_picture.hpp"
 
 #include "driver/played_scene.hpp"
 #include "impulse_damped/scene_experiments.hpp"

@@ -3,7 +3,7 @@
 ///        numbers.
 #pragma once
 
-#include "tumble/impulse_damped/damped_as_printed.hpp"
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 
 #include "driver/figure.hpp"
 

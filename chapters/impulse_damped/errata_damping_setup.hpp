@@ -3,8 +3,8 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
-#include "tumble/impulse_damped/dampen_objects_as_printed.hpp"
 
 #include "driver/common_numbers.hpp"
 #include "driver/figure.hpp"

@@ -4,7 +4,7 @@
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/flight.hpp"
-#include "tumble/impulse_damped/fix_contact_constraints_as_printed.hpp"
+#include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 
 #include "impulse_damped/errata_damping_experiments.hpp"
 #include "impulse_damped/errata_damping_setup.hpp"

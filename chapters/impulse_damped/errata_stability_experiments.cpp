@@ -1,7 +1,7 @@
 /// \file
 /// \brief The errata of SETGEOMETRICALLYSTABLE (thesis 5.4, A.2; G2 to G8).
 #include "tumble/contact/gather.hpp"
-#include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
+#include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "impulse_damped/errata_damping_experiments.hpp"
 #include "impulse_damped/errata_damping_setup.hpp"

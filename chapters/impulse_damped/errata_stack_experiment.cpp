@@ -1,7 +1,7 @@
 /// \file
 /// \brief The energy that pushes add to a stack at rest (thesis 4.4, A.2; X6).
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/impulse_damped/damped_as_printed.hpp"
 
 #include "driver/common_numbers.hpp"
 #include "impulse_damped/errata_contacts.hpp"

@@ -3,9 +3,9 @@
 #include "impulse_damped/scene_experiments.hpp"
 
 #include "tumble/math/elementary.hpp"
-#include "tumble/record/film.hpp"
+#include "tumble/pictures/film.hpp"
+#include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
-#include "tumble/record/world_picture.hpp"
 
 #include "driver/played_scene.hpp"
 #include "impulse_damped/damped_variants.hpp"

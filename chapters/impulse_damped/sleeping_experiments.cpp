@@ -31,8 +31,8 @@ Scene stacks(int count, int boxes) {
 }
 
 double asleep(const World& world) {
-  return static_cast<double>(std::count_if(world.rests().begin(), world.rests().end(),
-                                           [](const Rest& rest) { return rest.asleep; }));
+  return static_cast<double>(std::count_if(world.sleep_states().begin(), world.sleep_states().end(),
+                                           [](const SleepState& rest) { return rest.asleep; }));
 }
 
 // Mean work of a step while some stacks slide along their lanes and the others rest.

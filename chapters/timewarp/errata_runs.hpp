@@ -3,7 +3,7 @@
 ///        common.
 #pragma once
 
-#include "tumble/timewarp/timewarp_as_printed.hpp"
+#include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 
 #include "driver/figure.hpp"
 

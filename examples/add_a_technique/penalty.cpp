@@ -6,8 +6,8 @@
 #include <tumble/base/error.hpp>
 #include <tumble/base/index.hpp>
 #include <tumble/base/number_text.hpp>
+#include <tumble/contact/contact_records.hpp>
 #include <tumble/contact/effective_mass.hpp>
-#include <tumble/contact/told.hpp>
 #include <tumble/dynamics/advance_pose.hpp>
 
 namespace example {

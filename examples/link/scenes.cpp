@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <stdexcept>
-#include <tumble/impulse_damped/contact_damped.hpp>
+#include <tumble/contact_damped/contact_damped.hpp>
 #include <tumble/record/run_files.hpp>
 #include <tumble/record/scene_run.hpp>
 #include <tumble/scenes/library.hpp>

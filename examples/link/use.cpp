@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
+#include <tumble/contact_damped/contact_damped.hpp>
 #include <tumble/dynamics/snapshot.hpp>
-#include <tumble/impulse_damped/contact_damped.hpp>
 #include <tumble/techniques.hpp>
 
 namespace {

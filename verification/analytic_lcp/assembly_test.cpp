@@ -383,21 +383,21 @@ TEST_CASE("A point that parts faster than asked has no row", "[unit][assembly][a
   Instant cube(world);
   cube.assemble();
   CHECK(cube.problem.rows().size() == 4);
-  CHECK(cube.problem.parting() == 0);
+  CHECK(cube.problem.separating() == 0);
   const auto assemble = [&cube](double speed) {
     cube.problem.assemble(cube.world, cube.bodies, cube.accelerations, cube.contacts, speed);
   };
   assemble(0.6);
-  CHECK(cube.problem.parting() == 0);
+  CHECK(cube.problem.separating() == 0);
   assemble(0.4);
-  CHECK(cube.problem.parting() == 2);
+  CHECK(cube.problem.separating() == 2);
   REQUIRE(cube.problem.rows().size() == 2);
   CHECK(cube.place(0).x() == -0.5);
   CHECK(cube.place(1).x() == -0.5);
   CHECK(cube.problem.fastest_approach() == 0.0);
   cube.bodies[1].velocity_w.y() = 0.0;  // now the left edge goes down with 0.25 m/s
   assemble(0.0);
-  CHECK(cube.problem.parting() == 2);
+  CHECK(cube.problem.separating() == 2);
   CHECK(cube.problem.fastest_approach() == 0.25);
   cube.contacts.clear();
   assemble(0.0);
@@ -428,7 +428,7 @@ TEST_CASE("A problem that does not fit its world is refused", "[unit][assembly][
   const auto assemble = [&cube](double speed) {
     cube.problem.assemble(cube.world, cube.bodies, cube.accelerations, cube.contacts, speed);
   };
-  CHECK_THROWS_WITH(assemble(-1.0), Contains("parting_speed = -1: give at least 0"));
+  CHECK_THROWS_WITH(assemble(-1.0), Contains("separation_speed = -1: give at least 0"));
   CHECK_THROWS_AS(assemble(std::nan("")), std::invalid_argument);
   CHECK_THROWS_WITH(cube.problem.assemble(cube.world, one, cube.accelerations, cube.contacts, 0.0),
                     Contains("bodies: 1"));

@@ -1,18 +1,18 @@
 /// \file
 /// \brief The figures that show contact forces: pyramids, the steps of Baraff's algorithm, Painlevé's
 ///        rod.
-#include "tumble/analytic_lcp/baraff.hpp"
-#include "tumble/analytic_lcp/lemke.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/brick_pyramid.hpp"
 #include "analytic_lcp/experiments.hpp"
 #include "analytic_lcp/force_range.hpp"
-#include "analytic_lcp/lcp_cases.hpp"
 #include "analytic_lcp/painleve_rod.hpp"
 #include "analytic_lcp/pivot_trace.hpp"
 #include "analytic_lcp/planks.hpp"
 #include "driver/quick.hpp"
+#include "lcp_solvers/lcp_cases.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

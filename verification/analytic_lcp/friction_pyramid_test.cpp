@@ -2,10 +2,10 @@
 /// \brief The problem of contact with friction: its matrix, small answers, and the pyramid's edges.
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 
-#include "tumble/analytic_lcp/lemke.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/allocation_counter.hpp"

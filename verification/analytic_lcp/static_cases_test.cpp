@@ -1,7 +1,7 @@
 /// \file
 /// \brief Worlds of boxes whose contact forces and impacts are known in closed form: tipping, leaning,
 ///        rocking, Newton's cradle, sweeps on a stack.
-#include "tumble/analytic_lcp/gauss_seidel.hpp"
+#include "tumble/lcp_solvers/gauss_seidel.hpp"
 
 #include "analytic_lcp/instant.hpp"
 

@@ -1,6 +1,6 @@
 /// \file
 /// \brief `tumble lcp` from outside: answers, exit codes, messages.
-#include "tumble/analytic_lcp/lcp.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/table_file.hpp"
 

@@ -34,7 +34,7 @@ std::vector<AppendixListing> read(const std::string& toml, const std::string& me
                                   const std::string& printed = kPrinted) {
   const Scratch scratch("appendix");
   const auto folder = scratch.file("src/collide.cpp", meant).parent_path();
-  static_cast<void>(scratch.file("src/collide_as_printed.cpp", printed));
+  static_cast<void>(scratch.file("src/as_printed/collide_as_printed.cpp", printed));
   return read_appendix(scratch.file("appendix_a.toml", toml), sources_in(folder));
 }
 

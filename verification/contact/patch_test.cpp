@@ -2,7 +2,7 @@
 /// \brief Tests of contact areas: even pressure, Coulomb's friction, one face solved as one block.
 #include "tumble/contact/patch.hpp"
 
-#include "tumble/contact/block.hpp"
+#include "tumble/contact/simultaneous_impacts.hpp"
 
 #include "contact/impact_cases.hpp"
 #include "support/catch.hpp"
@@ -36,11 +36,11 @@ Contact face(const std::vector<Heavy>& bodies, const Vec3& center_w, double half
   return c;
 }
 
-BlockResult solve(std::vector<Heavy>& bodies, std::vector<Contact>& contacts) {
+SimultaneousResult solve(std::vector<Heavy>& bodies, std::vector<Contact>& contacts) {
   std::vector<MovingBody> moving;
   for (const Heavy& h : bodies) moving.push_back(h.moving);
-  BlockSolver solver;
-  const BlockResult result = solver.solve(contacts, moving);
+  SimultaneousImpacts solver;
+  const SimultaneousResult result = solver.solve(contacts, moving);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].moving = moving[i];
   return result;
 }
@@ -60,8 +60,8 @@ TEST_CASE("A flat landing cube bounces with e = 0.9 at 1.8 m/s and does not turn
           "[exact][patch]") {
   std::vector<Heavy> bodies = {fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 1.0, Vec3(0, -2, 0))};
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 0.5, 0.5, 0.9)};
-  const BlockResult r = solve(bodies, contacts);
-  CHECK(r.status == BlockStatus::solved);
+  const SimultaneousResult r = solve(bodies, contacts);
+  CHECK(r.status == SimultaneousStatus::solved);
   CHECK((bodies[1].moving.velocity_w - Vec3(0, 1.8, 0)).norm() < 1e-14);
   CHECK(bodies[1].moving.angular_velocity_w.norm() < 1e-14);  // [rad/s] measured 0
   CHECK(r.restitution_energy == near(-0.5 * (4.0 - 3.24)).epsilon(1e-13));
@@ -79,9 +79,9 @@ TEST_CASE("A flat box that lands sliding is braked by μ F, and neither tips nor
   std::vector<Heavy> bodies = {
       fixed(), box(Vec3(0, 0.5, 0), Vec3(1, 1, 2), 2.0, Vec3(5.0 * along - Vec3(0, 1.5, 0)))};
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 1.0, 0.4, 0.5)};
-  const BlockResult r = solve(bodies, contacts);
+  const SimultaneousResult r = solve(bodies, contacts);
   // Normal impulse 2 (1.5 + 0.75) = 4.5 N s, friction 1.8 N s: 0.9 m/s less.
-  CHECK(r.status == BlockStatus::solved);
+  CHECK(r.status == SimultaneousStatus::solved);
   CHECK((bodies[1].moving.velocity_w - Vec3(4.1 * along + Vec3(0, 0.75, 0))).norm() < 1e-9);
   CHECK(bodies[1].moving.angular_velocity_w.norm() < 1e-9);  // [rad/s] measured 2.0e-11
   CHECK((total_impulse(contacts[0]) - Vec3(0, 4.5, 0) + 1.8 * along).norm() < 1e-9);
@@ -95,8 +95,8 @@ TEST_CASE("A slow flat box sticks when it lands, and its wrench is that of a rig
   std::vector<Heavy> bodies = {
       fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 2.0, Vec3(0.3, -1.0, 0.1), Vec3(0, 0.4, 0))};
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 0.5, 1.0, 0.0)};
-  const BlockResult r = solve(bodies, contacts);
-  CHECK(r.status == BlockStatus::solved);
+  const SimultaneousResult r = solve(bodies, contacts);
+  CHECK(r.status == SimultaneousStatus::solved);
   // Friction is sought until it changes by less than 1e-9 of the normal impulse.
   CHECK(bodies[1].moving.velocity_w.norm() < 1e-8);          // [m/s]
   CHECK(bodies[1].moving.angular_velocity_w.norm() < 1e-8);  // [rad/s] measured 2.1e-9
@@ -109,8 +109,8 @@ TEST_CASE("A flat box that spins in place is braked by the torque of its corners
   std::vector<Heavy> bodies = {
       fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 1.0, Vec3(0, -1, 0), Vec3(0, 9, 0))};
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 0.5, 0.5, 0.0)};
-  const BlockResult r = solve(bodies, contacts);
-  CHECK(r.status == BlockStatus::solved);
+  const SimultaneousResult r = solve(bodies, contacts);
+  CHECK(r.status == SimultaneousStatus::solved);
   CHECK(bodies[1].moving.angular_velocity_w.y() ==
         near(9.0 - 0.5 * std::sqrt(0.5) * 6.0).epsilon(1e-10));
   CHECK(bodies[1].moving.velocity_w.norm() < 1e-10);
@@ -199,9 +199,9 @@ TEST_CASE("Random faces of random boxes keep every promise", "[unit][patch]") {
     Vec3 p = Vec3::Zero();
     for (const Heavy& h : bodies) energy += kinetic_energy(h);
     for (const Heavy& h : bodies) p += momentum(h);
-    const BlockResult r = solve(bodies, contacts);
-    if (r.status == BlockStatus::untouched) continue;
-    ++(r.status == BlockStatus::unsettled ? unsettled : solved);
+    const SimultaneousResult r = solve(bodies, contacts);
+    if (r.status == SimultaneousStatus::untouched) continue;
+    ++(r.status == SimultaneousStatus::unsettled ? unsettled : solved);
     double change = -energy;
     Vec3 dp = -p;
     for (const Heavy& h : bodies) change += kinetic_energy(h);
@@ -217,7 +217,7 @@ TEST_CASE("Random faces of random boxes keep every promise", "[unit][patch]") {
           c.friction_impulse_w.norm() > mu * c.normal_impulse * (1.0 + 1e-12)) {
         ++outside_cone;
       }
-      if (r.status != BlockStatus::solved) continue;
+      if (r.status != SimultaneousStatus::solved) continue;
       const double v_n = relative_velocity(bodies[0].moving, bodies[1].moving, c.position_w).y();
       approaching = std::max(approaching, -v_n);
     }
@@ -248,7 +248,7 @@ TEST_CASE("A rod that lands on a whole edge is kept from gaining energy like one
   contacts[0].count = 2;
   contacts[0].points[1].position_w = Vec3(0, 0, 0.5);
   const double before = kinetic_energy(bodies[1]);
-  const BlockResult r = solve(bodies, contacts);
+  const SimultaneousResult r = solve(bodies, contacts);
   CHECK(kinetic_energy(bodies[1]) <= before * (1.0 + 1e-14));
   // The same restitution as the law at one point finds, 0.9 / √1.15171875.
   CHECK(r.restitution_share == near(1.0 / std::sqrt(1.15171875)).epsilon(1e-8));
@@ -257,14 +257,14 @@ TEST_CASE("A rod that lands on a whole edge is kept from gaining energy like one
 TEST_CASE("A block leaves alone what parts and what cannot be moved", "[unit][patch]") {
   std::vector<Heavy> bodies = {fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 1.0, Vec3(0.1, 1.0, 0))};
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 0.5, 0.5, 0.9)};
-  CHECK(solve(bodies, contacts).status == BlockStatus::untouched);
+  CHECK(solve(bodies, contacts).status == SimultaneousStatus::untouched);
   CHECK(bodies[1].moving.velocity_w == Vec3(0.1, 1.0, 0));
   CHECK_FALSE(bodies[1].moving.changed);
 
   std::vector<Heavy> walls = {fixed(), fixed()};
   walls[1].moving.velocity_w = Vec3(0, -1, 0);
   std::vector<Contact> between = {face(walls, Vec3::Zero(), 0.5, 0.5, 0.5, 0.9)};
-  CHECK(solve(walls, between).status == BlockStatus::untouched);
+  CHECK(solve(walls, between).status == SimultaneousStatus::untouched);
   CHECK(walls[1].moving.velocity_w == Vec3(0, -1, 0));
 }
 

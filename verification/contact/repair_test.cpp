@@ -79,7 +79,7 @@ World heap(std::uint64_t seed, int count, double side) {
       state.linear_momentum_w = random.in_cube(1.0);
       state.angular_momentum_w = random.in_cube(1.0);
       world.add(box_properties(size, mass), state);
-      world.rests().back().asleep = random.below(8) == 0;
+      world.sleep_states().back().asleep = random.below(8) == 0;
     }
   }
   if (seed % 3 == 0) world.gravity_w.setZero();
@@ -287,7 +287,7 @@ TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
   fixed(world, Vec3::Ones(), 0.0, 0.0);
   fixed(world, Vec3::Ones(), 0.5, 0.0);
   const BodyId sleeper = cube(world, 0.0, 0.9);
-  world.rests().back().asleep = true;
+  world.sleep_states().back().asleep = true;
   RepairReport report = repair(world);
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.pair_tests == 0);
@@ -321,7 +321,7 @@ TEST_CASE("Only positions change, and the energy booked is the potential energy 
           now.orientation_wb.coeffs() != was.orientation_wb.coeffs())
         ++wrong;
       if (kinetic_energy(body, now) != kinetic_energy(body, was)) ++wrong;
-      const bool held = !body.movable() || world.rests()[at(b)].asleep;
+      const bool held = !body.movable() || world.sleep_states()[at(b)].asleep;
       if (held && now.position_w != was.position_w) ++wrong;
     }
     worst = std::max(worst,

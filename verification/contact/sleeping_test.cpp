@@ -42,10 +42,10 @@ struct Rig {
   BodyId fixed(double x, double y) {
     return world.add(fixed_box_properties(Vec3::Ones()), place(x, y));
   }
-  bool asleep(BodyId id) const { return world.rests()[at(world.index_of(id))].asleep; }
+  bool asleep(BodyId id) const { return world.sleep_states()[at(world.index_of(id))].asleep; }
   int sleepers() const {
     int count = 0;
-    for (const Rest& rest : world.rests()) count += rest.asleep ? 1 : 0;
+    for (const SleepState& rest : world.sleep_states()) count += rest.asleep ? 1 : 0;
     return count;
   }
 
@@ -83,7 +83,7 @@ struct Rig {
     while (rule.wake_touched(world, contacts) > 0);
     for (int b = 0; b < world.count(); ++b) {
       const BodyProperties& body = world.bodies()[at(b)];
-      if (!body.movable() || world.rests()[at(b)].asleep) continue;
+      if (!body.movable() || world.sleep_states()[at(b)].asleep) continue;
       BodyState& state = world.states()[at(b)];
       state.linear_momentum_w += body.mass * dt * world.gravity_w;
       for (const Contact& contact : contacts) {
@@ -171,8 +171,8 @@ TEST_CASE("An island sleeps as a whole or not at all", "[unit][sleeping]") {
   rig.world.set_velocity(slider, Vec3(0.05, 0.0, 0.0), Vec3::Zero());
   rig.steps(100);
   CHECK_FALSE(rig.asleep(still));
-  CHECK(rig.world.rests()[1].quiet_time > 1.0);
-  CHECK(rig.world.rests()[2].quiet_time == 0.0);
+  CHECK(rig.world.sleep_states()[1].quiet_time > 1.0);
+  CHECK(rig.world.sleep_states()[2].quiet_time == 0.0);
 }
 
 TEST_CASE("A slow body's energy is booked when it falls asleep", "[unit][sleeping]") {
@@ -194,8 +194,8 @@ TEST_CASE("A fast spin keeps a body awake", "[unit][sleeping]") {
   rig.world.set_velocity(rig.box(0.0, 0.5), Vec3::Zero(), Vec3(0.0, 0.04, 0.0));
   rig.world.set_velocity(rig.box(3.0, 0.5), Vec3::Zero(), Vec3(0.0, 0.03, 0.0));
   rig.steps(40);
-  CHECK_FALSE(rig.world.rests()[1].asleep);
-  CHECK(rig.world.rests()[2].asleep);
+  CHECK_FALSE(rig.world.sleep_states()[1].asleep);
+  CHECK(rig.world.sleep_states()[2].asleep);
 }
 
 TEST_CASE("The sleeping speed scales with the root of gravity times size", "[unit][sleeping]") {

@@ -110,14 +110,14 @@ TEST_CASE("There is at most one ground, and it stays where it is", "[unit][world
 TEST_CASE("A push changes P by j and L by r x j, and wakes", "[unit][world]") {
   World world = three_cubes();
   const BodyId id = world.ids()[2];
-  world.rests()[2] = Rest{3.0, true};
+  world.sleep_states()[2] = SleepState{3.0, true};
   const Vec3 r(0.5, 0.25, -0.125);
   const Vec3 j(1.0, 2.0, 3.0);
   world.push(id, j, world.states()[2].position_w + r);
   CHECK(world.states()[2].linear_momentum_w == j);
   CHECK(world.states()[2].angular_momentum_w == r.cross(j));
-  CHECK_FALSE(world.rests()[2].asleep);
-  CHECK(world.rests()[2].quiet_time == 0.0);
+  CHECK_FALSE(world.sleep_states()[2].asleep);
+  CHECK(world.sleep_states()[2].quiet_time == 0.0);
   world.push(id, -j, world.states()[2].position_w + r);
   CHECK(world.states()[2].linear_momentum_w == Vec3::Zero());
   CHECK(world.states()[2].angular_momentum_w == Vec3::Zero());
@@ -126,17 +126,17 @@ TEST_CASE("A push changes P by j and L by r x j, and wakes", "[unit][world]") {
 TEST_CASE("New velocities and new states arrive, and wake", "[unit][world]") {
   World world = three_cubes();
   const BodyId id = world.ids()[1];
-  world.rests()[1].asleep = true;
+  world.sleep_states()[1].asleep = true;
   world.set_velocity(id, Vec3(1.0, 2.0, 3.0), Vec3(6.0, 0.0, 0.0));
   CHECK(world.states()[1].linear_momentum_w == Vec3(1.0, 2.0, 3.0));
   CHECK((world.states()[1].angular_momentum_w - Vec3::UnitX()).norm() < 1e-15);  // 6 · 1/6
   CHECK(world.states()[1].position_w == Vec3(0.0, 0.5, 0.0));
-  CHECK_FALSE(world.rests()[1].asleep);
+  CHECK_FALSE(world.sleep_states()[1].asleep);
 
-  world.rests()[1].asleep = true;
+  world.sleep_states()[1].asleep = true;
   world.set_state(id, make_state(cube(), Vec3(7.0, 8.0, 9.0)));
   CHECK(world.states()[1].position_w == Vec3(7.0, 8.0, 9.0));
-  CHECK_FALSE(world.rests()[1].asleep);
+  CHECK_FALSE(world.sleep_states()[1].asleep);
 }
 
 TEST_CASE("The world refuses bad bodies, states, ids and values, and is unchanged then",
@@ -210,9 +210,9 @@ TEST_CASE("The hash changes with every single bit of every state", "[unit][deter
     }
     for (int k = 0; k < 4; ++k)
       flip_each_bit([=](World& w) -> double& { return w.states()[i].orientation_wb.coeffs()[k]; });
-    flip_each_bit([=](World& w) -> double& { return w.rests()[i].quiet_time; });
+    flip_each_bit([=](World& w) -> double& { return w.sleep_states()[i].quiet_time; });
     World asleep = world;
-    asleep.rests()[i].asleep = true;
+    asleep.sleep_states()[i].asleep = true;
     same += asleep.hash().value() == hash ? 1 : 0;
   }
   World stepped = world;

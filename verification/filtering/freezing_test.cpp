@@ -3,9 +3,9 @@
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/filtering/adaptive_step.hpp"
-#include "tumble/impulse_damped/contact_damped.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
@@ -42,13 +42,13 @@ void run(Technique& technique, World& world, double seconds) {
 }
 
 int asleep(const World& world) {
-  return static_cast<int>(std::count_if(world.rests().begin(), world.rests().end(),
-                                        [](const Rest& rest) { return rest.asleep; }));
+  return static_cast<int>(std::count_if(world.sleep_states().begin(), world.sleep_states().end(),
+                                        [](const SleepState& rest) { return rest.asleep; }));
 }
 
 bool any_mark(const World& world) {
-  return std::any_of(world.rests().begin(), world.rests().end(),
-                     [](const Rest& rest) { return rest.counts_as_slow; });
+  return std::any_of(world.sleep_states().begin(), world.sleep_states().end(),
+                     [](const SleepState& rest) { return rest.counts_as_slow; });
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its ene
   for (int k = 0; k < 60; ++k) step();
   CHECK(asleep(world) == 0);
   for (int k = 0; k < 31; ++k) {  // half a second and a step
-    world.rests()[1].counts_as_slow = true;
+    world.sleep_states()[1].counts_as_slow = true;
     step();
   }
   CHECK(asleep(world) == 1);
@@ -105,11 +105,11 @@ TEST_CASE("Freezing moves nobody, books what it stops and leaves no mark behind"
   FreezeOnChatter freezing(damped(true));
   int fell = 0;
   for (int k = 0; k < 360; ++k) {
-    const std::vector<Rest> before(world.rests().begin(), world.rests().end());
+    const std::vector<SleepState> before(world.sleep_states().begin(), world.sleep_states().end());
     freezing.step(world, kStep);
     CHECK_FALSE(any_mark(world));
     for (std::size_t b = 0; b < before.size(); ++b) {
-      if (!world.rests()[b].asleep) continue;
+      if (!world.sleep_states()[b].asleep) continue;
       fell += before[b].asleep ? 0 : 1;
       CHECK(world.states()[b].linear_momentum_w.isZero(0.0));
       CHECK(world.states()[b].angular_momentum_w.isZero(0.0));
@@ -124,7 +124,7 @@ TEST_CASE("Freezing moves nobody, books what it stops and leaves no mark behind"
   for (int k = 0; k < 60; ++k) freezing.step(world, kStep);
   int still = 0;
   for (std::size_t b = 0; b < then.states().size(); ++b) {
-    if (!then.rests()[b].asleep || !world.rests()[b].asleep) continue;
+    if (!then.sleep_states()[b].asleep || !world.sleep_states()[b].asleep) continue;
     ++still;
     CHECK(world.states()[b] == then.states()[b]);
   }
@@ -139,7 +139,7 @@ TEST_CASE("A frozen heap wakes when a body of it is pushed, and freezes again",
   // The highest of those that sleep: nothing is on top of it.
   std::size_t top = 0;
   for (std::size_t k = 1; k < world.states().size(); ++k)
-    if (world.rests()[k].asleep &&
+    if (world.sleep_states()[k].asleep &&
         (top == 0 || world.states()[k].position_w.y() > world.states()[top].position_w.y()))
       top = k;
   REQUIRE(top > 0);
@@ -150,7 +150,7 @@ TEST_CASE("A frozen heap wakes when a body of it is pushed, and freezes again",
   CHECK(asleep(world) < slept - 1);  // others with it
   run(freezing, world, 0.25);
   CHECK(world.states()[top].position_w.y() > before + 0.5);  // [m] free flight has 0.7
-  CHECK_FALSE(world.rests()[top].asleep);
+  CHECK_FALSE(world.sleep_states()[top].asleep);
   run(freezing, world, 4.0);
   CHECK(asleep(world) >= slept - 10);
 }

@@ -1,8 +1,8 @@
 /// \file
 /// \brief The listing SETGEOMETRICALLYSTABLE as printed, with and without its slips.
 #include "tumble/contact/gather.hpp"
-#include "tumble/geometric_stability/printed_contacts.hpp"
-#include "tumble/geometric_stability/set_geometrically_stable_as_printed.hpp"
+#include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
+#include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "support/catch.hpp"
 

@@ -32,7 +32,7 @@ struct Marked {
 
   // After a step: whether the box counts as stable. A sleeper does: it is as heavy as the ground.
   [[nodiscard]] bool firm(const World& world, BodyId id) const {
-    if (world.rests()[static_cast<std::size_t>(world.index_of(id))].asleep) return true;
+    if (world.sleep_states()[static_cast<std::size_t>(world.index_of(id))].asleep) return true;
     if (damped != nullptr) {
       const std::span<const BodyId> ids = damped->stable_bodies();
       return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -154,11 +154,11 @@ TEST_CASE("What stood on a box that is taken away falls from the next step on",
     INFO(marked.words);
     REQUIRE(marked.firm(pair.world, pair.lower));
     REQUIRE(marked.firm(pair.world, pair.upper));
-    CHECK(pair.world.rests()[2].asleep == marked.sleeps);
+    CHECK(pair.world.sleep_states()[2].asleep == marked.sleeps);
     pair.world.remove(pair.lower);
     run(marked, pair.world, 1);
     CHECK_FALSE(marked.firm(pair.world, pair.upper));
-    CHECK_FALSE(pair.world.rests()[1].asleep);
+    CHECK_FALSE(pair.world.sleep_states()[1].asleep);
     // [m/s] free fall, without any memory of the support; one rounding in a step
     CHECK(velocity_of(pair.world, pair.upper).y() == near(-kG * kStep).margin(1e-14));
     run(marked, pair.world, 9);

@@ -2,8 +2,8 @@
 /// \brief Damped integration as printed: what holds of it whatever is mended, and what is one
 ///        listing's alone.
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/impulse_damped/damped_as_printed.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"

@@ -300,13 +300,13 @@ TEST_CASE("A heap sleeps with damped integration and wakes when its support is h
   options.sleeping = true;
   Damped damped(options);
   run(world, damped, 60);
-  CHECK(std::all_of(world.rests().begin() + 1, world.rests().end(),
-                    [](const Rest& rest) { return rest.asleep; }));
+  CHECK(std::all_of(world.sleep_states().begin() + 1, world.sleep_states().end(),
+                    [](const SleepState& rest) { return rest.asleep; }));
   const StepReport still = damped.step(world, kStep);
   CHECK(still.impulses == 0);
   add_cube(world, Vec3(-1.1, 0.5, 0.0), Vec3(8.0, 0.0, 0.0));
   run(world, damped, 10);
-  CHECK_FALSE(world.rests()[1].asleep);
+  CHECK_FALSE(world.sleep_states()[1].asleep);
 }
 
 TEST_CASE("A warm step of damped integration asks for no memory", "[unit][impulse_damped]") {

@@ -1,10 +1,10 @@
 /// \file
 /// \brief The listings DAMPENOBJECTS and FIXCONTACTCONSTRAINTS as printed.
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
+#include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
+#include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/impulse_damped/damped_as_printed.hpp"
-#include "tumble/impulse_damped/dampen_objects_as_printed.hpp"
-#include "tumble/impulse_damped/fix_contact_constraints_as_printed.hpp"
 
 #include "support/catch.hpp"
 

@@ -441,14 +441,14 @@ TEST_CASE("What rests by impulses falls asleep if asked to, and wakes when it is
   options.sleeping = true;
   Impulse technique(posed(options));
   run(world, technique, 60);
-  CHECK(world.rests()[1].asleep);
-  CHECK(world.rests()[2].asleep);
+  CHECK(world.sleep_states()[1].asleep);
+  CHECK(world.sleep_states()[2].asleep);
   const StepReport quiet = technique.step(world, kStep);
   CHECK(quiet.integrations == 0);
   CHECK(quiet.impulses == 0);
   world.push(top, Vec3(3.0, 0.0, 0.0), Vec3(0.0, 1.5, 0.0));
   technique.step(world, kStep);
-  CHECK(!world.rests()[2].asleep);
+  CHECK(!world.sleep_states()[2].asleep);
   CHECK(velocity_of(world, 2).x() > 1.0);
   add_cube(world, Vec3(5.0, 0.5, 0.0));
   run(world, technique, 1);

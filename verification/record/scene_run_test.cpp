@@ -413,7 +413,7 @@ TEST_CASE("Who sleeps on a box that is taken away wakes and falls",
         return static_cast<std::size_t>(run.world().index_of(*run.world().find(name)));
       };
       const auto sleeps = [&](std::string_view name) {
-        return run.world().rests()[index(name)].asleep;
+        return run.world().sleep_states()[index(name)].asleep;
       };
       const auto height = [&](std::string_view name) {
         return run.world().states()[index(name)].position_w.y();

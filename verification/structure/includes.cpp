@@ -42,17 +42,19 @@ std::optional<int> height_of(const std::string& folder) {
                                                   {"dynamics", 3},
                                                   {"contact", 4},
                                                   {"basic_colliding", 5},
+                                                  {"lcp_solvers", 5},
                                                   {"analytic_lcp", 5},
+                                                  {"contact_damped", 5},
                                                   {"impulse_damped", 5},
                                                   {"geometric_stability", 5},
                                                   {"timewarp", 5},
                                                   {"filtering", 5},
                                                   {"exterior_rotation", 5},
                                                   {"previous_work", 5},
-                                                  {"performance_evaluation", 5},
                                                   {"techniques", 6},
                                                   {"scenes", 6},
-                                                  {"record", 6}};
+                                                  {"record", 6},
+                                                  {"pictures", 6}};
   const auto found = heights.find(folder);
   if (found == heights.end()) return std::nullopt;
   return found->second;
@@ -129,7 +131,7 @@ Complaints misplaced_dependencies(const std::vector<SourceFile>& files) {
       {std::regex("^catch2/"), std::regex("^verification/support/")},
       {std::regex("^toml(\\+\\+|plusplus)"), std::regex("^(src/tumble/scenes|chapters)/.*\\.cpp$")},
       {std::regex("^CLI"), std::regex("^apps/")},
-      {std::regex("gltf"), std::regex("^src/tumble/record/.*\\.cpp$")},
+      {std::regex("gltf"), std::regex("^src/tumble/pictures/.*\\.cpp$")},
       {std::regex("^(ode/|bullet|BulletC|btBullet|LinearMath|mujoco|dart/|siconos)"),
        std::regex("^bench/")}};
   Complaints complaints;

@@ -8,7 +8,7 @@ namespace tumble::structure {
 
 /// Includes that point upwards, or across between programs that share only the library.
 ///
-/// base < math < geometry < dynamics < contact < chapters' folders < techniques, scenes, record <
+/// base < math < geometry < dynamics < contact < chapters' folders < techniques, scenes, record, pictures <
 /// apps, chapters, live, verification, bench. Tests may include the experiments of chapters.
 /// \param files C++ files with their paths in the project
 /// \return a complaint for each include that is not allowed, and for folders of src that no
@@ -22,7 +22,7 @@ Complaints include_circles(const std::vector<SourceFile>& files);
 
 /// Includes that would bring a licence or a dependency where it must not be: GSL and Catch2 in src
 /// or apps, toml++ in headers and outside scenes and chapters, CLI11 outside apps, tinygltf outside
-/// record.
+/// pictures.
 /// \param files C++ files
 /// \return a complaint for each
 Complaints misplaced_dependencies(const std::vector<SourceFile>& files);

@@ -27,7 +27,7 @@ struct Listing {
 };
 
 /// Checks that each listing is covered line by line, twice: in the source that follows what was
-/// meant, and in files named *_as_printed.cpp; or that it is pending and has no marks at all.
+/// meant, and in folders named as_printed; or that it is pending and has no marks at all.
 /// \param regions   from marked_regions()
 /// \param listings  all that there are
 /// \return a complaint for each line that is missing, and for each pending listing with marks and

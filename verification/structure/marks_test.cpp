@@ -56,7 +56,7 @@ TEST_CASE("A mark without twin, within another one or backwards is found", "[str
 TEST_CASE("A missing line of a listing is found", "[structure]") {
   const std::vector<Listing> short_one{{"COLLIDE", 3, ""}};
   const MarkedRegion meant{"a.cpp", 1, 5, "COLLIDE", 1, 3};
-  const MarkedRegion printed{"a_as_printed.cpp", 1, 5, "COLLIDE", 1, 3};
+  const MarkedRegion printed{"as_printed/a.cpp", 1, 5, "COLLIDE", 1, 3};
   MarkedRegion part = printed;
   part.last_line = 2;
   CHECK(listing_gaps({meant, printed}, short_one).empty());

@@ -39,7 +39,7 @@ StepReport LayerStepper::step(World& world, double dt) {
   // Gravity, on whoever is awake.
   for (int i = 0; i < world.count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (world.bodies()[k].movable() && !world.rests()[k].asleep)
+    if (world.bodies()[k].movable() && !world.sleep_states()[k].asleep)
       world.states()[k].linear_momentum_w += dt * world.bodies()[k].mass * world.gravity_w;
   }
 
@@ -51,7 +51,7 @@ StepReport LayerStepper::step(World& world, double dt) {
   // Positions.
   for (int i = 0; i < world.count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (!world.bodies()[k].movable() || world.rests()[k].asleep) continue;
+    if (!world.bodies()[k].movable() || world.sleep_states()[k].asleep) continue;
     advance_pose(world.bodies()[k], world.states()[k], dt, RotationRule::splitting);
     ++report.integrations;
   }

@@ -3,7 +3,7 @@
 ///        wrong with them.
 #include "tumble/base/random.hpp"
 #include "tumble/techniques.hpp"
-#include "tumble/timewarp/timewarp_as_printed.hpp"
+#include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 
 #include "support/catch.hpp"
 #include "timewarp/cases.hpp"

@@ -85,18 +85,18 @@ TEST_CASE("Two bodies that part without a push are told to part", "[unit][timewa
   const std::array<IndexPair, 1> pairs = {IndexPair{0, 1}};
   impacts.resolve(world, pairs, {.margin = 1e-6}, report);
   CHECK(report.impulses == 0);
-  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == 1.0);
+  CHECK(impacts.separation_speed(world, pairs[0], 1.0 / 60.0) == 1.0);
 
   // Pushed at 1 m/s with e = 0.5.
   world.states()[0].linear_momentum_w.x() = 2.0;
   impacts.resolve(world, pairs, {.margin = 1e-6}, report);
-  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == near(0.5).margin(1e-15));
+  CHECK(impacts.separation_speed(world, pairs[0], 1.0 / 60.0) == near(0.5).margin(1e-15));
 
   // Rounding is no parting.
   world.states()[0].linear_momentum_w.x() = 1.0;
   world.states()[1].linear_momentum_w.x() = 1.0 + 1e-15;
   impacts.resolve(world, pairs, {.margin = 1e-6}, report);
-  CHECK(impacts.parting_speed(world, pairs[0], 1.0 / 60.0) == 0.0);
+  CHECK(impacts.separation_speed(world, pairs[0], 1.0 / 60.0) == 0.0);
 }
 
 TEST_CASE("Cubes that touch after an impact from both sides do not meet again and again",

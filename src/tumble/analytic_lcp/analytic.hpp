@@ -5,8 +5,8 @@
 #pragma once
 
 #include "tumble/analytic_lcp/contact_forces.hpp"
+#include "tumble/analytic_lcp/drift_correction.hpp"
 #include "tumble/analytic_lcp/forced_flight.hpp"
-#include "tumble/analytic_lcp/hold_drift.hpp"
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
 #include "tumble/contact/impacts.hpp"
@@ -61,12 +61,12 @@ struct AnalyticOptions {
 /// round.
 ///
 /// **Bodies that turn together** about a point outside of them fly along their arcs with
-/// PoseUpdate::exponential (CarriedBodies): who stands on whom is told from the forces of the start, the
+/// PoseUpdate::exponential (PivotUpdate): who stands on whom is told from the forces of the start, the
 /// arcs follow the accelerations of the forces that are used. Impacts are searched on them.
 ///
 /// **Drift** is held in three places. A speed and a gap that should not be there are led to 0 by the
 /// forces themselves, as far as they only have to push; overlap above the slop is ended by moving
-/// bodies (HoldDrift).
+/// bodies (DriftCorrection).
 ///
 /// **Stable boxes** (5.4) can be left out of the forces, without friction or with damping in its place:
 /// see HeldBodies. Collisions still reach them.
@@ -146,7 +146,7 @@ class Analytic : public Technique {
   ContactForces forces_;
   ImpactSearch search_;
   ImpactSolver impacts_;
-  HoldDrift hold_;
+  DriftCorrection hold_;
   IslandDamping damping_;
   bool unsolved_ = false;
 

@@ -3,7 +3,7 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/contact/told.hpp"
+#include "tumble/contact/contact_records.hpp"
 
 #include <algorithm>
 

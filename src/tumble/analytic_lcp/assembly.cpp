@@ -131,11 +131,12 @@ void ContactProblem::add_row(const World& world, std::span<const MovingBody> bod
 
 void ContactProblem::assemble(const World& world, std::span<const MovingBody> bodies,
                               std::span<const Acceleration> free, std::span<const Contact> contacts,
-                              double parting_speed) {
+                              double separation_speed) {
   require_entries(bodies.size(), world.bodies().size(), "bodies");
   require_entries(free.size(), bodies.size(), "free");
-  if (!(parting_speed >= 0.0))
-    require::that(false, "parting_speed = " + shortest_text(parting_speed) + ": give at least 0");
+  if (!(separation_speed >= 0.0))
+    require::that(false,
+                  "separation_speed = " + shortest_text(separation_speed) + ": give at least 0");
   for (const int body : involved_) place_[at(body)] = -1;
   place_.resize(bodies.size(), -1);
   involved_.clear();
@@ -143,7 +144,7 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
   constant_.clear();
   lcp_.factors.rows.clear();
   lcp_.factors.bodies.clear();
-  parting_ = 0;
+  separating_ = 0;
   fastest_approach_ = 0.0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
@@ -155,8 +156,8 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
       const Vec3& p = contact.points[at(k)].position_w;
       const Vec3 velocity_w = relative_velocity(first, second, p);
       const double speed = n.dot(velocity_w);
-      if (speed > parting_speed) {
-        ++parting_;
+      if (speed > separation_speed) {
+        ++separating_;
         continue;
       }
       fastest_approach_ = std::max(fastest_approach_, -speed);

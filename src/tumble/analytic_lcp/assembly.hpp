@@ -5,9 +5,9 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/wrench.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <span>
 #include <vector>
@@ -101,12 +101,12 @@ class ContactProblem {
   /// \param free           how they accelerate without contact forces, see free_accelerations()
   /// \param contacts       what touches, found at the present poses. Distances are not looked at:
   ///                       b is without the terms in proportion to them
-  /// \param parting_speed  [m/s] points that part faster have no row; infinity: every point has one
+  /// \param separation_speed  [m/s] points that part faster have no row; infinity: every point has one
   /// \throws std::invalid_argument if `bodies` or `free` have not one entry for each body, a contact
   ///         names a body or an axis that there is not, or the speed is negative or not a number
   void assemble(const World& world, std::span<const MovingBody> bodies,
                 std::span<const Acceleration> free, std::span<const Contact> contacts,
-                double parting_speed);
+                double separation_speed);
 
   /// Asks for more, or less, than that no surfaces sink into each other.
   /// \param terms  [m/s²] one for each row, added to b: with a term c the row asks for an acceleration
@@ -124,7 +124,7 @@ class ContactProblem {
 
   /// How many points have no row because they part.
   /// \return from 0
-  [[nodiscard]] int parting() const { return parting_; }
+  [[nodiscard]] int separating() const { return separating_; }
 
   /// How fast the points with a row approach: a collision was missed if this is large.
   /// \return [m/s] the fastest; 0 if none approaches
@@ -148,7 +148,7 @@ class ContactProblem {
   std::vector<double> constant_;  // b while it grows
   std::vector<int> involved_;     // the body index of each block of W
   std::vector<int> place_;        // by body index: its block, or -1
-  int parting_ = 0;
+  int separating_ = 0;
   double fastest_approach_ = 0.0;
 };
 

@@ -15,11 +15,6 @@
 namespace tumble {
 namespace {
 
-// Whether an answer is one, whatever its solver says.
-bool holds(const LcpResult& result) {
-  return result.status == LcpStatus::solved && result.residual <= tolerance::force_residual;
-}
-
 Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 
 }  // namespace
@@ -118,12 +113,12 @@ bool ContactForces::solve_normals(ForceReport& report) {
   report.pivots += result_.pivots;
   report.multiplications += result_.multiplications;
   // Once more, without what was known: that problem can be solved again elsewhere.
-  if (!holds(result_)) {
+  if (!result_.solved_within(tolerance::force_residual)) {
     solver_->solve(problem_.lcp(), result_);
     report.pivots += result_.pivots;
     report.multiplications += result_.multiplications;
   }
-  if (!holds(result_)) {
+  if (!result_.solved_within(tolerance::force_residual)) {
     report.status = result_.status == LcpStatus::solved ? LcpStatus::singular : result_.status;
     unsolved_ = problem_.lcp();
     return false;
@@ -177,7 +172,7 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
   pyramid_.assemble(task.bodies, island_, friction_points_, options_.directions);
   friction_solver_.solve(pyramid_.lcp(), result_);
   report.pivots += result_.pivots;
-  if (!holds(result_)) {
+  if (!result_.solved_within(tolerance::force_residual)) {
     ++report.without_solution;
     return take_velocity_step(task, report);
   }

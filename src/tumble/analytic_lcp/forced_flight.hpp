@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
-#include "tumble/contact/carried_bodies.hpp"
+#include "tumble/contact/pivot_update.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 
 #include <span>
@@ -23,7 +23,7 @@ namespace tumble {
 /// that the search saw.
 ///
 /// Bodies that stand on others may be carried by them (carry()): then they follow the arcs of
-/// CarriedBodies, of order 2 in t and continuous as well, and their momenta are as above.
+/// PivotUpdate, of order 2 in t and continuous as well, and their momenta are as above.
 class ForcedFlight {
  public:
   /// Keeps the present states as the start; nobody is carried.
@@ -74,7 +74,7 @@ class ForcedFlight {
  private:
   std::vector<BodyState> start_;
   std::vector<Wrench> wrenches_;
-  CarriedBodies carried_;
+  PivotUpdate carried_;
 };
 
 }  // namespace tumble

@@ -5,13 +5,6 @@
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-bool holds(const LcpResult& result) {
-  return result.status == LcpStatus::solved && result.residual <= tolerance::step_residual;
-}
-
-}  // namespace
 
 FrictionLemkeSolver::FrictionLemkeSolver()
     : slack_solvers_{LemkeSolver({.pivot_cap = kSlackPivots, .slack = tolerance::slack}),
@@ -28,7 +21,7 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
   };
   const auto solves = [&](LcpSolver& solver) {
     solver.solve(problem, result, start);
-    return tried(holds(result));
+    return tried(result.solved_within(tolerance::step_residual));
   };
   bool solved = solves(slack_solvers_[0]) || solves(slack_solvers_[1]);
   for (const double share : {1.0, 0.1, 10.0, 0.01, 100.0})
@@ -59,7 +52,7 @@ bool FrictionLemkeSolver::approach(const LcpProblem& problem, double compliance,
       yielding_.b[i] =
           problem.b[i] - compliance * problem.A(i, i) * result.f[static_cast<std::size_t>(i)];
     complete(problem, result);
-    solved = holds(result);
+    solved = result.solved_within(tolerance::step_residual);
   }
   result.pivots = pivots;
   result.multiplications = multiplications;

@@ -5,8 +5,8 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/analytic_lcp/lemke.hpp"
 #include "tumble/base/tolerance.hpp"
+#include "tumble/lcp_solvers/lemke.hpp"
 
 #include <array>
 

@@ -4,9 +4,9 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <span>
 #include <vector>

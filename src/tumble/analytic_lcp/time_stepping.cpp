@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/gather.hpp"
-#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <optional>

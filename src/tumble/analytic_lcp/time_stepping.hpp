@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/velocity_step.hpp"
-#include "tumble/contact/carried_bodies.hpp"
+#include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -33,7 +33,7 @@ struct TimeSteppingOptions {
 ///
 /// **Bodies that turn together** about a point outside of them come apart by this, and are kept together
 /// by PoseUpdate::exponential: velocities agree at the poses of the start, from which bodies are carried
-/// (CarriedBodies).
+/// (PivotUpdate).
 ///
 /// **The form.** Stewart and Trinkle's is the default: a body may close its gap and no more, so nothing
 /// is passed at any step. With Anitescu and Potra's a fast body sinks in by \f$h\,v\f$ before it is
@@ -90,7 +90,7 @@ class TimeStepping : public Technique {
   VelocityStep velocity_step_;
   VelocityStepResult velocities_;
   OverlapRepair repair_;
-  CarriedBodies carried_;
+  PivotUpdate carried_;
 
   // Storage of one step, kept so that a warm step asks for no memory.
   std::vector<Bounds> bounds_;

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
-#include "tumble/analytic_lcp/baraff.hpp"
 #include "tumble/analytic_lcp/friction_lemke.hpp"
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/contact/sticky.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
 
 #include <cstdint>
 #include <span>

@@ -240,20 +240,20 @@ inline constexpr double weightless_speed = 3e-3;
 
 /// [-] Springs of the direct solver, as a multiple of the mass that a point resists with. Reason: of 10,
 /// 30, 100, 300 and 1000 the one with the fewest rounds for stacks, pyramids and walls that land. (6.3.1)
-inline constexpr double heap_stiffness = 100.0;
+inline constexpr double island_stiffness = 100.0;
 
 /// [-] Springs of the direct solver at their hardest, as a multiple of the mass that a point resists with.
 /// Reason: half of the digits are left for what they solve. (6.3.1)
-inline constexpr double heap_hardness = 1e6;
+inline constexpr double island_hardness = 1e6;
 
 /// [-] Springs that Newton's steps of the direct solver keep in balance, ditto. Reason: of 1e3, 1e4 and 1e5 the
 /// one with which scenes turned about the vertical stay closest. Harder ones enlarge the rounding of
 /// velocities in impulses that nothing else determines, softer ones take too many steps. (6.3.1)
-inline constexpr double heap_polish = 1e4;
+inline constexpr double island_polish = 1e4;
 
 /// [-] Steps that friction of a body's own weight would need to stop what counts as sliding. Reason: at four
 /// the direction of the slide hardly changes within a step. (6.3.1)
-inline constexpr double heap_slides = 4.0;
+inline constexpr double island_slides = 4.0;
 
 /// [rad] Turn in a step beyond which the way of a point by rotation is taken along its arc. Reason: up to
 /// here the tangent is off by less than an eighth of the way. (6.3.1)
@@ -265,11 +265,11 @@ inline constexpr double kept_reach = 2.0;
 
 /// [-] How much further than its spring a point goes in a round. Reason: 1.5 to 1.8 save a third of the
 /// rounds; 2 would never end. (6.3.1)
-inline constexpr double heap_relaxation = 1.6;
+inline constexpr double island_relaxation = 1.6;
 
 /// [-] Multiplications for each body up to which a heap's matrix is factored. Reason: a pyramid of 204
 /// boxes in space needs a quarter of it; a pile of a thousand more, and sweeps have to do. (6.3.1)
-inline constexpr double heap_work = 2e5;
+inline constexpr double island_work = 2e5;
 
 /// [-] Overlap that repair leaves, as a share of the shortest edge. Reason: below the slop, so that a
 /// repaired area is not looked at again for a rounding. (4.4)

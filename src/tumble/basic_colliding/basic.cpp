@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/contact/told.hpp"
+#include "tumble/contact/contact_records.hpp"
 
 #include <algorithm>
 #include <string>

@@ -12,18 +12,18 @@ namespace tumble {
 namespace {
 
 // A contact of one point: the law of collision, without a system to solve.
-BlockResult collide_alone(Contact& contact, std::span<MovingBody> bodies) {
+SimultaneousResult collide_alone(Contact& contact, std::span<MovingBody> bodies) {
   MovingBody& first = bodies[static_cast<std::size_t>(contact.first)];
   MovingBody& second = bodies[static_cast<std::size_t>(contact.second)];
   ContactPoint& point = contact.points[0];
   const PointImpulse impulse = collide_at_point(first, second, point.position_w, contact.normal_w,
                                                 contact.friction, contact.restitution);
-  BlockResult result;
+  SimultaneousResult result;
   if (impulse.mode == ImpactMode::none) return result;
   const double j_n = contact.normal_w.dot(impulse.impulse_w);
   point.normal_impulse += j_n;
   point.friction_impulse_w += impulse.impulse_w - j_n * contact.normal_w;
-  result.status = BlockStatus::solved;
+  result.status = SimultaneousStatus::solved;
   result.impulses = 1;
   result.restitution_energy = impulse.restitution_energy;
   result.friction_energy = impulse.friction_energy;
@@ -33,9 +33,9 @@ BlockResult collide_alone(Contact& contact, std::span<MovingBody> bodies) {
   return result;
 }
 
-void add(const BlockResult& one, ImpactResult& all) {
-  if (one.status == BlockStatus::untouched) return;
-  if (one.status == BlockStatus::no_solution) all.status = ImpactStatus::no_solution;
+void add(const SimultaneousResult& one, ImpactResult& all) {
+  if (one.status == SimultaneousStatus::untouched) return;
+  if (one.status == SimultaneousStatus::no_solution) all.status = ImpactStatus::no_solution;
   if (one.impulses > 0) ++all.collisions;
   all.impulses += one.impulses;
   all.pivots += one.pivots;
@@ -78,9 +78,9 @@ ImpactResult ImpactSolver::resolve(std::span<Contact> contacts, std::span<Moving
   ImpactResult result;
   if (options.order == ImpactOrder::simultaneous) {
     result.passes = 1;
-    const BlockResult block = block_.solve(contacts, bodies);
+    const SimultaneousResult block = block_.solve(contacts, bodies);
     add(block, result);
-    if (block.status == BlockStatus::unsettled) result.status = ImpactStatus::cap_reached;
+    if (block.status == SimultaneousStatus::unsettled) result.status = ImpactStatus::cap_reached;
   } else {
     one_after_the_other(contacts, bodies, options, result);
   }
@@ -105,7 +105,7 @@ void ImpactSolver::one_after_the_other(std::span<Contact> contacts, std::span<Mo
       const std::span<Contact> one = contacts.subspan(c, 1);
       if (fastest_approach(one, bodies) <= slow) continue;
       stamp_approach_speeds(bodies, one);
-      const BlockResult collision =
+      const SimultaneousResult collision =
           one[0].count == 1 ? collide_alone(one[0], bodies) : block_.solve(one, bodies);
       add(collision, result);
       // One that pushed nobody (an approach of rounding size) would do so in every pass.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/base/tolerance.hpp"
-#include "tumble/contact/block.hpp"
+#include "tumble/contact/simultaneous_impacts.hpp"
 
 namespace tumble {
 
@@ -22,7 +22,7 @@ namespace tumble {
 /// deformation runs through the row; a box that lands on its face does what the left way says for
 /// its corners.
 enum class ImpactOrder : std::uint8_t {
-  /// All points at one stroke (BlockSolver): symmetric scenes stay symmetric, and no order of
+  /// All points at one stroke (SimultaneousImpacts): symmetric scenes stay symmetric, and no order of
   /// bodies matters. Restitution is that of the approach speeds stored in the points.
   simultaneous,
   /// One contact after the other in the given order, again and again, until none approaches: each
@@ -44,7 +44,7 @@ struct ImpactOptions {
 enum class ImpactStatus : std::uint8_t {
   done,         ///< no point approaches any more
   cap_reached,  ///< some still do, or friction has not settled: as many passes as allowed
-  no_solution   ///< bodies are squeezed by immovable ones that move: see BlockStatus
+  no_solution   ///< bodies are squeezed by immovable ones that move: see SimultaneousStatus
 };
 
 /// What was done.
@@ -65,9 +65,9 @@ struct ImpactResult {
 /// Resolves collisions of any number of bodies at one instant.
 ///
 /// No call raises the kinetic energy, each contact's impulses are within its cone, and momentum is
-/// kept: see BlockSolver, and solve_impact() for contacts of one point in sequential order.
+/// kept: see SimultaneousImpacts, and solve_impact() for contacts of one point in sequential order.
 /// \par Cost and determinism
-/// Simultaneous: the dense problem of BlockSolver over all points. Sequential: small problems,
+/// Simultaneous: the dense problem of SimultaneousImpacts over all points. Sequential: small problems,
 /// as many as there are collisions. No allocation once warm. The same input gives the same bits.
 class ImpactSolver {
  public:
@@ -87,7 +87,7 @@ class ImpactSolver {
   void one_after_the_other(std::span<Contact> contacts, std::span<MovingBody> bodies,
                            const ImpactOptions& options, ImpactResult& result);
 
-  BlockSolver block_;
+  SimultaneousImpacts block_;
 };
 
 /// The fastest approach among the points of some contacts.

@@ -82,7 +82,7 @@ void OverlapRepair::prepare(const World& world, std::span<const IndexPair> pairs
   for (std::size_t b = 0; b < count; ++b) {
     if (world.bodies()[b].shape == Shape::box)
       boxes_[b] = box_of(world.bodies()[b], world.states()[b]);
-    ease_[b] = world.rests()[b].asleep ? 0.0 : world.bodies()[b].inverse_mass;
+    ease_[b] = world.sleep_states()[b].asleep ? 0.0 : world.bodies()[b].inverse_mass;
   }
   moves_.assign(count, 0);
   stride_.assign(count, 1.0);

@@ -47,7 +47,7 @@ int SleepingRule::wake_disturbed(World& world) {
 // What a body is now, and whether that disturbs a group, given how it was.
 void SleepingRule::compare(const World& world, int body, const Seen* before) {
   const BodyState& state = world.states()[at(body)];
-  const bool asleep = world.rests()[at(body)].asleep;
+  const bool asleep = world.sleep_states()[at(body)].asleep;
   const bool was_asleep = before != nullptr && before->asleep;
   const bool still = before != nullptr && before->position_w == state.position_w &&
                      before->orientation_wb.coeffs() == state.orientation_wb.coeffs();
@@ -119,7 +119,7 @@ int SleepingRule::wake_groups(World& world, bool all) {
   for (std::size_t b = 0; b < role_.size(); ++b) {
     if (role_[b] != Role::asleep || !is_disturbed(group_[b])) continue;
     role_[b] = Role::awake;
-    world.rests()[b] = Rest{};
+    world.sleep_states()[b] = SleepState{};
     ++woken;
   }
   std::erase_if(supports_, [&](const auto& support) { return is_disturbed(support.second); });
@@ -140,7 +140,7 @@ SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexP
 
   for (std::size_t b = 0; b < role_.size(); ++b) {
     if (role_[b] != Role::awake) continue;
-    double& quiet_time = world.rests()[b].quiet_time;
+    double& quiet_time = world.sleep_states()[b].quiet_time;
     quiet_time = slow(world, static_cast<int>(b), dt) ? quiet_time + dt : 0.0;
   }
   SleepReport report;
@@ -164,7 +164,8 @@ bool SleepingRule::slow(const World& world, int body, double dt) const {
       g > 0.0 ? options_.speed * std::sqrt(g * length) : options_.speed_weightless * length / dt;
   const double fastest = velocity(constant, state).norm() +
                          angular_velocity(constant, state).norm() * 0.5 * constant.size.norm();
-  return fastest <= limit || (world.rests()[at(body)].counts_as_slow && std::isfinite(fastest));
+  return fastest <= limit ||
+         (world.sleep_states()[at(body)].counts_as_slow && std::isfinite(fastest));
 }
 
 // Whether all bodies of an island have been slow for long enough. Under gravity nothing rests
@@ -172,7 +173,7 @@ bool SleepingRule::slow(const World& world, int body, double dt) const {
 bool SleepingRule::can_sleep(const World& world, std::span<const IndexPair> contacts,
                              const Islands& islands, int island) const {
   for (const int body : islands.bodies(island))
-    if (role_[at(body)] != Role::awake || world.rests()[at(body)].quiet_time < options_.time)
+    if (role_[at(body)] != Role::awake || world.sleep_states()[at(body)].quiet_time < options_.time)
       return false;
   if (world.gravity_w.isZero(0.0)) return true;
   const std::span<const BodyProperties> bodies = world.bodies();
@@ -191,7 +192,7 @@ void SleepingRule::put_to_sleep(World& world, std::span<const IndexPair> contact
     report.energy -= kinetic_energy(world.bodies()[at(body)], state);
     state.linear_momentum_w.setZero();
     state.angular_momentum_w.setZero();
-    world.rests()[at(body)].asleep = true;
+    world.sleep_states()[at(body)].asleep = true;
     role_[at(body)] = Role::asleep;
     group_[at(body)] = group;
     ++report.fell_asleep;

@@ -34,7 +34,7 @@ struct SleepReport {
 /// The thesis (4.5) asks that a group at rest stay at rest until there is a new interaction; what
 /// that means in detail is ours. An island falls asleep when all its bodies have been slow for a
 /// while and, if there is gravity, it touches something immovable: a body whose speed is 0 for an
-/// instant at the top of its way is neither. Rest::counts_as_slow makes a body slow that shakes, for
+/// instant at the top of its way is neither. SleepState::counts_as_slow makes a body slow that shakes, for
 /// FreezeOnChatter. The momenta of sleepers are 0. They are not to be
 /// advanced, and pairs without an awake body need no test.
 ///
@@ -52,7 +52,7 @@ struct SleepReport {
 /// \code
 /// rule.wake_disturbed(world);                      // first in the step
 /// do gather(); while (rule.wake_touched(world, contacts) > 0);  // asks rule.needs_test(i, j)
-/// // ... impulses and motion of those whose rests()[i].asleep is false ...
+/// // ... impulses and motion of those whose sleep_states()[i].asleep is false ...
 /// report.energy.damping += rule.update(world, contacts, islands, dt).energy;  // last
 /// \endcode
 /// Its memory decides what happens next and belongs to a snapshot: copy it with the technique.
@@ -70,7 +70,7 @@ class SleepingRule {
 
   /// Wakes whatever was disturbed since the last update(). First thing in a step; adding and
   /// removing bodies is for before it.
-  /// \param world the bodies; changes rests() only
+  /// \param world the bodies; changes sleep_states() only
   /// \return how many bodies it woke, besides those that World itself has woken
   int wake_disturbed(World& world);
 
@@ -90,21 +90,21 @@ class SleepingRule {
   /// Wakes the groups that are touched by an awake body, or by an immovable one that is new there.
   ///
   /// Contacts within the woken groups were not looked for: gather again if this returns more than 0.
-  /// \param world     the bodies; changes rests() only
+  /// \param world     the bodies; changes sleep_states() only
   /// \param contacts  all that were found
   /// \return how many bodies it woke
   /// \throws std::invalid_argument if wake_disturbed() has not seen these bodies
   int wake_touched(World& world, std::span<const Contact> contacts);
 
   /// The same for pairs of bodies that touch.
-  /// \param world  the bodies; changes rests() only
+  /// \param world  the bodies; changes sleep_states() only
   /// \param pairs  by index; all that were found
   /// \return how many bodies it woke
   /// \throws std::invalid_argument if wake_disturbed() has not seen these bodies
   int wake_touched_pairs(World& world, std::span<const IndexPair> pairs);
 
   /// Counts how long bodies have been slow, and puts islands to sleep. Last thing in a step.
-  /// \param world     the bodies; changes rests(), and the momenta of those that fall asleep
+  /// \param world     the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param contacts  those that the step worked with
   /// \param islands   of these contacts
   /// \param dt        [s] above 0
@@ -115,7 +115,7 @@ class SleepingRule {
                      double dt);
 
   /// The same for pairs of bodies that touch.
-  /// \param world    the bodies; changes rests(), and the momenta of those that fall asleep
+  /// \param world    the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param pairs    by index; those that the step worked with
   /// \param islands  of these pairs
   /// \param dt       [s] above 0

@@ -14,7 +14,7 @@ enum class PoseUpdate : std::uint8_t {
   /// turn together about a point outside of them come apart by \f$\omega^2 h^2 s/2\f$ in a step.
   separate,
   /// Each body turns about the point that it stands on, by the exponential of its twist there, see
-  /// CarriedBodies.
+  /// PivotUpdate.
   exponential
 };
 

@@ -59,7 +59,7 @@ BodyId World::append(const BodyProperties& body, const BodyState& state, std::st
   ids_.push_back(id);
   bodies_.push_back(body);
   states_.push_back(state);
-  rests_.emplace_back();
+  sleep_states_.emplace_back();
   names_.push_back(std::move(name));
   ++next_id_;
   return id;
@@ -91,7 +91,7 @@ void World::remove(BodyId id) {
   ids_.erase(ids_.begin() + i);
   bodies_.erase(bodies_.begin() + i);
   states_.erase(states_.begin() + i);
-  rests_.erase(rests_.begin() + i);
+  sleep_states_.erase(sleep_states_.begin() + i);
   names_.erase(names_.begin() + i);
 }
 
@@ -125,7 +125,7 @@ void World::set_state(BodyId id, const BodyState& state) {
   require_valid(bodies_[i], state);
   require::that(bodies_[i].shape != Shape::ground, "the ground cannot be moved: it is y <= 0");
   states_[i] = state;
-  rests_[i] = Rest{};
+  sleep_states_[i] = SleepState{};
 }
 
 std::optional<int> World::find(BodyId id) const {
@@ -160,8 +160,8 @@ StateHash World::hash() const {
     hash.add(states_[i].orientation_wb);
     hash.add(states_[i].linear_momentum_w);
     hash.add(states_[i].angular_momentum_w);
-    hash.add(rests_[i].quiet_time);
-    hash.add(std::uint64_t{rests_[i].asleep ? 1U : 0U});
+    hash.add(sleep_states_[i].quiet_time);
+    hash.add(std::uint64_t{sleep_states_[i].asleep ? 1U : 0U});
   }
   return hash;
 }

@@ -14,7 +14,7 @@
 namespace tumble {
 
 /// Whether a body rests, as the sleeping rule (thesis 4.5) keeps book of it.
-struct Rest {
+struct SleepState {
   double quiet_time = 0.0;  ///< [s] how long it has been slower than the sleeping speed
   bool asleep = false;      ///< not simulated until something wakes it
   /// Counts as slow whatever its speed. Only during a step: set by who knows that a body gets nowhere
@@ -112,10 +112,10 @@ class World {
   [[nodiscard]] std::span<BodyState> states() { return states_; }
   /// Who sleeps, by index.
   /// \return one for each body
-  [[nodiscard]] std::span<const Rest> rests() const { return rests_; }
+  [[nodiscard]] std::span<const SleepState> sleep_states() const { return sleep_states_; }
   /// Who sleeps, by index, for techniques.
   /// \return one for each body
-  [[nodiscard]] std::span<Rest> rests() { return rests_; }
+  [[nodiscard]] std::span<SleepState> sleep_states() { return sleep_states_; }
   /// The name of a body.
   /// \param index its place in the arrays
   /// \return its name
@@ -147,7 +147,7 @@ class World {
   std::vector<BodyId> ids_;
   std::vector<BodyProperties> bodies_;
   std::vector<BodyState> states_;
-  std::vector<Rest> rests_;
+  std::vector<SleepState> sleep_states_;
   std::vector<std::string> names_;
   double time_ = 0.0;
   std::int64_t steps_ = 0;

@@ -153,7 +153,7 @@ void AdaptiveStep::find_near(const World& world, double h) {
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     const BodyProperties& body = world.bodies()[i];
     const BodyState& state = world.states()[i];
-    if (!body.movable() || world.rests()[i].asleep) {
+    if (!body.movable() || world.sleep_states()[i].asleep) {
       bounds_[i] = bounds_of(body, state);
       continue;
     }

@@ -56,7 +56,7 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
       track.touching.assign(frames, 0);
       tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
-    const bool touches = in_contact[at(i)] != 0 || world.rests()[at(i)].asleep;
+    const bool touches = in_contact[at(i)] != 0 || world.sleep_states()[at(i)].asleep;
     take_frames(now_at, touches, tracks_[place]);
     ++place;
   }

@@ -15,12 +15,12 @@ class Marks {
  public:
   Marks(World& world, const CalmBodies& calm) : world_(world) {
     for (std::size_t k = 0; k < world.ids().size(); ++k)
-      world.rests()[k].counts_as_slow = calm.calm(world.ids()[k]);
+      world.sleep_states()[k].counts_as_slow = calm.calm(world.ids()[k]);
   }
   Marks(const Marks&) = delete;
   Marks& operator=(const Marks&) = delete;
   ~Marks() {
-    for (Rest& rest : world_.rests()) rest.counts_as_slow = false;
+    for (SleepState& rest : world_.sleep_states()) rest.counts_as_slow = false;
   }
 
  private:

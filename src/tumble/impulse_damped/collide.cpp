@@ -39,7 +39,7 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   const Vec3 delta_velocity_w = plus_gravity ? Vec3(dt * world.gravity_w) : Vec3::Zero();
   const std::array<int, 2> pair{collision.first, collision.second};
   const auto falls = [&](int body) {
-    return world.bodies()[at(body)].movable() && !world.rests()[at(body)].asleep;
+    return world.bodies()[at(body)].movable() && !world.sleep_states()[at(body)].asleep;
   };
   for (const int body : pair)
     if (falls(body)) bodies.moving[at(body)].velocity_w += delta_velocity_w;
@@ -125,7 +125,7 @@ int Collide::area_impulse(Contact& collision, double restitution, DampedBodies& 
   stamp_approach_speeds(bodies.moving, {&work_, 1});
   const std::array<MovingBody, 2> before{bodies.moving[at(work_.first)],
                                          bodies.moving[at(work_.second)]};
-  const BlockResult solved = block_.solve({&work_, 1}, bodies.moving);
+  const SimultaneousResult solved = block_.solve({&work_, 1}, bodies.moving);
   const double share = std::min(1.0, 1.0 + restitution);
   const std::array<int, 2> pair{work_.first, work_.second};
   for (std::size_t i = 0; i < 2; ++i) {

@@ -2,8 +2,8 @@
 /// \brief The listing COLLIDE: one impulse between two bodies that overlap (thesis 5.2, A.2).
 #pragma once
 
-#include "tumble/contact/block.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/simultaneous_impacts.hpp"
 #include "tumble/impulse_damped/damped_bodies.hpp"
 
 namespace tumble {
@@ -57,7 +57,7 @@ class Collide {
                                         const Vec3& ahead_w, DampedBodies& bodies);
   int area_impulse(Contact& collision, double restitution, DampedBodies& bodies);
 
-  BlockSolver block_;
+  SimultaneousImpacts block_;
   Contact work_;  // the impulses of one call
 };
 

@@ -3,7 +3,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/contact/told.hpp"
+#include "tumble/contact/contact_records.hpp"
 
 #include <algorithm>
 
@@ -92,7 +92,7 @@ void Damped::begin(World& world, double dt, StepReport& report) {
   if (options_.sleeping) {
     sleeping_.wake_disturbed(world);
   } else {  // whoever another technique has put to sleep
-    for (Rest& rest : world.rests()) rest.asleep = false;
+    for (SleepState& rest : world.sleep_states()) rest.asleep = false;
   }
   stable_.assign(world.bodies().size(), 0);
   for (std::size_t k = 0; k < stable_.size(); ++k)
@@ -123,7 +123,7 @@ bool Damped::keeps_mark(const World& world, std::size_t body) const {
 // Line 3: gravity for all bodies that can fall. Stable ones have been stopped with it in mind.
 void Damped::integrate_object_velocities(World& world, double dt) const {
   for (std::size_t k = 0; k < world.bodies().size(); ++k) {
-    if (!world.bodies()[k].movable() || world.rests()[k].asleep) continue;
+    if (!world.bodies()[k].movable() || world.sleep_states()[k].asleep) continue;
     world.states()[k].linear_momentum_w += dt * world.bodies()[k].mass * world.gravity_w;
   }
 }

@@ -29,7 +29,7 @@ int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
   int advanced = 0;
   for (std::size_t k = 0; k < moving.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    if (!body.movable() || world.rests()[k].asleep) continue;
+    if (!body.movable() || world.sleep_states()[k].asleep) continue;
     BodyState& state = predicted[k];
     state = world.states()[k];
     if (moving[k].changed) {
@@ -68,7 +68,7 @@ void DampedBodies::set_ease(const World& world, int body) {
   MovingBody& m = moving[at(body)];
   m.inverse_mass.setZero();
   m.inverse_inertia_w.setZero();
-  if (!properties.movable() || world.rests()[at(body)].asleep) return;
+  if (!properties.movable() || world.sleep_states()[at(body)].asleep) return;
   m.inverse_mass.setConstant(properties.inverse_mass);
   m.inverse_inertia_w = inverse_inertia_w(properties, world.states()[at(body)].orientation_wb);
   if (stable[at(body)] == 0) return;

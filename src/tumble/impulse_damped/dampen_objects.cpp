@@ -116,7 +116,9 @@ DampingReport ObjectDamping::run(World& world, std::span<const char> touched,
   require::that(touched.size() == objects.size(), "touched: one entry for each body is needed");
   const double gravity = world.gravity_w.norm();
   const DampedFactors k = factors_of(numbers, dt);
-  const auto stays = [&](std::size_t o) { return !bodies[o].movable() || world.rests()[o].asleep; };
+  const auto stays = [&](std::size_t o) {
+    return !bodies[o].movable() || world.sleep_states()[o].asleep;
+  };
   DampingReport report;
   // [DAMPENOBJECTS:1-2]
   // Only who was held up or stopped by another body in this step.

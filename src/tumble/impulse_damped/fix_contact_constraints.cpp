@@ -54,7 +54,7 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
   // [FIXCONTACTCONSTRAINTS:1]
 
   const auto can_move = [&](int b) {
-    return world.bodies()[at(b)].movable() && !world.rests()[at(b)].asleep;
+    return world.bodies()[at(b)].movable() && !world.sleep_states()[at(b)].asleep;
   };
   // [FIXCONTACTCONSTRAINTS:2-5]
   for (const Point& visited : sorted_) {

@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/contact/told.hpp"
+#include "tumble/contact/contact_records.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -98,7 +98,7 @@ const SleepingRule* Impulse::sleeping() const { return options_.sleeping ? &slee
 // Velocities and predicted poses; who is touched where it sleeps, and so wakes, has to be known before.
 void Impulse::begin(World& world, double dt, StepReport& report) {
   if (!options_.sleeping)
-    for (Rest& rest : world.rests()) rest.asleep = false;
+    for (SleepState& rest : world.sleep_states()) rest.asleep = false;
   if (options_.sleeping) sleeping_.wake_disturbed(world);
   list_pushed(world);
   for (bool again = true; again;) {

@@ -65,7 +65,7 @@ struct ImpulseOptions {
 /// bodies are by then predicted to be.
 ///
 /// With PoseUpdate::exponential bodies are predicted, and move, about the points on which they stood when
-/// the step before ended (CarriedBodies); a pair that nobody has moved since counts.
+/// the step before ended (PivotUpdate); a pair that nobody has moved since counts.
 ///
 /// **What holds.** Newton's approach speed is that of the event, once for each pair and step
 /// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept

@@ -8,7 +8,7 @@
 namespace tumble {
 
 bool ImpulseBodies::moves(const World& world, std::size_t k) const {
-  return world.bodies()[k].movable() && !world.rests()[k].asleep;
+  return world.bodies()[k].movable() && !world.sleep_states()[k].asleep;
 }
 
 void ImpulseBodies::begin(const World& world, double dt, RotationRule rule,

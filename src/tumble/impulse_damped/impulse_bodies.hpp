@@ -2,8 +2,8 @@
 /// \brief Bodies of a step that is solved by impulses: how they move, and where that takes them.
 #pragma once
 
-#include "tumble/contact/carried_bodies.hpp"
 #include "tumble/contact/moving_body.hpp"
+#include "tumble/contact/pivot_update.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 
 #include <span>
@@ -21,7 +21,7 @@ namespace tumble {
 /// step's start, so that the energy of an impulse is exact. As h g is part of the prediction from
 /// the start, adding gravity to the velocities moves no prediction.
 ///
-/// **Carried bodies** (CarriedBodies, with RigidAt::end, as impulses make velocities agree where bodies
+/// **Carried bodies** (PivotUpdate, with RigidAt::end, as impulses make velocities agree where bodies
 /// will be): a body is predicted about the point on which it stands. Whom it carries follows when carry()
 /// is called, at the beginning of each pass and before the move, so that in between others are predicted
 /// with what carried them when the pass began.
@@ -88,7 +88,7 @@ class ImpulseBodies {
   std::vector<MovingBody> moving_;
   std::vector<BodyState> predicted_;
   std::vector<int> version_;
-  CarriedBodies carried_;
+  PivotUpdate carried_;
 };
 
 }  // namespace tumble

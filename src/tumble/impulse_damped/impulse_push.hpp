@@ -2,7 +2,7 @@
 /// \brief One impulse between two bodies that overlap where they are about to be (thesis 2.5.2).
 #pragma once
 
-#include "tumble/contact/block.hpp"
+#include "tumble/contact/simultaneous_impacts.hpp"
 #include "tumble/impulse_damped/impulse_pairs.hpp"
 
 #include <array>
@@ -18,7 +18,7 @@ namespace tumble {
 /// turning at 2.85 rad/s about two axes, instead of at +1.8 m/s without turning. Both choices here
 /// are right.
 enum class ImpulsePoints : std::uint8_t {
-  area,  ///< at all points of the contact area together (BlockSolver)
+  area,  ///< at all points of the contact area together (SimultaneousImpacts)
   one    ///< at their centre, each point weighted by its depth
 };
 
@@ -34,7 +34,7 @@ struct PushResult {
 /// Collisions and contacts of pairs by impulses.
 ///
 /// No impulse pulls, friction is within Coulomb's cone, momentum is kept, and kinetic energy does
-/// not rise, as BlockSolver and solve_impact() have it. Only if a movable body was frozen, the
+/// not rise, as SimultaneousImpacts and solve_impact() have it. Only if a movable body was frozen, the
 /// latter holds for the motion against that body alone: what it lifts gains energy, which is
 /// booked.
 class ImpulsePush {
@@ -89,7 +89,7 @@ class ImpulsePush {
   Vec3 center_w_ = Vec3::Zero();
   double still_ = 0.0;                                  // [m/s] slower than this is none
   std::array<double, Manifold::kMostPoints> weight_{};  // of the points, sum 1
-  BlockSolver block_;
+  SimultaneousImpacts block_;
 };
 
 /// The speed at which a pair approaches at its fastest point.

@@ -144,8 +144,8 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
   for (const IndexPair& pair : pairs_) {
     const BodyProperties& a = bodies[at(pair.first)];
     const BodyProperties& b = bodies[at(pair.second)];
-    const bool still = (!a.movable() || world.rests()[at(pair.first)].asleep) &&
-                       (!b.movable() || world.rests()[at(pair.second)].asleep);
+    const bool still = (!a.movable() || world.sleep_states()[at(pair.first)].asleep) &&
+                       (!b.movable() || world.sleep_states()[at(pair.second)].asleep);
     if (sleeping != nullptr ? !sleeping->needs_test(pair.first, pair.second) : still) continue;
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;

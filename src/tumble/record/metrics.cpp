@@ -42,7 +42,7 @@ Metrics MetricsMeter::measure_now(const World& world) {
     const BodyProperties& body = world.bodies()[k];
     if (body.movable()) scale += body.mass * gravity * body.size.minCoeff();
     m.fastest = std::max(m.fastest, velocity(body, world.states()[k]).norm());
-    if (world.rests()[k].asleep) ++m.asleep;
+    if (world.sleep_states()[k].asleep) ++m.asleep;
   }
   if (scale > 0.0) m.energy_error_share = m.energy_error / scale;
   if (!std::isfinite(energy.total())) return m;  // nowhere in particular: nothing to measure

@@ -2,9 +2,9 @@
 /// \brief The files of a run.
 #include "tumble/record/run_files.hpp"
 
-#include "tumble/analytic_lcp/lcp.hpp"
 #include "tumble/base/version.hpp"
 #include "tumble/filtering/filters.hpp"
+#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/metrics_table.hpp"

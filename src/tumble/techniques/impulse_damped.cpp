@@ -1,10 +1,10 @@
 /// \file
 /// \brief The techniques of the chapter impulse_damped as a user sets them.
 #include "tumble/base/error.hpp"
+#include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/filtering/freezing.hpp"
-#include "tumble/impulse_damped/contact_damped.hpp"
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/impulse_damped/damped_as_printed.hpp"
 #include "tumble/impulse_damped/impulse.hpp"
 #include "tumble/techniques/options.hpp"
 

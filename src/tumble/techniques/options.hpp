@@ -21,7 +21,7 @@ Parameters timewarp_swept_options();    ///< \return options of `timewarp_swept`
 Parameters timewarp_full_options();     ///< \return options of `timewarp_full`
 Parameters glued_options();             ///< \return options of `glued`
 
-/// Declares the option `pose` of techniques that can carry bodies (CarriedBodies).
+/// Declares the option `pose` of techniques that can carry bodies (PivotUpdate).
 /// \param p gets it
 void add_pose(Parameters& p);
 

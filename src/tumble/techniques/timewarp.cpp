@@ -2,7 +2,7 @@
 /// \brief The techniques of the chapter timewarp as a user sets them.
 #include "tumble/base/error.hpp"
 #include "tumble/techniques/options.hpp"
-#include "tumble/timewarp/timewarp_as_printed.hpp"
+#include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_simple.hpp"

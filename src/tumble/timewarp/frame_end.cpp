@@ -4,7 +4,7 @@
 #include "tumble/timewarp/frame_end.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact/told.hpp"
+#include "tumble/contact/contact_records.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "tumble/timewarp/instant_impacts.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
-#include "tumble/contact/told.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +91,10 @@ InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> p
   return out;
 }
 
-double InstantImpacts::parting_speed(const World& world, const IndexPair& pair, double time) const {
-  double slowest = slowest_parting(pair, true);
-  if (std::isinf(slowest)) slowest = slowest_parting(pair, false);
+double InstantImpacts::separation_speed(const World& world, const IndexPair& pair,
+                                        double time) const {
+  double slowest = slowest_separation(pair, true);
+  if (std::isinf(slowest)) slowest = slowest_separation(pair, false);
   if (std::isinf(slowest)) return 0.0;
   double size = 0.0;
   for (const int body : {pair.first, pair.second})
@@ -102,7 +103,7 @@ double InstantImpacts::parting_speed(const World& world, const IndexPair& pair, 
   return slowest * time > tolerance::rounding_overlap * size ? slowest : 0.0;
 }
 
-double InstantImpacts::slowest_parting(const IndexPair& pair, bool pushed_only) const {
+double InstantImpacts::slowest_separation(const IndexPair& pair, bool pushed_only) const {
   double slowest = std::numeric_limits<double>::infinity();
   for (const Contact& contact : contacts_) {
     if (contact.first != pair.first || contact.second != pair.second) continue;

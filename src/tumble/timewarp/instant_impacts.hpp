@@ -96,10 +96,11 @@ class InstantImpacts {
   /// \param time   [s] who parts by no more than rounding in this time does not part
   /// \return [m/s] where they were pushed, at the slowest such place; if they were not, at the slowest
   ///         of all; 0 if they do not part or do not touch
-  [[nodiscard]] double parting_speed(const World& world, const IndexPair& pair, double time) const;
+  [[nodiscard]] double separation_speed(const World& world, const IndexPair& pair,
+                                        double time) const;
 
  private:
-  [[nodiscard]] double slowest_parting(const IndexPair& pair, bool pushed_only) const;
+  [[nodiscard]] double slowest_separation(const IndexPair& pair, bool pushed_only) const;
   void resolve_island(std::span<const int> members, InstantReport& out, StepReport& report);
   void resolve_together(std::span<Contact> contacts, InstantReport& out, StepReport& report);
 

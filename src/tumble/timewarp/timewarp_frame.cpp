@@ -181,7 +181,7 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
   tell(impact.contacts, time, moved);
   stage_.release_pushed(*world_, pushed_, before_, dt_);
   for (const IndexPair& pair : pairs)
-    stage_.count(pair, impacts_.parting_speed(*world_, pair, dt_), world_->gravity_w.norm());
+    stage_.count(pair, impacts_.separation_speed(*world_, pair, dt_), world_->gravity_w.norm());
 }
 
 // Tells about the collisions of one time.

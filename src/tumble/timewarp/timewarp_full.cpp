@@ -236,7 +236,7 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
                                 properties, scratch_.gravity_w);
     wait_for_turn(both[k]);
   }
-  hold_or_release(collision, impacts_.parting_speed(scratch_, collision.pair, dt_));
+  hold_or_release(collision, impacts_.separation_speed(scratch_, collision.pair, dt_));
   resolved_.push_back(std::move(collision));
 }
 

@@ -1,0 +1,112 @@
+/// \file
+/// \brief Arithmetic of IslandSolver: motions, impulses, cones and springs of contact areas.
+#pragma once
+
+#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/math/sparse_blocks.hpp"
+
+#include <cmath>
+
+/// Arithmetic of IslandSolver.
+namespace tumble::island {
+
+/// Velocity and angular velocity in one.
+/// \param body  a body
+/// \return [m/s], [rad/s] world frame
+inline Vec6 velocities_of(const MovingBody& body) {
+  Vec6 v;
+  v << body.velocity_w, body.angular_velocity_w;
+  return v;
+}
+
+/// Motion of an area's middle when one of its bodies has these velocities.
+/// \param frame_w  of the area
+/// \param arm_w    [m] from the body's centre to the middle
+/// \param v        [m/s], [rad/s] of the body
+/// \return in the area's frame
+inline Six motion_of(const Mat3& frame_w, const Vec3& arm_w, const Vec6& v) {
+  const Vec3 turn = frame_w.transpose() * v.tail<3>();
+  const Vec3 move = frame_w.transpose() * (v.head<3>() + v.tail<3>().cross(arm_w));
+  return {move[0], move[1], move[2], turn[0], turn[1], turn[2]};
+}
+
+/// Force and moment at a body's centre of an impulse at an area's middle.
+/// \param frame_w  of the area
+/// \param arm_w    [m] from the body's centre to the middle
+/// \param impulse  [N s], [N m s] in the area's frame
+/// \return [N s], [N m s] world frame
+inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse) {
+  Vec6 w;
+  w.head<3>() = frame_w * Vec3(impulse[0], impulse[1], impulse[2]);
+  w.tail<3>() = frame_w * Vec3(impulse[3], impulse[4], impulse[5]) + arm_w.cross(Vec3(w.head<3>()));
+  return w;
+}
+
+/// The motion of an area's point.
+/// \param along   [m] where it is
+/// \param across  [m] ditto
+/// \param u       motion of the area
+/// \return [m/s] along, across, normal
+inline Vec3 motion_at(double along, double across, const Six& u) {
+  return {u[0] - across * u[5], u[1] + along * u[5], u[2] + across * u[3] - along * u[4]};
+}
+
+/// Adds an impulse at a point to that of the area.
+/// \param along   [m] where it is
+/// \param across  [m] ditto
+/// \param push    [N s] along, across, normal
+/// \param sum     of the area; in and out
+inline void add_push(double along, double across, const Vec3& push, Six& sum) {
+  sum[0] += push[0];
+  sum[1] += push[1];
+  sum[2] += push[2];
+  sum[3] += across * push[2];
+  sum[4] -= along * push[2];
+  sum[5] += along * push[1] - across * push[0];
+}
+
+/// Raises a maximum; what is not a number stays, so that nobody takes it for settled.
+/// \param value  candidate
+/// \param most   in and out
+inline void raise(double value, double& most) {
+  if (value > most || std::isnan(value)) most = value;
+}
+
+/// The nearest point of Coulomb's cone \f$|f| \le \mu p\f$.
+/// \param a   [N s] along, across, normal
+/// \param mu  [-] at least 0
+/// \return [N s]
+inline Vec3 into_cone(const Vec3& a, double mu) {
+  const double size = std::sqrt(a[0] * a[0] + a[1] * a[1]);
+  if (mu * size <= -a[2])
+    return Vec3::Zero();  // first: without friction a pull is within the next bound
+  if (size <= mu * a[2]) return a;
+  const double p = (a[2] + mu * size) / (1.0 + mu * mu);
+  return {mu * p * a[0] / size, mu * p * a[1] / size, p};
+}
+
+/// Spring of an area at its middle. The motion of the middle is v - [r] w for a body with the arm r.
+struct Spring {
+  Mat3 force_of_move = Mat3::Zero();   ///< [N s / (m/s)] world frame
+  Mat3 force_of_turn = Mat3::Zero();   ///< [N s / (rad/s)]
+  Mat3 moment_of_turn = Mat3::Zero();  ///< [N m s / (rad/s)]
+
+  /// Seen from the centres of two bodies, or twice from one.
+  /// \param first_arm_w   [m] from the one's centre to the middle
+  /// \param second_arm_w  [m] from the other's
+  /// \return forces on the one of velocities of the other
+  [[nodiscard]] Mat6 between(const Vec3& first_arm_w, const Vec3& second_arm_w) const {
+    const Mat3 a = skew(first_arm_w);
+    const Mat3 b = skew(second_arm_w);
+    const Mat3 turned = force_of_turn - force_of_move * b;
+    Mat6 k;
+    k.topLeftCorner<3, 3>() = force_of_move;
+    k.topRightCorner<3, 3>() = turned;
+    k.bottomLeftCorner<3, 3>() = force_of_turn.transpose() + a * force_of_move;
+    k.bottomRightCorner<3, 3>() = moment_of_turn - force_of_turn.transpose() * b + a * turned;
+    return k;
+  }
+};
+
+}  // namespace tumble::island

@@ -1,0 +1,58 @@
+/// \file
+/// \brief Baraff's pivoting, with equalities.
+#include "tumble/lcp_solvers/baraff.hpp"
+
+#include "tumble/base/tolerance.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+namespace {
+
+LcpStatus translated(ComplementarityStatus status) {
+  switch (status) {
+    case ComplementarityStatus::solved:
+      return LcpStatus::solved;
+    case ComplementarityStatus::infeasible:
+      return LcpStatus::infeasible;
+    case ComplementarityStatus::cap_reached:
+      return LcpStatus::cap_reached;
+    case ComplementarityStatus::not_positive_semidefinite:
+      break;
+  }
+  return LcpStatus::not_positive_semidefinite;
+}
+
+}  // namespace
+
+void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span<const int> start) {
+  require_valid(problem, LcpMatrix::symmetric_semidefinite);
+  require_valid_start(problem.size(), start);
+
+  // Contacts only: no copy is needed.
+  if (std::all_of(problem.equality.begin(), problem.equality.end(),
+                  [](char flag) { return flag == 0; })) {
+    solver_.solve(problem.A, problem.b, answer_, start);
+    result.f.assign(answer_.f.begin(), answer_.f.end());
+  } else {
+    twins_.assign(problem);
+    twins_.start_from(problem, start, start_);
+    solver_.solve(twins_.A(), twins_.b(), answer_, start_);
+    twins_.forces(answer_.f, result.f);
+  }
+  result.status = translated(answer_.status);
+  result.pivots = answer_.pivots;
+  result.multiplications = answer_.multiplications;
+  complete(problem, result);
+
+  // A holds only the squares of what J holds: half of the digits. Where that is too few, J is used.
+  const bool good = result.status == LcpStatus::solved && result.residual <= tolerance::lost_in_A;
+  if (good || problem.factors.rows.empty()) return;
+  const int pivots = result.pivots;
+  const std::int64_t multiplications = result.multiplications;
+  with_factors_.solve(problem, result);
+  result.pivots += pivots;
+  result.multiplications += multiplications;
+}
+
+}  // namespace tumble

@@ -1,0 +1,52 @@
+/// \file
+/// \brief Cholesky factor of a sparse matrix of 6×6 blocks.
+#include "tumble/lcp_solvers/block_cholesky.hpp"
+
+#include "tumble/base/index.hpp"
+
+namespace tumble {
+
+void BlockCholesky::analyse(const BlockRows& rows) {
+  multiplications_ = 0;
+  joined_.clear();
+  const std::vector<int>& begin = rows.begin_of_rows();
+  const std::vector<int>& blocks = rows.blocks_of_rows();
+  for (int i = 0; i < rows.size(); ++i)
+    for (int p = begin[at(i)]; p < begin[at(i) + 1]; ++p)
+      for (int q = p + 1; q < begin[at(i) + 1]; ++q)
+        joined_.push_back({blocks[at(p)], blocks[at(q)]});
+  matrix_.analyse(rows.blocks(), joined_);
+}
+
+void BlockCholesky::factor(const BlockRows& rows, const std::vector<char>& in_set,
+                           double softness) {
+  matrix_.clear();
+  for (int k = 0; k < rows.blocks(); ++k) matrix_.add_to(k, softness * Mat6::Identity());
+  const std::vector<int>& begin = rows.begin_of_rows();
+  const std::vector<int>& blocks = rows.blocks_of_rows();
+  const std::vector<Vec6>& parts = rows.parts();
+  int pair = 0;
+  for (int i = 0; i < rows.size(); ++i) {
+    const int count = begin[at(i) + 1] - begin[at(i)];
+    if (in_set[at(i)] == 0) {
+      pair += count * (count - 1) / 2;
+      continue;
+    }
+    for (int p = begin[at(i)]; p < begin[at(i) + 1]; ++p) {
+      const Vec6& a = parts[at(p)];
+      matrix_.add_to(blocks[at(p)], a * a.transpose());
+      for (int q = p + 1; q < begin[at(i) + 1]; ++q)
+        matrix_.add_to_pair(pair++, a * parts[at(q)].transpose());
+    }
+    multiplications_ += std::int64_t{18} * count * (count + 1);
+  }
+  matrix_.factor();
+  multiplications_ += matrix_.multiplications_of_factor();
+}
+
+void BlockCholesky::solve(std::vector<Vec6>& x) {
+  matrix_.solve(x);
+  multiplications_ += matrix_.multiplications_of_solve();
+}
+
+}  // namespace tumble

@@ -1,0 +1,144 @@
+/// \file
+/// \brief The linear complementarity problem of contact forces, and what every solver of it looks
+///        like (thesis 2.6, 3.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/lcp_solvers/factors.hpp"
+#include "tumble/math/dense.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tumble {
+
+/// Find f with a = A f + b such that row by row either \f$f_i \ge 0, a_i \ge 0, f_i a_i = 0\f$ (a
+/// contact pushes or parts), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
+struct LcpProblem {
+  MatX A;                      ///< [1/kg] (n×n)
+  VecX b;                      ///< [m/s²] (n) what a would be without forces
+  std::vector<char> equality;  ///< (n) or empty: not 0 for a row whose force has any sign
+  LcpFactors factors = {};     ///< of A, or empty: most solvers do without
+  /// \return n
+  [[nodiscard]] int size() const { return static_cast<int>(b.size()); }
+};
+
+/// How a solver ended.
+enum class LcpStatus : std::uint8_t {
+  solved,      ///< f holds a solution to the solver's tolerance
+  infeasible,  ///< there is none, or, for Lemke's method, it ended on a ray: see the solver
+  not_positive_semidefinite,  ///< the solver needs a matrix that is, and noticed that it is not
+  cycling,                    ///< the same index sets came back
+  singular,    ///< the solver had to solve a linear system without solution: see the solver
+  cap_reached  ///< as many pivots or sweeps as allowed; f holds the state reached
+};
+
+/// The name of a status in files.
+/// \param status the status
+/// \return for example "solved"
+std::string_view name_of(LcpStatus status);
+
+/// An answer; keep it, its storage is used again.
+struct LcpResult {
+  LcpStatus status = LcpStatus::solved;  ///< how the solver ended
+  std::vector<double> f;                 ///< [N] (n) forces
+  std::vector<double> a;                 ///< [m/s²] (n) A f + b, computed from f
+  std::vector<int> pushing;          ///< rows with a force, ascending: a start for the next solve
+  int pivots = 0;                    ///< changes of the index sets; sweeps for an iteration
+  double residual = 0.0;             ///< [-] see lcp_residual()
+  std::int64_t multiplications = 0;  ///< counted by the solver: its work, whatever the machine
+
+  /// Whether it is solved to an accuracy.
+  /// \param most  [-] largest residual accepted
+  /// \return false for every other status
+  [[nodiscard]] bool solved_within(double most) const {
+    return status == LcpStatus::solved && residual <= most;
+  }
+};
+
+/// The number that judges any answer, whoever computed it.
+/// \param problem the problem
+/// \param f       (n) the answer
+/// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the
+///         numerator if b = 0; 0 for n = 0. Where A_ii is not positive, which no contact has but a
+///         row of friction may, the largest |A_ij| of the row stands for it, or 1 if all are 0
+/// \throws std::invalid_argument if the sizes differ
+double lcp_residual(const LcpProblem& problem, std::span<const double> f);
+
+/// What a solver needs of the matrix.
+enum class LcpMatrix : std::uint8_t {
+  any,                    ///< any square matrix
+  positive_diagonal,      ///< A_ii > 0
+  symmetric_semidefinite  ///< symmetric and positive semidefinite
+};
+
+/// Refuses what no solver can take.
+/// \param problem the problem
+/// \param needs   what the solver needs of the matrix
+/// \throws std::invalid_argument naming the row and the value: sizes that differ, a number that is
+///         not finite, an asymmetric A for a solver that needs a symmetric one
+void require_valid(const LcpProblem& problem, LcpMatrix needs);
+
+/// Refuses a list of rows to start with that makes no sense.
+/// \param size  n
+/// \param start the list
+/// \throws std::invalid_argument naming a row that is out of range or given twice
+void require_valid_start(int size, std::span<const int> start);
+
+/// Whether a row is an equality.
+/// \param problem the problem
+/// \param row     from 0 to n - 1
+/// \return true if its force may have any sign and its acceleration has to be 0
+inline bool is_equality(const LcpProblem& problem, int row) {
+  return !problem.equality.empty() && problem.equality[static_cast<std::size_t>(row)] != 0;
+}
+
+/// Makes an answer out of its forces: a, `pushing` and the residual; the rest is not touched.
+/// \param problem the problem
+/// \param result  f of length n, given
+void complete(const LcpProblem& problem, LcpResult& result);
+
+/// A way to solve the problem.
+class LcpSolver {
+ public:
+  virtual ~LcpSolver() = default;
+
+  /// The name that a user calls it by.
+  /// \return for example "lemke"
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Solves one problem.
+  /// \param problem  n = 0 gives `solved`
+  /// \param result   the answer; all of it is overwritten
+  /// \param start    rows to begin with as pushing, for example `pushing` of a similar problem; it
+  ///                 costs or saves work and never changes whether the answer is right; solvers that
+  ///                 cannot use it ignore it. May be `result.pushing` itself
+  /// \throws std::invalid_argument as require_valid(), or for a row of start that is out of range or
+  ///         given twice
+  virtual void solve(const LcpProblem& problem, LcpResult& result,
+                     std::span<const int> start = {}) = 0;
+};
+
+/// A solver that a user can name.
+struct LcpRecipe {
+  std::string_view name;                 ///< what a user calls it
+  std::string_view section;              ///< thesis section
+  std::string_view summary;              ///< one line
+  std::unique_ptr<LcpSolver> (*make)();  ///< with its defaults
+};
+
+/// All solvers.
+/// \return in the order in which `tumble lcp --list` shows them
+const std::vector<LcpRecipe>& lcp_solvers();
+
+/// Makes a solver.
+/// \param name its name
+/// \return the solver with its defaults
+/// \throws std::invalid_argument listing the names if there is none of this name
+std::unique_ptr<LcpSolver> make_lcp_solver(std::string_view name);
+
+}  // namespace tumble

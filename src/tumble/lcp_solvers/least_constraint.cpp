@@ -1,0 +1,162 @@
+/// \file
+/// \brief Contact forces by Gauss' principle of least constraint (thesis 2.6.2).
+#include "tumble/lcp_solvers/least_constraint.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/lcp_solvers/mass_root.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tumble {
+namespace {
+
+// The length of a column of E without its last entry: of a column of G.
+double length_of(const MatX& E, int column) {
+  double square = 0.0;
+  for (int k = 0; k + 1 < E.rows(); ++k) square += E(k, column) * E(k, column);
+  return std::sqrt(square);
+}
+
+void require_factors(const LcpProblem& problem) {
+  const std::size_t rows = problem.factors.rows.size();
+  if (rows != at(problem.size()))
+    require::that(false, "factors have " + std::to_string(rows) + " rows: give " +
+                             std::to_string(problem.size()) +
+                             ", least constraint needs the factors of A, not only A");
+  require_valid(problem.factors);
+}
+
+}  // namespace
+
+void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
+                                  std::span<const int> start) {
+  require_valid(problem, LcpMatrix::symmetric_semidefinite);
+  require_valid_start(problem.size(), start);
+  require_factors(problem);
+  const int n = problem.size();
+  cone_.pushing.assign(start.begin(), start.end());
+  result.status = LcpStatus::solved;
+  result.f.assign(at(n), 0.0);
+  result.pivots = 0;
+  result.multiplications = 0;
+  take_roots(problem.factors);
+  set_up_columns(problem);
+  x_.assign(6 * problem.factors.bodies.size(), 0.0);
+
+  // |z| is at least the distance of the farthest constraint; if that is 0, the free accelerations
+  // obey all of them. Once z is known its length is the right scale, and with the columns in use as
+  // a start a second projection costs next to nothing and gains the digits that t had lost.
+  double scale = farthest_constraint(problem);
+  if (!std::isfinite(scale)) result.status = LcpStatus::infeasible;
+  for (int round = 0; round < 2 && scale > 0.0 && result.status == LcpStatus::solved; ++round) {
+    if (!project(problem, scale)) result.status = LcpStatus::infeasible;
+    result.pivots += cone_.pivots;
+    result.multiplications += cone_.multiplications;
+    if (cone_.status != ComplementarityStatus::solved) result.status = LcpStatus::cap_reached;
+    if (result.status != LcpStatus::infeasible) take_forces(problem, scale, result);
+    const double t = cone_.rest.back();
+    scale *= std::sqrt(std::max(0.0, cone_.distance * cone_.distance - t * t)) / t;
+  }
+  complete(problem, result);
+}
+
+// S, body by body.
+void LeastConstraintSolver::take_roots(const LcpFactors& factors) {
+  root_inverse_mass_.clear();
+  root_inverse_inertia_w_.clear();
+  for (const LcpFactors::Body& body : factors.bodies) {
+    root_inverse_mass_.push_back(body.inverse_mass.cwiseSqrt());
+    root_inverse_inertia_w_.push_back(root_of(body.inverse_inertia_w));
+  }
+}
+
+// E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities.
+void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
+  const int n = problem.size();
+  mirrored_.clear();
+  mirrored_.reserve(at(n));
+  for (int i = 0; i < n; ++i)
+    if (is_equality(problem, i)) mirrored_.push_back(i);
+  const int rows = 6 * static_cast<int>(problem.factors.bodies.size()) + 1;
+  const int columns = n + static_cast<int>(mirrored_.size());
+  E_.setZero(rows, columns);
+  target_.setZero(rows);
+  target_[rows - 1] = 1.0;
+
+  const auto put = [this](int column, int body, const Vec3& linear_w, const Vec3& angular_w) {
+    if (body < 0) return;
+    E_.block<3, 1>(6 * body, column) = root_inverse_mass_[at(body)].cwiseProduct(linear_w);
+    E_.block<3, 1>(6 * body + 3, column) =
+        root_inverse_inertia_w_[at(body)].transpose() * angular_w;
+  };
+  for (int i = 0; i < n; ++i) {
+    const LcpFactors::Row& row = problem.factors.rows[at(i)];
+    put(i, row.first, row.linear_first_w, row.angular_first_w);
+    put(i, row.second, row.linear_second_w, row.angular_second_w);
+    const double length = length_of(E_, i);
+    const double A_ii = problem.A(i, i);
+    const double scale = std::max(length * length, std::abs(A_ii));
+    if (!(std::abs(length * length - A_ii) <= tolerance::symmetry * scale))
+      require::that(false, "row " + std::to_string(i) + " of the factors makes " +
+                               shortest_text(length * length) +
+                               " of A_ii = " + shortest_text(A_ii) + ": give the factors of A");
+  }
+  for (std::size_t k = 0; k < mirrored_.size(); ++k)
+    for (int row = 0; row < rows; ++row) E_(row, n + static_cast<int>(k)) = -E_(row, mirrored_[k]);
+}
+
+// The distance of z = 0 from the half space that it is farthest out of; 0 if it is in all of them;
+// infinite if a constraint that no acceleration changes is broken.
+double LeastConstraintSolver::farthest_constraint(const LcpProblem& problem) const {
+  double farthest = 0.0;
+  double largest = 0.0;
+  for (int i = 0; i < problem.size(); ++i) largest = std::max(largest, std::abs(problem.b[i]));
+  for (int i = 0; i < problem.size(); ++i) {
+    const double broken_by = is_equality(problem, i) ? std::abs(problem.b[i]) : -problem.b[i];
+    const double length = length_of(E_, i);
+    if (length == 0.0 && broken_by <= tolerance::complementarity * largest) continue;
+    farthest = std::max(farthest, broken_by / length);
+  }
+  return farthest;
+}
+
+// Projects (0, 1) on the cone of E, with E's last row in units of the scale. Returns false if it
+// lies in the cone: then some forces do not move the bodies and yet sum up to b·f < 0.
+bool LeastConstraintSolver::project(const LcpProblem& problem, double scale) {
+  const int n = problem.size();
+  const int last = static_cast<int>(E_.rows()) - 1;
+  for (int i = 0; i < n; ++i) E_(last, i) = length_of(E_, i) > 0.0 ? -problem.b[i] / scale : 0.0;
+  for (std::size_t k = 0; k < mirrored_.size(); ++k)
+    E_(last, n + static_cast<int>(k)) = -E_(last, mirrored_[k]);
+  nearest_.solve(E_, target_, cone_, cone_.pushing);
+  return cone_.distance > tolerance::contradiction;
+}
+
+// f = s u / t, and x = S z with z = s G u / t.
+void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
+                                        LcpResult& result) {
+  const int n = problem.size();
+  const double factor = scale / cone_.rest.back();
+  for (int i = 0; i < n; ++i) result.f[at(i)] = factor * cone_.f[at(i)];
+  for (std::size_t k = 0; k < mirrored_.size(); ++k)
+    result.f[at(mirrored_[k])] -= factor * cone_.f[at(n) + k];
+
+  for (std::size_t body = 0; body < root_inverse_mass_.size(); ++body) {
+    const double* Gu = &cone_.rest[6 * body];  // with the other sign
+    const Vec3 linear = -factor * Vec3(Gu[0], Gu[1], Gu[2]);
+    const Vec3 angular = -factor * Vec3(Gu[3], Gu[4], Gu[5]);
+    const Vec3 added_linear_w = root_inverse_mass_[body].cwiseProduct(linear);
+    const Vec3 added_angular_w = root_inverse_inertia_w_[body] * angular;
+    for (int k = 0; k < 3; ++k) {
+      x_[6 * body + at(k)] = added_linear_w[k];
+      x_[6 * body + 3 + at(k)] = added_angular_w[k];
+    }
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,71 @@
+/// \file
+/// \brief Films: frames of boxes that one camera sees, with the time in a corner.
+#pragma once
+
+#include "tumble/pictures/picture.hpp"
+#include "tumble/pictures/raster.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tumble {
+
+/// A moment of a film.
+struct FilmFrame {
+  double time = 0.0;              ///< [s] that is written into it
+  std::vector<PictureBox> boxes;  ///< what is seen
+};
+
+/// Frames and who looks at them.
+struct Film {
+  std::vector<FilmFrame> frames;  ///< times ascending
+  Camera camera;                  ///< of all frames; its size is that of the film
+  bool floor = true;              ///< whether the floor y = 0 is drawn
+};
+
+/// A film that shows all of its boxes, all of the time.
+/// \param frames       at least one box in them
+/// \param direction_w  [-] from the boxes to the eye, any length but 0, not vertical
+/// \param width        [px] of the film
+/// \param height       [px] of the film
+/// \param floor        whether the floor y = 0 is drawn
+/// \return the film
+/// \throws std::invalid_argument naming the value that is out of range
+Film film_of(std::vector<FilmFrame> frames, const Vec3& direction_w, int width, int height,
+             bool floor);
+
+/// Paints the frames of a film.
+/// \verified{All frames of a film are seen by one camera and have their time in a corner}
+class FilmPainter {
+ public:
+  /// Finds what all frames share: what the floor is drawn around, and the decimals of the time.
+  /// \param film  has to outlive this
+  explicit FilmPainter(const Film& film);
+
+  /// Paints a frame.
+  /// \param frame  its number, from 0
+  /// \return its pixels, with the time above to the left: as many decimals as tell frames apart, two at least
+  /// \throws std::invalid_argument for a frame that there is not, or as draw_boxes() does
+  [[nodiscard]] Raster painted(int frame) const;
+
+ private:
+  const Film& film_;
+  PictureBox around_;
+  int decimals_;
+};
+
+/// How long each frame of a film is shown: the last one for a second more.
+/// \param film  the film, at least one frame
+/// \param rate  [1/s] frames in a second, 1 to 50
+/// \return [1/100 s] for each frame
+/// \throws std::invalid_argument as gif_delays() does
+std::vector<int> film_delays(const Film& film, double rate);
+
+/// Writes a film as a GIF.
+/// \param film  the film, at least one frame
+/// \param rate  [1/s] frames in a second, 1 to 50
+/// \return the bytes of the file
+/// \throws std::invalid_argument as FilmPainter and gif_delays() do
+std::string to_gif(const Film& film, double rate);
+
+}  // namespace tumble

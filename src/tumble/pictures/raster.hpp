@@ -1,0 +1,35 @@
+/// \file
+/// \brief Pictures as pixels, for films.
+#pragma once
+
+#include "tumble/pictures/picture.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tumble {
+
+/// A picture as pixels.
+struct Raster {
+  int width = 0;                  ///< [px]
+  int height = 0;                 ///< [px]
+  std::vector<std::uint8_t> rgb;  ///< red, green and blue of each pixel, row by row from above
+};
+
+/// Paints a picture. Edges are smooth: of each pixel 16 points are looked at.
+/// \param picture  the areas; a size above 0, rounded down to whole pixels
+/// \return its pixels, on white
+/// \throws std::invalid_argument for a size that is no number from 1 to 10000 pixels
+/// \verified{A pixel that an area covers by a part is mixed by that part}
+/// \par Cost
+/// The pixels that areas cover: about 10 ms for a pyramid of 55 boxes at 480 x 320.
+Raster rasterised(const Picture& picture);
+
+/// Puts pictures beside each other.
+/// \param left   a picture
+/// \param right  one of the same height
+/// \return both
+/// \throws std::invalid_argument if their heights differ
+Raster beside(const Raster& left, const Raster& right);
+
+}  // namespace tumble

@@ -1,0 +1,24 @@
+/// \file
+/// \brief How the bodies of a world are drawn.
+#pragma once
+
+#include "tumble/dynamics/world.hpp"
+#include "tumble/pictures/picture.hpp"
+
+#include <vector>
+
+namespace tumble {
+
+/// All boxes of a world with their colours: immovable ones grey, one that is called "projectile"
+/// vermilion, the others in turn from colours that colour-blind readers can tell apart (Okabe and
+/// Ito), muted if there are many. Those whose name begins with "die" get pips.
+/// \param world the bodies
+/// \return one for each body but the ground, in the order of the world
+std::vector<PictureBox> picture_boxes(const World& world);
+
+/// Whether a world has a ground.
+/// \param world the bodies
+/// \return true if so: draw the floor
+bool has_ground(const World& world);
+
+}  // namespace tumble

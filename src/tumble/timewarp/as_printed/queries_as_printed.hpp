@@ -1,0 +1,188 @@
+/// \file
+/// \brief What the listings of the synchronised timewarp call, as printed (thesis A.1).
+#pragma once
+
+#include "tumble/base/errata_set.hpp"
+#include "tumble/base/index.hpp"
+#include "tumble/timewarp/timewarp_frame.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// The two listings of appendix A.1.
+enum class TimewarpListing : std::uint8_t {
+  simple,  ///< SIMPLESYNCTIMEWARP
+  safer    ///< SAFERSYNCTIMEWARP
+};
+
+/// Options of the timewarp as printed.
+struct TimewarpAsPrintedOptions {
+  TimewarpListing listing = TimewarpListing::simple;  ///< which one
+  ErrataSet repaired;                                 ///< which errata are mended
+  double resolution = tolerance::event_resolution;    ///< [s] how exactly times are searched for
+  int cap = 1000;  ///< [-] passes of the main loop in a frame until it is given up, at least 1
+  int pair_events = ContactRule{}.pair_events;  ///< see ContactRule; used where S6 is mended
+  /// Whether collideTwoObjects bounces bodies that part, too. The listings do not say.
+  bool collide_separating = false;
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
+};
+
+/// Whose momenta collideTwoObjects changes: the two lists of the listings.
+enum class CollidedObjects : std::uint8_t {
+  valid,  ///< validObjects
+  test    ///< testObjects
+};
+
+/// The collision that the main loop is at: curCollision. One pair; if S9 is mended, all pairs that
+/// collide within a resolution.
+struct PrintedMoment {
+  double time = 0.0;             ///< [s] since the start of the frame
+  std::vector<IndexPair> pairs;  ///< who, sorted
+  std::vector<int> indices;      ///< objectIndices: the bodies of the pairs, ascending
+};
+
+/// The functions that the listings of appendix A.1 call without saying how, each in the way that
+/// the print suggests, or with some of the errata mended.
+///
+/// | errata | as printed                            | mended                                     |
+/// |--------|---------------------------------------|--------------------------------------------|
+/// | S4     | states count as of the frame's start  | as of their valid times                    |
+/// | S5     | overlapping test states are searched  | whose ways may meet                        |
+/// | S6     | a pair may collide for ever           | ContactStage                               |
+/// | S7     | the bracket's overlapping end is kept | the end that is apart                      |
+/// | S8     | integrateForward is an Euler step     | fly()                                      |
+/// | S9     | collisions come one by one            | those within a resolution together         |
+/// | F6     | the present pair is in its group      | is not, and what is found must be earlier  |
+/// | F7     | near is whose test state is near      | whose way is, from its valid time on       |
+///
+/// S7 says, too, what becomes of bodies that overlap when their search begins: as printed they
+/// collide there, and mended only if they go deeper. The Euler step of S8 is the semi-implicit one.
+/// "Earlier" in F6 is by more than a resolution, and as printed any time will do.
+///
+/// The other errata are in the lines of the listings themselves: see TimewarpAsPrinted.
+class PrintedQueries {
+ public:
+  /// Makes the storage.
+  /// \param options see there
+  /// \throws std::invalid_argument for an option out of range
+  explicit PrintedQueries(const TimewarpAsPrintedOptions& options);
+  /// A copy with options only; nothing else is needed from frame to frame.
+  /// \param other the original
+  PrintedQueries(const PrintedQueries& other);
+  PrintedQueries& operator=(const PrintedQueries&) = delete;
+  ~PrintedQueries() = default;
+
+  /// Starts a frame.
+  /// \param world     all bodies; kept until fix_interpenetration()
+  /// \param dt        [s] its length
+  /// \param observer  told about collisions; may be nullptr
+  /// \throws std::invalid_argument for a dt that is not above 0
+  void begin(World& world, double dt, Observer* observer);
+
+  // The objects of the listings, by index.
+  std::vector<BodyState> test;      ///< testObjects
+  std::vector<double> valid_times;  ///< [s] validTimes, since the start of the frame
+  StepReport report;                ///< of this frame
+
+  /// Whether lines that stamp a body are meant for this one.
+  /// \param body  its index
+  /// \return S10: always; mended, if it can move
+  [[nodiscard]] bool stamped(int body) const;
+
+  /// integrateForward.
+  /// \param state  in and out
+  /// \param body   its index
+  /// \param time   [s] for how long; may be negative
+  void integrate_forward(BodyState& state, int body, double time);
+
+  /// findAllCollisions.
+  /// \param heap  is emptied, then gets them
+  void find_all_collisions(CollisionHeap& heap);
+
+  /// removeFirstCollision.
+  /// \param heap  is not empty
+  /// \param out   gets the collision, and those that come with it (S9)
+  void remove_first_collision(CollisionHeap& heap, PrintedMoment& out) const;
+
+  /// addCollisionsForObject, for one body or for several, each pair once.
+  /// \param bodies  indices, ascending
+  /// \param heap    gets the collisions
+  void add_collisions_for(std::span<const int> bodies, CollisionHeap& heap);
+
+  /// findNearObjects.
+  /// \param moment  its bodies are always among them
+  /// \param out     gets indices, ascending
+  void find_near_objects(const PrintedMoment& moment, std::vector<int>& out) const;
+
+  /// findCollisionsForGroup, and the first one of them.
+  /// \param group   indices, ascending, their test states at the time of the moment
+  /// \param moment  what is about to be resolved
+  /// \return the earliest; nothing if there is none
+  std::optional<ForeseenCollision> find_collisions_for_group(std::span<const int> group,
+                                                             const PrintedMoment& moment);
+
+  /// collideTwoObjects, wherever the two are: bodies that do not touch are pushed across the gap.
+  /// \param objects  which list's
+  /// \param moment   who, and when
+  void collide_two_objects(CollidedObjects objects, const PrintedMoment& moment);
+
+  /// fixInterpenetration. Also ends the frame, with the pairs in the contact stage if S6 is mended.
+  void fix_interpenetration();
+
+  /// The contact points of this frame, each at the time of its collision.
+  /// \return valid until the next frame
+  [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
+
+ private:
+  // Which errata of this file are mended.
+  struct Mended {
+    bool valid_times = false;      // S4
+    bool ways = false;             // S5
+    bool contact_stage = false;    // S6
+    bool apart = false;            // S7
+    bool exact_flight = false;     // S8
+    bool together = false;         // S9
+    bool movable_only = false;     // S10
+    bool strictly_before = false;  // F6
+    bool swept = false;            // F7
+  };
+
+  [[nodiscard]] bool movable(int body) const { return world_->bodies()[at(body)].movable(); }
+  [[nodiscard]] Flight flight() const;
+  [[nodiscard]] Vec3 gravity_of_flight() const;
+  [[nodiscard]] Bounds bounds_of_body(int body) const;
+  void search(const IndexPair& pair, CollisionHeap& heap);
+  std::optional<double> first_collision(const IndexPair& pair, double end);
+  [[nodiscard]] double gap_of(std::span<const BodyState> states, const IndexPair& pair);
+  void collide_valid(const PrintedMoment& moment);
+  bool bounce_separating(const IndexPair& pair, double time);
+  void collide_approaching(std::span<const IndexPair> pairs, double margin, double time);
+  int keep_pushed(std::span<const IndexPair> pairs);
+
+  TimewarpAsPrintedOptions options_;
+  Mended mended_;
+  SearchMethod method_;
+  std::unique_ptr<BroadPhase> broad_phase_;
+  ContactStage stage_;
+  InstantImpacts impacts_;
+  FrameEnd end_;
+
+  World* world_ = nullptr;  // during a frame
+  double dt_ = 0.0;         // [s]
+  Observer* observer_ = nullptr;
+  std::vector<BodyState> start_;  // of the frame
+  std::vector<double> zeros_;     // [s] S4: the valid times that searches believe in
+  std::vector<Bounds> bounds_;    // by index
+  std::vector<IndexPair> candidates_;
+  std::vector<MovingBody> moving_;  // of the bodies of a collision, before it
+  std::vector<IndexPair> approaching_;
+  std::vector<IndexPair> missed_;
+  std::vector<int> pushed_;  // of the collision resolved last: who can be
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

@@ -1,0 +1,93 @@
+/// \file
+/// \brief The synchronised timewarp as its two listings are printed (thesis A.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/base/errata_set.hpp"
+#include "tumble/timewarp/as_printed/queries_as_printed.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tumble {
+
+/// The thesis's two listings of a synchronised timewarp, statement by statement, with every slip of
+/// the print, or without some of them.
+///
+/// It is there to be compared with the reading as meant: a run with all errata mended but one shows
+/// what that one does. What the listings call without saying how is in PrintedQueries, with the
+/// errata that are there; those in the lines themselves are
+///
+/// | errata | as printed                                        | mended                       |
+/// |--------|---------------------------------------------------|------------------------------|
+/// | S1     | one body collides before the other one is there   | both go there first          |
+/// | S2     | two nested loops share a counter, and end at once | each has its own             |
+/// | S3     | a body is searched against an old test state      | both test states first       |
+/// | S10    | immovable bodies are stamped, and searched anew   | they are not                 |
+/// | F1     | test states collide, and are overwritten          | the valid states do          |
+/// | F2     | valid times stay at the frame's start             | they do not                  |
+/// | F3     | neighbours are not put back                       | they are                     |
+/// | F4     | what is put back flies to the collision           | to the end of the frame      |
+/// | F5     | an earlier collision makes the present one lost   | it waits, with its states    |
+///
+/// S2 shows only where S1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
+/// where S7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
+/// slip in a caption; mending them changes nothing. S5 and S9 are choices, too: mended they make of
+/// the simple listing what TimewarpSwept is.
+/// \par How it ends
+/// `event_cap` if the main loop has met its cap: test states then become valid as they are.
+/// `not_finite` if they are not numbers: the frame is then taken back, up to its time.
+/// \par Cost
+/// As TimewarpSimple and TimewarpSafer, but each body that has collided costs n bounds. Allocates.
+/// \algorithm{Timewarp as printed: appendix A.1}
+/// \deviation{The main loop is capped.}
+/// \verified{With all slips mended the printed timewarps tell the story of the forms as meant to the last bit}
+/// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
+class TimewarpAsPrinted final : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a resolution not above 0, a cap below 1, or less than one
+  ///         event a pair
+  explicit TimewarpAsPrinted(const TimewarpAsPrintedOptions& options = {});
+
+  /// The name of the form as meant.
+  /// \return "timewarp_simple" or "timewarp_safer"
+  [[nodiscard]] std::string_view name() const override;
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
+    return queries_.contacts();
+  }
+
+  /// The valid times as the main loop of the last frame left them, before all are stamped.
+  /// \return [s] by index, from the start of the frame; valid until the next step
+  [[nodiscard]] std::span<const double> valid_times() const { return valid_times_; }
+
+  /// The test states as the main loop of the last frame left them: before bodies that overlap are
+  /// moved apart.
+  /// \return by index; valid until the next step
+  [[nodiscard]] std::span<const BodyState> test_states() const { return test_states_; }
+
+  /// How often the main loop of the last frame was passed.
+  /// \return [-] from 0 to the cap
+  [[nodiscard]] int passes() const { return passes_; }
+
+ private:
+  void simple(World& world, double dt);
+  void safer(World& world, double dt);
+  bool given_up();
+  void main_loop_ended();
+
+  TimewarpAsPrintedOptions options_;
+  PrintedQueries queries_;
+  CollisionHeap collision_heap_;
+  PrintedMoment current_;
+  std::vector<double> valid_times_;
+  std::vector<BodyState> test_states_;
+  int passes_ = 0;
+};
+
+}  // namespace tumble

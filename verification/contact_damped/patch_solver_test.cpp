@@ -1,0 +1,234 @@
+/// \file
+/// \brief One contact area: sticking, the bounds of friction, bounces and lifts.
+#include "tumble/contact_damped/patch_solver.hpp"
+
+#include "tumble/base/random.hpp"
+#include "tumble/base/tolerance.hpp"
+#include "tumble/geometry/ground.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include "support/catch.hpp"
+
+#include <cmath>
+
+using namespace tumble;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+
+// A cube of 1 m and 2 kg over the ground, and its area.
+struct OnGround {
+  MovingBody ground;
+  MovingBody box;
+  ContactPatch block;
+
+  explicit OnGround(double friction, double height = 0.0) {
+    const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
+    const BodyState state =
+        make_state(body, Vec3(0.3, 0.5 + height, -0.2), rotation_from_vector(Vec3(0.0, 0.4, 0.0)));
+    box.position_w = state.position_w;
+    box.inverse_mass = Vec3::Constant(0.5);
+    box.inverse_inertia_w = 3.0 * Mat3::Identity();  // 2/12 (1 + 1) kg m²
+    Manifold found;
+    REQUIRE(collide_with_ground(box_of(body, state), 1.0, found));
+    // The four upper corners are a metre away.
+    REQUIRE(found.count >= 4);
+    int count = 0;
+    for (int i = 0; i < found.count; ++i)
+      if (found.points[static_cast<std::size_t>(i)].distance < 0.5)
+        found.points[static_cast<std::size_t>(count++)] = found.points[static_cast<std::size_t>(i)];
+    found.count = count;
+    REQUIRE(count == 4);
+    block.size = 1.0;
+    block.friction = friction;
+    build_patch(found, ground, box, block);
+    set_targets(tolerance::contact_damped_slop, kStep, block);
+    REQUIRE(block.spreads);
+  }
+
+  double solve(int rounds) { return solve_patch(block, ground, box, rounds); }
+  // One call stops as soon as what is left is a hundredth of what it corrected.
+  void settle() {
+    for (int call = 0; call < 300; ++call) solve(2);
+  }
+  [[nodiscard]] Six motion() const { return motion_of(block, ground, box); }
+  [[nodiscard]] double normal() const { return impulse_of(block)[2]; }
+  [[nodiscard]] double rub() const { return std::hypot(block.along_impulse, block.across_impulse); }
+};
+
+double largest(const Six& motion) {
+  double worst = 0.0;
+  for (const double u : motion) worst = std::max(worst, std::abs(u));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("A box that turns about an edge has an area whose middle does not slide",
+          "[exact][contact_damped][impulse_damped]") {
+  // Its face rises from the edge by a hundredth of a metre; what is halfway is 2.5 mm above the ground on average.
+  const double tilt = 0.01;
+  const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
+  const Quat orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, tilt));
+  const Vec3 edge_w = orientation_wb * Vec3(-0.5, -0.5, 0.0);
+  const BodyState state = make_state(body, -edge_w, orientation_wb);
+  Manifold found;
+  REQUIRE(collide_with_ground(box_of(body, state), 0.1, found));
+  REQUIRE(found.count == 4);
+  MovingBody ground;
+  MovingBody box;
+  box.position_w = state.position_w;
+  box.inverse_mass = Vec3::Constant(0.5);
+  box.inverse_inertia_w = 3.0 * Mat3::Identity();
+  box.angular_velocity_w = Vec3(0.0, 0.0, 1.0);
+  box.velocity_w = box.angular_velocity_w.cross(state.position_w);
+  ContactPatch block;
+  block.size = 1.0;
+  build_patch(found, ground, box, block);
+  const Six motion = motion_of(block, ground, box);
+  CHECK(std::hypot(motion[0], motion[1]) <
+        1e-15);  // [m/s] rounding; 2.5e-3 at the mean of the points
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 point_w = position_of(block, ground, block.points[static_cast<std::size_t>(k)]);
+    CHECK(std::abs(point_w.y()) < 1e-15);  // [m] where the edge touches, all of them
+  }
+}
+
+TEST_CASE("An area that sticks is stopped in all six motions by one product",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(1.0);
+  one.box.velocity_w = Vec3(0.02, -0.1635, 0.01);
+  one.box.angular_velocity_w = Vec3(0.03, 0.05, -0.04);
+  const double corrected = one.solve(1);
+  CHECK(largest(one.motion()) < 1e-15);  // [m/s], [rad/s] rounding of 0.16
+  CHECK(corrected > 0.16);
+  CHECK(one.rub() <= one.normal());
+  // The ground takes the whole momentum: 2 kg at 0.1635 m/s.
+  CHECK(one.normal() == near(0.327).margin(1e-14));
+  CHECK(one.solve(1) < 1e-15);  // and nothing is left to do
+  for (int i = 0; i < 4; ++i) CHECK(one.block.points[static_cast<std::size_t>(i)].impulse > 0.0);
+}
+
+TEST_CASE("A box that slides is braked by mu times the pressure, straight against its motion",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.3);
+  one.box.velocity_w = Vec3(3.0, -0.1635, 1.0);
+  const Vec3 before = one.box.velocity_w;
+  one.settle();
+  const Vec3 push = 2.0 * (one.box.velocity_w - before);  // [N s]
+  const Vec3 braked(push.x(), 0.0, push.z());
+  CHECK(braked.norm() == near(0.3 * push.y()).margin(1e-9));
+  CHECK(braked.normalized().dot(Vec3(3.0, 0.0, 1.0).normalized()) == near(-1.0).margin(1e-6));
+  CHECK(one.rub() <= 0.3 * one.normal() * (1.0 + 1e-12));
+  for (int i = 0; i < 4; ++i) {
+    const ContactPatchPoint& p = one.block.points[static_cast<std::size_t>(i)];
+    const Six u = one.motion();
+    const double v = u[2] + p.across * u[3] - p.along * u[4];
+    CHECK(v > -1e-9);  // [m/s]
+    CHECK(std::abs(p.impulse * v) < 1e-9);
+  }
+}
+
+TEST_CASE("A box that spins on the ground is braked by mu times pressure times lever",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.3);
+  one.box.velocity_w = Vec3(0.0, -0.1635, 0.0);
+  one.box.angular_velocity_w = Vec3(0.0, 5.0, 0.0);
+  one.settle();
+  // Four corners with a quarter of 0.327 N s each, half a diagonal from the middle; I = 1/3 kg m².
+  const double brake = 0.3 * 0.327 * std::sqrt(0.5);
+  CHECK(one.block.twist_impulse == near(-brake).margin(1e-12));
+  CHECK(one.box.angular_velocity_w.y() == near(5.0 - 3.0 * brake).margin(1e-12));
+  CHECK(std::abs(one.box.velocity_w.x()) < 1e-14);
+  OnGround slow(0.3);
+  slow.box.velocity_w = Vec3(0.0, -0.1635, 0.0);
+  slow.box.angular_velocity_w = Vec3(0.0, 0.1, 0.0);
+  slow.solve(1);
+  CHECK(largest(slow.motion()) < 1e-15);
+}
+
+TEST_CASE("An area pulls nothing, and nothing at all without pressure",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.5);
+  one.box.velocity_w = Vec3(1.0, 0.2, 0.0);
+  one.box.angular_velocity_w = Vec3(0.0, 2.0, 0.0);
+  CHECK(one.solve(4) == 0.0);
+  CHECK(largest(impulse_of(one.block)) == 0.0);
+  // Impulses of the step before are taken back.
+  for (int i = 0; i < 4; ++i) one.block.points[static_cast<std::size_t>(i)].impulse = 0.1;
+  one.block.along_impulse = 0.05;
+  apply(impulse_of(one.block), one.block, one.ground, one.box);
+  one.solve(50);
+  CHECK(largest(impulse_of(one.block)) < 1e-15);
+  CHECK((one.box.velocity_w - Vec3(1.0, 0.2, 0.0)).norm() < 1e-14);
+}
+
+TEST_CASE("A box above the ground may come down by its gap less the slop, in one step",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.5, 0.01);
+  one.box.velocity_w = Vec3(0.0, -2.0, 0.0);
+  one.solve(4);
+  CHECK(one.box.velocity_w.y() ==
+        near(-(0.01 - tolerance::contact_damped_slop) / kStep).margin(1e-13));
+  OnGround slow(0.5, 0.01);
+  slow.box.velocity_w = Vec3(0.0, -0.5, 0.0);
+  slow.solve(4);
+  CHECK(slow.box.velocity_w.y() == near(-0.5).margin(1e-15));
+}
+
+TEST_CASE("A solved area has less kinetic energy than without it, whatever the motion",
+          "[exact][contact_damped][impulse_damped]") {
+  double worst = -1.0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random chance(seed);
+    OnGround one(chance.uniform(0.0, 2.0));
+    one.box.velocity_w = chance.in_cube(2.0);
+    one.box.angular_velocity_w = chance.in_cube(4.0);
+    const auto energy = [&] {
+      return one.box.velocity_w.squaredNorm() + one.box.angular_velocity_w.squaredNorm() / 6.0;
+    };
+    const double before = energy();
+    one.settle();
+    worst = std::max(worst, energy() / before - 1.0);
+  }
+  CHECK(worst < 1e-13);  // [-] rounding
+}
+
+TEST_CASE("Points that were hit leave with the restitution times the speed of the approach",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.0);
+  one.block.restitution = 0.5;
+  one.box.velocity_w = Vec3(0.4, -2.0, 0.0);
+  for (int i = 0; i < 4; ++i) one.block.points[static_cast<std::size_t>(i)].approach = -2.0;
+  one.settle();
+  CHECK(std::abs(one.box.velocity_w.y()) < 1e-14);
+  require_separation(0.3, one.block);
+  one.settle();
+  CHECK(one.box.velocity_w.y() == near(1.0).margin(1e-12));
+  CHECK(one.box.velocity_w.x() == near(0.4).margin(1e-14));
+  // Slower than what sticks: no bounce.
+  OnGround soft(0.0);
+  soft.block.restitution = 0.5;
+  soft.box.velocity_w = Vec3(0.0, -2.0, 0.0);
+  for (int i = 0; i < 4; ++i) soft.block.points[static_cast<std::size_t>(i)].approach = -2.0;
+  soft.solve(4);
+  require_separation(2.5, soft.block);
+  soft.solve(4);
+  CHECK(std::abs(soft.box.velocity_w.y()) < 1e-14);
+}
+
+TEST_CASE("A lift takes away a share of the overlap, and lets nothing sink",
+          "[exact][contact_damped][impulse_damped]") {
+  OnGround one(0.5, -0.01);
+  MovingBody move = one.box;
+  MovingBody still = one.ground;
+  begin_lift(still, move, one.block);
+  for (int pass = 0; pass < 60; ++pass) lift_patch(one.block, 1e-5, 0.2, still, move);
+  CHECK(move.velocity_w.y() == near(0.2 * (0.01 - 1e-5)).margin(1e-12));
+  OnGround apart(0.5, 0.01);
+  MovingBody rest = apart.box;
+  begin_lift(still, rest, apart.block);
+  CHECK(lift_patch(apart.block, 1e-5, 0.2, still, rest) == 0.0);
+  CHECK(rest.velocity_w.norm() == 0.0);
+}

@@ -1,0 +1,466 @@
+/// \file
+/// \brief The method of multipliers against problems by hand, other solvers, and what breaks those.
+#include "tumble/lcp_solvers/augmented_lagrangian.hpp"
+
+#include "tumble/base/index.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/least_constraint.hpp"
+
+#include "analytic_lcp/pyramid_problem.hpp"
+#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/siconos_friction.hpp"
+#include "lcp_solvers/siconos_problems.hpp"
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+#include "support/shared_data.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+using namespace tumble;
+using namespace tumble::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// [m/s²], [N] residual of 1e-12, times loads up to 50 and the condition of small problems: measured
+// 1.8e-11.
+constexpr double rounding = 1e-10;
+
+LcpResult solved(const LcpProblem& problem, const AugmentedLagrangianOptions& options = {}) {
+  AugmentedLagrangianSolver solver(options);
+  LcpResult result;
+  solver.solve(problem, result);
+  return result;
+}
+
+void check_answer(const LcpProblem& problem, const std::vector<double>& f,
+                  const std::vector<double>& a) {
+  const LcpResult result = solved(problem);
+  CHECK(result.status == LcpStatus::solved);
+  CHECK(near(result.f, f, rounding));
+  CHECK(near(result.a, a, rounding));
+  CHECK(result.residual <= 1e-12);  // [-] what the solver promises
+}
+
+LcpProblem without_factors(LcpProblem problem) {
+  problem.factors = {};
+  return problem;
+}
+
+// What forces do to the bodies, W Jᵀ f: 6 numbers each. Unlike f it is unique.
+std::vector<double> added_accelerations(const LcpProblem& problem, const std::vector<double>& f) {
+  const LcpFactors& factors = problem.factors;
+  std::vector<Vec3> pushed(2 * factors.bodies.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const LcpFactors::Row& row = factors.rows[i];
+    const auto push = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
+      if (body < 0) return;
+      pushed[2 * at(body)] += f[i] * linear_w;
+      pushed[2 * at(body) + 1] += f[i] * angular_w;
+    };
+    push(row.first, row.linear_first_w, row.angular_first_w);
+    push(row.second, row.linear_second_w, row.angular_second_w);
+  }
+  std::vector<double> out;
+  for (std::size_t k = 0; k < factors.bodies.size(); ++k) {
+    const Vec3 linear = factors.bodies[k].inverse_mass.cwiseProduct(pushed[2 * k]);
+    const Vec3 angular = factors.bodies[k].inverse_inertia_w * pushed[2 * k + 1];
+    for (const Vec3& v : {linear, angular}) out.insert(out.end(), v.data(), v.data() + 3);
+  }
+  return out;
+}
+
+// A chain of bodies, each held to the one before by contacts in any direction. With twice as many
+// contacts as motions a body hardly fits in, and forces grow to a hundred thousand times b.
+LcpProblem chain(Random& random, int bodies, int contacts, double heavy, double needle) {
+  LcpProblem problem;
+  std::vector<Vec3> linear_w;
+  std::vector<Vec3> angular_w;
+  for (int k = 0; k < bodies; ++k) {
+    const double inverse_mass = k % 2 == 0 ? 1.0 : 1.0 / heavy;
+    const Vec3 yields = inverse_mass * Vec3(6.0, 6.0, 6.0 * needle);
+    problem.factors.bodies.push_back({Vec3::Constant(inverse_mass), Mat3(yields.asDiagonal())});
+    linear_w.push_back(random.in_cube(10.0));
+    angular_w.push_back(random.in_cube(10.0));
+  }
+  problem.b.setZero(bodies * contacts);
+  for (int i = 0; i < bodies * contacts; ++i) {
+    LcpFactors::Row row;
+    row.second = i / contacts;
+    row.first = row.second - 1;
+    const Vec3 normal = random.direction();
+    row.linear_first_w = -normal;
+    row.linear_second_w = normal;
+    row.angular_first_w = -random.in_cube(0.5).cross(normal);
+    row.angular_second_w = random.in_cube(0.5).cross(normal);
+    problem.b[i] =
+        normal.dot(linear_w[at(row.second)]) + row.angular_second_w.dot(angular_w[at(row.second)]);
+    if (row.first >= 0)
+      problem.b[i] += row.linear_first_w.dot(linear_w[at(row.first)]) +
+                      row.angular_first_w.dot(angular_w[at(row.first)]);
+    problem.factors.rows.push_back(row);
+  }
+  multiply_out(problem.factors, problem.A);
+  return problem;
+}
+
+// The residual over the largest sum |A_ij f_j|: what rounding of forces this large would leave.
+double residual_per_load(const LcpProblem& problem, const LcpResult& result) {
+  double load = problem.b.cwiseAbs().maxCoeff();
+  const double scale = load;
+  for (int i = 0; i < problem.size(); ++i) {
+    double sum = 0.0;
+    for (int j = 0; j < problem.size(); ++j) sum += std::abs(problem.A(i, j) * result.f[at(j)]);
+    load = std::max(load, sum);
+  }
+  return result.residual * scale / load;
+}
+
+}  // namespace
+
+TEST_CASE("The method of multipliers solves problems that are known by hand",
+          "[exact][lcp][analytic_lcp]") {
+  check_answer(lcp({2}, {-4}), {2}, {0});
+  check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
+  check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
+  check_answer(lcp({4, 3, 3, 4}, {-1, -4}), {0, 1}, {2, 0});
+  check_answer(lcp({2, 1, 1, 2}, {1, 0}), {0, 0}, {1, 0});
+  check_answer(lcp({1, 1, 1, 1}, {-1, -2}), {0, 2}, {1, 0});
+  check_answer(lcp({0, 0, 0, 1}, {3, -2}), {0, 2}, {3, 0});
+  check_answer(lcp({}, {}), {}, {});
+  check_answer(stack(5), {49.05, 39.24, 29.43, 19.62, 9.81}, {0, 0, 0, 0, 0});
+  check_answer(without_factors(stack(5)), {49.05, 39.24, 29.43, 19.62, 9.81}, {0, 0, 0, 0, 0});
+  check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
+}
+
+TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp][analytic_lcp]") {
+  for (const bool factors : {true, false}) {
+    const LcpProblem centred = cube_on_ground(9.81, 0, 0);
+    const LcpResult result = solved(factors ? centred : without_factors(centred));
+    const double quarter = 9.81 / 4;
+    // [N] Differences that move nothing keep the rounding of the first round, 2e-16 over 1e-6, times
+    // the load: measured 2e-10.
+    CHECK(near(result.f, {quarter, quarter, quarter, quarter}, 2e-9));
+  }
+}
+
+TEST_CASE("The method of multipliers agrees with Baraff's on 10000 contact problems",
+          "[unit][lcp][analytic_lcp]") {
+  Random random(1);
+  BaraffSolver baraff;
+  LeastConstraintSolver gauss;
+  AugmentedLagrangianSolver solver;
+  LcpResult want;
+  LcpResult result;
+  int unsolved = 0;
+  double worst_a = 0.0;
+  double worst_wrench = 0.0;
+  double worst_residual = 0.0;
+  std::int64_t factorisations = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const LcpProblem problem = random_contacts(random, 4, 24, i % 2 == 0);
+    baraff.solve(problem, want);
+    if (want.status != LcpStatus::solved || want.residual > 1e-10) gauss.solve(problem, want);
+    solver.solve(problem, result);
+    if (want.status != LcpStatus::solved || result.status != LcpStatus::solved) ++unsolved;
+    worst_a = std::max(worst_a, distance(result.a, want.a) / scale_of(problem));
+    worst_wrench = std::max(worst_wrench, distance(added_accelerations(problem, result.f),
+                                                   added_accelerations(problem, want.f)) /
+                                              scale_of(problem));
+    worst_residual = std::max(worst_residual, result.residual);
+    factorisations += result.pivots;
+  }
+  INFO("worst a " << worst_a << ", wrench " << worst_wrench << ", residual " << worst_residual);
+  CHECK(unsolved == 0);
+  CHECK(worst_a <= 1e-9);          // of max |b|, the comparison of two solvers: measured 1.9e-10
+  CHECK(worst_wrench <= 1e-9);     // of max |b|: measured 3.1e-10
+  CHECK(worst_residual <= 2e-12);  // [-] what is promised, and the rounding of A f: measured 1e-12
+  CHECK(factorisations <= 30000);  // measured 26 900
+}
+
+TEST_CASE("A matrix without its factors has the same accelerations", "[unit][lcp][analytic_lcp]") {
+  Random random(2);
+  AugmentedLagrangianSolver solver;
+  LcpResult with;
+  LcpResult without;
+  int unsolved = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const LcpProblem problem = random_contacts(random, 4, 24, i % 2 == 0);
+    solver.solve(problem, with);
+    solver.solve(without_factors(problem), without);
+    if (without.status != LcpStatus::solved) ++unsolved;
+    worst = std::max(worst, distance(with.a, without.a) / scale_of(problem));
+  }
+  CHECK(unsolved == 0);
+  CHECK(worst <= 1e-9);  // of max |b|: measured 1.1e-12
+}
+
+TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their masses and shapes",
+          "[unit][lcp][analytic_lcp]") {
+  AugmentedLagrangianSolver solver;
+  LcpResult result;
+  int problems = 0;
+  int unsolved = 0;
+  double worst = 0.0;
+  for (const double heavy : {1.0, 1000.0})
+    for (const double needle : {1.0, 1000.0}) {
+      if (heavy > 1.0 && needle > 1.0) continue;
+      for (const int bodies : {1, 4, 10})
+        for (const int contacts : {2, 6, 12, 24, 48}) {
+          Random random(7);
+          for (int k = 0; k < 5; ++k) {
+            const LcpProblem problem = chain(random, bodies, contacts, heavy, needle);
+            solver.solve(problem, result);
+            ++problems;
+            if (result.status != LcpStatus::solved) ++unsolved;
+            worst = std::max(worst, residual_per_load(problem, result));
+          }
+        }
+    }
+  INFO("worst residual over load " << worst);
+  CHECK(problems == 225);
+  CHECK(unsolved == 0);
+  CHECK(worst <= 2e-12);  // [-] as promised, or rounding of the load: measured 1.0e-12
+}
+
+TEST_CASE("The method of multipliers solves pyramids of singular contacts to rounding",
+          "[unit][lcp][analytic_lcp]") {
+  AugmentedLagrangianSolver solver;
+  LcpResult result;
+  for (const int n : {16, 64, 256, 512, 1024})
+    for (const double noise : {0.0, 0.1}) {
+      INFO("n = " << n << ", noise " << noise);
+      const auto pyramid = chapters::pyramid_problem(n, noise, 1);
+      solver.solve(pyramid.problem, result);
+      CHECK(result.status == LcpStatus::solved);
+      CHECK(result.residual <= 1e-12);  // [-] measured up to 8e-14
+      CHECK(result.pivots <= 10);       // measured 1 to 9
+
+      // Sums of a thousand terms of one sign: 2e-16 times a thousand, of loads of up to 16 cubes.
+      const auto next = chapters::next_step(pyramid, result.f);
+      const std::vector<int> pushing = result.pushing;
+      solver.solve(next.problem, result, pushing);
+      CHECK(result.residual <= 1e-12);
+      CHECK(result.pivots <= 3);  // measured 1 and 2
+    }
+}
+
+TEST_CASE("Glue pulls as well as pushes, and axes may be locked, for springs too",
+          "[exact][lcp][analytic_lcp]") {
+  LcpProblem hanging = cube_on_ground(-9.81, 0, 0);
+  hanging.factors.bodies[0].inverse_inertia_w.setZero();
+  multiply_out(hanging.factors, hanging.A);
+  CHECK(near(solved(hanging).f, {0, 0, 0, 0}, 0.0));
+  hanging.equality = {0, 0, 1, 0};
+  check_answer(hanging, {0, 0, -9.81, 0}, {0, 0, 0, 0});
+  check_answer(without_factors(hanging), {0, 0, -9.81, 0}, {0, 0, 0, 0});
+
+  LcpProblem fixed = stack(2);
+  fixed.factors.bodies[0] = {};
+  multiply_out(fixed.factors, fixed.A);
+  fixed.b << 0.0, -9.81;
+  check_answer(fixed, {0, 9.81}, {0, 0});
+}
+
+TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with glue",
+          "[unit][lcp][analytic_lcp]") {
+  Random random(3);
+  BaraffSolver baraff;
+  AugmentedLagrangianSolver solver;
+  LcpResult want;
+  LcpResult result;
+  int unsolved = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    LcpProblem problem = random_contacts(random, 4, 16, i % 2 == 0);
+    for (int k = 0; k < problem.size(); ++k)
+      problem.equality.push_back(random.below(3) == 0 ? 1 : 0);
+    baraff.solve(problem, want);
+    solver.solve(problem, result);
+    if (result.status != LcpStatus::solved) ++unsolved;
+    if (want.status != LcpStatus::solved || want.residual > 1e-10) continue;
+    worst = std::max(worst, distance(result.a, want.a) / scale_of(problem));
+  }
+  INFO("worst " << worst);
+  CHECK(unsolved == 0);
+  CHECK(worst <= 1e-9);  // of max |b|: measured 7.6e-11
+}
+
+TEST_CASE("Springs whose forces grow for ever prove that contacts contradict each other",
+          "[unit][lcp][analytic_lcp]") {
+  LcpProblem walls = stack(1);
+  walls.factors.rows.push_back(walls.factors.rows[0]);
+  walls.factors.rows[1].linear_second_w = -Vec3::UnitY();
+  multiply_out(walls.factors, walls.A);
+  walls.b = VecX::Constant(2, -1.0);
+  CHECK(solved(walls).status == LcpStatus::infeasible);
+  CHECK(solved(without_factors(walls)).status == LcpStatus::infeasible);
+  walls.b[0] = 1.0;  // as fast as the other one parts: no contradiction, and nothing to do but move
+  check_answer(walls, {0, 1}, {0, 0});
+
+  LcpProblem fixed = stack(2);
+  fixed.factors.bodies[0] = {};
+  multiply_out(fixed.factors, fixed.A);
+  CHECK(solved(fixed).status == LcpStatus::infeasible);  // the ground comes up to a fixed box
+  fixed.equality = {1, 0};
+  fixed.b << 1.0, -9.81;
+  CHECK(solved(fixed).status == LcpStatus::infeasible);  // glue that moves away from it
+
+  // A vice about any body of a random heap.
+  Random random(4);
+  int missed = 0;
+  int factorisations = 0;
+  for (int i = 0; i < 500; ++i) {
+    LcpProblem heap = random_contacts(random, 4, 16, i % 2 == 0);
+    const int n = heap.size();
+    LcpFactors::Row row = heap.factors.rows[at(n - 1)];
+    row.linear_first_w = -row.linear_first_w;
+    row.angular_first_w = -row.angular_first_w;
+    row.linear_second_w = -row.linear_second_w;
+    row.angular_second_w = -row.angular_second_w;
+    heap.factors.rows.push_back(row);
+    multiply_out(heap.factors, heap.A);
+    const double b = heap.b[n - 1];
+    heap.b.conservativeResize(n + 1);
+    heap.b[n] = -b - 0.1;
+    const LcpResult result = solved(heap);
+    if (result.status != LcpStatus::infeasible) ++missed;
+    factorisations = std::max(factorisations, result.pivots);
+  }
+  CHECK(missed == 0);
+  CHECK(factorisations <= 30);  // measured 13
+}
+
+TEST_CASE("The method of multipliers notices a matrix that is not semidefinite",
+          "[unit][lcp][analytic_lcp]") {
+  const auto not_semidefinite = LcpStatus::not_positive_semidefinite;
+  CHECK(solved(lcp({1, 2, 2, 1}, {-1, -1})).status == not_semidefinite);
+  CHECK(solved(lcp({-1}, {-1})).status == not_semidefinite);
+  CHECK(solved(lcp({0, 1, 1, 0}, {-1, -1})).status == not_semidefinite);
+  CHECK(solved(lcp({1, 1, 0, 1, 1, 1, 0, 1, 0}, {1, 1, 1})).status == not_semidefinite);
+  CHECK(solved(lcp({1, 2, 2, 1}, {-1, -1})).f == std::vector<double>{0, 0});
+}
+
+TEST_CASE("Published problems with semidefinite matrices are solved by multipliers",
+          "[reference][lcp][analytic_lcp]") {
+  if (const auto folder = shared_data("siconos-lcp"))
+    for (const SiconosProblem& one : siconos_problems(*folder)) {
+      if (!one.semidefinite) continue;
+      INFO(one.name);
+      CHECK(solved(one.problem).status == LcpStatus::solved);
+      CHECK(solved(one.problem).residual <= 1e-12);  // [-] as promised
+    }
+  if (const auto folder = shared_data("siconos-friction"))
+    for (const NormalProblem& one : siconos_normal_problems(*folder)) {
+      INFO(one.name);
+      const LcpResult result = solved(one.problem);
+      CHECK(result.status == LcpStatus::solved);
+      CHECK(distance(result.a, one.a) <= 1e-9 * scale_of(one.problem));  // measured 1e-11
+    }
+}
+
+TEST_CASE("The rows that push save all factorisations but one, and their forces that one too",
+          "[unit][lcp][analytic_lcp]") {
+  const auto pyramid = chapters::pyramid_problem(256, 0.1, 1);
+  AugmentedLagrangianSolver solver;
+  LcpResult result;
+  solver.solve(pyramid.problem, result);
+  CHECK(result.pivots > 3);
+  solver.solve(pyramid.problem, result, result.pushing);
+  CHECK(result.pivots == 1);
+  CHECK(result.residual <= 1e-12);
+  AugmentedLagrangianSolver warm({.warm = true});
+  warm.solve(pyramid.problem, result);
+  CHECK(result.pivots == 0);
+  CHECK(result.residual <= 1e-12);
+
+  // A wrong start costs work and no more.
+  const std::vector<int> wrong{0};
+  solver.solve(cube_on_ground(9.81, 0.6, 0), result, wrong);
+  CHECK(near(result.f, {0, 5.4936, 5.4936, 0}, rounding));
+  result.f = {-3, 100, 0, 7};
+  warm.solve(cube_on_ground(9.81, 0.6, 0), result);
+  CHECK(near(result.f, {0, 5.4936, 5.4936, 0}, rounding));
+}
+
+TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp][analytic_lcp]") {
+  const LcpProblem problem = chapters::pyramid_problem(64, 0.1, 1).problem;
+  CHECK(solved(problem, {.factorisations = 0}).status == LcpStatus::cap_reached);
+  const LcpResult capped = solved(problem, {.factorisations = 1});
+  CHECK(capped.status == LcpStatus::cap_reached);
+  CHECK(capped.pivots == 1);
+  CHECK(solved(problem, {.rounds = 1}).status == LcpStatus::cap_reached);
+  CHECK(solved(problem, {.rounds = 1}).residual <= 1e-3);  // one round's worth: measured 2.6e-6
+  CHECK(solved(stack(2), {.factorisations = 1}).status == LcpStatus::solved);
+}
+
+TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp][analytic_lcp]") {
+  const LcpProblem problem = stack(10);
+  const LcpResult hard = solved(problem, {.softness = 1e-8});
+  const LcpResult soft = solved(problem, {.softness = 1e-3});
+  CHECK(distance(hard.f, soft.f) <= 1e-8);  // [N] of loads of 98 N: measured 1.7e-11
+  CHECK(soft.multiplications > hard.multiplications);
+}
+
+TEST_CASE("The method of multipliers gives the same bits whatever it solved before",
+          "[determinism][lcp][analytic_lcp]") {
+  const LcpProblem problem = chapters::pyramid_problem(256, 0.1, 1).problem;
+  AugmentedLagrangianSolver solver;
+  LcpResult first;
+  LcpResult second;
+  solver.solve(problem, first);
+  solver.solve(stack(7), second);
+  solver.solve(problem, second);
+  CHECK(first.f == second.f);
+  CHECK(first.multiplications == second.multiplications);
+}
+
+TEST_CASE("The method of multipliers asks for no memory when rows touch the same bodies",
+          "[unit][lcp][analytic_lcp]") {
+  const auto pyramid = chapters::pyramid_problem(64, 0.1, 1);
+  AugmentedLagrangianSolver solver;
+  LcpResult result;
+  solver.solve(pyramid.problem, result);
+  const auto next = chapters::next_step(pyramid, result.f);
+  const LcpProblem matrix = without_factors(stack(5));
+  AugmentedLagrangianSolver other;
+  LcpResult other_result;
+  other.solve(matrix, other_result);
+  const AllocationCount count;
+  solver.solve(next.problem, result, result.pushing);
+  solver.solve(pyramid.problem, result);
+  other.solve(matrix, other_result);
+  CHECK(count.value() == 0);
+}
+
+TEST_CASE("The method of multipliers refuses what it cannot take", "[unit][lcp][analytic_lcp]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(solved(lcp({2, 1, 0, 2}, {-1, -1})), Contains("give a symmetric matrix"));
+  CHECK_THROWS_AS(solved(lcp({nan}, {-1})), std::invalid_argument);
+  LcpProblem problem = stack(2);
+  problem.factors.rows.pop_back();
+  CHECK_THROWS_WITH(solved(problem), Contains("factors have 1 rows: give none or 2"));
+  problem = stack(2);
+  problem.A(0, 0) = 3.0;
+  CHECK_THROWS_WITH(solved(problem), Contains("row 0 of the factors makes 1 of A_ii = 3"));
+  problem = stack(2);
+  problem.factors.rows[1].first = 2;
+  CHECK_THROWS_WITH(solved(problem), Contains("indices of bodies"));
+
+  AugmentedLagrangianSolver solver({.warm = true});
+  LcpResult result;
+  const std::vector<int> twice{1, 1};
+  CHECK_THROWS_WITH(solver.solve(stack(2), result, twice), Contains("row 1 twice"));
+  result.f = {0.0, nan};
+  CHECK_THROWS_WITH(solver.solve(stack(2), result), Contains("result.f"));
+
+  CHECK_THROWS_WITH(AugmentedLagrangianSolver({.residual = -1.0}), Contains("residual = -1"));
+  CHECK_THROWS_WITH(AugmentedLagrangianSolver({.softness = 0.0}), Contains("softness = 0"));
+  CHECK_THROWS_WITH(AugmentedLagrangianSolver({.softness = 2.0}), Contains("softness = 2"));
+  CHECK_THROWS_WITH(AugmentedLagrangianSolver({.factorisations = -1}),
+                    Contains("factorisations: give at least 0"));
+  CHECK_THROWS_WITH(AugmentedLagrangianSolver({.rounds = -1}), Contains("rounds: give at least 0"));
+}

@@ -1,0 +1,214 @@
+/// \file
+/// \brief Gauss-Seidel sweeps against problems by hand, their exact rate, and the exact solver.
+#include "tumble/lcp_solvers/gauss_seidel.hpp"
+
+#include "tumble/math/complementarity.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/siconos_friction.hpp"
+#include "support/allocation_counter.hpp"
+#include "support/catch.hpp"
+#include "support/shared_data.hpp"
+
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+LcpResult solved(const LcpProblem& problem, const GaussSeidelOptions& options = {}) {
+  GaussSeidelSolver solver(options);
+  LcpResult result;
+  solver.solve(problem, result);
+  return result;
+}
+
+// 1e-8 of max |b|: a residual of 1e-9, times the condition of these small problems (measured 7e-11).
+void check_answer(const LcpProblem& problem, const std::vector<double>& f,
+                  const std::vector<double>& a) {
+  const LcpResult result = solved(problem);
+  CHECK(result.status == LcpStatus::solved);
+  CHECK(result.residual <= 1e-9);
+  CHECK(near(result.f, f, 1e-8 * scale_of(problem)));
+  CHECK(near(result.a, a, 1e-8 * scale_of(problem)));
+}
+
+}  // namespace
+
+TEST_CASE("Sweeps solve problems that are known by hand", "[exact][lcp][analytic_lcp]") {
+  check_answer(lcp({2}, {-4}), {2}, {0});
+  check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
+  check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
+  check_answer(lcp({1, 1, 1, 1}, {-1, -2}), {0, 2}, {1, 0});
+  check_answer(lcp({4, 3, 3, 4}, {-1, -4}), {0, 1}, {2, 0});
+  check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
+  check_answer(lcp({}, {}), {}, {});
+}
+
+TEST_CASE("Sweeps hold a cube by its four corners", "[exact][lcp][analytic_lcp]") {
+  for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
+    const LcpResult result = solved(cube_on_ground(9.81, x, z));
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(near(result.a, {0, 0, 0, 0}, 1e-7));  // [m/s²] 1e-8 max |b|: measured 2e-8
+    double sum = 0.0;
+    double moment_x = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      CHECK(result.f[k] >= 0.0);
+      sum += result.f[k];
+      moment_x += result.f[k] * cube_x[k];
+    }
+    CHECK(std::abs(sum - 9.81) <= 1e-7);  // [N] for the same reason
+    CHECK(std::abs(moment_x - 9.81 * x) <= 1e-7);
+  }
+}
+
+TEST_CASE("A row that is an equality may pull", "[exact][lcp][analytic_lcp]") {
+  // The second contact is glue: a_2 = 0 whatever its force.
+  LcpProblem problem = lcp({2, 1, 1, 2}, {-1, 4});
+  CHECK(near(solved(problem).f, {0.5, 0}, 1e-8));
+  problem.equality = {0, 1};
+  const LcpResult result = solved(problem);
+  CHECK(near(result.f, {2, -3}, 1e-8));
+  CHECK(near(result.a, {0, 0}, 1e-8));
+  CHECK(result.pushing == std::vector<int>{0, 1});
+}
+
+TEST_CASE("A sweep takes the error of a stack to the square of the cosine of pi over 2 n",
+          "[exact][lcp][analytic_lcp]") {
+  // Passes until all forces are right to a millionth of the weight: as theory has it.
+  const int passes[] = {20, 136, 550, 2204};
+  int stacks = 0;
+  for (const int n : {2, 5, 10, 20}) {
+    const LcpProblem problem = stack(n);
+    GaussSeidelSolver sweep({.sweeps = 1, .residual = 0.0, .warm = true});
+    LcpResult result;
+    double before = 0.0;
+    double error = 9.81 * n;
+    int pass = 0;
+    while (error > 9.81e-6 * n) {
+      sweep.solve(problem, result);
+      before = error;
+      error = 0.0;
+      for (int k = 0; k < n; ++k)
+        error = std::max(error, std::abs(result.f[static_cast<std::size_t>(k)] - 9.81 * (n - k)));
+      ++pass;
+    }
+    const double cosine = elementary::cos(0.5 * std::numbers::pi / n);
+    // 1e-9: rounding of forces, 3e-14 N, beside the error itself, 2e-5 N (measured 9e-11).
+    CHECK(std::abs(error / before - cosine * cosine) <= 1e-9);
+    CHECK(pass == passes[stacks++]);
+  }
+}
+
+TEST_CASE("Sweeps that begin with the former forces need none for the same problem",
+          "[unit][lcp][analytic_lcp]") {
+  GaussSeidelSolver solver({.warm = true});
+  LcpResult result;
+  LcpProblem problem = stack(10);
+  solver.solve(problem, result);
+  const int cold = result.pivots;  // measured 800
+  CHECK(cold > 500);
+  solver.solve(problem, result);
+  CHECK(result.pivots == 0);
+  CHECK(result.status == LcpStatus::solved);
+  problem.b[0] *= 1.001;
+  solver.solve(problem, result);
+  CHECK(result.pivots < cold);  // measured 521: three digits of nine were there already
+  CHECK(result.residual <= 1e-9);
+  result.f.assign(10, -5.0);  // contacts cannot begin by pulling
+  solver.solve(problem, result);
+  CHECK(result.pivots == solved(problem).pivots);
+  result.f[3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(solver.solve(problem, result), Catch::Contains("result.f"));
+}
+
+TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow",
+          "[unit][lcp][analytic_lcp]") {
+  const LcpResult squeezed = solved(lcp({1, -1, -1, 1}, {-1, -1}), {.sweeps = 100});
+  CHECK(squeezed.status == LcpStatus::cap_reached);
+  CHECK(squeezed.pivots == 100);
+  CHECK(squeezed.multiplications == 100 * 2 * 3);
+  CHECK(squeezed.f[0] > 100.0);  // they press harder and harder
+  const LcpResult none = solved(stack(3), {.sweeps = 0});
+  CHECK(none.status == LcpStatus::cap_reached);
+  CHECK(none.residual == 1.0);
+  // Not semidefinite: each row makes the next one worse.
+  const LcpResult wild = solved(lcp({1, -2, -2, 1}, {-1, -1}));
+  CHECK(wild.status == LcpStatus::not_positive_semidefinite);
+  CHECK(near(wild.f, {0, 0}, 0.0));
+  CHECK(wild.residual == 1.0);
+}
+
+TEST_CASE("Sweeps find the accelerations of 2000 singular contact problems",
+          "[unit][lcp][analytic_lcp]") {
+  Random random(1);
+  ComplementaritySolver reference;
+  ComplementarityResult want;
+  GaussSeidelSolver solver({.sweeps = 20000});
+  LcpResult result;
+  int solved_ones = 0;
+  int wrong = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const LcpProblem problem = random_contacts(random, 4, 24, i % 2 == 0);
+    reference.solve(problem.A, problem.b, want);
+    solver.solve(problem, result);
+    const double error = distance(result.a, want.a) / scale_of(problem);
+    if (result.status != LcpStatus::solved) continue;
+    ++solved_ones;
+    worst = std::max(worst, error);
+    if (!(error <= 1e-6)) ++wrong;
+  }
+  INFO("solved " << solved_ones << ", worst " << worst);
+  CHECK(wrong == 0);           // of max |b|: measured 2e-8
+  CHECK(solved_ones >= 1980);  // measured 1994; in the others contacts are nearly parallel
+}
+
+TEST_CASE("Sweeps solve the normal parts of published friction problems",
+          "[reference][lcp][analytic_lcp]") {
+  const auto folder = shared_data("siconos-friction");
+  if (!folder) return;
+  int compared = 0;
+  for (const NormalProblem& one : siconos_normal_problems(*folder)) {
+    INFO(one.name);
+    const LcpResult result = solved(one.problem);
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(distance(result.a, one.a) <= 1e-8 * scale_of(one.problem));  // measured 1e-9
+    CHECK(result.pivots <= 1000);  // measured 406 for the one with 23 contacts, else up to 20
+    ++compared;
+  }
+  CHECK(compared == 10);
+}
+
+TEST_CASE("Sweeps refuse what they cannot take", "[unit][lcp][analytic_lcp]") {
+  CHECK_THROWS_AS(solved(lcp({0}, {-1})), std::invalid_argument);
+  CHECK_THROWS_AS(solved(lcp({-1}, {-1})), std::invalid_argument);
+  LcpProblem problem = lcp({2, 1, 0, 2}, {-5, -6});
+  CHECK(solved(problem).status == LcpStatus::solved);  // need not be symmetric
+  problem.b[0] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(solved(problem), std::invalid_argument);
+  CHECK_THROWS_AS(GaussSeidelSolver({.sweeps = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(GaussSeidelSolver({.residual = -1e-9}), std::invalid_argument);
+  GaussSeidelSolver solver;
+  LcpResult result;
+  const std::vector<int> outside{2};
+  CHECK_THROWS_AS(solver.solve(lcp({2, 1, 1, 2}, {-5, -6}), result, outside),
+                  std::invalid_argument);
+}
+
+TEST_CASE("Sweeps ask for no memory once they have seen a problem as large",
+          "[unit][lcp][analytic_lcp]") {
+  GaussSeidelSolver solver;
+  LcpResult result;
+  const LcpProblem large = stack(6);
+  const LcpProblem small = cube_on_ground(9.81, 0.2, 0.1);
+  solver.solve(large, result);
+  const AllocationCount count;
+  solver.solve(small, result);
+  solver.solve(large, result);
+  CHECK(count.value() == 0);
+}

@@ -1,0 +1,446 @@
+/// \file
+/// \brief What all solvers of the complementarity problem have to do, and the exact ones compared.
+#include "tumble/lcp_solvers/lcp.hpp"
+
+#include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/enumerate.hpp"
+#include "tumble/lcp_solvers/lemke.hpp"
+#include "tumble/math/enumeration.hpp"
+
+#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/siconos_problems.hpp"
+#include "support/catch.hpp"
+#include "support/shared_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+using namespace tumble;
+using namespace tumble::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// Share of max |b|: some ten roundings of 2e-16 in problems of a few rows (measured: below 1e-15).
+constexpr double rounding = 1e-12;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+using Names = std::vector<std::string_view>;
+const Names all_exact = {"baraff", "lemke", "enumeration"};
+const Names any_matrix = {"lemke", "enumeration"};
+
+LcpResult solved_by(std::string_view name, const LcpProblem& problem) {
+  LcpResult result;
+  make_lcp_solver(name)->solve(problem, result);
+  return result;
+}
+
+void check(const Names& names, const LcpProblem& problem, const std::vector<double>& f,
+           const std::vector<double>& a) {
+  for (const std::string_view name : names) {
+    INFO(name);
+    const LcpResult result = solved_by(name, problem);
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(result.residual <= rounding);
+    CHECK(near(result.f, f, 50.0 * rounding));  // forces reach 49 N
+    CHECK(near(result.a, a, rounding * scale_of(problem)));
+  }
+}
+
+// Where f is not unique.
+void check_accelerations(const LcpProblem& problem, const std::vector<double>& a) {
+  for (const std::string_view name : all_exact) {
+    INFO(name);
+    const LcpResult result = solved_by(name, problem);
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(result.residual <= rounding);
+    CHECK(*std::min_element(result.f.begin(), result.f.end()) >= 0.0);
+    CHECK(near(result.a, a, rounding * scale_of(problem)));
+  }
+}
+
+void check_infeasible(const Names& names, const LcpProblem& problem) {
+  for (const std::string_view name : names) {
+    INFO(name);
+    CHECK(solved_by(name, problem).status == LcpStatus::infeasible);
+  }
+}
+
+VecX vector(const std::vector<double>& values) { return view(values); }
+
+LcpProblem with_equalities(LcpProblem problem, std::vector<char> equality) {
+  problem.equality = std::move(equality);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("Problems of one to three rows come out as by hand with each exact solver",
+          "[exact][lcp][analytic_lcp]") {
+  check(all_exact, lcp({2}, {-4}), {2}, {0});
+  check(all_exact, lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
+  check(all_exact, lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
+  check(all_exact, lcp({4, 3, 3, 4}, {-1, -4}), {0, 1}, {2, 0});
+  check(all_exact, lcp({1, 1, 1, 1}, {-1, -2}), {0, 2}, {1, 0});
+  check(all_exact, lcp({41, 37, -20, 37, 34, -17, -20, -17, 13}, {-3, -1, 2}), {3.0 / 41, 0, 0},
+        {0, 37 * 3.0 / 41 - 1, 2 - 20 * 3.0 / 41});
+  check(any_matrix, lcp({1, 0, 2, 3, 2, -1, -2, 1, 0}, {-3, 2, -1}), {0, 1, 4}, {5, 0, 0});
+  check(any_matrix, lcp({1, 2, 0, 0, 1, 2, 2, 0, 1}, {-1, -1, -1}), {1.0 / 3, 1.0 / 3, 1.0 / 3},
+        {0, 0, 0});
+  // A particle that slides and comes to rest, in the form of Stewart and Trinkle.
+  check(any_matrix,
+        lcp({1, 0, 0, 0, 0, 1, -1, 1, 0, -1, 1, 1, 0.3, -1, -1, 0}, {-0.1635, 3, -3, 0}),
+        {0.1635, 0, 0.04905, 2.95095}, {0, 5.9019, 0, 0});
+  check(any_matrix, lcp({-1}, {1}), {0}, {1});  // f = 1, a = 0 is another solution
+}
+
+TEST_CASE("Equal contacts carry the load together, however it is shared",
+          "[exact][lcp][analytic_lcp]") {
+  check_accelerations(lcp({1, 1, 1, 1}, {-1, -1}), {0, 0});
+  for (const std::string_view name : all_exact) {
+    const std::vector<double> f = solved_by(name, lcp({1, 1, 1, 1}, {-1, -1})).f;
+    CHECK(std::abs(f[0] + f[1] - 1.0) <= rounding);
+  }
+}
+
+TEST_CASE("Any of several solutions will do", "[exact][lcp][analytic_lcp]") {
+  for (const std::string_view name : any_matrix) {
+    const LcpResult result = solved_by(name, lcp({1, 2, 2, 1}, {-1, -1}));
+    CHECK(result.status == LcpStatus::solved);
+    double nearest = 1.0;
+    for (const std::vector<double>& f : {std::vector<double>{1, 0}, {0, 1}, {1.0 / 3, 1.0 / 3}})
+      nearest = std::min(nearest, distance(result.f, f));
+    CHECK(nearest <= rounding);
+  }
+}
+
+TEST_CASE("Problems without a solution are called infeasible", "[exact][lcp][analytic_lcp]") {
+  check_infeasible(all_exact, lcp({0}, {-1}));
+  check_infeasible(all_exact, lcp({1, -1, -1, 1}, {-1, -1}));  // squeezed by two walls
+  check_infeasible(all_exact, lcp({2, 0, 0, 0, 1, -1, 0, -1, 1}, {-1, -1, -1}));
+  check_infeasible(any_matrix, lcp({-1}, {-1}));
+  CHECK(solved_by("baraff", lcp({-1}, {-1})).status == LcpStatus::not_positive_semidefinite);
+}
+
+TEST_CASE("A stack of five carries at each level the weight above it with each exact solver",
+          "[exact][lcp][analytic_lcp]") {
+  check(all_exact,
+        lcp({1, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2, -1, 0, 0, 0, -1, 2},
+            {-9.81, 0, 0, 0, 0}),
+        {49.05, 39.24, 29.43, 19.62, 9.81}, {0, 0, 0, 0, 0});
+}
+
+TEST_CASE("The corners of a cube carry its load and the moments of its load with each exact solver",
+          "[exact][lcp][analytic_lcp]") {
+  // Unit cube of 1 kg; corners at (-,-), (+,-), (+,+), (-,+) in x and z; weight w at (px, pz).
+  LcpProblem cube = lcp({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4}, {0, 0, 0, 0});
+  const double x[4] = {-0.5, 0.5, 0.5, -0.5};
+  const double z[4] = {-0.5, -0.5, 0.5, 0.5};
+  const double w = 9.81;
+  for (const auto& [px, pz] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.5, 0.0}}) {
+    for (int k = 0; k < 4; ++k) cube.b[k] = -w * (1.0 + 6.0 * (x[k] * px + z[k] * pz));
+    check_accelerations(cube, {0, 0, 0, 0});
+    for (const std::string_view name : all_exact) {
+      const std::vector<double> f = solved_by(name, cube).f;
+      double sum = 0.0;
+      double moment_x = 0.0;
+      double moment_z = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        sum += f[k];
+        moment_x += f[k] * x[k];
+        moment_z += f[k] * z[k];
+      }
+      CHECK(std::abs(sum - w) <= rounding * w);
+      CHECK(std::abs(moment_x - w * px) <= rounding * w);
+      CHECK(std::abs(moment_z - w * pz) <= rounding * w);
+    }
+  }
+
+  // Loaded outside the base the cube tips, and so it does under a torque of 6 N m about -z.
+  for (int k = 0; k < 4; ++k) cube.b[k] = -w * (1.0 + 6.0 * x[k] * 0.6);
+  check(all_exact, cube, {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
+  cube.b = vector({8.19, -27.81, -27.81, 8.19});
+  check(all_exact, cube, {0, 5.562, 5.562, 0}, {2.628, 0, 0, 2.628});
+}
+
+TEST_CASE("An equality holds with a force of either sign", "[exact][lcp][analytic_lcp]") {
+  const LcpProblem pull = with_equalities(lcp({2}, {4}), {1});
+  check(all_exact, pull, {-2}, {0});
+  check(all_exact, with_equalities(lcp({2}, {-4}), {1}), {2}, {0});
+  // Row 0 is glue that has to pull; what it pulls at makes contact 1 push.
+  check(all_exact, with_equalities(lcp({2, 1, 1, 2}, {4, 0}), {1, 0}), {-8.0 / 3, 4.0 / 3}, {0, 0});
+  // All rows are equalities: a system of linear equations.
+  check(all_exact, with_equalities(lcp({2, 1, 1, 2}, {-5, 6}), {1, 1}), {16.0 / 3, -17.0 / 3},
+        {0, 0});
+  // Flags that are all 0 change nothing.
+  check(all_exact, with_equalities(lcp({2}, {4}), {0}), {0}, {4});
+}
+
+TEST_CASE("Equalities may depend on each other, but must not contradict each other",
+          "[exact][lcp][analytic_lcp]") {
+  check_accelerations(with_equalities(lcp({1, 1, 1, 1}, {-1, -1}), {1, 1}), {0, 0});
+  check_infeasible(all_exact, with_equalities(lcp({1, 1, 1, 1}, {-1, -2}), {1, 1}));
+  check_infeasible(all_exact, with_equalities(lcp({0}, {1}), {1}));
+  check(all_exact, with_equalities(lcp({0}, {0}), {1}), {0}, {0});
+}
+
+TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp][analytic_lcp]") {
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    INFO(recipe.name);
+    LcpResult result;
+    result.f = {1.0};
+    result.a = {1.0};
+    result.pushing = {3};
+    recipe.make()->solve({MatX(0, 0), VecX(0), {}}, result);
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(result.f.empty());
+    CHECK(result.a.empty());
+    CHECK(result.pushing.empty());
+    CHECK(result.residual == 0.0);
+    CHECK(result.pivots <= 1);  // trying everything tries the one case
+  }
+}
+
+TEST_CASE("The residual is 0 at a solution and tells each way of being wrong",
+          "[exact][lcp][analytic_lcp]") {
+  const LcpProblem problem = lcp({4, 0, 0, 4}, {-8, 2});
+  CHECK(lcp_residual(problem, std::vector<double>{2, 0}) == 0.0);
+  CHECK(lcp_residual(problem, std::vector<double>{1, 0}) == 0.5);      // a_0 = -4 sinks
+  CHECK(lcp_residual(problem, std::vector<double>{3, 0}) == 0.5);      // a_0 = 4 though it pushes
+  CHECK(lcp_residual(problem, std::vector<double>{2, -0.5}) == 0.25);  // pulls
+  CHECK(lcp_residual(with_equalities(problem, {0, 1}), std::vector<double>{2, -0.5}) == 0.0);
+  CHECK(lcp_residual(with_equalities(problem, {0, 1}), std::vector<double>{2, 0}) == 0.25);
+  // Without b nothing is divided by.
+  CHECK(lcp_residual(lcp({4}, {0}), std::vector<double>{2}) == 8.0);
+  // A row of friction has a diagonal of 0, and is not right for that.
+  CHECK(lcp_residual(lcp({0, 2, 0, 1}, {1, 0}), std::vector<double>{1, 0}) == 1.0);
+  CHECK(lcp_residual(lcp({-1}, {1}), std::vector<double>{1}) == 0.0);
+  CHECK(std::isnan(lcp_residual(problem, std::vector<double>{not_a_number, 0})));
+  CHECK_THROWS_WITH(lcp_residual(problem, std::vector<double>{1}),
+                    Contains("f has 1 entries: give 2"));
+}
+
+TEST_CASE("Every solver refuses what is no problem, and says where", "[unit][lcp][analytic_lcp]") {
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    INFO(recipe.name);
+    const std::unique_ptr<LcpSolver> solver = recipe.make();
+    LcpProblem good = lcp({2, 1, 1, 2}, {-5, -6});
+    good.factors.bodies.push_back({Vec3::Ones(), Mat3::Identity()});  // least_constraint wants them
+    good.factors.rows.assign(2, {-1, 0});
+    good.factors.rows[0].linear_second_w = Vec3(1, 1, 0);
+    good.factors.rows[1].linear_second_w = Vec3(1, 0, 1);
+    LcpResult result;
+    LcpProblem bad = good;
+    bad.b = vector({1});
+    CHECK_THROWS_WITH(solver->solve(bad, result),
+                      Contains("A is 2 by 2") && Contains("give 1 by 1"));
+    bad = good;
+    bad.A = MatX::Zero(2, 3);
+    CHECK_THROWS_AS(solver->solve(bad, result), std::invalid_argument);
+    bad = with_equalities(good, {0});
+    CHECK_THROWS_WITH(solver->solve(bad, result),
+                      Contains("equality has 1 entries: give none or 2"));
+    bad = good;
+    bad.A(1, 0) = not_a_number;
+    CHECK_THROWS_WITH(solver->solve(bad, result), Contains("A(1, 0)") && Contains("nan"));
+    bad = good;
+    bad.b[1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(solver->solve(bad, result), Contains("b[1]") && Contains("inf"));
+    const std::vector<int> outside = {2};
+    const std::vector<int> below = {-1};
+    const std::vector<int> twice = {1, 0, 1};
+    CHECK_THROWS_WITH(solver->solve(good, result, outside), Contains("start[0] = 2"));
+    CHECK_THROWS_WITH(solver->solve(good, result, below), Contains("start[0] = -1"));
+    CHECK_THROWS_WITH(solver->solve(good, result, twice), Contains("row 1 twice"));
+    // A mistake leaves the solver as good as before.
+    solver->solve(good, result);
+    CHECK(result.residual <= 1e-6);
+  }
+}
+
+TEST_CASE("What a solver needs of the matrix is checked", "[unit][lcp][analytic_lcp]") {
+  const LcpProblem problem = lcp({1, 2, 0, 1}, {-1, -1});
+  CHECK_NOTHROW(require_valid(problem, LcpMatrix::any));
+  CHECK_NOTHROW(require_valid(problem, LcpMatrix::positive_diagonal));
+  CHECK_THROWS_WITH(require_valid(problem, LcpMatrix::symmetric_semidefinite),
+                    Contains("A(0, 1) = 2 but A(1, 0) = 0: give a symmetric matrix"));
+  CHECK_THROWS_AS(solved_by("baraff", problem), std::invalid_argument);
+  CHECK_NOTHROW(require_valid(lcp({0, 1, 1, 0}, {1, 1}), LcpMatrix::symmetric_semidefinite));
+  CHECK_THROWS_WITH(require_valid(lcp({1, 0, 0, 0}, {1, 1}), LcpMatrix::positive_diagonal),
+                    Contains("A(1, 1)"));
+  const int n = enumeration_limit + 1;
+  CHECK_THROWS_WITH(solved_by("enumeration", {MatX::Identity(n, n), VecX::Ones(n), {}}),
+                    Contains("n = 9"));
+  CHECK_THROWS_WITH(
+      solved_by("enumeration", {MatX::Identity(5, 5), VecX::Ones(5), {1, 1, 1, 1, 0}}),
+      Contains("n = 5 with 4 equalities"));
+}
+
+TEST_CASE("Solvers are found by name, and statuses have one each", "[unit][lcp][analytic_lcp]") {
+  std::set<std::string_view> names;
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    CHECK(recipe.make()->name() == recipe.name);
+    CHECK(make_lcp_solver(recipe.name)->name() == recipe.name);
+    CHECK_FALSE(recipe.section.empty());
+    CHECK_FALSE(recipe.summary.empty());
+    names.insert(recipe.name);
+  }
+  CHECK(names.size() == lcp_solvers().size());
+  CHECK_THROWS_WITH(make_lcp_solver("lemk"), Contains("lemk") && Contains("did you mean lemke?"));
+  CHECK(name_of(LcpStatus::solved) == "solved");
+  CHECK(name_of(LcpStatus::infeasible) == "infeasible");
+  CHECK(name_of(LcpStatus::not_positive_semidefinite) == "not_positive_semidefinite");
+  CHECK(name_of(LcpStatus::singular) == "singular");
+  CHECK(name_of(LcpStatus::cycling) == "cycling");
+  CHECK(name_of(LcpStatus::cap_reached) == "cap_reached");
+  CHECK_THROWS_WITH(name_of(static_cast<LcpStatus>(99)), Contains("99"));
+}
+
+TEST_CASE("A start costs or saves pivots and changes no acceleration",
+          "[unit][lcp][analytic_lcp]") {
+  const LcpProblem problem = with_equalities(
+      lcp({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4}, {3, -9, -5, -9}), {1, 0, 0, 0});
+  const LcpResult want = solved_by("enumeration", problem);
+  for (const std::string_view name : {"baraff", "lemke"}) {
+    INFO(name);
+    const auto solver = make_lcp_solver(name);
+    for (const std::vector<int>& start : {std::vector<int>{}, {3, 0}, {0, 1, 2, 3}, {2}}) {
+      LcpResult result;
+      solver->solve(problem, result, start);
+      CHECK(result.status == LcpStatus::solved);
+      CHECK(distance(result.a, want.a) <= 9.0 * rounding);
+    }
+    LcpResult result;
+    solver->solve(problem, result);
+    CHECK(result.multiplications > 0);
+    const int cold = result.pivots;
+    solver->solve(problem, result, result.pushing);
+    CHECK(result.status == LcpStatus::solved);
+    CHECK(result.pivots <= cold);
+  }
+}
+
+// --- problems that others collected -----------------------------------------------------------
+
+TEST_CASE("Lemke's method solves the problems of Siconos, and Baraff's those of contacts",
+          "[exact][lcp][analytic_lcp]") {
+  const auto folder = shared_data("siconos-lcp");
+  if (!folder) return;
+  for (const SiconosProblem& one : siconos_problems(*folder)) {
+    INFO(one.name);
+    if (!one.semidefinite) CHECK_THROWS_AS(solved_by("baraff", one.problem), std::invalid_argument);
+    Names names = {"lemke"};
+    if (one.semidefinite) names.push_back("baraff");
+    if (one.problem.size() <= enumeration_limit) names.push_back("enumeration");
+    for (const std::string_view name : names) {
+      INFO(name);
+      const LcpResult result = solved_by(name, one.problem);
+      // Of a game with two players Lemke's path ends on a ray at once, though there are three
+      // solutions: its matrix is copositive, and f = (0, 0, 0, 1) has A f >= 0, b f < 0.
+      const bool ray = one.name == "lcp_CPS_3" && name == "lemke";
+      CHECK(result.status == (one.solvable && !ray ? LcpStatus::solved : LcpStatus::infeasible));
+      if (result.status != LcpStatus::solved) continue;
+      CHECK(result.residual <= rounding);  // measured: 2e-13 (lcp_tobenna), others 8e-16
+      double nearest = one.solutions.empty() ? 0.0 : 1.0;
+      for (const std::vector<double>& f : one.solutions)
+        nearest = std::min(nearest, distance(result.f, f));
+      CHECK(nearest <= 100.0 * rounding);  // the largest force is 92
+    }
+  }
+}
+
+// --- the exact solvers compared ------------------------------------------------------------------
+
+namespace {
+
+struct Tally {
+  int unsolved = 0;
+  int wrong = 0;
+  int pulling = 0;
+  int equalities = 0;
+  double worst = 0.0;
+  double worst_residual = 0.0;
+};
+
+Tally compare(int cases, int largest, int glued, std::uint64_t seed) {
+  Random random(seed);
+  BaraffSolver baraff;
+  LemkeSolver lemke;
+  EnumerationSolver enumeration;
+  LcpSolver* const solvers[] = {&enumeration, &baraff, &lemke};
+  LcpResult want;
+  LcpResult result;
+  Tally tally;
+  for (int k = 0; k < cases; ++k) {
+    LcpProblem problem = random_contacts(random, 2, largest, k % 2 == 0);
+    problem.equality.assign(glued > 0 ? static_cast<std::size_t>(problem.size()) : 0, 0);
+    for (int j = 0; j < glued; ++j)
+      problem.equality[random.below(static_cast<std::uint32_t>(problem.size()))] = 1;
+    const double scale = scale_of(problem);
+    for (LcpSolver* solver : solvers) {
+      solver->solve(problem, result);
+      if (solver == &enumeration) want = result;
+      if (result.status != LcpStatus::solved) ++tally.unsolved;
+      const double error = distance(result.a, want.a) / scale;
+      tally.worst = std::max(tally.worst, error);
+      if (!(error <= 1e-9)) ++tally.wrong;
+      tally.worst_residual = std::max(tally.worst_residual, result.residual);
+      for (int i = 0; i < problem.size(); ++i) {
+        if (is_equality(problem, i)) ++tally.equalities;
+        if (!is_equality(problem, i) && !(result.f[static_cast<std::size_t>(i)] >= 0.0))
+          ++tally.pulling;
+      }
+    }
+  }
+  return tally;
+}
+
+void check_tally(const Tally& tally) {
+  INFO("worst a " << tally.worst << ", worst residual " << tally.worst_residual);
+  CHECK(tally.unsolved == 0);
+  CHECK(tally.wrong == 0);  // 1e-9 of max |b|: measured 4e-13
+  CHECK(tally.pulling == 0);
+  CHECK(tally.worst_residual <= 1e-9);  // measured 2e-14
+}
+
+}  // namespace
+
+TEST_CASE("Lemke's method, Baraff's and trying everything agree on 10000 contact problems",
+          "[unit][lcp][analytic_lcp]") {
+  const Tally tally = compare(10000, 8, 0, 1);
+  check_tally(tally);
+  CHECK(tally.equalities == 0);
+}
+
+TEST_CASE("They also agree on 3000 problems with up to two equalities",
+          "[unit][lcp][analytic_lcp]") {
+  const Tally tally = compare(3000, 6, 2, 2);
+  check_tally(tally);
+  CHECK(tally.equalities > 3000);
+}
+
+TEST_CASE("With thirty rows, a third of them equalities, Lemke's method and Baraff's agree",
+          "[unit][lcp][analytic_lcp]") {
+  Random random(3);
+  BaraffSolver baraff;
+  LemkeSolver lemke;
+  LcpResult one;
+  LcpResult other;
+  int wrong = 0;
+  double worst = 0.0;
+  for (int k = 0; k < 500; ++k) {
+    LcpProblem problem = random_contacts(random, 4, 30, k % 2 == 0);
+    problem.equality.assign(static_cast<std::size_t>(problem.size()), 0);
+    for (int j = 0; j < problem.size(); ++j)
+      if (random.below(3) == 0) problem.equality[static_cast<std::size_t>(j)] = 1;
+    baraff.solve(problem, one);
+    lemke.solve(problem, other);
+    if (one.status != LcpStatus::solved || other.status != LcpStatus::solved) ++wrong;
+    worst = std::max(worst, distance(one.a, other.a) / scale_of(problem));
+  }
+  CHECK(wrong == 0);
+  CHECK(worst <= 1e-9);  // measured 2e-11
+}
