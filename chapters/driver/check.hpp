@@ -36,7 +36,8 @@ struct DrawnFigure {
 };
 
 /// What every figure should give, without what it gives.
-/// \param expected  the `expected.csv` of each chapter, in order
+/// \param expected  the `expected.csv` of each chapter, in order; the `figures.toml` beside it gives the order
+///                  of the figures
 /// \return every figure; each number's value is missing
 /// \throws FileError for a file that cannot be read, std::invalid_argument for a line that is not
 ///         figure, quantity, unit, value, tolerance, reason
@@ -44,7 +45,7 @@ std::vector<DrawnFigure> expected_figures(const std::vector<std::filesystem::pat
 
 /// Reads the numbers of all figures and puts the expected ones beside them.
 ///
-/// The order of the figures is that of the expected files. A figure that was not computed has
+/// The order is that of expected_figures(). A figure that was not computed has
 /// missing values; one that no expected file knows comes last, without expected values: both
 /// differ, so that neither can be forgotten.
 /// \param folder    where `NAME_numbers.csv` are
@@ -54,6 +55,18 @@ std::vector<DrawnFigure> expected_figures(const std::vector<std::filesystem::pat
 ///         expected_figures() does
 std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& expected);
+
+/// Finds a figure by its name.
+/// \param figures  from check_figures()
+/// \param name     the figure's name
+/// \return the figure, or nullptr if there is none
+const DrawnFigure* figure_of(const std::vector<DrawnFigure>& figures, const std::string& name);
+
+/// Finds a number of a figure by its name.
+/// \param figure    a figure, or nullptr
+/// \param quantity  the number's name
+/// \return the number, or nullptr if there is no such figure or number
+const CheckedNumber* number_of(const DrawnFigure* figure, const std::string& quantity);
 
 /// A difference in words.
 /// \param figure  the figure's name

@@ -64,9 +64,8 @@ void append_source(const Choice& choice, const ValueSources& sources, const std:
       } else if (kind == "constants") {
         values.push_back(constant(choice, sources.constants, key));
       } else if (kind == "figure") {
-        const auto figure = std::find_if(sources.figures.begin(), sources.figures.end(),
-                                         [&](const DrawnFigure& one) { return one.name == name; });
-        if (figure == sources.figures.end()) refuse(choice, "there is no figure '" + name + '\'');
+        const DrawnFigure* figure = figure_of(sources.figures, name);
+        if (figure == nullptr) refuse(choice, "there is no figure '" + name + '\'');
         values.push_back(parameter(choice, *figure, key));
       } else {
         refuse(choice, '\'' + kind + "': give scene, technique, constants or figure");

@@ -3,12 +3,14 @@
 #include "driver/driver.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/figure_texts.hpp"
+#include "driver/registry.hpp"
+#include "driver/settings.hpp"
 
 #include <cstdio>
 #include <optional>
 #include <string>
 #include <unistd.h>
-#include <utility>
 #include <vector>
 
 namespace tumble::chapters {
@@ -26,16 +28,8 @@ struct Request {
   bool quick = false;
   std::string figure;  // empty: all
   std::string out = "build/figures";
-  std::vector<std::pair<std::string, std::string>> set;  // key, value
+  std::vector<std::string> set;  // each as key=value
 };
-
-std::pair<std::string, std::string> key_and_value(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw std::invalid_argument("'" + text + "': give key=value");
-  }
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
 
 Request parse(int argc, const char* const* argv) {
   Request request;
@@ -56,7 +50,10 @@ Request parse(int argc, const char* const* argv) {
     } else if (option == "--out") {
       request.out = next();
     } else if (option == "--set") {
-      request.set.push_back(key_and_value(next()));
+      request.set.push_back(next());
+      const std::size_t equals = request.set.back().find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw std::invalid_argument("'" + request.set.back() + "': give key=value");
     } else {
       throw std::invalid_argument("'" + option +
                                   "': there are --list, --figure NAME, --set KEY=VALUE, --quick, "
@@ -111,19 +108,16 @@ std::vector<const Figure*> chosen(const Request& request, std::span<const Figure
 // The figure's parameters: default, then --quick, then as typed.
 Parameters settings_of(const Figure& figure, const Request& request) {
   Parameters settings = figure.parameters;
-  if (request.quick) {
-    for (const std::string& text : figure.quick) {
-      const auto change = key_and_value(text);
-      settings.set(change.first, change.second);
-    }
-  }
-  for (const auto& change : request.set) settings.set(change.first, change.second);
+  if (request.quick) set_all(settings, figure.quick);
+  set_all(settings, request.set);
   return settings;
 }
 
 void compute(std::string_view program, const Figure& figure, const Request& request) {
   const Parameters settings = settings_of(figure, request);
   const Result result = figure.experiment(settings);
+  if ((result.film != nullptr) == figure.film.empty())
+    throw std::invalid_argument(figure.name + ": a film and a text about it go together");
   const std::string head = head_of(program, figure, settings, request.quick);
   const std::filesystem::path folder = request.out;
   for (const Table& table : result.tables) {
@@ -152,6 +146,27 @@ void run(int argc, const char* const* argv, std::string_view program,
     compute(program, *todo[i], request);
   }
   if (terminal) std::fprintf(stderr, "\r\033[K");
+}
+
+// Runs a program; a mistake becomes a line on the standard error stream.
+int exit_code_of(std::string_view program, const std::function<void()>& body) {
+  int code = kDone;
+  std::string message;
+  try {
+    body();
+  } catch (const std::invalid_argument& error) {
+    code = kBadInput;
+    message = error.what();
+  } catch (const FileError& error) {
+    code = kCannotWrite;
+    message = error.what();
+  } catch (const std::runtime_error& error) {
+    code = kNoResult;
+    message = error.what();
+  }
+  if (code != kDone)
+    std::fprintf(stderr, "%s: %s\n", std::string(program).c_str(), message.c_str());
+  return code;
 }
 
 }  // namespace
@@ -188,26 +203,18 @@ std::string numbers_file(const std::string& head, const Figure& figure, const Re
   return text;
 }
 
+int run_chapter(int argc, const char* const* argv, const std::string& chapter,
+                const std::filesystem::path& folder) {
+  const std::string program = "reproduce_" + chapter;
+  return exit_code_of(program, [&] {
+    run(argc, argv, program,
+        with_texts(registered_figures(), read_figure_texts(folder / "figures.toml")));
+  });
+}
+
 int run_driver(int argc, const char* const* argv, std::string_view program,
                std::span<const Figure> figures) {
-  int code = kDone;
-  std::string message;
-  try {
-    run(argc, argv, program, figures);
-  } catch (const std::invalid_argument& error) {
-    code = kBadInput;
-    message = error.what();
-  } catch (const FileError& error) {
-    code = kCannotWrite;
-    message = error.what();
-  } catch (const std::runtime_error& error) {
-    code = kNoResult;
-    message = error.what();
-  }
-  if (code != kDone) {
-    std::fprintf(stderr, "%s: %s\n", std::string(program).c_str(), message.c_str());
-  }
-  return code;
+  return exit_code_of(program, [&] { run(argc, argv, program, figures); });
 }
 
 }  // namespace tumble::chapters

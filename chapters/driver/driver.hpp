@@ -4,7 +4,9 @@
 
 #include "driver/figure.hpp"
 
+#include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tumble::chapters {
@@ -17,9 +19,18 @@ namespace tumble::chapters {
 ///
 /// \param argc     as main got it
 /// \param argv     as main got it
+/// \param chapter  its name: the program is `reproduce_<chapter>`
+/// \param folder   of the chapter's sources, with figures.toml
+/// \return the exit code: 0 done, 2 bad input, 3 no such result exists, 4 cannot read or write
+int run_chapter(int argc, const char* const* argv, const std::string& chapter,
+                const std::filesystem::path& folder);
+
+/// BRIDGE, until the last chapter has a figures.toml: the same for a list of figures with their texts.
+/// \param argc     as main got it
+/// \param argv     as main got it
 /// \param program  the program's name
 /// \param figures  the figures of the chapter
-/// \return the exit code: 0 done, 2 bad input, 3 no such result exists, 4 cannot write
+/// \return the exit code
 int run_driver(int argc, const char* const* argv, std::string_view program,
                std::span<const Figure> figures);
 

@@ -11,15 +11,16 @@
 /// `DIR/index.html` and `DIR/claims.csv`.
 /// \param argc  at least 3
 /// \param argv  the program, DIR, and the `expected.csv`, `claims.toml`, `errata.toml`,
-///              `choices.toml`, `page.md` of each chapter, `open_claims.toml`, and films that README shows
+///              `choices.toml`, `figures.toml`, `page.md` of each chapter, `open_claims.toml`, and films that README shows
 /// \return exit code: 0 all agree, 2 bad input, 3 a number differs, 4 cannot read or write
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 3) {
-    std::fprintf(stderr,
-                 "usage: figures_index DIR FILE...\n"
-                 "FILE: expected.csv, claims.toml, errata.toml, choices.toml, page.md, "
-                 "open_claims.toml, NAME.gif\n");
+    std::fprintf(
+        stderr,
+        "usage: figures_index DIR FILE...\n"
+        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, figures.toml, page.md, "
+        "open_claims.toml, NAME.gif\n");
     return 2;
   }
   try {

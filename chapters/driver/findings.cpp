@@ -3,6 +3,7 @@
 #include "driver/findings.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/figure_texts.hpp"
 #include "driver/page_numbers.hpp"
 
 #include <algorithm>
@@ -12,6 +13,11 @@
 
 namespace tumble::chapters {
 namespace {
+
+template <class Item>
+void append(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
 
 std::size_t figures_of_kind(const std::vector<DrawnFigure>& figures, const std::string& prefix) {
   std::size_t count = 0;
@@ -32,6 +38,14 @@ void append_count(std::string& list, std::size_t count, const std::string& one,
                   const std::string& many) {
   if (count == 0) return;
   list += (list.empty() ? "also " : ", ") + std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+// All captions of a chapter, with their comments.
+std::string captions_of(const std::filesystem::path& path) {
+  std::string captions;
+  for (const FigureText& text : read_figure_texts(path))
+    captions += text.caption + '\n' + text.film + '\n';
+  return captions;
 }
 
 // What is wrong with a film that README shows; nothing if it was not painted here.
@@ -58,25 +72,22 @@ Findings read_findings(const std::filesystem::path& folder,
     if (name == "expected.csv") {
       expected.push_back(file);
     } else if (name == "claims.toml" || name == "open_claims.toml") {
-      const std::vector<Claim> more = read_claims(file);
-      claims.insert(claims.end(), more.begin(), more.end());
+      append(claims, read_claims(file));
     } else if (name == "errata.toml") {
-      const std::vector<Erratum> more = read_errata(file);
-      errata.insert(errata.end(), more.begin(), more.end());
+      append(errata, read_errata(file));
     } else if (name == "choices.toml") {
       const Choices more = read_choices(file);
-      choices.choices.insert(choices.choices.end(), more.choices.begin(), more.choices.end());
-      choices.variations.insert(choices.variations.end(), more.variations.begin(),
-                                more.variations.end());
-    } else if (file.extension() == ".md") {
+      append(choices.choices, more.choices);
+      append(choices.variations, more.variations);
+    } else if (file.extension() == ".md" || name == "figures.toml") {
       pages.push_back(file);
     } else if (file.extension() == ".gif") {
       films.push_back(file);
     } else {
-      throw std::invalid_argument(
-          file.string() +
-          ": give files called expected.csv, claims.toml, "
-          "open_claims.toml, errata.toml or choices.toml, a page NAME.md, or a film NAME.gif");
+      throw std::invalid_argument(file.string() +
+                                  ": give files called expected.csv, claims.toml, "
+                                  "open_claims.toml, errata.toml, choices.toml or figures.toml, a "
+                                  "page NAME.md, or a film NAME.gif");
     }
   }
   Findings findings;
@@ -86,14 +97,10 @@ Findings read_findings(const std::filesystem::path& folder,
   findings.errata = find_errata(errata, findings.figures);
   findings.choices = find_choices(choices, findings.figures, findings.ledger);
   for (const std::filesystem::path& page : pages) {
-    const std::vector<std::string> more =
-        stale_numbers(read_file(page), page.string(), findings.figures);
-    findings.stale.insert(findings.stale.end(), more.begin(), more.end());
+    const std::string text = page.extension() == ".md" ? read_file(page) : captions_of(page);
+    append(findings.stale, stale_numbers(text, page.string(), findings.figures));
   }
-  for (const std::filesystem::path& film : films) {
-    const std::vector<std::string> more = stale_film(film, folder);
-    findings.stale.insert(findings.stale.end(), more.begin(), more.end());
-  }
+  for (const std::filesystem::path& film : films) append(findings.stale, stale_film(film, folder));
   return findings;
 }
 
@@ -104,7 +111,7 @@ std::vector<std::string> differences(const Findings& findings) {
       if (!number.agrees()) lines.push_back(difference_text(figure.name, number));
     }
   }
-  lines.insert(lines.end(), findings.stale.begin(), findings.stale.end());
+  append(lines, findings.stale);
   return lines;
 }
 

@@ -24,7 +24,7 @@ struct Findings {
 
 /// Reads everything that chapters expect and claim, and what their figures gave.
 /// \param folder  where `NAME_numbers.csv` are; if it does not exist, nothing has been computed
-/// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `choices.toml`, `page.md` of the
+/// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `choices.toml`, `figures.toml`, `page.md` of the
 ///                chapters, in order, `open_claims.toml`, and films `NAME.gif` that README shows: told apart by
 ///                their names
 /// \return figures, ledger, errata, choices, and what is no longer so in the pages or the films

@@ -10,16 +10,6 @@
 namespace tumble::chapters {
 namespace {
 
-const CheckedNumber* number_of(const std::vector<DrawnFigure>& figures, const std::string& figure,
-                               const std::string& quantity) {
-  for (const DrawnFigure& drawn : figures) {
-    if (drawn.name != figure) continue;
-    for (const CheckedNumber& number : drawn.numbers)
-      if (number.quantity == quantity) return &number;
-  }
-  return nullptr;
-}
-
 // Half a unit of the last digit that is written, and a little for the way to decimals.
 double rounding_of(const std::string& digits) {
   const std::size_t exponent = digits.find('e');
@@ -45,7 +35,7 @@ bool looks_like_a_list(const std::smatch& match) {
 
 std::vector<std::string> stale_numbers(const std::string& page, const std::string& name,
                                        const std::vector<DrawnFigure>& figures) {
-  static const std::regex form(R"(([^\s|(]+)( per cent)?\s?<!--\s*(\w+):\s*([^>]*?)\s*-->)");
+  static const std::regex form(R"(([^\s|(]+)( per cent| %)?\s?<!--\s*(\w+):\s*([^>]*?)\s*-->)");
   std::vector<std::string> messages;
   for (std::sregex_iterator it(page.begin(), page.end(), form), end; it != end; ++it) {
     const std::smatch& match = *it;
@@ -60,7 +50,7 @@ std::vector<std::string> stale_numbers(const std::string& page, const std::strin
     if (looks_like_a_list(match))
       messages.push_back(where +
                          "begins a line and would be shown as a list: put a word before it");
-    const CheckedNumber* number = number_of(figures, match[3], match[4]);
+    const CheckedNumber* number = number_of(figure_of(figures, match[3]), match[4]);
     if (number == nullptr) {
       messages.push_back(where + "no figure has this number");
       continue;

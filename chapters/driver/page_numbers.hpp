@@ -9,10 +9,11 @@
 
 namespace tumble::chapters {
 
-/// Compares the numbers in a page with those of the figures.
+/// Compares the numbers in a page or in captions with those of the figures.
 ///
-/// A number in a page that was computed is followed by a comment that says from where:
-/// `15.3 <!-- cradle: quantity in words -->`, or `15.3 per cent <!-- ... -->` for a share. It must be the
+/// A number that was computed is followed by a comment that says from where:
+/// `15.3 <!-- cradle: quantity in words -->`, or `15.3 per cent <!-- ... -->` or `15.3 % <!-- ... -->`
+/// for a share. It must be the
 /// computed one, rounded to the digits that are written. Figures that were drawn with other
 /// settings are not compared.
 /// \param page     the text

@@ -30,9 +30,8 @@ std::string figures_html(const ThesisSection& section, const Findings& findings)
   std::string text;
   std::string last;
   for (const std::string& name : section.figures) {
-    const bool known = std::any_of(findings.figures.begin(), findings.figures.end(),
-                                   [&](const DrawnFigure& figure) { return figure.name == name; });
-    if (!known) throw std::invalid_argument(section.place + "no figure is called " + name);
+    if (figure_of(findings.figures, name) == nullptr)
+      throw std::invalid_argument(section.place + "no figure is called " + name);
     const std::string number = "figure " + thesis_number(name);
     text += "<a href=\"gallery.html#" + name + "\">" +
             (number == last ? "the same, another picture" : number) + "</a><br>";
