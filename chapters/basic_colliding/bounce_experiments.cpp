@@ -4,8 +4,8 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/scenes/library.hpp"
 
-#include "basic_colliding/experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,13 +65,13 @@ class Watcher : public Observer {
     const double all = time - since_;
     for (int k = 1; k <= pieces && all > 0.0; ++k) {
       const double t = all * k / pieces;
-      path.rows.push_back({since_ + t, height_ + t * (speed_ - 0.5 * kGravity * t)});
+      path.add(since_ + t, height_ + t * (speed_ - 0.5 * kGravity * t));
     }
   }
   // Where the technique has put it now.
   void land(double time) {
     const bool moved = path.rows.empty() || path.rows.back()[1] != height_of(world_);
-    if (moved) path.rows.push_back({time, height_of(world_)});
+    if (moved) path.add(time, height_of(world_));
     since_ = time;
     height_ = height_of(world_);
     speed_ = speed_of(world_);
@@ -82,8 +82,6 @@ class Watcher : public Observer {
   double height_ = 0.0;  // [m]
   double speed_ = 0.0;   // [m/s] upwards
 };
-
-}  // namespace
 
 Result measure_impact_times(const Parameters& settings) {
   const double height = settings.number("height");
@@ -130,8 +128,8 @@ Result measure_impact_times(const Parameters& settings) {
     exact_energy *= restitution * restitution;
     const double error = std::abs(found.time - exact_time);
     const double energy = found.energy / (kGravity * world.bodies()[kCube].mass * height);
-    table.rows.push_back({static_cast<double>(k), found.time, exact_time, error,
-                          accepted * k * options.resolution, energy, exact_energy});
+    table.add(k, found.time, exact_time, error, accepted * k * options.resolution, energy,
+              exact_energy);
     worst_time = std::max(worst_time, error / (k * options.resolution));
     worst_energy = std::max(worst_energy, std::abs(energy / exact_energy - 1.0));
   }
@@ -147,7 +145,18 @@ Result measure_impact_times(const Parameters& settings) {
         static_cast<double>(searches) / static_cast<double>(watcher.impacts.size())}}};
 }
 
-namespace {
+const Registered claim_2_1a_impacts_figure{
+    {.name = "claim_2_1a_impacts",
+     .parameters =
+         Parameters{}
+             .add_number("height", 1.0, 0.01, 100.0, "m", "free height at the start")
+             .add_number("restitution", 0.9, 0.5, 1.0, "-", "rebound speed over impact speed")
+             .add_whole("impacts", 20, 1, 100, "how many are compared")
+             .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
+             .add_number("resolution", 1e-9, 1e-12, 1e-4, "s",
+                         "how closely impact times are found"),
+     .quick = {"impacts=8"},
+     .experiment = measure_impact_times}};
 
 struct Settling {
   Table steps;         // what each step did
@@ -191,9 +200,8 @@ Settling settle(const Parameters& settings, double rest, double clear) {
 
     const bool capped = step.status == StepStatus::event_cap;
     const auto impacts = static_cast<double>(step.events);
-    result.steps.rows.push_back({world.time(), step.events > 0 ? impacts : none,
-                                 static_cast<double>(step.searches), capped ? impacts : none,
-                                 1e3 * before, 1e3 * height_of(world)});
+    result.steps.add(world.time(), step.events > 0 ? impacts : none, step.searches,
+                     capped ? impacts : none, 1e3 * before, 1e3 * height_of(world));
     if (world.time() > rest) {
       ++result.at_rest;
       result.capped += capped ? 1 : 0;
@@ -205,8 +213,6 @@ Settling settle(const Parameters& settings, double rest, double clear) {
   result.path = watcher.path;
   return result;
 }
-
-}  // namespace
 
 Result measure_rest(const Parameters& settings) {
   const double restitution = settings.number("restitution");
@@ -232,8 +238,8 @@ Result measure_rest(const Parameters& settings) {
   return {{found.steps, found.path, cleared.steps, exact},
           {{"share of the steps after that moment that end at the cap", "-",
             share(found.capped, found)},
-           {"steps after that moment", "-", static_cast<double>(found.at_rest)},
-           {"capped steps that begin after that moment", "-", static_cast<double>(found.late)},
+           {"steps after that moment", "-", found.at_rest},
+           {"capped steps that begin after that moment", "-", found.late},
            {"the same share, with overlap lifted clear of the ground", "-",
             share(cleared.capped, cleared)},
            {"sinking in a step at the end", "m", found.sunk},
@@ -243,4 +249,20 @@ Result measure_rest(const Parameters& settings) {
            {"speed at the end of a step at the end, closed form", "m/s", steady}}};
 }
 
+const Registered claim_2_1b_rest_figure{
+    {.name = "claim_2_1b_rest",
+     .parameters =
+         Parameters{}
+             .add_number("height", 1.0, 0.01, 100.0, "m", "free height at the start")
+             .add_number("restitution", 0.5, 0.0, 0.9, "-", "rebound speed over impact speed")
+             .add_number("duration", 2.0, 0.1, 60.0, "s", "length of the run")
+             .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
+             .add_number("resolution", 1e-9, 1e-12, 1e-4, "s", "how closely impact times are found")
+             .add_whole("cap", 1000, 1, 100000, "impacts allowed in a step")
+             .add_number("clear", 1e-9, 1e-12, 1e-3, "m",
+                         "how high overlap is lifted in the second run"),
+     .quick = {"duration=1.6"},
+     .experiment = measure_rest}};
+
+}  // namespace
 }  // namespace tumble::chapters

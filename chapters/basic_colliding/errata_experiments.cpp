@@ -6,7 +6,6 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/errata.hpp"
-#include "basic_colliding/experiments.hpp"
 #include "driver/common_numbers.hpp"
 
 #include <limits>
@@ -37,8 +36,7 @@ class RowWatcher : public Observer {
   void on_event(const Event& event) override { note(event.time); }
   void note(double time) {
     const auto cubes = world_.states();
-    table.rows.push_back(
-        {time, cubes[0].position_w.x(), cubes[1].position_w.x(), cubes[2].position_w.x()});
+    table.add(time, cubes[0].position_w.x(), cubes[1].position_w.x(), cubes[2].position_w.x());
   }
   Table table;
 
@@ -150,8 +148,7 @@ Table count_table(const std::vector<LiteralImpact>& impacts, std::string suffix)
   Table table{std::move(suffix),
               {{"since_ms", "ms", "time since the first impact"}, {"impacts", "-", "so far"}}};
   for (const LiteralImpact& impact : impacts) {
-    table.rows.push_back(
-        {1e3 * (impact.time - impacts.front().time), static_cast<double>(table.rows.size() + 1)});
+    table.add(1e3 * (impact.time - impacts.front().time), table.rows.size() + 1);
   }
   return table;
 }
@@ -164,11 +161,10 @@ Table gap_table(const std::vector<LiteralImpact>& impacts, std::string suffix) {
               {{"since_us", "µs", "time since the cubes really met"},
                {"gap_um", "µm", "between them; below 0 they overlap"},
                {"impact_um", "µm", "the same if this is an impact; else empty"}}};
-  table.rows.push_back({-1e6 * around, 1e6 * around, none});
+  table.add(-1e6 * around, 1e6 * around, none);
   for (const LiteralImpact& impact : impacts)
-    table.rows.push_back({1e6 * (impact.time - kMeet), 1e6 * impact.gap, 1e6 * impact.gap});
-  table.rows.push_back(
-      {1e6 * (impacts.back().time + 4.0 * around - kMeet), 1e6 * impacts.back().gap, none});
+    table.add(1e6 * (impact.time - kMeet), 1e6 * impact.gap, 1e6 * impact.gap);
+  table.add(1e6 * (impacts.back().time + 4.0 * around - kMeet), 1e6 * impacts.back().gap, none);
   return table;
 }
 

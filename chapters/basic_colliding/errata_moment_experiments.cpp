@@ -8,8 +8,8 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/errata.hpp"
-#include "basic_colliding/experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,8 +61,8 @@ Table fall_table() {
   constexpr int rows = 80;
   for (int k = 0; k <= rows; ++k) {
     const double t = kStep * k / rows;
-    table.rows.push_back({1e3 * t, 1e3 * lower_face(step_semi_implicit, t),
-                          1e3 * lower_face(fly, t), 1e3 * (kDrop - 0.5 * kGravity * t * t)});
+    table.add(1e3 * t, 1e3 * lower_face(step_semi_implicit, t), 1e3 * lower_face(fly, t),
+              1e3 * (kDrop - 0.5 * kGravity * t * t));
   }
   return table;
 }
@@ -126,8 +126,7 @@ std::array<double, 4> corner_heights(World world, double time) {
   return heights;
 }
 
-}  // namespace
-
+// S8: a step of Euler's method cut in two is not the step.
 void add_flow_erratum(Result& result) {
   result.tables.push_back(fall_table());
   result.quantities.push_back({"S8: height that cutting a step changes, forward Euler", "m",
@@ -142,6 +141,7 @@ void add_flow_erratum(Result& result) {
       {"S8: impact time, bisecting a flight", "s", impact_by_bisection(fly)});
 }
 
+// S9: impacts at one time are resolved in the order in which a heap happens to hold them.
 void add_tie_erratum(Result& result) {
   const Order forth = {0, 1, 2, 3};
   const World one = after_landing(&forth);
@@ -162,11 +162,7 @@ void add_tie_erratum(Result& result) {
   constexpr double shown = 0.1;  // [s]
   for (int k = 0; k <= rows; ++k) {
     const double time = shown * k / rows;
-    table.rows.push_back({1e3 * time});
-    for (const World* world : {&one, &together}) {
-      const std::array<double, 4> heights = corner_heights(*world, time);
-      table.rows.back().insert(table.rows.back().end(), heights.begin(), heights.end());
-    }
+    table.add(1e3 * time, corner_heights(one, time), corner_heights(together, time));
   }
   result.tables.push_back(table);
   result.quantities.push_back(
@@ -186,4 +182,12 @@ Result measure_event_search_errata(const Parameters& settings) {
   return result;
 }
 
+const Registered errata_event_search_figure{
+    {.name = "errata_event_search",
+     .parameters = Parameters{}.add_whole("cap", 1000, 20, 100000,
+                                          "impacts at which an endless step is stopped"),
+     .quick = {"cap=100"},
+     .experiment = measure_event_search_errata}};
+
+}  // namespace
 }  // namespace tumble::chapters

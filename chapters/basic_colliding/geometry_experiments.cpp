@@ -4,9 +4,8 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "basic_colliding/experiments.hpp"
+#include "driver/registry.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -50,9 +49,9 @@ double area_of(const Manifold& manifold) {
 void add_outline(Table& table, double angle_deg, double outline, const std::vector<Vec3>& corners) {
   for (std::size_t i = 0; i <= corners.size(); ++i) {
     const Vec3& corner = corners[i % corners.size()];
-    table.rows.push_back({angle_deg, outline, corner.x(), corner.z()});
+    table.add(angle_deg, outline, corner.x(), corner.z());
   }
-  table.rows.push_back({angle_deg, outline, std::nan(""), std::nan("")});
+  table.add(angle_deg, outline, std::nan(""), std::nan(""));
 }
 
 // The lower face of the upper cube or the upper face of the lower one, seen from above.
@@ -80,8 +79,6 @@ Table polygons(double size) {
   return table;
 }
 
-}  // namespace
-
 Result measure_box_overlap(const Parameters& settings) {
   const double size = settings.number("size");
   const int steps = settings.count("steps");
@@ -93,7 +90,6 @@ Result measure_box_overlap(const Parameters& settings) {
                {"exact", "-", "2/(1 + sin θ + cos θ)"},
                {"error", "-", "their difference"},
                {"accepted", "-", "what widening a face by its slack before clipping may add"}}};
-  double worst = 0.0;
   for (int step = 0; step <= steps; ++step) {
     const double angle_deg = 90.0 * step / steps;
     const Manifold manifold = contact_area(size, angle_deg * kDegree);
@@ -101,19 +97,19 @@ Result measure_box_overlap(const Parameters& settings) {
     const double sum =
         1.0 + elementary::sin(angle_deg * kDegree) + elementary::cos(angle_deg * kDegree);
     const double error = std::abs(area - 2.0 / sum);
-    worst = std::max(worst, error);
-    table.rows.push_back({angle_deg, static_cast<double>(manifold.count), area, 2.0 / sum, error,
-                          2.0 * tolerance::clip_slack});
+    table.add(angle_deg, manifold.count, area, 2.0 / sum, error, 2.0 * tolerance::clip_slack);
   }
-
-  const double octagon = area_of(contact_area(size, 45.0 * kDegree));
-  const double third = area_of(contact_area(size, 30.0 * kDegree));
-  return {{table, polygons(size)},
-          {{"area at 30 degrees", "m²", third},
-           {"area at 45 degrees", "m²", octagon},
-           {"contact points at 45 degrees", "-",
-            static_cast<double>(contact_area(size, 45.0 * kDegree).count)},
-           {"largest error over size²", "-", worst}}};
+  return {{table, polygons(size)}, {}};
 }
 
+const Registered box_overlap_figure{
+    {.name = "box_overlap",
+     .parameters =
+         Parameters{}
+             .add_number("size", 1.0, 0.001, 1000.0, "m", "edge length of both cubes")
+             .add_whole("steps", 90, 6, 900, "angles from 0 to 90 degrees, a multiple of 6"),
+     .quick = {"steps=12"},
+     .experiment = measure_box_overlap}};
+
+}  // namespace
 }  // namespace tumble::chapters

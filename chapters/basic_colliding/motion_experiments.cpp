@@ -5,8 +5,8 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "basic_colliding/experiments.hpp"
 #include "basic_colliding/free_rotation.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,8 @@ Column of_rule(RotationRule rule, const std::string& ending, const std::string& 
   return {name + ending, unit, meaning + ", rule " + name};
 }
 
-Table flip_errors(const FreeRotation& exact, std::vector<Quantity>& quantities) {
+// How wrong the moment of the first flip is under each rule, for four steps.
+Table flip_errors(const FreeRotation& exact) {
   const BodyProperties body = uneven_box();
   Table table{"flips", {{"step_s", "s", "time step"}}};
   for (const RotationRule rule : rotation_rules()) {
@@ -72,20 +73,13 @@ Table flip_errors(const FreeRotation& exact, std::vector<Quantity>& quantities) 
   }
   constexpr std::array<double, 4> steps_per_second = {60.0, 120.0, 240.0, 1000.0};
   for (const double frequency : steps_per_second) {
-    std::vector<double> row{1.0 / frequency};
-    for (const RotationRule rule : rotation_rules()) {
-      row.push_back(first_flip(body, 1.0 / frequency, rule) - exact.first_flip());
-      if (frequency != 60.0 && frequency != 1000.0) continue;
-      quantities.push_back({"error of the first flip, " + std::string(name_of(rule)) + " at 1/" +
-                                (frequency == 60.0 ? "60" : "1000") + " s",
-                            "s", row.back()});
-    }
-    table.rows.push_back(row);
+    std::vector<double> errors;
+    for (const RotationRule rule : rotation_rules())
+      errors.push_back(first_flip(body, 1.0 / frequency, rule) - exact.first_flip());
+    table.add(1.0 / frequency, errors);
   }
   return table;
 }
-
-}  // namespace
 
 Result measure_rotation_rules(const Parameters& settings) {
   const double step = settings.number("step");
@@ -105,30 +99,32 @@ Result measure_rotation_rules(const Parameters& settings) {
   table.columns.push_back({"accepted", "-", "energy error accepted of rule rk4"});
 
   std::vector<BodyState> states(rotation_rules().size(), spun(body, kUnstableSpin));
-  std::vector<double> worst(states.size(), 0.0);
+  double worst = 0.0;
   const double energy = kinetic_energy(body, states.front());
   const int steps = static_cast<int>(std::lround(settings.number("duration") / step));
   for (int k = 0; k <= steps; ++k) {
-    std::vector<double> row{k * step, exact.at(k * step).y()};
-    for (const BodyState& state : states) row.push_back(middle_rate(body, state));
+    std::vector<double> rates;
+    std::vector<double> errors;
     for (std::size_t i = 0; i < states.size(); ++i) {
-      row.push_back(std::abs(kinetic_energy(body, states[i]) / energy - 1.0));
-      worst[i] = std::max(worst[i], row.back());
+      rates.push_back(middle_rate(body, states[i]));
+      errors.push_back(std::abs(kinetic_energy(body, states[i]) / energy - 1.0));
+      if (rotation_rules()[i] == RotationRule::frozen) worst = std::max(worst, errors.back());
       advance_pose(body, states[i], step, rotation_rules()[i]);
     }
-    row.push_back(accepted);
-    table.rows.push_back(row);
+    table.add(k * step, exact.at(k * step).y(), rates, errors, accepted);
   }
-
-  std::vector<Quantity> quantities{{"first flip, exact", "s", exact.first_flip()},
-                                   {"time between flips, exact", "s", exact.flip_interval()}};
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    quantities.push_back(
-        {"largest energy error, " + std::string(name_of(rotation_rules()[i])), "-", worst[i]});
-  }
-  const Table flips = flip_errors(exact, quantities);
-  return {{table, flips}, quantities};
+  return {{table, flip_errors(exact)},
+          {{"time between flips, exact", "s", exact.flip_interval()},
+           {"largest energy error, frozen", "-", worst}}};
 }
+
+const Registered rotation_rules_figure{
+    {.name = "rotation_rules",
+     .parameters = Parameters{}
+                       .add_number("step", 0.02, 1e-4, 0.2, "s", "time step of the curves")
+                       .add_number("duration", 12.0, 1.0, 60.0, "s", "length of the run"),
+     .quick = {"duration=4"},
+     .experiment = measure_rotation_rules}};
 
 Result measure_rotation_order(const Parameters& settings) {
   const double time = settings.number("time");
@@ -142,13 +138,13 @@ Result measure_rotation_order(const Parameters& settings) {
   }
   for (int halving = 0; halving <= halvings; ++halving) {
     const int steps = 16 << halving;
-    std::vector<double> row{time / steps};
+    std::vector<double> errors;
     for (const RotationRule rule : rotation_rules()) {
       BodyState state = spun(body, kStableSpin);
       for (int k = 0; k < steps; ++k) advance_pose(body, state, time / steps, rule);
-      row.push_back(angle_between(state.orientation_wb, truth));
+      errors.push_back(angle_between(state.orientation_wb, truth));
     }
-    table.rows.push_back(row);
+    table.add(time / steps, errors);
   }
 
   // Between the second and the fifth halving steps are short enough for the leading term and
@@ -160,6 +156,15 @@ Result measure_rotation_order(const Parameters& settings) {
   }
   return {{table}, quantities};
 }
+
+const Registered rotation_order_figure{
+    {.name = "rotation_order",
+     .parameters =
+         Parameters{}
+             .add_number("time", 2.0, 0.1, 20.0, "s", "when the orientations are compared")
+             .add_whole("halvings", 10, 5, 14, "how often the longest step, time/16, is halved"),
+     .quick = {"halvings=6"},
+     .experiment = measure_rotation_order}};
 
 Result measure_free_fall(const Parameters& settings) {
   const double height = settings.number("height");
@@ -183,26 +188,24 @@ Result measure_free_fall(const Parameters& settings) {
                {"semi_implicit_m", "m", "error of the height, semi-implicit Euler"},
                {"ballistic_m", "m", "error of the height, flight along the parabola"},
                {"predicted_m", "m", "g duration step / 2"}}};
-  double worst = 0.0;
   for (int halving = 0; halving <= halvings; ++halving) {
     const int steps = 4 << halving;
     const double step = duration / steps;
-    table.rows.push_back({step, error_of(step_forward_euler, steps),
-                          error_of(step_semi_implicit, steps), error_of(fly, steps),
-                          -0.5 * gravity.y() * duration * step});
-    worst = std::max(worst, std::abs(table.rows.back()[3]));
+    table.add(step, error_of(step_forward_euler, steps), error_of(step_semi_implicit, steps),
+              error_of(fly, steps), -0.5 * gravity.y() * duration * step);
   }
-
-  const std::vector<double>& coarse = table.rows.front();
-  const std::vector<double>& fine = table.rows.back();
-  return {{table},
-          {{"height with forward Euler at 1/60 of the fall", "m",
-            truth + error_of(step_forward_euler, 60)},
-           {"height with semi-implicit Euler at 1/60 of the fall", "m",
-            truth + error_of(step_semi_implicit, 60)},
-           {"order of forward Euler", "-", order_between(coarse[1], fine[1], halvings)},
-           {"order of semi-implicit Euler", "-", order_between(coarse[2], fine[2], halvings)},
-           {"largest error of flight along the parabola", "m", worst}}};
+  return {{table}, {}};
 }
 
+const Registered free_fall_figure{
+    {.name = "free_fall",
+     .parameters =
+         Parameters{}
+             .add_number("height", 10.0, 0.0, 1000.0, "m", "height at the start")
+             .add_number("duration", 1.0, 0.1, 10.0, "s", "length of the fall")
+             .add_whole("halvings", 9, 3, 14, "how often the longest step, duration/4, is halved"),
+     .quick = {"halvings=4"},
+     .experiment = measure_free_fall}};
+
+}  // namespace
 }  // namespace tumble::chapters

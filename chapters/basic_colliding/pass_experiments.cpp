@@ -3,8 +3,8 @@
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 
-#include "basic_colliding/experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -167,8 +167,6 @@ double mean_overlap_length(double a, double b) {
   return 4.0 * volume / surface;
 }
 
-}  // namespace
-
 Result measure_missed_passes(const Parameters& settings) {
   const int count = settings.count("passes");
   const double thickness = settings.number("thickness");
@@ -205,15 +203,12 @@ Result measure_missed_passes(const Parameters& settings) {
     const Quantity others = share_of_trials("", middle.found - middle.brushes_found,
                                             middle.collisions - middle.brushes);
     const double length = mean_overlap_length(kLarge, thickness) / (speed * thickness);
-    table.rows.push_back({speed, found[0].value, found[1].value, found[1].low, found[1].high,
-                          found[2].value, brushes.value, others.value, length});
+    table.add(speed, found[0].value, found[1].value, found[1].low, found[1].high, found[2].value,
+              brushes.value, others.value, length);
 
     const std::string of = "share of the true collisions that the end-of-step test finds at ";
-    if (halving == -3 || halving == 2 || halving == 4) {
-      found[1].name = of + (halving == -3  ? "1/8 of a thickness"
-                            : halving == 2 ? "4 thicknesses"
-                                           : "16 thicknesses");
-      found[1].name += " a step";
+    if (halving == 2 || halving == 4) {
+      found[1].name = of + (halving == 2 ? "4" : "16") + " thicknesses a step";
       quantities.push_back(found[1]);
     }
     if (halving == 2) {
@@ -226,10 +221,21 @@ Result measure_missed_passes(const Parameters& settings) {
       quantities.push_back(
           {"mean length of the overlap over the way of a step, 16 thicknesses", "-", length});
   }
-  quantities.push_back({"true collisions", "-", static_cast<double>(all)});
-  quantities.push_back(
-      {"collisions that the conservative search missed", "-", static_cast<double>(contradictions)});
+  quantities.push_back({"true collisions", "-", all});
+  quantities.push_back({"collisions that the conservative search missed", "-", contradictions});
   return {{table}, quantities};
 }
 
+const Registered claim_3_2a_missed_figure{
+    {.name = "claim_3_2a_missed",
+     .parameters =
+         Parameters{}
+             .add_whole("passes", 20000, 100, 1000000, "random passes for each speed and size")
+             .add_number("thickness", 0.25, 0.01, 1.0, "m",
+                         "edge of the small cube; the large one has 1 m")
+             .add_number("spin", 10.0, 0.0, 100.0, "rad/s", "largest spin of the small cube"),
+     .quick = {"passes=1000"},
+     .experiment = measure_missed_passes}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -4,14 +4,13 @@
 #include "tumble/contact/impacts.hpp"
 #include "tumble/math/elementary.hpp"
 
-#include "basic_colliding/experiments.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -54,19 +53,12 @@ std::vector<Contact> contacts_of(const std::vector<MovingBody>& row, double rest
   return contacts;
 }
 
-ImpactResult collide(std::vector<MovingBody>& row, double restitution, ImpactOrder order) {
+void collide(std::vector<MovingBody>& row, double restitution, ImpactOrder order) {
   std::vector<Contact> contacts = contacts_of(row, restitution);
   ImpactOptions options;
   options.order = order;
-  const ImpactResult result = ImpactSolver().resolve(contacts, row, options);
-  if (result.status != ImpactStatus::done) throw std::runtime_error("the row still collides");
-  return result;
-}
-
-double energy_of(const std::vector<MovingBody>& row) {
-  double sum = 0.0;
-  for (const MovingBody& cube : row) sum += 0.5 * cube.velocity_w.squaredNorm();
-  return sum;
+  if (ImpactSolver().resolve(contacts, row, options).status != ImpactStatus::done)
+    throw std::runtime_error("the row still collides");
 }
 
 // --- a stack that lands --------------------------------------------------------------------
@@ -112,8 +104,6 @@ Convergence converge(int cubes, double accuracy) {
   return result;
 }
 
-}  // namespace
-
 Result measure_cradle(const Parameters& settings) {
   const int boxes = settings.count("boxes");
   const int moving = settings.count("moving");
@@ -125,7 +115,7 @@ Result measure_cradle(const Parameters& settings) {
   std::vector<MovingBody> at_once = before;
   collide(at_once, restitution, ImpactOrder::simultaneous);
   std::vector<MovingBody> in_turn = before;
-  const ImpactResult sequential = collide(in_turn, restitution, ImpactOrder::sequential);
+  collide(in_turn, restitution, ImpactOrder::sequential);
 
   Table table{"",
               {{"box", "-", "from left to right"},
@@ -133,18 +123,21 @@ Result measure_cradle(const Parameters& settings) {
                {"simultaneous_m_s", "m/s", "velocity after, all impulses at once"},
                {"sequential_m_s", "m/s", "velocity after, one impulse after the other"}}};
   for (std::size_t i = 0; i < before.size(); ++i) {
-    table.rows.push_back({static_cast<double>(i + 1), before[i].velocity_w.x(),
-                          at_once[i].velocity_w.x(), in_turn[i].velocity_w.x()});
+    table.add(i + 1, before[i].velocity_w.x(), at_once[i].velocity_w.x(),
+              in_turn[i].velocity_w.x());
   }
-  return {{table},
-          {{"first box, simultaneous", "m/s", at_once.front().velocity_w.x()},
-           {"last box, simultaneous", "m/s", at_once.back().velocity_w.x()},
-           {"first box, sequential", "m/s", in_turn.front().velocity_w.x()},
-           {"last box, sequential", "m/s", in_turn.back().velocity_w.x()},
-           {"impulses, sequential", "-", static_cast<double>(sequential.impulses)},
-           {"energy after, simultaneous, over before", "-", energy_of(at_once) / energy_of(before)},
-           {"energy after, sequential, over before", "-", energy_of(in_turn) / energy_of(before)}}};
+  return {{table}, {{"last box, simultaneous", "m/s", at_once.back().velocity_w.x()}}};
 }
+
+const Registered cradle_figure{
+    {.name = "cradle",
+     .parameters =
+         Parameters{}
+             .add_whole("boxes", 5, 2, 12, "how many boxes in the row")
+             .add_whole("moving", 1, 1, 11, "how many of them move at first")
+             .add_number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed"),
+     .quick = {"boxes=3"},
+     .experiment = measure_cradle}};
 
 Result measure_stack_convergence(const Parameters& settings) {
   const int most = settings.count("most");
@@ -159,22 +152,28 @@ Result measure_stack_convergence(const Parameters& settings) {
                {"error", "-", "of that share against cos²(π/2n)"},
                {"accepted", "-", "error accepted"},
                {"after_ten", "-", "share of the speed left after ten passes; empty if fewer do"}}};
-  std::vector<Quantity> quantities;
+  Result result;
   for (int n = 2; n <= most; ++n) {
     const Convergence found = converge(n, accuracy);
     const double cosine = elementary::cos(std::numbers::pi / (2.0 * n));
     const double rate = cosine * cosine;
-    table.rows.push_back({static_cast<double>(n), static_cast<double>(found.passes),
-                          elementary::log(accuracy) / elementary::log(rate), found.contraction,
-                          std::abs(found.contraction - rate), accepted, found.after_ten});
-    if (n == 2 || n == 5 || n == 10 || n == 20) {
-      const std::string boxes = std::to_string(n) + " boxes";
-      quantities.push_back({"passes for " + boxes, "-", static_cast<double>(found.passes)});
-      quantities.push_back({"left by the last pass, " + boxes, "-", found.contraction});
-    }
-    if (n == 5) quantities.push_back({"left after ten passes, 5 boxes", "-", found.after_ten});
+    table.add(n, found.passes, elementary::log(accuracy) / elementary::log(rate), found.contraction,
+              std::abs(found.contraction - rate), accepted, found.after_ten);
+    if (n == 5)
+      result.quantities.push_back({"left after ten passes, 5 boxes", "-", found.after_ten});
   }
-  return {{table}, quantities};
+  result.tables = {table};
+  return result;
 }
 
+const Registered stack_convergence_figure{
+    {.name = "stack_convergence",
+     .parameters = Parameters{}
+                       .add_whole("most", 20, 2, 40, "boxes in the highest stack")
+                       .add_number("accuracy", 1e-6, 1e-12, 0.1, "-",
+                                   "error to reach, over the error at first"),
+     .quick = {"most=6"},
+     .experiment = measure_stack_convergence}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata S5 to S9.
-#include "basic_colliding/experiments.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -14,13 +13,9 @@ using namespace tumble::chapters;
 
 namespace {
 
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  return {basic_colliding_figures(), name, set};
-}
-
 // Computed once: a hundred impacts stand for ever.
 const FigureUnderTest& errata() {
-  static const FigureUnderTest figure = figure_of("errata_event_search");
+  static const FigureUnderTest figure("errata_event_search");
   return figure;
 }
 
@@ -28,7 +23,7 @@ const FigureUnderTest& errata() {
 
 TEST_CASE("The basic technique finds the impacts of a bouncing cube at their closed-form times",
           "[claims][basic_colliding]") {
-  const FigureUnderTest figure = figure_of("claim_2_1a_impacts");
+  const FigureUnderTest figure("claim_2_1a_impacts");
   CHECK(figure.number("largest error of an impact time, over the search's resolution times the "
                       "impact's number") < 1.0);  // [-] the claim accepts 5; measured 0.52
   // Eight impacts of five resolutions; t_8 = t_1 (1 + 2 (e + ... + e^7)).
@@ -42,7 +37,7 @@ TEST_CASE("The basic technique finds the impacts of a bouncing cube at their clo
 TEST_CASE("The basic technique meets its cap once a bouncing cube has come to rest",
           "[claims][basic_colliding]") {
   // 1.6 s: 15 steps end after 1.35457 s, and the first of them ends at the cap.
-  const FigureUnderTest figure = figure_of("claim_2_1b_rest");
+  const FigureUnderTest figure("claim_2_1b_rest");
   CHECK(figure.number("steps after that moment") == 15.0);
   CHECK(std::abs(figure.number("share of the steps after that moment that end at the cap") -
                  1.0 / 15.0) < 1e-12);
@@ -59,15 +54,15 @@ TEST_CASE("The basic technique meets its cap once a bouncing cube has come to re
 }
 
 TEST_CASE("Bouncing is refused where it cannot be compared", "[unit][basic_colliding]") {
-  CHECK_THROWS_WITH(figure_of("claim_2_1b_rest", {"duration=0.5"}),
+  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1b_rest", {"duration=0.5"}),
                     Catch::Matchers::Contains("the run ends before the cube rests"));
-  CHECK_THROWS_WITH(figure_of("claim_2_1a_impacts", {"restitution=0.5", "impacts=100"}),
+  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1a_impacts", {"restitution=0.5", "impacts=100"}),
                     Catch::Matchers::Contains("a step met its cap"));
 }
 
 TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][basic_colliding]") {
   // A tenth of a second of 4 seeds.
-  const FigureUnderTest figure = figure_of("claim_2_5_2a_stack");
+  const FigureUnderTest figure("claim_2_5_2a_stack");
   const std::string ratio =
       "impulses per second with four cubes over those with one cube, shortest hop ";
   // In proportion it would be 4. Measured 16.42 and 16.40; a full second of 20 seeds gives 16.40.
@@ -84,7 +79,7 @@ TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][bas
 
 TEST_CASE("A stack that needs more impulses than the cap allows is said to",
           "[unit][basic_colliding]") {
-  const FigureUnderTest figure = figure_of("claim_2_5_2a_stack", {"cap=1000", "seeds=2"});
+  const FigureUnderTest figure("claim_2_5_2a_stack", {"cap=1000", "seeds=2"});
   CHECK(figure.number("runs that met the cap") > 0.0);
   // What is counted until then still is a rate: measured 16.4.
   CHECK(figure.number("impulses per second with four cubes over those with one cube, shortest hop "

@@ -1,0 +1,189 @@
+/// \file
+/// \brief Each expected number of a figure is used by something that a reader meets.
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace tumble::structure {
+namespace {
+
+// Chapters whose numbers have not been weighed yet.
+const std::set<std::string> kNotYetWeighed = {
+    "analytic_lcp",        "choosing",       "exterior_rotation", "filtering",
+    "geometric_stability", "impulse_damped", "timewarp"};
+
+struct ExpectedNumber {
+  std::size_t line;  // of expected.csv
+  std::string figure;
+  std::string quantity;
+};
+
+std::vector<ExpectedNumber> expected_numbers(const SourceFile& file) {
+  static const std::regex row(R"re((\w+),(?:"([^"]*)"|([^",]*)),.*)re");
+  std::vector<ExpectedNumber> numbers;
+  const std::vector<std::string> lines = lines_of(file.text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::smatch match;
+    if (lines[i].rfind("figure,", 0) != 0 && std::regex_match(lines[i], match, row))
+      numbers.push_back({i + 1, match[1], match[2].matched ? match[2] : match[3]});
+  }
+  return numbers;
+}
+
+// Texts in double quotes, those that follow one another joined.
+std::set<std::string> literals_in(const std::string& source) {
+  static const std::regex pieces(R"re("((?:[^"\\\n]|\\.)*)"(\s*(?="))?)re");
+  std::set<std::string> literals;
+  std::string literal;
+  for (std::sregex_iterator it(source.begin(), source.end(), pieces), end; it != end; ++it) {
+    literal += (*it)[1];
+    if ((*it)[2].matched) continue;
+    literals.insert(literal);
+    literal.clear();
+  }
+  return literals;
+}
+
+// Whether a name is one of the literals, or made of several of them and numbers, one after the other.
+bool made_of(const std::string& name, const std::set<std::string>& literals) {
+  std::vector<bool> reached(name.size() + 1, false);
+  reached[0] = true;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    if (!reached[at]) continue;
+    if (std::isdigit(static_cast<unsigned char>(name[at])) != 0) reached[at + 1] = true;
+    for (const std::string& literal : literals)
+      if (name.compare(at, literal.size(), literal) == 0) reached[at + literal.size()] = true;
+  }
+  return reached[name.size()];
+}
+
+// Whether a figure is named, or a family of figures that it belongs to: "gallery_".
+bool names_figure(const std::string& figure, const std::set<std::string>& literals) {
+  return literals.count(figure) > 0 ||
+         std::any_of(literals.begin(), literals.end(), [&](const std::string& literal) {
+           return literal.size() > 3 && literal.back() == '_' && figure.rfind(literal, 0) == 0;
+         });
+}
+
+bool ends_with(const std::string& text, std::string_view ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// All that can use a number.
+struct NumberUsers {
+  std::set<std::pair<std::string, std::string>> cited;  // on a page or in a caption
+  std::vector<std::set<std::string>> named;   // by each record of a claim, erratum or choice
+  std::vector<std::set<std::string>> tested;  // by each test file
+  std::set<std::string> drawn;                // figures whose script reads their numbers
+
+  [[nodiscard]] bool use(const ExpectedNumber& number) const {
+    const auto names = [&](const std::set<std::string>& texts) {
+      return texts.count(number.figure) > 0 && texts.count(number.quantity) > 0;
+    };
+    const auto tests = [&](const std::set<std::string>& literals) {
+      return names_figure(number.figure, literals) && made_of(number.quantity, literals);
+    };
+    return cited.count({number.figure, number.quantity}) > 0 || drawn.count(number.figure) > 0 ||
+           std::any_of(named.begin(), named.end(), names) ||
+           std::any_of(tested.begin(), tested.end(), tests);
+  }
+};
+
+void add_citations(const std::string& text, NumberUsers& users) {
+  static const std::regex comment(R"(<!--\s*(\w+):\s*([^>]*?)\s*-->)");
+  static const std::regex line_break(R"(\s*\n\s*)");
+  for (std::sregex_iterator it(text.begin(), text.end(), comment), end; it != end; ++it)
+    users.cited.insert({(*it)[1], std::regex_replace((*it)[2].str(), line_break, " ")});
+}
+
+void add_records(const std::string& text, NumberUsers& users) {
+  for (std::size_t at = text.find("[["); at != std::string::npos;) {
+    const std::size_t next = text.find("\n[[", at + 1);
+    users.named.push_back(literals_in(text.substr(at, next - at)));
+    at = next;
+  }
+}
+
+NumberUsers number_users(const std::vector<SourceFile>& files) {
+  static const std::array<std::string_view, 3> records = {"/claims.toml", "/errata.toml",
+                                                          "/choices.toml"};
+  NumberUsers users;
+  for (const SourceFile& file : files) {
+    const std::string& path = file.path;
+    const std::string name = path.substr(path.rfind('/') + 1);
+    if (ends_with(path, ".md") || name == "figures.toml") {
+      add_citations(file.text, users);
+    } else if (std::any_of(records.begin(), records.end(),
+                           [&](std::string_view ending) { return ends_with(path, ending); })) {
+      add_records(file.text, users);
+    } else if (ends_with(path, ".gp")) {
+      if (file.text.find("_numbers.csv") != std::string::npos)
+        users.drawn.insert(name.substr(0, name.size() - 3));
+    } else if (path.rfind("verification/", 0) == 0 && ends_with(path, "_test.cpp")) {
+      users.tested.push_back(literals_in(file.text));
+    }
+  }
+  return users;
+}
+
+Complaints unused_numbers(const std::vector<SourceFile>& files) {
+  const NumberUsers users = number_users(files);
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!ends_with(file.path, "/expected.csv")) continue;
+    const std::string folder = file.path.substr(0, file.path.rfind('/'));
+    if (kNotYetWeighed.count(folder.substr(folder.rfind('/') + 1)) > 0) continue;
+    for (const ExpectedNumber& number : expected_numbers(file))
+      if (!users.use(number))
+        complaints.push_back(place(file, number.line) + number.figure + ", " + number.quantity +
+                             ": no claim, erratum, choice, page, caption, picture or test uses it");
+  }
+  return complaints;
+}
+
+const SourceFile kExpected{
+    "chapters/falling/expected.csv",
+    "# What must come out.\nfigure,quantity,unit,value,tolerance,reason\n"
+    "drop,\"speed, at 2 m\",m/s,6.26,0.01,by hand\ndrop,time,s,1,0,by hand\n"};
+
+std::size_t unused_with(const SourceFile& user) { return unused_numbers({kExpected, user}).size(); }
+
+}  // namespace
+
+TEST_CASE("A number is used by a record, a page, a caption, a picture or a test", "[structure]") {
+  CHECK(unused_with({"README.md", "Nothing."}) == 2);
+  CHECK(unused_with({"chapters/falling/claims.toml",
+                     "[[claim]]\nfigure = \"drop\"\nquantity = \"time\"\n"}) == 1);
+  CHECK(unused_with({"chapters/falling/page.md", "1 <!-- drop: time -->s"}) == 1);
+  CHECK(unused_with({"chapters/falling/figures.toml", "6.3 <!-- drop: speed,\nat 2 m --> m/s"}) ==
+        1);
+  CHECK(unused_with({"figures/falling/drop.gp", "stats stem.'_numbers.csv'"}) == 0);
+  CHECK(unused_with({"verification/falling/drop_test.cpp", R"(f("drop", "speed, " "at 2 m"))"}) ==
+        1);
+  CHECK(unused_with({"verification/falling/drop_test.cpp",
+                     R"(f("drop", "speed, at " + to_string(2) + " m"))"}) == 1);
+}
+
+TEST_CASE("A number that is named beside another figure is not used", "[structure]") {
+  CHECK(unused_with({"chapters/falling/claims.toml",
+                     "[[claim]]\nfigure = \"drop\"\n[[claim]]\nquantity = \"time\"\n"}) == 2);
+  CHECK(unused_with({"chapters/falling/page.md", "1 <!-- other: time -->s"}) == 2);
+  CHECK(unused_with({"figures/falling/other.gp", "stats stem.'_numbers.csv'"}) == 2);
+  CHECK(unused_with({"verification/falling/drop_test.cpp", R"(f("other", "time"))"}) == 2);
+}
+
+TEST_CASE("Every expected number is used", "[structure]") {
+  const Complaints complaints = unused_numbers(project_files());
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+}  // namespace tumble::structure
