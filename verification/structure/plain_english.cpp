@@ -1,0 +1,55 @@
+/// \file
+/// \brief Words that a reader would have to decode.
+#include "structure/plain_english.hpp"
+
+#include <regex>
+
+namespace tumble::structure {
+namespace {
+
+struct Rule {
+  std::regex words;
+  std::string plainer;
+};
+
+// Comments and the insides of literals: whatever is blank in the code alone.
+std::string prose_of(const std::string& text) {
+  std::string prose = code_of(text);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    prose[i] = prose[i] == text[i] && text[i] != '\n' ? ' ' : text[i];
+  return prose;
+}
+
+const std::vector<Rule>& rules() {
+  const auto form = [](const char* words) {
+    return std::regex(words, std::regex::icase | std::regex::optimize);
+  };
+  static const std::vector<Rule> all{
+      {form(R"(\b(who|whom|whoever|nobody|somebody|anybody)\b)"), "a body is \"it\""},
+      {form(R"(\b(tell|tells|telling|told|teller)\b)"),
+       "classify, report, detect, distinguish, show"},
+      {form(R"(\b(let|lets|letting) go\b)"), "release"},
+      {form(R"(\bparting\b)"), "separating, separation velocity"},
+      {form(R"(///.*\bwhat is\b)"), "name it with a noun"},
+      {form(R"(^\s*/// \\brief (what|who|how|where|when|why)\b)"), "a brief is a noun phrase"}};
+  return all;
+}
+
+}  // namespace
+
+Complaints old_dialect(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::vector<std::string> lines = lines_of(prose_of(file.text));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const Rule& rule : rules()) {
+        std::smatch match;
+        if (std::regex_search(lines[i], match, rule.words))
+          complaints.push_back(place(file, i + 1) + "'" + match.str() + "': " + rule.plainer);
+      }
+    }
+  }
+  return complaints;
+}
+
+}  // namespace tumble::structure
