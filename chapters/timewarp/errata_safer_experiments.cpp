@@ -70,11 +70,11 @@ void add_states(const SaferBench& bench) {
                     "collision and test states lost", "both kept"});
 }
 
-// F6 and F7: who is looked at. F6 can be seen only with S7: else the present pair is a little apart.
+// F6 and F7: who is looked at. F6 can be seen only with T7: else the present pair is a little apart.
 void add_group(const SaferBench& bench) {
   const World two = line_world("0:2,1.5:0");
-  const PrintedRun present = bench.run("F6,S7", two);
-  const PrintedRun others = bench.run("S7", two);
+  const PrintedRun present = bench.run("F6,T7", two);
+  const PrintedRun others = bench.run("T7", two);
   bench.out.add(6, "F6: passes of the loop for one collision",
                 "present pair in the group, until a cap", present.passes, "present pair left out",
                 others.passes, "-");

@@ -33,19 +33,19 @@ TEST_CASE("There are 57 errata of damped integration", "[unit][base]") {
 TEST_CASE("The two parts of appendix A have errata of their own", "[unit][base]") {
   const auto timewarp = ErrataSet::known(Listings::timewarp);
   CHECK(timewarp.size() == 19);  // 10 + 9
-  CHECK(timewarp.front() == "S1");
+  CHECK(timewarp.front() == "T1");
   CHECK(timewarp.back() == "F9");
-  const ErrataSet set(" F1,S10", Listings::timewarp);
-  CHECK(set.text() == "S10,F1");
-  CHECK(set.has("S10"));
-  CHECK_FALSE(set.has("S1"));
+  const ErrataSet set(" F1,T10", Listings::timewarp);
+  CHECK(set.text() == "T10,F1");
+  CHECK(set.has("T10"));
+  CHECK_FALSE(set.has("T1"));
   const ErrataSet all = ErrataSet::all(Listings::timewarp);
   CHECK(ErrataSet("all", Listings::timewarp) == all);
   CHECK(all.has("F9"));
   CHECK_FALSE(all.has("D1"));
-  CHECK_FALSE(ErrataSet::all().has("S1"));
+  CHECK_FALSE(ErrataSet::all().has("T1"));
   CHECK_THROWS_AS(ErrataSet("C1", Listings::timewarp), std::invalid_argument);
-  CHECK_THROWS_AS(ErrataSet("S1"), std::invalid_argument);
+  CHECK_THROWS_AS(ErrataSet("T1"), std::invalid_argument);
 }
 
 TEST_CASE("An erratum that is none is refused with those that there are", "[unit][base]") {

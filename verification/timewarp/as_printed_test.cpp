@@ -22,7 +22,7 @@ constexpr auto kSafer = TimewarpListing::safer;
 constexpr double kFound = 1e-5;
 
 // Nothing but the thesis's choices is left as printed.
-ErrataSet slips() { return ErrataSet::all(Listings::timewarp).without("S5").without("S9"); }
+ErrataSet slips() { return ErrataSet::all(Listings::timewarp).without("T5").without("T9"); }
 
 ErrataSet but(std::initializer_list<const char*> ids, ErrataSet set = slips()) {
   for (const char* id : ids) set = set.without(id);
@@ -223,12 +223,12 @@ TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever
   }
 }
 
-TEST_CASE("S1: a body that collides before it has got there is half a metre ahead at the end",
+TEST_CASE("T1: a body that collides before it has got there is half a metre ahead at the end",
           "[exact][timewarp]") {
   // At 0.5 s the first cube has come to the collision, the second one still is where it began; it
   // is pushed there, and then flies on for the half second that it should have flown before.
   const World world = line_of("0:1,2:-1");
-  const Frame ignored(world, printed(but({"S1"})));
+  const Frame ignored(world, printed(but({"T1"})));
   CHECK(ignored.x(0) == near(0.0).margin(kFound));
   CHECK(ignored.x(1) == near(3.0).margin(kFound));
   CHECK(ignored.v(1) == near(1.0).margin(1e-15));
@@ -237,7 +237,7 @@ TEST_CASE("S1: a body that collides before it has got there is half a metre ahea
 
   // If the pair is bounced whichever way it moves, the second impulse undoes the first. In 0.9 s,
   // as at 1 s the two touch, and rounding decides whether that is one more collision.
-  const Frame bounced(world, printed(but({"S1"}), kSimple, 50, true), 0.9);
+  const Frame bounced(world, printed(but({"T1"}), kSimple, 50, true), 0.9);
   CHECK(bounced.events() == 2);
   CHECK(bounced.x(0) == near(0.9).margin(kFound));
   CHECK(bounced.x(1) == near(2.1).margin(kFound));
@@ -245,33 +245,33 @@ TEST_CASE("S1: a body that collides before it has got there is half a metre ahea
   CHECK(bounced.v(1) == near(-1.0).margin(1e-12));
 }
 
-TEST_CASE("S2: with one counter for both loops the second body never comes to the collision",
+TEST_CASE("T2: with one counter for both loops the second body never comes to the collision",
           "[exact][timewarp]") {
-  const Frame shared(line_of("0:1,2:-1"), printed(but({"S1", "S2"})));
+  const Frame shared(line_of("0:1,2:-1"), printed(but({"T1", "T2"})));
   CHECK(shared.x(1) == near(2.5).margin(kFound));
   CHECK(shared.valid_time(0) == near(0.5).margin(kFound));
   CHECK(shared.valid_time(1) == 0.0);
   // It shows only in loops that are nested.
-  CHECK(Frame(line_of("0:1,2:-1"), printed(but({"S2"}))).x(1) == near(2.0).margin(kFound));
+  CHECK(Frame(line_of("0:1,2:-1"), printed(but({"T2"}))).x(1) == near(2.0).margin(kFound));
 
   // Tested against one another's old test states, and with nothing that ends it, the two of an
   // inelastic collision collide for ever at the end of the frame, where the second one is not.
   const World world = line_of("0:2,1.5:0", "0.5");
   for (const bool separating : {false, true}) {
-    const Frame endless(world, printed(but({"S1", "S2", "S3", "S6"}), kSimple, 50, separating));
+    const Frame endless(world, printed(but({"T1", "T2", "T3", "T6"}), kSimple, 50, separating));
     CHECK(endless.capped());
     CHECK(endless.technique.passes() == 50);
     CHECK(endless.valid_time(0) == near(1.0).margin(kFound));
     CHECK(endless.valid_time(1) == 0.0);
   }
-  CHECK_FALSE(Frame(world, printed(but({"S1", "S3", "S6"}))).capped());
+  CHECK_FALSE(Frame(world, printed(but({"T1", "T3", "T6"}))).capped());
 }
 
-TEST_CASE("S3: a test against the other's old state is one more collision, at the end of the frame",
+TEST_CASE("T3: a test against the other's old state is one more collision, at the end of the frame",
           "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0", "0.5");
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame ignored(world, printed(but({"S3"}), listing));
+    const Frame ignored(world, printed(but({"T3"}), listing));
     CHECK(ignored.technique.passes() == 2);
     CHECK(ignored.events() == 1);
     CHECK(ignored.v(0) == near(0.5).margin(1e-15));
@@ -279,7 +279,7 @@ TEST_CASE("S3: a test against the other's old state is one more collision, at th
     for (const std::size_t body : {0u, 1u})
       CHECK(ignored.valid_time(body) == near(1.0).margin(kFound));
 
-    const Frame bounced(world, printed(but({"S3"}), listing, 50, true));
+    const Frame bounced(world, printed(but({"T3"}), listing, 50, true));
     CHECK(bounced.events() == 2);
     CHECK(bounced.told.events.back().time == near(1.0).margin(kFound));
     CHECK(bounced.v(0) == near(1.25).margin(1e-12));
@@ -292,11 +292,11 @@ TEST_CASE("S3: a test against the other's old state is one more collision, at th
       CHECK(mended.valid_time(body) == near(0.25).margin(kFound));
   }
   // A search that does not trust test states does not fall for it.
-  const Frame swept(world, printed(but({"S3"}, ErrataSet::all(Listings::timewarp))));
+  const Frame swept(world, printed(but({"T3"}, ErrataSet::all(Listings::timewarp))));
   CHECK(swept.technique.passes() == 1);
 }
 
-TEST_CASE("S4: without valid times a search takes states of different times for those of one",
+TEST_CASE("T4: without valid times a search takes states of different times for those of one",
           "[exact][timewarp]") {
   // After 0.25 s the middle cube is where it was, and as fast as the first one was. Taken for its
   // state at the start it meets the third one after 0.9 m / 3 m/s, which is 0.3 s; then comes the first
@@ -311,7 +311,7 @@ TEST_CASE("S4: without valid times a search takes states of different times for 
     for (const double place : places) CHECK(frame.x(body++) == near(place).margin(kFound));
   };
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    check(Frame(world, printed(but({"S4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
+    check(Frame(world, printed(but({"T4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
     check(Frame(world, printed(slips(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
   }
   // F2 does nearly the same to the other listing: all stamps stay at the start of the frame. The
@@ -319,10 +319,10 @@ TEST_CASE("S4: without valid times a search takes states of different times for 
   check(Frame(world, printed(but({"F2"}), kSafer)), {0.25, 0.3, 0.6}, {0.1, 1.5, 5.1});
 }
 
-TEST_CASE("S5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
+TEST_CASE("T5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0,2.9:-1");
   const ErrataSet all = ErrataSet::all(Listings::timewarp);
-  const Frame missed(world, printed(but({"S5"}, all)));
+  const Frame missed(world, printed(but({"T5"}, all)));
   CHECK(missed.events() == 1);
   CHECK(missed.x(1) == near(3.0).margin(kFound));
   CHECK(missed.x(2) == near(1.9).margin(kFound));
@@ -332,13 +332,13 @@ TEST_CASE("S5: who passes through another body within a frame is not seen", "[ex
   CHECK(seen.x(2) == near(4.0).margin(kFound));
 }
 
-TEST_CASE("S6: a ball that comes to rest fills a frame with collisions", "[exact][timewarp]") {
+TEST_CASE("T6: a ball that comes to rest fills a frame with collisions", "[exact][timewarp]") {
   // Hops of 2 v/g, each half as long as the one before, end at 10.194 ms. The fourteenth begins
   // about then.
   const World world = ball_above_ground(0.0, 0.05);
   const double dt = 1.0 / 60.0;
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame endless(world, printed(but({"S6"}), listing, 500), dt);
+    const Frame endless(world, printed(but({"T6"}), listing, 500), dt);
     CHECK(endless.capped());
     CHECK(endless.technique.passes() == 500);
     CHECK(endless.events() >= 14);
@@ -350,31 +350,31 @@ TEST_CASE("S6: a ball that comes to rest fills a frame with collisions", "[exact
   }
 }
 
-TEST_CASE("S7: who is put into overlap collides at the same time again and again",
+TEST_CASE("T7: who is put into overlap collides at the same time again and again",
           "[exact][timewarp]") {
   // Without the contact stage, which would end it.
   const World world = line_of("0:2,1.5:0", "0");
-  const Frame again(world, printed(but({"S6", "S7"})));
+  const Frame again(world, printed(but({"T6", "T7"})));
   CHECK(again.capped());
   CHECK(again.valid_time(0) > 0.25);
   CHECK(again.valid_time(0) < 0.25 + 2e-6);
-  const Frame apart(world, printed(but({"S6"})));
+  const Frame apart(world, printed(but({"T6"})));
   CHECK(apart.valid_time(0) > 0.3);  // it gets on, though not to the end
 
   // Found with swept volumes, even a pair that parts is held back.
   const World bouncing = line_of("0:2,1.5:0", "0.5");
   const ErrataSet all = ErrataSet::all(Listings::timewarp);
-  CHECK(Frame(bouncing, printed(but({"S6", "S7"}, all))).capped());
-  CHECK_FALSE(Frame(bouncing, printed(but({"S6"}, all))).capped());
+  CHECK(Frame(bouncing, printed(but({"T6", "T7"}, all))).capped());
+  CHECK_FALSE(Frame(bouncing, printed(but({"T6"}, all))).capped());
 }
 
-TEST_CASE("S8: bisecting an Euler step lets a body land four milliseconds early",
+TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early",
           "[exact][timewarp]") {
   const double dt = 1.0 / 60.0;
   const double g = 9.81;
   const double height = 1e-3;
   const World world = ball_above_ground(height, 0.0);
-  const Frame euler(world, printed(but({"S8"})), dt);
+  const Frame euler(world, printed(but({"T8"})), dt);
   CHECK(euler.told.events.front().time == near(std::sqrt(height / g)).margin(1.5e-6));
   const Frame flight(world, printed(slips()), dt);
   CHECK(flight.told.events.front().time == near(std::sqrt(2.0 * height / g)).margin(1.5e-6));
@@ -388,13 +388,13 @@ TEST_CASE("S8: bisecting an Euler step lets a body land four milliseconds early"
     return free.states()[1].position_w.y();
   };
   const double third = 1.0 / 3.0;
-  CHECK(dropped(but({"S8"}), {third, 2.0 * third}) - dropped(but({"S8"}), {1.0}) ==
+  CHECK(dropped(but({"T8"}), {third, 2.0 * third}) - dropped(but({"T8"}), {1.0}) ==
         near(2.0 / 9.0 * g * dt * dt).margin(1e-12));
   CHECK(dropped(slips(), {third, 2.0 * third}) - dropped(slips(), {1.0}) ==
         near(0.0).margin(1e-15));
 }
 
-TEST_CASE("S9: met from both sides at one time, one body after the other, a row ends lopsided",
+TEST_CASE("T9: met from both sides at one time, one body after the other, a row ends lopsided",
           "[exact][timewarp]") {
   const ErrataSet all = ErrataSet::all(Listings::timewarp);
   const World world = line_of("0:1,1.5:0,3:-1", "0.5");
@@ -402,17 +402,17 @@ TEST_CASE("S9: met from both sides at one time, one body after the other, a row 
   CHECK(together.technique.passes() == 1);
   CHECK(together.v(1) == near(0.0).margin(1e-12));
   CHECK(together.v(0) + together.v(2) == near(0.0).margin(1e-12));
-  const Frame in_turn(world, printed(but({"S9"}, all)));
+  const Frame in_turn(world, printed(but({"T9"}, all)));
   CHECK(in_turn.technique.passes() > 1);
   CHECK(std::abs(in_turn.v(0) + in_turn.v(2)) > 0.01);
 }
 
-TEST_CASE("S10: stamping the ground moves nobody", "[exact][timewarp]") {
+TEST_CASE("T10: stamping the ground moves nobody", "[exact][timewarp]") {
   World world = ball_above_ground(1e-3, 0.0);
   const BodyProperties cube = world.bodies()[1];
   world.add(cube, make_state(cube, Vec3(3.0, 0.5008, 0.0)));
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame stamped(world, printed(but({"S10"}), listing), 1.0 / 60.0);
+    const Frame stamped(world, printed(but({"T10"}), listing), 1.0 / 60.0);
     const Frame mended(world, printed(slips(), listing), 1.0 / 60.0);
     CHECK(mended.valid_time(0) == 0.0);
     CHECK(stamped.valid_time(0) == near(stamped.valid_time(1)).margin(1e-15));
@@ -491,12 +491,12 @@ TEST_CASE("F5: when an earlier collision is found the present one is lost", "[ex
 TEST_CASE("F6: the search among neighbours finds the present pair itself, for ever",
           "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0");
-  // The pair overlaps at its own time if that is the overlapping end of the bracket (S7).
-  const Frame endless(world, printed(but({"F6", "S7"}), kSafer, 20));
+  // The pair overlaps at its own time if that is the overlapping end of the bracket (T7).
+  const Frame endless(world, printed(but({"F6", "T7"}), kSafer, 20));
   CHECK(endless.capped());
   CHECK(endless.events() == 0);
   CHECK(endless.report.restarts == 20);
-  CHECK(Frame(world, printed(but({"S7"}), kSafer, 20)).events() == 1);
+  CHECK(Frame(world, printed(but({"T7"}), kSafer, 20)).events() == 1);
   CHECK(Frame(world, printed(but({"F6"}), kSafer, 20)).events() == 1);
 }
 
@@ -528,7 +528,7 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
     for (const char* key : {"repaired", "cap", "separating"}) {
       Parameters refused = p;
       refused.set(key, std::string(key) == "cap"        ? "20"
-                       : std::string(key) == "repaired" ? "S1"
+                       : std::string(key) == "repaired" ? "T1"
                                                         : "collided");
       CHECK_THROWS_AS(recipe.make(refused, 1), std::invalid_argument);
       refused.set("reading", "as_printed");

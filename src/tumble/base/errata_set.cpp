@@ -12,11 +12,11 @@
 namespace tumble {
 namespace {
 
-constexpr std::size_t kOfTimewarp = 19;  // S1 to S10, F1 to F9; they come first
+constexpr std::size_t kOfTimewarp = 19;  // T1 to T10, F1 to F9; they come first
 
 std::vector<std::string> all_ids() {
   std::vector<std::string> ids;
-  for (const auto& [letters, count] : {std::pair{"S", 10},
+  for (const auto& [letters, count] : {std::pair{"T", 10},
                                        {"F", 9},
                                        {"D", 6},
                                        {"C", 11},
@@ -48,7 +48,7 @@ std::string expected_of(std::string_view id) {
   return "erratum '" + std::string(id) + "': expected ";
 }
 
-constexpr const char* kTimewarp = "S1 to S10 or F1 to F9";
+constexpr const char* kTimewarp = "T1 to T10 or F1 to F9";
 constexpr const char* kDamped =
     "D1 to D6, C1 to C11, RK1 to RK4, RC1 to RC4, DM1 to DM17, X1 to X7 or G1 to G8";
 

@@ -12,7 +12,7 @@ namespace tumble {
 
 /// The two parts of appendix A, with the errata of their listings.
 enum class Listings : std::uint8_t {
-  timewarp,           ///< A.1: S1 to S10 (SIMPLESYNCTIMEWARP), F1 to F9 (SAFERSYNCTIMEWARP)
+  timewarp,           ///< A.1: T1 to T10 (SIMPLESYNCTIMEWARP), F1 to F9 (SAFERSYNCTIMEWARP)
   damped_integration  ///< A.2: D1 to D6 (DAMPEDINTEGRATION), C1 to C11 (COLLIDE), RK1 to RK4 and RC1
                       ///< to RC4 (RESOLVECOLLISIONS, RESOLVECONTACTS), DM1 to DM17 (DAMPENOBJECTS),
                       ///< X1 to X7 (FIXCONTACTCONSTRAINTS) and G1 to G8 (SETGEOMETRICALLYSTABLE)

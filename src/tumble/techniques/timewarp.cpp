@@ -72,7 +72,7 @@ Parameters timewarp_listing_options() {
   p.add_word("reading", {"as_meant", "as_printed"},
              "the listings of appendix A.1 with their slips mended, or as they are printed");
   p.add_text("repaired", "none",
-             "reading=as_printed: errata that are mended all the same, as S1,F6; or all, or none");
+             "reading=as_printed: errata that are mended all the same, as T1,F6; or all, or none");
   p.add_whole("cap", printed.cap, 1, 1000000,
               "reading=as_printed: collisions in one frame until it is given up");
   p.add_word("separating", {"ignored", "collided"},

@@ -22,19 +22,19 @@ namespace tumble {
 ///
 /// | errata | as printed                                        | mended                       |
 /// |--------|---------------------------------------------------|------------------------------|
-/// | S1     | one body collides before the other one is there   | both go there first          |
-/// | S2     | two nested loops share a counter, and end at once | each has its own             |
-/// | S3     | a body is searched against an old test state      | both test states first       |
-/// | S10    | immovable bodies are stamped, and searched anew   | they are not                 |
+/// | T1     | one body collides before the other one is there   | both go there first          |
+/// | T2     | two nested loops share a counter, and end at once | each has its own             |
+/// | T3     | a body is searched against an old test state      | both test states first       |
+/// | T10    | immovable bodies are stamped, and searched anew   | they are not                 |
 /// | F1     | test states collide, and are overwritten          | the valid states do          |
 /// | F2     | valid times stay at the frame's start             | they do not                  |
 /// | F3     | neighbours are not put back                       | they are                     |
 /// | F4     | what is put back flies to the collision           | to the end of the frame      |
 /// | F5     | an earlier collision makes the present one lost   | it waits, with its states    |
 ///
-/// S2 shows only where S1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
-/// where S7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
-/// slip in a caption; mending them changes nothing. S5 and S9 are choices, too: mended they make of
+/// T2 shows only where T1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
+/// where T7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
+/// slip in a caption; mending them changes nothing. T5 and T9 are choices, too: mended they make of
 /// the simple listing what TimewarpSwept is.
 /// \par How it ends
 /// `event_cap` if the main loop has met its cap: test states then become valid as they are.
