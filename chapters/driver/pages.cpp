@@ -156,7 +156,7 @@ std::string tolerances_page(const std::vector<Tolerance>& tolerances) {
   std::string text =
       "# Small numbers {#tolerances}\n\nEvery tolerance and threshold of the library, " +
       std::to_string(tolerances.size()) + R"( of them, as
-tumble/base/tolerance.hpp defines them. Those without a unit are ratios and hold for boxes of any
+the tolerances.hpp of each folder in src/tumble defines them. Those without a unit are ratios and hold for boxes of any
 size and mass. "The same" refers to the number before; `0x1p-27` is 2 to the power of -27.
 
 )";

@@ -3,6 +3,7 @@
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/filtering/adaptive_step.hpp"

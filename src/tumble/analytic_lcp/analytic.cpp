@@ -2,10 +2,10 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "tumble/analytic_lcp/forced_flight.hpp"
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/technique.hpp"

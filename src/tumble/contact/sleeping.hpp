@@ -2,8 +2,8 @@
 /// \brief Bodies that rest are left alone until something happens to them (thesis 4.5).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/islands.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/world.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 /// \brief Slow collisions stick, so that bouncing comes to an end (thesis 4.3).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <cstdint>
 

@@ -4,6 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/integrate.hpp"
 
 #include <algorithm>

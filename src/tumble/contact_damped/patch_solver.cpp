@@ -2,7 +2,7 @@
 /// \brief Impulses of one contact area.
 #include "tumble/contact_damped/patch_solver.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/bounded_friction.hpp"
 
 #include <algorithm>

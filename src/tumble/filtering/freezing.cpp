@@ -3,6 +3,7 @@
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <utility>

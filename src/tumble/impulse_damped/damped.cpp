@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 

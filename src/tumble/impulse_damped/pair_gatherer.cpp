@@ -5,6 +5,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 

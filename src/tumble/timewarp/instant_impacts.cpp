@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

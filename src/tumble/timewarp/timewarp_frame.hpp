@@ -2,6 +2,7 @@
 /// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/collision_heap.hpp"

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 

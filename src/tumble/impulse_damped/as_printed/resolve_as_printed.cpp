@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/as_printed/resolve_as_printed.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 namespace tumble {

@@ -4,6 +4,7 @@
 
 #include "tumble/base/errata_set.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include <memory>

@@ -1,11 +1,14 @@
 /// \file
-/// \brief The small numbers of the chapter on filtering, in the form of those of the layers; include
-///        `tumble/base/tolerance.hpp`, which has all.
+/// \brief The small numbers of `filtering`.
 #pragma once
 
 namespace tumble::tolerance {
 
 // --- filtering ----------------------------------------------------------------------------
+
+/// [-] By how much of a display frame a step may end before the frame and still show it. Reason: times
+/// are sums of steps and carry rounding; a millionth of a frame is 17 ns. (3.3.2)
+inline constexpr double frame_slack = 1e-6;
 
 /// [-] By what share of it the time between two frames may differ from the first one. Reason: times
 /// are sums of steps, and carry 1e-9 of a step after a million of them; a step that a user cut is

@@ -1,16 +1,10 @@
 /// \file
-/// \brief The small numbers of the chapter on exterior rotation, in the form of those of the layers;
-///        include `tumble/base/tolerance.hpp`, which has all.
+/// \brief The small numbers of `exterior_rotation`.
 #pragma once
 
 namespace tumble::tolerance {
 
-// --- exterior rotation --------------------------------------------------------------------
-
-/// [rad] Below this angle coefficients of rotations are the first term of their series. Reason: the next
-/// term is a hundredth of the square, 1e-10, of a part that is itself the square of the angle times the
-/// whole. (6.2)
-inline constexpr double small_angle = 1e-4;
+// --- exterior_rotation --------------------------------------------------------------------
 
 /// [-] A row of the joints whose part that no row before it holds is below this share of it depends on
 /// them. Reason: rounding leaves 1e-13 of the rows of a ring of boxes, and the stiffest joint of the
