@@ -80,4 +80,13 @@ inline constexpr double repair_rest = 0.9e-5;
 /// being seen to go. (4.4)
 inline constexpr double repair_share = 0.2;
 
+/// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than
+/// this share of the largest change. Reason: sweeps over the island come back to the patch and
+/// correct what is left. (6.3.1)
+inline constexpr double patch_settled = 1e-4;
+
+/// [-] Friction that exceeds its bound by less than this share of the bound meets it. Reason: about fifty
+/// times the rounding of a number. (6.3.1)
+inline constexpr double friction_rounding = 1e-14;
+
 }  // namespace tumble::tolerance

@@ -66,7 +66,7 @@ double kinetic_energy_of(const World& world) {
 }  // namespace
 
 Glued::Glued(const GluedOptions& options) : options_(options) {
-  require::within(options.accuracy, 1e-14, 1.0, "accuracy");
+  require::within(options.accuracy, tolerance::least_rotation_accuracy, 1.0, "accuracy");
   require::that(options.pose == PoseUpdate::separate || table_of(options.scheme) == nullptr,
                 "pose = exponential: scheme = " + std::string(name_of(options.scheme)) +
                     " moves bodies by its stages; expected forward_euler, semi_implicit, impulse "

@@ -27,4 +27,11 @@ inline constexpr double closed_area = 1e-12;
 /// Reason: the square of a millionth of the speed; scenes give velocities with fewer digits. (6.2)
 inline constexpr double joining_energy = 1e-12;
 
+/// [-] Error that the integration with a controlled one accepts in a step. Reason: errors of a
+/// thousand steps add up to a millionth, far below those of the simple schemes. (6.2)
+inline constexpr double rotation_accuracy = 1e-9;
+
+/// [-] Smallest such error that may be asked for. Reason: fifty times the rounding of a number. (6.2)
+inline constexpr double least_rotation_accuracy = 1e-14;
+
 }  // namespace tumble::tolerance
