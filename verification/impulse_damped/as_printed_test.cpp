@@ -61,6 +61,14 @@ double reach_of(const World& world) {
 
 }  // namespace
 
+TEST_CASE("There are 57 errata of damped integration", "[unit][impulse_damped]") {
+  // 6 + 11 + 4 + 4 + 17 + 7 + 8
+  CHECK(ErrataSet::known().size() == 57);
+  CHECK(ErrataSet::known().front() == "D1");
+  CHECK(ErrataSet::known().back() == "G8");
+  CHECK_THROWS_AS(ErrataSet("T1"), std::invalid_argument);
+}
+
 TEST_CASE("Damped integration as printed ends every step with finite numbers, whatever is mended",
           "[unit][impulse_damped]") {
   std::vector<ErrataSet> sets{ErrataSet(), ErrataSet::all(), ErrataSet(kSlips)};

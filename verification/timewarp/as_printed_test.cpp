@@ -22,14 +22,14 @@ constexpr auto kSafer = TimewarpListing::safer;
 constexpr double kFound = 1e-5;
 
 // Nothing but the thesis's choices is left as printed.
-ErrataSet slips() { return ErrataSet::all(Listings::timewarp).without("T5").without("T9"); }
+TimewarpErrata slips() { return TimewarpErrata::all().without("T5").without("T9"); }
 
-ErrataSet but(std::initializer_list<const char*> ids, ErrataSet set = slips()) {
+TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = slips()) {
   for (const char* id : ids) set = set.without(id);
   return set;
 }
 
-TimewarpAsPrintedOptions printed(const ErrataSet& repaired, TimewarpListing listing = kSimple,
+TimewarpAsPrintedOptions printed(const TimewarpErrata& repaired, TimewarpListing listing = kSimple,
                                  int cap = 50, bool collide_separating = false) {
   TimewarpAsPrintedOptions options;
   options.listing = listing;
@@ -146,6 +146,13 @@ World pile(std::uint64_t seed) {
 
 }  // namespace
 
+TEST_CASE("There are 19 errata of the timewarp", "[unit][timewarp]") {
+  CHECK(TimewarpErrata::known().size() == 19);  // 10 + 9
+  CHECK(TimewarpErrata::known().front() == "T1");
+  CHECK(TimewarpErrata::known().back() == "F9");
+  CHECK_THROWS_AS(TimewarpErrata("C1"), std::invalid_argument);
+}
+
 TEST_CASE(
     "With all slips mended the printed timewarps tell the story of the forms as meant to the last "
     "bit",
@@ -170,7 +177,7 @@ TEST_CASE(
 TEST_CASE(
     "With all errata mended the simple listing is the timewarp with swept volumes, bit by bit",
     "[reference][timewarp]") {
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     INFO("seed " << seed);
     const auto compare = [&](const World& world, double dt, int steps) {
@@ -188,20 +195,20 @@ TEST_CASE(
 
 TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever is mended",
           "[unit][timewarp]") {
-  std::vector<ErrataSet> sets{ErrataSet(), ErrataSet::all(Listings::timewarp), slips()};
-  for (const std::string& id : ErrataSet::known(Listings::timewarp)) {
-    sets.push_back(ErrataSet().with(id));
+  std::vector<TimewarpErrata> sets{TimewarpErrata(), TimewarpErrata::all(), slips()};
+  for (const std::string& id : TimewarpErrata::known()) {
+    sets.push_back(TimewarpErrata().with(id));
     sets.push_back(slips().without(id));
   }
   Random random(7);
   for (int k = 0; k < 40; ++k) {
-    ErrataSet set;
-    for (const std::string& id : ErrataSet::known(Listings::timewarp))
+    TimewarpErrata set;
+    for (const std::string& id : TimewarpErrata::known())
       if (random.uniform(0.0, 1.0) < 0.5) set = set.with(id);
     sets.push_back(set);
   }
   std::uint64_t seed = 0;
-  for (const ErrataSet& set : sets) {
+  for (const TimewarpErrata& set : sets) {
     ++seed;
     for (const TimewarpListing listing : {kSimple, kSafer}) {
       for (World world : {cage(seed), row(seed), pile(seed)}) {
@@ -292,7 +299,7 @@ TEST_CASE("T3: a test against the other's old state is one more collision, at th
       CHECK(mended.valid_time(body) == near(0.25).margin(kFound));
   }
   // A search that does not trust test states does not fall for it.
-  const Frame swept(world, printed(but({"T3"}, ErrataSet::all(Listings::timewarp))));
+  const Frame swept(world, printed(but({"T3"}, TimewarpErrata::all())));
   CHECK(swept.technique.passes() == 1);
 }
 
@@ -321,7 +328,7 @@ TEST_CASE("T4: without valid times a search takes states of different times for 
 
 TEST_CASE("T5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0,2.9:-1");
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   const Frame missed(world, printed(but({"T5"}, all)));
   CHECK(missed.events() == 1);
   CHECK(missed.x(1) == near(3.0).margin(kFound));
@@ -363,7 +370,7 @@ TEST_CASE("T7: who is put into overlap collides at the same time again and again
 
   // Found with swept volumes, even a pair that parts is held back.
   const World bouncing = line_of("0:2,1.5:0", "0.5");
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   CHECK(Frame(bouncing, printed(but({"T6", "T7"}, all))).capped());
   CHECK_FALSE(Frame(bouncing, printed(but({"T6"}, all))).capped());
 }
@@ -380,7 +387,7 @@ TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early"
   CHECK(flight.told.events.front().time == near(std::sqrt(2.0 * height / g)).margin(1.5e-6));
 
   // Two steps of a third and two thirds end 2/9 g dt² above one step.
-  const auto dropped = [&](const ErrataSet& set, std::initializer_list<double> parts) {
+  const auto dropped = [&](const TimewarpErrata& set, std::initializer_list<double> parts) {
     World free = ball_above_ground(1.0, 0.0);
     PrintedQueries queries(printed(set));
     queries.begin(free, dt, nullptr);
@@ -396,7 +403,7 @@ TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early"
 
 TEST_CASE("T9: met from both sides at one time, one body after the other, a row ends lopsided",
           "[exact][timewarp]") {
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   const World world = line_of("0:1,1.5:0,3:-1", "0.5");
   const Frame together(world, printed(all));
   CHECK(together.technique.passes() == 1);
@@ -452,7 +459,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
 
   // As printed throughout nothing collides at all: the search among neighbours finds the present
   // pair for ever (F6).
-  const Frame nothing(world, printed(ErrataSet(), kSafer, 20));
+  const Frame nothing(world, printed(TimewarpErrata(), kSafer, 20));
   CHECK(nothing.capped());
   CHECK(nothing.events() == 0);
   CHECK(nothing.x(0) == near(0.5).margin(kFound));
@@ -511,7 +518,7 @@ TEST_CASE("F7: a fast neighbour is not near any more at the end of the frame",
 
 TEST_CASE("F8 and F9 are no slips of a statement: mending them changes no bit",
           "[unit][timewarp]") {
-  for (const ErrataSet& set : {slips(), ErrataSet()}) {
+  for (const TimewarpErrata& set : {slips(), TimewarpErrata()}) {
     for (const char* id : {"F8", "F9"}) {
       TimewarpAsPrinted with(printed(set.with(id), kSafer));
       TimewarpAsPrinted without(printed(set.without(id), kSafer));
@@ -543,5 +550,5 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
     p.set("repaired", "C1");
     CHECK_THROWS_AS(recipe.make(p, 1), std::invalid_argument);
   }
-  CHECK_THROWS_AS(TimewarpAsPrinted(printed(ErrataSet(), kSimple, 0)), std::invalid_argument);
+  CHECK_THROWS_AS(TimewarpAsPrinted(printed(TimewarpErrata(), kSimple, 0)), std::invalid_argument);
 }

@@ -44,7 +44,7 @@ void refuse_unless_printed(const Parameters& p) {
 std::unique_ptr<Technique> make_as_printed(const Parameters& p, TimewarpListing listing) {
   TimewarpAsPrintedOptions options;
   options.listing = listing;
-  options.repaired = ErrataSet(p.text("repaired"), Listings::timewarp);
+  options.repaired = TimewarpErrata(p.text("repaired"));
   options.resolution = p.number("resolution");
   options.cap = p.count("cap");
   options.pair_events = p.count("pair_events");

@@ -2,9 +2,9 @@
 /// \brief The listing DAMPENOBJECTS as it is printed (thesis A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
 #include <cstdint>

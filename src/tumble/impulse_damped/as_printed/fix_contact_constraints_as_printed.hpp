@@ -2,9 +2,9 @@
 /// \brief The listing FIXCONTACTCONSTRAINTS as it is printed (thesis 4.4, A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 
 #include <cstdint>
 #include <span>

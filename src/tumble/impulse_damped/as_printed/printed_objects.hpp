@@ -2,9 +2,9 @@
 /// \brief Bodies as the listings of damped integration see them (thesis A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 
 #include <cstdint>
 #include <span>

@@ -2,9 +2,9 @@
 /// \brief What the listings of the synchronised timewarp call, as printed (thesis A.1).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include <memory>
@@ -23,7 +23,7 @@ enum class TimewarpListing : std::uint8_t {
 /// Options of the timewarp as printed.
 struct TimewarpAsPrintedOptions {
   TimewarpListing listing = TimewarpListing::simple;  ///< which one
-  ErrataSet repaired;                                 ///< which errata are mended
+  TimewarpErrata repaired;                            ///< which errata are mended
   double resolution = tolerance::event_resolution;    ///< [s] how exactly times are searched for
   int cap = 1000;  ///< [-] passes of the main loop in a frame until it is given up, at least 1
   int pair_events = ContactRule{}.pair_events;  ///< see ContactRule; used where T6 is mended

@@ -4,8 +4,8 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
+#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 
 #include <memory>
 #include <span>

@@ -16,7 +16,7 @@ namespace tumble {
 // | near          | nearIndices                                                  |      |
 // | both          | how many bodies `current` has: 2, or more if T9 is mended    |      |
 void TimewarpAsPrinted::safer(World& world, double dt) {
-  const ErrataSet& repaired = options_.repaired;
+  const TimewarpErrata& repaired = options_.repaired;
   const bool test_states_first = repaired.has("T3");
   const bool collides_valid = repaired.has("F1");
   const bool advances_times = repaired.has("F2");
