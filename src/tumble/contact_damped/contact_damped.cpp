@@ -78,7 +78,8 @@ StepReport ContactDamped::step(World& world, double dt) {
   // [S6.3.1:step]
   account(world, dt, report);
   if (options_.sleeping)
-    report.energy.damping += sleeping_.update_with_pairs(world, touching_, islands_, dt).energy;
+    report.energy.damping +=
+        sleeping_.update_with_pairs(world, touching_, islands_, dt, slow_bodies()).energy;
   last_dt_ = dt;
   world.finish_step(dt);
   return report;
