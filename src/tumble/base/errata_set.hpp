@@ -12,8 +12,8 @@ namespace tumble {
 
 /// Errata whose ids have the same letters, numbered from 1.
 struct ErrataGroup {
-  std::string_view letters;  ///< "C", for example
-  int count = 0;             ///< C1 to C11: 11
+  std::string_view letters;  ///< "A", for example
+  int count = 0;             ///< A1 to A11: 11
 };
 
 /// The errata of some listings, by their ids.
@@ -36,7 +36,7 @@ class ErrataList {
   [[nodiscard]] std::size_t place_of(std::string_view id) const;
 
   /// The errata that a text lists.
-  /// \param list  ids between commas, for example "C1,DM3"; blanks around ids, repetitions and
+  /// \param list  ids between commas, for example "A1,B3"; blanks around ids, repetitions and
   ///              the order do not matter. "" and "none" are no erratum, "all" is each of them
   /// \return by place
   /// \throws std::invalid_argument for an id that is unknown or missing between commas
@@ -44,12 +44,12 @@ class ErrataList {
 
   /// A list that read() reads.
   /// \param errata by place
-  /// \return for example "C1,DM3"; "none" if there are none
+  /// \return for example "A1,B3"; "none" if there are none
   [[nodiscard]] std::string text(const std::bitset<kMost>& errata) const;
 
  private:
   std::vector<std::string> ids_;
-  std::string expected_;  // "C1 to C11 or DM1 to DM17, or none, or all"
+  std::string expected_;  // "A1 to A11 or B1 to B3, or none, or all"
 };
 
 /// A set of errata that are repaired, by their ids.
@@ -105,7 +105,7 @@ class ErrataSetOf {
   }
 
   /// The set as a list, which the constructor reads.
-  /// \return for example "C1,DM3"; "none" if it is empty
+  /// \return for example "A1,B3"; "none" if it is empty
   [[nodiscard]] std::string text() const { return known_errata().text(mended_); }
 
   /// Whether two sets hold the same errata.

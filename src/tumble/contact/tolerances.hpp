@@ -94,7 +94,7 @@ inline constexpr double rounding_overlap = 1e-12;
 inline constexpr double carried_slip = 1e-2;
 
 /// [-] How far the corners of a body may have got in half a second for it to rest, as a share of its
-/// shortest edge. Reason: what slides or tips gets further, and that is not chatter. (3.3.2)
+/// shortest edge. Reason: what slides or tips gets further. (3.3.2)
 inline constexpr double resting_movement = 0.01;
 
 /// [-] A contact point rests if it approaches or parts slower than this share of sqrt(g L): 3 mm/s

@@ -18,7 +18,7 @@ class WrappedTechnique : public Technique {
   ~WrappedTechnique() override = default;
 
   /// What users call it is the technique that is wrapped.
-  /// \return for example "damped"
+  /// \return for example "basic"
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return inner_->contacts();
