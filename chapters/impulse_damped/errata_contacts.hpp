@@ -35,8 +35,8 @@ void add_collide_errata(std::vector<ErratumPair>& pairs);
 void add_pass_errata(double seconds, std::vector<ErratumPair>& pairs);
 
 /// The errata of the listings that as_meant mends.
-/// \return all slips; no choice, and not the order of section 5.2 (D1)
-[[nodiscard]] ErrataSet slips();
+/// \return all misprints; no choice, and not the order of section 5.2 (D1)
+[[nodiscard]] ErrataSet misprints();
 
 /// Damped integration as printed, without any damping: nobody is slowed down, turned upright or
 /// held.

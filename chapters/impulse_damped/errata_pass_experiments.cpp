@@ -43,7 +43,7 @@ double sag(const ErrataSet& repaired) {
 // RK2, RK3. How fast a cube is that has lain on the ground for a number of steps.
 double resting_speed(int steps, int loop_base, bool elastic) {
   World world = stack_of(1, 0.0);
-  DampedAsPrintedOptions options = contacts_alone(slips());
+  DampedAsPrintedOptions options = contacts_alone(misprints());
   options.loop_base = loop_base;
   options.elastic_contacts = elastic;
   DampedAsPrinted technique(options);
@@ -66,7 +66,7 @@ double unrest(Technique& technique, double seconds) {
 }
 
 double unrest_with_pushes(double seconds) {
-  DampedAsPrintedOptions options = undamped(slips());
+  DampedAsPrintedOptions options = undamped(misprints());
   options.stable_boxes = false;
   DampedAsPrinted technique(options);
   return unrest(technique, seconds);
@@ -157,7 +157,7 @@ double turned(const ErrataSet& repaired) {
 }  // namespace
 
 void add_pass_errata(double seconds, std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = slips();
+  const ErrataSet mended = misprints();
   pairs.push_back({"RK1: sag of a stack of five in 1 s, quotient of integers",
                    "RK1: sag of a stack of five in 1 s, real quotient", "m",
                    sag(mended.without("RK1")), sag(mended)});

@@ -38,7 +38,7 @@ std::vector<double> energy_added(Technique& technique, int steps) {
   return added;
 }
 
-// The listing, without its slips.
+// The listing, without its misprints.
 //
 // Ten passes leave the cubes some of what a step of gravity has given, so that they sink in and are
 // pushed up, in each step anew. The usual damping hides that: of the topmost cube's 0.118 N s, k1

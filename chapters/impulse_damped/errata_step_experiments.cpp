@@ -49,7 +49,7 @@ double flown(const ErrataSet& repaired) {
 double slid(double k) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0), Vec3::UnitX());
-  DampedAsPrintedOptions options = undamped(slips());
+  DampedAsPrintedOptions options = undamped(misprints());
   options.numbers.k1 = k;
   DampedAsPrinted technique(options);
   technique.step(world, kStep);
@@ -93,7 +93,7 @@ double resting_speed(const ErrataSet& repaired) {
 }  // namespace
 
 void add_step_errata(std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = slips();
+  const ErrataSet mended = misprints();
   pairs.push_back({"D1: heights in two orders, with C1 to C3 as printed",
                    "D1: heights in two orders, with C1 to C3 mended", "m",
                    difference_of_orders(mended.without("C1").without("C2").without("C3")),

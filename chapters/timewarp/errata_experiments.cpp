@@ -1,5 +1,5 @@
 /// \file
-/// \brief T1 to T10, each left in SIMPLESYNCTIMEWARP while the other slips are mended (thesis A.1).
+/// \brief T1 to T10, each left in SIMPLESYNCTIMEWARP while the other misprints are mended (thesis A.1).
 #include "timewarp/errata_experiments.hpp"
 
 #include "tumble/timewarp/timewarp_swept.hpp"
@@ -20,7 +20,7 @@ struct Bench {
   int cap;  // [-] passes of the main loop until a run is given up
   ErrataTables& out;
 
-  // A frame with some slips left in.
+  // A frame with some misprints left in.
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world, double dt) const {
     return run_printed(as_meant_but(TimewarpListing::simple, cap, left), world, dt);
   }

@@ -21,7 +21,8 @@ std::vector<Figure> errata_figures() {
   Figure simple = errata_figure("errata_timewarp_simple");
   simple.title = "Where the simple timewarp fails as printed, and the same mended";
   simple.caption =
-      "Left: one slip of SIMPLESYNCTIMEWARP left in, the others mended (T2 with T1, T7 with T6). "
+      "Left: one misprint of SIMPLESYNCTIMEWARP left in, the others mended (T2 with T1, T7 with "
+      "T6). "
       "Right: mended, too; for the choices T5 and T9 swept volumes, and collisions at one stroke. "
       "Lines are the ways of cubes, dots collisions. T1, T2: the second cube collides before it "
       "has "

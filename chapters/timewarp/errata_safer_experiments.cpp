@@ -1,5 +1,5 @@
 /// \file
-/// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other slips are mended (thesis 5.1, A.1).
+/// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other misprints are mended (thesis 5.1, A.1).
 #include "tumble/scenes/library.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
@@ -24,7 +24,7 @@ struct SaferBench {
   int cap;  // [-] passes of the main loop until a run is given up
   ErrataTables& out;
 
-  // A frame of 1 s with some slips left in.
+  // A frame of 1 s with some misprints left in.
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world) const {
     return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kSaferFrame);
   }
@@ -35,10 +35,10 @@ struct SaferBench {
   }
 };
 
-// The place of one cube at the end, with a slip and without it.
+// The place of one cube at the end, with a misprint and without it.
 struct PlaceErratum {
   int row;
-  std::string left;  // the slip
+  std::string left;  // the misprint
   std::string boxes;
   std::size_t cube;
   std::string whose;

@@ -88,7 +88,7 @@ TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
                                 "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
                    scratch.file("falling/claims.toml", kClaims),
                    scratch.file("falling/errata.toml",
-                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"slip\"\n"
+                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"misprint\"\n"
                                 "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
                                 "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
                                 "test = \"t\"\ncommand = \"c\"\n")});

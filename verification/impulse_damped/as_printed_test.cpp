@@ -110,7 +110,7 @@ TEST_CASE("Pushes of the printed listings end at the cap, and the report says so
   }
 }
 
-TEST_CASE("With all slips mended the printed listings keep a cube at rest where it is",
+TEST_CASE("With all misprints mended the printed listings keep a cube at rest where it is",
           "[exact][impulse_damped]") {
   World world;
   world.add_ground();
@@ -126,7 +126,7 @@ TEST_CASE("With all slips mended the printed listings keep a cube at rest where 
   CHECK(std::abs(booked) < 1e-12);  // [J] measured 0
 }
 
-TEST_CASE("With all slips mended the printed listings follow the reading as meant",
+TEST_CASE("With all misprints mended the printed listings follow the reading as meant",
           "[reference][impulse_damped]") {
   // Written apart from each other. Boxes are equal, so that one set of constants is right for all.
   std::vector<World> worlds(3);

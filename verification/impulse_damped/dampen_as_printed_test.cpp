@@ -50,7 +50,7 @@ Contact contact_between(int first, int second, const Vec3& normal_w, const Vec3&
   return contact;
 }
 
-// How far the listing without its slips and the reading as meant come, and how far apart.
+// How far the listing without its misprints and the reading as meant come, and how far apart.
 struct Motion {
   double moved = 0.0;    // [m] largest change of a height
   double apart = 0.0;    // [m]
@@ -91,7 +91,7 @@ Motion run_both(double gap) {
 
 }  // namespace
 
-TEST_CASE("With all its slips, the listing ends whatever is negative along y and z",
+TEST_CASE("With all its misprints, the listing ends whatever is negative along y and z",
           "[exact][impulse_damped]") {
   // Line by line: k1 and k2; aligned exactly: p_y = -k1 is "small" and ended, k3; in the loop over
   // y, z and nothing, p_z and the spins about y and z are "small" too. x is never looked at.
@@ -228,7 +228,8 @@ TEST_CASE("Pushes go up a stack from its lowest contact", "[exact][impulse_dampe
   }
 }
 
-TEST_CASE("Without its slips the listing is the reading as meant", "[reference][impulse_damped]") {
+TEST_CASE("Without its misprints the listing is the reading as meant",
+          "[reference][impulse_damped]") {
   // Both were written from the thesis apart from each other. Cubes that fall on each other bounce,
   // are damped and pushed. Not at rest: there damping ends all motion. And straight down: once cubes
   // lean or shift, the centre of an overlap weighs depths in the one and not in the other.

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The two printed listings of the timewarp: what each slip does, and that nothing else is
+/// \brief The two printed listings of the timewarp: what each misprint does, and that nothing else is
 ///        wrong with them.
 #include "tumble/base/random.hpp"
 #include "tumble/techniques.hpp"
@@ -22,9 +22,9 @@ constexpr auto kSafer = TimewarpListing::safer;
 constexpr double kFound = 1e-5;
 
 // Nothing but the thesis's choices is left as printed.
-TimewarpErrata slips() { return TimewarpErrata::all().without("T5").without("T9"); }
+TimewarpErrata misprints() { return TimewarpErrata::all().without("T5").without("T9"); }
 
-TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = slips()) {
+TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = misprints()) {
   for (const char* id : ids) set = set.without(id);
   return set;
 }
@@ -154,7 +154,8 @@ TEST_CASE("There are 19 errata of the timewarp", "[unit][timewarp]") {
 }
 
 TEST_CASE(
-    "With all slips mended the printed timewarps tell the story of the forms as meant to the last "
+    "With all misprints mended the printed timewarps tell the story of the forms as meant to the "
+    "last "
     "bit",
     "[reference][timewarp]") {
   for (const TimewarpListing listing : {kSimple, kSafer}) {
@@ -162,14 +163,14 @@ TEST_CASE(
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       INFO(name << ", seed " << seed);
       const auto compare = [&](const World& world, double dt, int steps) {
-        TimewarpAsPrinted as_printed(printed(slips(), listing, 100000));
+        TimewarpAsPrinted as_printed(printed(misprints(), listing, 100000));
         check_same(world, as_printed, *make_timewarp(name), dt, steps);
       };
       compare(row(seed), 0.3, 10);
       compare(cage(seed), 1.0 / 30.0, 60);
       compare(pile(seed), 1.0 / 60.0, 30);
     }
-    TimewarpAsPrinted as_printed(printed(slips(), listing));
+    TimewarpAsPrinted as_printed(printed(misprints(), listing));
     check_same(crossing(), as_printed, *make_timewarp(name), 1.0, 1);
   }
 }
@@ -195,10 +196,10 @@ TEST_CASE(
 
 TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever is mended",
           "[unit][timewarp]") {
-  std::vector<TimewarpErrata> sets{TimewarpErrata(), TimewarpErrata::all(), slips()};
+  std::vector<TimewarpErrata> sets{TimewarpErrata(), TimewarpErrata::all(), misprints()};
   for (const std::string& id : TimewarpErrata::known()) {
     sets.push_back(TimewarpErrata().with(id));
-    sets.push_back(slips().without(id));
+    sets.push_back(misprints().without(id));
   }
   Random random(7);
   for (int k = 0; k < 40; ++k) {
@@ -239,7 +240,7 @@ TEST_CASE("T1: a body that collides before it has got there is half a metre ahea
   CHECK(ignored.x(0) == near(0.0).margin(kFound));
   CHECK(ignored.x(1) == near(3.0).margin(kFound));
   CHECK(ignored.v(1) == near(1.0).margin(1e-15));
-  const Frame mended(world, printed(slips()));
+  const Frame mended(world, printed(misprints()));
   CHECK(mended.x(1) == near(2.0).margin(kFound));
 
   // If the pair is bounced whichever way it moves, the second impulse undoes the first. In 0.9 s,
@@ -292,7 +293,7 @@ TEST_CASE("T3: a test against the other's old state is one more collision, at th
     CHECK(bounced.v(0) == near(1.25).margin(1e-12));
     CHECK(bounced.v(1) == near(0.75).margin(1e-12));
 
-    const Frame mended(world, printed(slips(), listing, 50, true));
+    const Frame mended(world, printed(misprints(), listing, 50, true));
     CHECK(mended.technique.passes() == 1);
     CHECK(mended.v(0) == near(0.5).margin(1e-15));
     for (const std::size_t body : {0u, 1u})
@@ -319,7 +320,7 @@ TEST_CASE("T4: without valid times a search takes states of different times for 
   };
   for (const TimewarpListing listing : {kSimple, kSafer}) {
     check(Frame(world, printed(but({"T4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
-    check(Frame(world, printed(slips(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
+    check(Frame(world, printed(misprints(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
   }
   // F2 does nearly the same to the other listing: all stamps stay at the start of the frame. The
   // third cube, a neighbour of the last collision, is flown for a whole second from 3.1 m on.
@@ -351,7 +352,7 @@ TEST_CASE("T6: a ball that comes to rest fills a frame with collisions", "[exact
     CHECK(endless.events() >= 14);
     CHECK(endless.told.events[13].time < 10.21e-3);
     CHECK(endless.valid_time(1) == near(10.2e-3).margin(5e-5));  // it does not get on
-    const Frame ended(world, printed(slips(), listing, 500), dt);
+    const Frame ended(world, printed(misprints(), listing, 500), dt);
     CHECK_FALSE(ended.capped());
     CHECK(ended.events() == 14);
   }
@@ -383,7 +384,7 @@ TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early"
   const World world = ball_above_ground(height, 0.0);
   const Frame euler(world, printed(but({"T8"})), dt);
   CHECK(euler.told.events.front().time == near(std::sqrt(height / g)).margin(1.5e-6));
-  const Frame flight(world, printed(slips()), dt);
+  const Frame flight(world, printed(misprints()), dt);
   CHECK(flight.told.events.front().time == near(std::sqrt(2.0 * height / g)).margin(1.5e-6));
 
   // Two steps of a third and two thirds end 2/9 g dt² above one step.
@@ -397,7 +398,7 @@ TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early"
   const double third = 1.0 / 3.0;
   CHECK(dropped(but({"T8"}), {third, 2.0 * third}) - dropped(but({"T8"}), {1.0}) ==
         near(2.0 / 9.0 * g * dt * dt).margin(1e-12));
-  CHECK(dropped(slips(), {third, 2.0 * third}) - dropped(slips(), {1.0}) ==
+  CHECK(dropped(misprints(), {third, 2.0 * third}) - dropped(misprints(), {1.0}) ==
         near(0.0).margin(1e-15));
 }
 
@@ -420,7 +421,7 @@ TEST_CASE("T10: stamping the ground moves nobody", "[exact][timewarp]") {
   world.add(cube, make_state(cube, Vec3(3.0, 0.5008, 0.0)));
   for (const TimewarpListing listing : {kSimple, kSafer}) {
     const Frame stamped(world, printed(but({"T10"}), listing), 1.0 / 60.0);
-    const Frame mended(world, printed(slips(), listing), 1.0 / 60.0);
+    const Frame mended(world, printed(misprints(), listing), 1.0 / 60.0);
     CHECK(mended.valid_time(0) == 0.0);
     CHECK(stamped.valid_time(0) == near(stamped.valid_time(1)).margin(1e-15));
     REQUIRE(stamped.events() == mended.events());
@@ -450,7 +451,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
   CHECK(alone.x(0) == near(0.0).margin(kFound));
   check_free(alone);
 
-  const Frame mended(world, printed(slips(), kSafer, 20));
+  const Frame mended(world, printed(misprints(), kSafer, 20));
   CHECK(mended.events() == 1);
   CHECK(mended.x(0) == near(0.5).margin(kFound));
   CHECK(mended.x(1) == near(3.0).margin(kFound));
@@ -469,13 +470,13 @@ TEST_CASE("F3 and F4: a neighbour is left at the time of a collision that was no
           "[exact][timewarp]") {
   // The third cube flies away to the left. At 0.25 s it is at -1.45 m.
   const World world = line_of("0:2,1.5:0,-1.2:-1");
-  for (const char* slip : {"F3", "F4"}) {
-    INFO(slip);
-    const Frame left(world, printed(but({slip}), kSafer));
+  for (const char* misprint : {"F3", "F4"}) {
+    INFO(misprint);
+    const Frame left(world, printed(but({misprint}), kSafer));
     CHECK(left.events() == 1);
     CHECK(left.x(2) == near(-1.45).margin(kFound));
   }
-  CHECK(Frame(world, printed(slips(), kSafer)).x(2) == near(-2.2).margin(kFound));
+  CHECK(Frame(world, printed(misprints(), kSafer)).x(2) == near(-2.2).margin(kFound));
   // Who is far away keeps its place all the same.
   CHECK(Frame(line_of("0:2,1.5:0,10:1"), printed(but({"F4"}), kSafer)).x(2) ==
         near(11.0).margin(kFound));
@@ -488,7 +489,7 @@ TEST_CASE("F5: when an earlier collision is found the present one is lost", "[ex
   CHECK(lost.v(0) == near(2.0).margin(1e-15));
   CHECK(lost.x(0) - lost.x(1) == near(0.5).margin(kFound));  // they overlap, and nobody minds
 
-  const Frame mended(crossing(), printed(slips(), kSafer));
+  const Frame mended(crossing(), printed(misprints(), kSafer));
   REQUIRE(mended.events() == 2);
   CHECK(mended.told.events[0].time == near(0.0625).margin(kFound));
   CHECK(mended.told.events[1].time == near(0.25).margin(kFound));
@@ -513,12 +514,12 @@ TEST_CASE("F7: a fast neighbour is not near any more at the end of the frame",
   REQUIRE(missed.events() == 1);
   CHECK(missed.told.events[0].time == near(0.25).margin(kFound));
   CHECK(missed.x(2) == near(3.5).margin(kFound));
-  CHECK(Frame(crossing(), printed(slips(), kSafer)).x(2) == near(-4.0).margin(kFound));
+  CHECK(Frame(crossing(), printed(misprints(), kSafer)).x(2) == near(-4.0).margin(kFound));
 }
 
-TEST_CASE("F8 and F9 are no slips of a statement: mending them changes no bit",
+TEST_CASE("F8 and F9 are no misprints of a statement: mending them changes no bit",
           "[unit][timewarp]") {
-  for (const TimewarpErrata& set : {slips(), TimewarpErrata()}) {
+  for (const TimewarpErrata& set : {misprints(), TimewarpErrata()}) {
     for (const char* id : {"F8", "F9"}) {
       TimewarpAsPrinted with(printed(set.with(id), kSafer));
       TimewarpAsPrinted without(printed(set.without(id), kSafer));
@@ -542,7 +543,7 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
       CHECK(recipe.make(refused, 1)->name() == name);
     }
     p.set("reading", "as_printed");
-    p.set("repaired", slips().text());
+    p.set("repaired", misprints().text());
     World world = line_of("0:2,1.5:0");
     const std::unique_ptr<Technique> made = recipe.make(p, 1);
     made->clone()->step(world, 1.0);

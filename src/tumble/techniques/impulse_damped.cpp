@@ -109,7 +109,7 @@ Parameters damped_options() {
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
   p.add_word("reading", {"as_meant", "as_printed"},
-             "the listings of appendix A.2 with their slips mended, or as they are printed");
+             "the listings of appendix A.2 with their misprints mended, or as they are printed");
   p.add_text("repaired", "none",
              "reading=as_printed: errata that are mended all the same, as C1,DM3; or all, or none");
   return p;

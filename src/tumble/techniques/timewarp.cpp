@@ -70,7 +70,7 @@ Parameters timewarp_listing_options() {
   Parameters p;
   add_common(p);
   p.add_word("reading", {"as_meant", "as_printed"},
-             "the listings of appendix A.1 with their slips mended, or as they are printed");
+             "the listings of appendix A.1 with their misprints mended, or as they are printed");
   p.add_text("repaired", "none",
              "reading=as_printed: errata that are mended all the same, as T1,F6; or all, or none");
   p.add_whole("cap", printed.cap, 1, 1000000,

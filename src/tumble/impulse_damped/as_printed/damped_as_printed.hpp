@@ -33,7 +33,7 @@ struct DampedAsPrintedOptions {
 };
 
 /// The thesis's damped integration, each listing of its appendix A.2 statement by statement, with
-/// every slip of the print, or without some of them.
+/// every misprint of the print, or without some of them.
 ///
 /// It is there to be compared with the reading as meant: a run with all errata mended but one shows
 /// what that one does. What the listings do not say is taken in the simplest way, and told where it
@@ -58,7 +58,7 @@ struct DampedAsPrintedOptions {
 /// 5 + 10 times a broad phase and a test of two boxes for each near pair. Allocates.
 /// \algorithm{Damped integration as printed: appendix A.2}
 /// \deviation{Pushes are capped, and immovable bodies keep their place whatever is done to their velocity.}
-/// \verified{With all slips mended the printed listings keep a cube at rest where it is}
+/// \verified{With all misprints mended the printed listings keep a cube at rest where it is}
 /// \verified{Damped integration as printed ends every step with finite numbers, whatever is mended}
 class DampedAsPrinted final : public Technique {
  public:

@@ -48,7 +48,7 @@ struct DampenReport {
 /// \return its account
 /// \throws std::invalid_argument if there is not one flag for each body, or for a dt not above 0
 /// \algorithm{DAMPENOBJECTS as printed: appendix A.2}
-/// \verified{With all its slips, the listing ends whatever is negative along y and z}
+/// \verified{With all its misprints, the listing ends whatever is negative along y and z}
 DampenReport dampen_objects_as_printed(World& world, std::span<const std::uint8_t> touched,
                                        const PrintedNumbers& numbers, double dt,
                                        RotationRule rotation, const ErrataSet& repaired);

@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-/// The thesis's two listings of a synchronised timewarp, statement by statement, with every slip of
+/// The thesis's two listings of a synchronised timewarp, statement by statement, with every misprint of
 /// the print, or without some of them.
 ///
 /// It is there to be compared with the reading as meant: a run with all errata mended but one shows
@@ -34,7 +34,7 @@ namespace tumble {
 ///
 /// T2 shows only where T1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
 /// where T7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
-/// slip in a caption; mending them changes nothing. T5 and T9 are choices, too: mended they make of
+/// misprint in a caption; mending them changes nothing. T5 and T9 are choices, too: mended they make of
 /// the simple listing what TimewarpSwept is.
 /// \par How it ends
 /// `event_cap` if the main loop has met its cap: test states then become valid as they are.
@@ -43,7 +43,7 @@ namespace tumble {
 /// As TimewarpSimple and TimewarpSafer, but each body that has collided costs n bounds. Allocates.
 /// \algorithm{Timewarp as printed: appendix A.1}
 /// \deviation{The main loop is capped.}
-/// \verified{With all slips mended the printed timewarps tell the story of the forms as meant to the last bit}
+/// \verified{With all misprints mended the printed timewarps tell the story of the forms as meant to the last bit}
 /// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
 class TimewarpAsPrinted final : public Technique {
  public:
