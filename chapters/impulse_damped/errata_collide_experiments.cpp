@@ -23,7 +23,7 @@ struct Rested {
 };
 
 // A cube lies on the ground for half a second, and geometric stability is looked at or not.
-Rested rest(const ErrataSet& repaired, bool stable_boxes) {
+Rested rest(const DampedErrata& repaired, bool stable_boxes) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrintedOptions options = undamped(repaired);
@@ -40,7 +40,7 @@ Rested rest(const ErrataSet& repaired, bool stable_boxes) {
 
 // C4. A cube with restitution 0.9 comes down with 2 m/s on one that is stable; gravity is switched
 // off for this step. Returns how fast it leaves, upwards.
-double bounce_on_stable(const ErrataSet& repaired) {
+double bounce_on_stable(const DampedErrata& repaired) {
   World world = ground_world();
   add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -53,7 +53,7 @@ double bounce_on_stable(const ErrataSet& repaired) {
 
 // C5. A column stands on the ground and is stable; a cube flies against its upper end. Returns by
 // how much it has tilted a second later.
-double tilt_after_hit(const ErrataSet& repaired) {
+double tilt_after_hit(const DampedErrata& repaired) {
   World world = ground_world();
   const int column = add_box(world, Vec3(0.2, 1.0, 0.2), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -66,7 +66,7 @@ double tilt_after_hit(const ErrataSet& repaired) {
 
 // C7. Two cubes overlap and part with 1 m/s, without gravity. Returns how fast they part
 // afterwards.
-double parting(const ErrataSet& repaired) {
+double parting(const DampedErrata& repaired) {
   World world;
   world.gravity_w = Vec3::Zero();
   const int left = add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3(-0.5, 0.0, 0.0));
@@ -179,7 +179,7 @@ double energy_ratio(double lean) {
 }  // namespace
 
 void add_collide_errata(std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = misprints();
+  const DampedErrata mended = misprints();
   const Rested unstable = rest(mended, false);
   const Rested stable = rest(mended, true);
   pairs.push_back({"C1: hop of a cube at rest, gravity added as it is",

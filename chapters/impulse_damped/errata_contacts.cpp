@@ -8,13 +8,13 @@
 
 namespace tumble::chapters {
 
-ErrataSet misprints() {
-  return ErrataSet(
+DampedErrata misprints() {
+  return DampedErrata(
       "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2,"
       "G1,G2,G3,G4,G5,G7,G8");
 }
 
-DampedAsPrintedOptions undamped(const ErrataSet& repaired) {
+DampedAsPrintedOptions undamped(const DampedErrata& repaired) {
   DampedAsPrintedOptions options;
   options.repaired = repaired;
   DampedNumbers& n = options.numbers;

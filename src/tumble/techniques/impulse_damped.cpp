@@ -134,7 +134,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p) {
   require::that(!p.flag("sleeping"), "sleeping = on: reading=as_printed has no sleeping");
   require::that(!p.flag("freeze"), "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
-  options.repaired = ErrataSet(p.text("repaired"));
+  options.repaired = DampedErrata(p.text("repaired"));
   options.numbers.eps_scale = p.number("eps_scale");
   options.numbers.k_scale = p.number("k_scale");
   options.collision_passes = p.count("collision_passes");

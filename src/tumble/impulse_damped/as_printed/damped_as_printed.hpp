@@ -19,7 +19,7 @@ namespace tumble {
 
 /// Options of damped integration as printed.
 struct DampedAsPrintedOptions {
-  ErrataSet repaired;     ///< which errata are mended
+  DampedErrata repaired;  ///< which errata are mended
   DampedNumbers numbers;  ///< ε and k; taken for the first movable body and for 1/60 s (DM8, DM15)
   int collision_passes = 5;      ///< [-] NUM_COLLISION_ITERATIONS, at least 0
   int contact_passes = 10;       ///< [-] NUM_CONTACT_ITERATIONS, at least 0

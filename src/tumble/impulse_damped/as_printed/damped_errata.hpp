@@ -13,6 +13,6 @@ namespace tumble {
 const ErrataList& errata_of_damped_integration();
 
 /// Errata of A.2 that are repaired.
-using ErrataSet = ErrataSetOf<errata_of_damped_integration>;
+using DampedErrata = ErrataSetOf<errata_of_damped_integration>;
 
 }  // namespace tumble

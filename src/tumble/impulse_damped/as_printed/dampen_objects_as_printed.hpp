@@ -51,6 +51,6 @@ struct DampenReport {
 /// \verified{With all its misprints, the listing ends whatever is negative along y and z}
 DampenReport dampen_objects_as_printed(World& world, std::span<const std::uint8_t> touched,
                                        const PrintedNumbers& numbers, double dt,
-                                       RotationRule rotation, const ErrataSet& repaired);
+                                       RotationRule rotation, const DampedErrata& repaired);
 
 }  // namespace tumble

@@ -40,6 +40,6 @@ struct PrintedFixReport {
 /// \verified{A loop of pushes that does not end is left at the cap and reported}
 PrintedFixReport fix_contact_constraints_as_printed(World& world, std::span<const Contact> contacts,
                                                     double eps1, std::int64_t cap,
-                                                    const ErrataSet& repaired);
+                                                    const DampedErrata& repaired);
 
 }  // namespace tumble

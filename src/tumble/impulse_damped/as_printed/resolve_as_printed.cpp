@@ -52,7 +52,7 @@ void collide(PrintedStage& stage, const Contact& c, double restitution, PrintedG
 }
 
 // Erratum RK1: the quotient of two integers.
-double restitution_of_pass(int i, int passes, const ErrataSet& repaired) {
+double restitution_of_pass(int i, int passes, const DampedErrata& repaired) {
   if (repaired.has("RK1")) return -1.0 + static_cast<double>(i) / passes;
   // [RESOLVECONTACTS:5]
   return -1 + (i / passes);
