@@ -45,7 +45,7 @@ inline constexpr double slack = 1e-10;
 inline constexpr double step_residual = 1e-7;
 
 /// [-] What slides more slowly at the end of a time step, as a share of the fastest point of the island,
-/// needs no friction. Reason: rounding in a heap at rest is 1e-13; at 0.16 m/s, gravity's share of
+/// needs no friction. Reason: rounding in a pile at rest is 1e-13; at 0.16 m/s, gravity's share of
 /// 1/60 s, this is 5 mm in a year. (2.6.3)
 inline constexpr double step_sliding = 1e-9;
 

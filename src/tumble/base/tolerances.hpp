@@ -128,6 +128,11 @@ inline constexpr double reciprocal = 1e-9;
 /// step would find other times when the step changes. (3.3.1)
 inline constexpr double event_resolution = 1e-6;
 
+/// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
+/// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
+/// what is seen begins a thousand million times above. (2.1)
+inline constexpr double rounding_overlap = 1e-12;
+
 // --- scenes -------------------------------------------------------------------------------
 
 /// [-] Overlap at the start of a run up to which a scene is accepted, as a share of the shortest

@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
-#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <string>

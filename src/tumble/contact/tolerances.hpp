@@ -82,11 +82,6 @@ inline constexpr double impact_settled = 1e-6;
 /// decides what is reported, never what is computed, so it only has to be above rounding. (3.3.2)
 inline constexpr double friction_limit = 1e-9;
 
-/// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
-/// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
-/// what is seen begins a thousand million times above. (2.1)
-inline constexpr double rounding_overlap = 1e-12;
-
 /// [-] Two bodies stick where they push each other if their materials there part by less than this
 /// share of the speed at which turning moves the bodies' ends. Reason: solvers leave a thousandth, what
 /// slides has ten times as much. In between it hardly matters who is carried: the two ways of moving
@@ -107,7 +102,7 @@ inline constexpr double resting_speed = 1e-3;
 inline constexpr double resting_speed_weightless = 1e-5;
 
 /// [-] How far surfaces may be apart and still hold up a body, as a share of the shortest edge of
-/// the two, when it is asked who stands firm. Reason: repair leaves gaps of up to ε1. (5.4)
+/// the two, when boxes are classified as stable. Reason: repair leaves gaps of up to ε1. (5.4)
 inline constexpr double stability_margin = 2e-3;
 
 /// [-] Largest sine between a contact normal and the vertical at which the contact counts as

@@ -7,31 +7,31 @@ namespace tumble::tolerance {
 // --- contact_damped -----------------------------------------------------------------------
 
 /// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10
-/// micrometres for a metre is seen by nobody and far above rounding, so that a contact stays one. (6.3.1)
+/// micrometres for a metre is not seen and far above rounding, so that a contact stays one. (6.3.1)
 inline constexpr double contact_damped_slop = 1e-5;
 
 /// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
-/// corner that hangs a millimetre over its support belongs to the area that carries the box. (6.3.1)
+/// corner that hangs a millimetre over its support belongs to the patch that carries the box. (6.3.1)
 inline constexpr double kept_margin = 1e-3;
 
-/// [-] A contact area is kept while neither body has moved by more than this share of an edge, or
+/// [-] A contact patch is kept while neither body has moved by more than this share of an edge, or
 /// turned by as many radians. Reason: lever arms are wrong by as much, and gaps by its square. (6.3.1)
 inline constexpr double kept_motion = 1e-6;
 
-/// [-] A heap is left as it is if the impulses of the step before leave no velocity wrong by more than this
+/// [-] An island is left as it is if the impulses of the step before leave no velocity wrong by more than this
 /// share of g dt. Reason: 1.6e-6 m/s at 60 Hz is a tenth of a millimetre in a minute, if it always went
 /// the same way. (6.3.1)
 inline constexpr double contact_settled = 1e-5;
 
-/// [-] A heap with a point faster than this share of sqrt(g L) moves too fast to be solved as a whole. Reason:
-/// at 1.6 m/s and 1 m a step is 3 cm, and nobody sees micrometres; boxes of a wall that lands from
-/// a millimetre are slower. (6.3.1)
+/// [-] An island with a point faster than this share of sqrt(g L) moves too fast to be solved as a whole.
+/// Reason: at 1.6 m/s and 1 m a step is 3 cm, and micrometres are not seen; boxes of a wall that lands
+/// from a millimetre are slower. (6.3.1)
 inline constexpr double calm_speed = 0.5;
 
 /// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
 inline constexpr double weightless_unit = 0.05;
 
-/// [-] A heap slower than this share of sqrt(g L) hardly moves. Reason: a wall that lands at 0.3 m/s
+/// [-] An island slower than this share of sqrt(g L) hardly moves. Reason: a wall that lands at 0.3 m/s
 /// needs all rounds; at a tenth of it few hold it. (6.3.1)
 inline constexpr double quiet_speed = 0.01;
 
@@ -60,7 +60,7 @@ inline constexpr double island_slides = 4.0;
 /// here the tangent is off by less than an eighth of the way. (6.3.1)
 inline constexpr double fast_turn = 0.5;
 
-/// [-] Growth of a pair's reach at which a kept area is looked for again. Reason: at rest it does not
+/// [-] Growth of a pair's reach at which a kept patch is looked for again. Reason: at rest it does not
 /// change; a push changes it by more. (3.2)
 inline constexpr double kept_reach = 2.0;
 
@@ -68,12 +68,12 @@ inline constexpr double kept_reach = 2.0;
 /// rounds; 2 would never end. (6.3.1)
 inline constexpr double island_relaxation = 1.6;
 
-/// [-] Multiplications for each body up to which a heap's matrix is factored. Reason: a pyramid of 204
+/// [-] Multiplications for each body up to which an island's matrix is factored. Reason: a pyramid of 204
 /// boxes in space needs a quarter of it; a pile of a thousand more, and sweeps have to do. (6.3.1)
 inline constexpr double island_work = 2e5;
 
 /// [-] Overlap that repair leaves, as a share of the shortest edge. Reason: below the slop, so that a
-/// repaired area is not looked at again for a rounding. (4.4)
+/// repaired patch is not looked at again for a rounding. (4.4)
 inline constexpr double repair_rest = 0.9e-5;
 
 /// [-] Share of the overlap that goes in a step. Reason: a millimetre is gone in half a second without

@@ -6,7 +6,6 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 

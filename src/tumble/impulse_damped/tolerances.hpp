@@ -19,7 +19,7 @@ inline constexpr double damped_push = 1e-3;
 inline constexpr double damped_aligned = 0.035;
 
 /// [-] ε3: vertical momentum that an aligned box loses, as a share of m sqrt(gL). Reason: 6 cm/s
-/// for 1 m, which contacts in a heap leave of the 16 cm/s that gravity gives in a step; far enough
+/// for 1 m, which contacts in a pile leave of the 16 cm/s that gravity gives in a step; far enough
 /// below that nothing hangs on a wall, with twice as much too. (5.3)
 inline constexpr double damped_settled = 0.02;
 
@@ -29,14 +29,14 @@ inline constexpr double damped_settled = 0.02;
 inline constexpr double damped_tilt = 1e-3;
 
 /// [-] ε5: a slow component of momentum, as a share of m sqrt(gL). Reason: 30 cm/s for 1 m, what
-/// two steps of gravity give; boxes of an unsettled heap jump at this speed. (5.3)
+/// two steps of gravity give; boxes of an unsettled pile jump at this speed. (5.3)
 inline constexpr double damped_slow = 0.1;
 
 /// [-] ε6: one that is none. Reason: as for ε3. (5.3)
 inline constexpr double damped_still = 0.02;
 
 /// [-] ε7: a slow component of angular momentum, as a share of m L sqrt(gL). Reason: corners of a
-/// cube then move at a quarter of sqrt(gL), and of an unsettled heap about as fast. (5.3)
+/// cube then move at a quarter of sqrt(gL), and of an unsettled pile about as fast. (5.3)
 inline constexpr double damped_slow_spin = 0.05;
 
 /// [-] ε8: one that is none. Reason: gravity gives a cube as much in a step if its centre is 4 % of
@@ -66,7 +66,7 @@ inline constexpr double damped_spin_factor = 0.92;
 /// after 0.06 s, before a viewer sees it rock twice. (5.3)
 inline constexpr double damped_settled_spin_factor = 0.5;
 
-/// [-] k5: ditto of slow components of momentum. Reason: the more is left in each step, the longer a heap
+/// [-] k5: ditto of slow components of momentum. Reason: the more is left in each step, the longer a pile
 /// shakes; less than half ends what is not slow any more within a step or two. (5.3)
 inline constexpr double damped_slow_factor = 0.5;
 
