@@ -1,9 +1,9 @@
 /// \file
 /// \brief The tolerance of the thesis's program, and its negative forces.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/redundant_contacts.hpp"

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Dice that come to rest with and without sticky collisions (thesis 4.3).
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 #include "tumble/scenes/scene.hpp"
 

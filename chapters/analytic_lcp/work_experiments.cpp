@@ -6,7 +6,7 @@
 /// grow with the cube of the size, as a factorisation does. Counts are the same on every machine.
 #include "analytic_lcp/work_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/pyramid_problem.hpp"

@@ -2,7 +2,7 @@
 /// \brief The figures on the footnote of thesis 6.2.
 #include "exterior_rotation/footnote_figures.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include "exterior_rotation/footnote_experiments.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -2,8 +2,8 @@
 /// \brief Figures 6.1 to 6.3 under every technique of the library.
 #include "exterior_rotation/technique_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"

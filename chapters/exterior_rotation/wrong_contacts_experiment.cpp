@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 6.2f: changes of contact that the right motion does not have.
-#include "tumble/base/tolerance.hpp"
 
 #include "exterior_rotation/contact_changes.hpp"
 #include "exterior_rotation/falling_column.hpp"

@@ -2,7 +2,7 @@
 /// \brief Runs with fixed and adaptive sub-steps, and when their bodies come to rest.
 #include "filtering/adaptive_runs.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/chatter.hpp"
 

@@ -2,7 +2,7 @@
 /// \brief Hits and false alarms of rules that tell chatter (claim 6.3.1c).
 #include "filtering/detector_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include "driver/statistics.hpp"
 #include "filtering/motion_corpus.hpp"

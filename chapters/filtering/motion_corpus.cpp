@@ -2,7 +2,7 @@
 /// \brief Labels that look at the whole of a run, and rules that look at its past.
 #include "filtering/motion_corpus.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/filtering/freezing.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/math/rotation.hpp"

@@ -2,7 +2,7 @@
 /// \brief Recording bodies until they rest, and telling which of them do.
 #include "filtering/settled_run.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/record/chatter.hpp"
 

@@ -3,6 +3,8 @@
 #include "geometric_stability/disputes.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"

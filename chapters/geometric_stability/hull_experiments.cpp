@@ -4,6 +4,8 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include "driver/statistics.hpp"
 #include "geometric_stability/disputes.hpp"

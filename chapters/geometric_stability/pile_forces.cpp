@@ -2,7 +2,7 @@
 /// \brief The whole complementarity problem of a pile.
 #include "geometric_stability/pile_forces.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/analytic_lcp/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>

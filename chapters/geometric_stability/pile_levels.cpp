@@ -2,11 +2,12 @@
 /// \brief Every way to tell who stands firm.
 #include "geometric_stability/pile_levels.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 
 namespace tumble::chapters {

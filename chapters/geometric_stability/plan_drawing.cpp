@@ -2,6 +2,7 @@
 /// \brief Trials seen from above.
 #include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include "geometric_stability/disputes.hpp"
 

@@ -1,5 +1,6 @@
 /// \file
 /// \brief How much of what SETGEOMETRICALLYSTABLE saves as printed is saved by right (thesis 5.4, A.2).
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"

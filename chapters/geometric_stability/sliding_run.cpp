@@ -4,8 +4,10 @@
 
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 #include "tumble/impulse_damped/damped.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "driver/common_numbers.hpp"

@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/scenes/library.hpp"
 

@@ -3,9 +3,12 @@
 #include "geometric_stability/support_instant.hpp"
 
 #include "tumble/analytic_lcp/assembly.hpp"
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,6 +2,8 @@
 /// \brief The analytic technique: collisions, rest, friction, what it costs, and how it fails.
 #include "tumble/analytic_lcp/analytic.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/snapshot.hpp"
 #include "tumble/record/matrix_market.hpp"

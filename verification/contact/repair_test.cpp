@@ -4,6 +4,7 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include "support/allocation_counter.hpp"

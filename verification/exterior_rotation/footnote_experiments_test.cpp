@@ -1,6 +1,7 @@
 /// \file
 /// \brief The footnote for joints without glue: openings, orders across them, wrong contacts (claim 6.2f).
-#include "tumble/base/tolerance.hpp"
+
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "driver/quick.hpp"
 #include "exterior_rotation/contact_changes.hpp"

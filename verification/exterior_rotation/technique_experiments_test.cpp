@@ -2,7 +2,7 @@
 /// \brief Figures 6.1 to 6.3 under every technique: a bound on what each lets come apart, and why.
 #include "exterior_rotation/technique_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/techniques.hpp"
 
 #include "driver/quick.hpp"

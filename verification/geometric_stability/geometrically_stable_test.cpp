@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"

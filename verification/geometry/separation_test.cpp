@@ -3,6 +3,7 @@
 #include "tumble/geometry/separation.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include "support/catch.hpp"
 

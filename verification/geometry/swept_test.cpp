@@ -3,6 +3,7 @@
 #include "tumble/geometry/swept.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"

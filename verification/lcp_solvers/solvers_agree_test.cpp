@@ -1,10 +1,10 @@
 /// \file
 /// \brief All solvers on the same contact problems, against each other.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 #include "tumble/math/complementarity.hpp"
 #include "tumble/math/enumeration.hpp"
 

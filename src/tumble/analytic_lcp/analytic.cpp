@@ -2,10 +2,11 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
@@ -52,6 +53,8 @@ Analytic::Analytic(const Analytic& other)
       records_(other.records_) {}
 
 std::unique_ptr<Technique> Analytic::clone() const { return std::make_unique<Analytic>(*this); }
+
+std::vector<Diagnostic> Analytic::diagnostics() const { return diagnostics_of(unsolved_problem()); }
 
 std::vector<std::string> Analytic::ignores(const World& world) const {
   const bool rough = std::any_of(world.bodies().begin(), world.bodies().end(),

@@ -2,10 +2,12 @@
 /// \brief The technique of Stewart and Trinkle, and of Anitescu and Potra.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
+#include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -30,6 +32,10 @@ TimeStepping::TimeStepping(const TimeStepping& other)
 
 std::unique_ptr<Technique> TimeStepping::clone() const {
   return std::make_unique<TimeStepping>(*this);
+}
+
+std::vector<Diagnostic> TimeStepping::diagnostics() const {
+  return diagnostics_of(unsolved_problem());
 }
 
 StepReport TimeStepping::step(World& world, double dt) {

@@ -3,6 +3,7 @@
 #include "tumble/contact/gather.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/geometry/ground.hpp"
 

@@ -2,8 +2,8 @@
 /// \brief Collisions of several bodies at one instant (thesis 2.5.1, 5.2).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/simultaneous_impacts.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 namespace tumble {
 

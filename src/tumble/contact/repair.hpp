@@ -2,8 +2,8 @@
 /// \brief Bodies that overlap are moved apart, from the ground up (thesis 4.4).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/graph.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/world.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 

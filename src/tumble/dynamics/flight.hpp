@@ -19,7 +19,7 @@ namespace tumble {
 struct Flight {
   std::span<const BodyProperties> bodies;  ///< by index
   std::span<const BodyState> states;       ///< by index, each at its valid time
-  /// [s] by index: the valid times, when bodies have different ones as in the timewarp (thesis
+  /// [s] by index: the valid times, when bodies have different ones (thesis
   /// 5.1). Empty: all are 0.
   std::span<const double> valid_times = {};
   /// [m/s²] by index, world frame: what each body's centre is accelerated by, for a caller that

@@ -2,7 +2,7 @@
 /// \brief When two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 #include "tumble/math/bracket.hpp"
 

@@ -8,6 +8,7 @@
 #include "tumble/exterior_rotation/joint_events.hpp"
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 #include "tumble/exterior_rotation/simple_steps.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <memory>
 #include <span>
@@ -60,8 +61,8 @@ struct GluedOptions {
   PoseUpdate pose = PoseUpdate::separate;       ///< of the schemes that find forces once
   GluedJoints joints = GluedJoints::bilateral;  ///< whether they can open
   GluedEvents events = GluedEvents::located;    ///< when that is noticed
-  double accuracy =
-      1e-9;  ///< [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
+  /// [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
+  double accuracy = tolerance::rotation_accuracy;
 };
 
 /// Bodies that stick where they touch at the start, and know no other contact.

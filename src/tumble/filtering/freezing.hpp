@@ -86,6 +86,7 @@ class FreezeOnChatter : public WrappedTechnique {
   CalmBodies calm_;
   double last_time_ = 0.0;        // [s] of the world after the last step
   std::vector<char> in_contact_;  // storage
+  std::vector<char> slow_;        // storage: the calm bodies by index
 };
 
 }  // namespace tumble

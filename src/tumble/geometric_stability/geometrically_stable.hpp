@@ -4,9 +4,10 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include <cstdint>
 #include <limits>

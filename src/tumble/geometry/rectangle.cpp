@@ -3,7 +3,7 @@
 #include "tumble/geometry/rectangle.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
 
 #include <algorithm>

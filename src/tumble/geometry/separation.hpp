@@ -2,7 +2,6 @@
 /// \brief Whether two boxes overlap, how deep, and along which direction (thesis 3.2).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/geometry/box.hpp"
 
 namespace tumble {

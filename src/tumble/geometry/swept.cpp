@@ -2,6 +2,7 @@
 /// \brief Swept boxes, and the bound that conservative advancement needs.
 #include "tumble/geometry/swept.hpp"
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 namespace tumble {

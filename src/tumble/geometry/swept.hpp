@@ -6,7 +6,6 @@
 #pragma once
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/geometry/box.hpp"
 #include "tumble/geometry/separation.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 
@@ -147,7 +148,8 @@ void Damped::end(World& world, double dt, StepReport& report) {
 
   if (options_.sleeping) {
     islands_.build(world.bodies(), collisions_);
-    report.energy.damping += sleeping_.update(world, collisions_, islands_, dt).energy;
+    report.energy.damping +=
+        sleeping_.update(world, collisions_, islands_, dt, slow_bodies()).energy;
   }
   stable_left_.clear();
   for (const BodyId id : stable_ids_)

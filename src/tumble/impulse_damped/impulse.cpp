@@ -291,7 +291,7 @@ void Impulse::finish(World& world, double dt, StepReport& report) {
   keep_pushed(world);
   if (options_.sleeping) {
     islands_.build(world.bodies(), contacts_);
-    report.energy.damping += sleeping_.update(world, contacts_, islands_, dt).energy;
+    report.energy.damping += sleeping_.update(world, contacts_, islands_, dt, slow_bodies()).energy;
   }
   world.finish_step(dt);
 }

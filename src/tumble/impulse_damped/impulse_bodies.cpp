@@ -3,7 +3,7 @@
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 namespace tumble {
 

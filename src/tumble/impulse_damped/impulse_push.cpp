@@ -3,8 +3,8 @@
 #include "tumble/impulse_damped/impulse_push.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/collision_law.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 

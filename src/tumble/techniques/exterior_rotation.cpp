@@ -1,6 +1,7 @@
 /// \file
 /// \brief The technique of the chapter exterior_rotation as a user sets it.
 #include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/techniques/options.hpp"
 
 namespace tumble {
@@ -17,7 +18,7 @@ Parameters glued_options() {
              "glue, or very high friction that holds what is pressed together");
   p.add_word("events", {"located", "step_end"},
              "joints=unilateral: when it is noticed that a joint opens or closes");
-  p.add_number("accuracy", standard.accuracy, 1e-14, 1.0, "-",
+  p.add_number("accuracy", standard.accuracy, tolerance::least_rotation_accuracy, 1.0, "-",
                "scheme=dormand_prince: error allowed in a step, in edges and radians");
   return p;
 }

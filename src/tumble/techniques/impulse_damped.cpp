@@ -109,7 +109,7 @@ Parameters damped_options() {
   add_freeze(p);
   p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
   p.add_word("reading", {"as_meant", "as_printed"},
-             "the listings of appendix A.2 with their slips mended, or as they are printed");
+             "the listings of appendix A.2 with their misprints mended, or as they are printed");
   p.add_text("repaired", "none",
              "reading=as_printed: errata that are mended all the same, as C1,DM3; or all, or none");
   return p;
@@ -134,7 +134,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p) {
   require::that(!p.flag("sleeping"), "sleeping = on: reading=as_printed has no sleeping");
   require::that(!p.flag("freeze"), "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
-  options.repaired = ErrataSet(p.text("repaired"));
+  options.repaired = DampedErrata(p.text("repaired"));
   options.numbers.eps_scale = p.number("eps_scale");
   options.numbers.k_scale = p.number("k_scale");
   options.collision_passes = p.count("collision_passes");

@@ -44,7 +44,7 @@ void refuse_unless_printed(const Parameters& p) {
 std::unique_ptr<Technique> make_as_printed(const Parameters& p, TimewarpListing listing) {
   TimewarpAsPrintedOptions options;
   options.listing = listing;
-  options.repaired = ErrataSet(p.text("repaired"), Listings::timewarp);
+  options.repaired = TimewarpErrata(p.text("repaired"));
   options.resolution = p.number("resolution");
   options.cap = p.count("cap");
   options.pair_events = p.count("pair_events");
@@ -70,9 +70,9 @@ Parameters timewarp_listing_options() {
   Parameters p;
   add_common(p);
   p.add_word("reading", {"as_meant", "as_printed"},
-             "the listings of appendix A.1 with their slips mended, or as they are printed");
+             "the listings of appendix A.1 with their misprints mended, or as they are printed");
   p.add_text("repaired", "none",
-             "reading=as_printed: errata that are mended all the same, as S1,F6; or all, or none");
+             "reading=as_printed: errata that are mended all the same, as T1,F6; or all, or none");
   p.add_whole("cap", printed.cap, 1, 1000000,
               "reading=as_printed: collisions in one frame until it is given up");
   p.add_word("separating", {"ignored", "collided"},

@@ -2,6 +2,7 @@
 /// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/collision_heap.hpp"
@@ -63,12 +64,12 @@ class TimewarpWatcher {
 /// Times are counted from the start of the frame. The **valid state** of a body is in the world; it
 /// belongs to the body's **valid time**. Its **test state** is where it will be at the end of the frame
 /// if it meets nobody. A collision of two bodies is searched from the later of their valid times,
-/// each flown there from its own valid state in one go (S4, S8), and the last time at which they
-/// are apart is taken (S7). Two bodies that overlap when their search begins collide at once if
+/// each flown there from its own valid state in one go (T4, T8), and the last time at which they
+/// are apart is taken (T7). Two bodies that overlap when their search begins collide at once if
 /// they go deeper.
 ///
 /// Which pairs are searched: *discrete*, as in the thesis, those whose test states overlap; a pair
-/// that has met and parted by then, or changed places, is missed (S5). *Conservative*: those whose
+/// that has met and parted by then, or changed places, is missed (T5). *Conservative*: those whose
 /// ways may meet, which misses nothing that overlaps for one resolution.
 ///
 /// Immovable bodies are valid at all times: they are not integrated and nothing that was foreseen

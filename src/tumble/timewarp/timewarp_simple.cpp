@@ -53,7 +53,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
 
     // [SIMPLESYNCTIMEWARP:8-12]
     // Its two bodies go to that time, both of them before they
-    // collide (S1, S2). Whatever else was foreseen for them is
+    // collide (T1, T2). Whatever else was foreseen for them is
     // void.
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
@@ -69,8 +69,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
 
     // [SIMPLESYNCTIMEWARP:14-18]
     // Both fly to the end of the frame anew. Only then is it
-    // looked at whom they meet there (S3), each pair from the
-    // later of its two valid times on (S4).
+    // looked at whom they meet there (T3), each pair from the
+    // later of its two valid times on (T4).
     for (const int index : both) {
       test[at(index)] = valid[at(index)];
       frame_.integrate_forward(test[at(index)], index, dt - valid_times[at(index)]);

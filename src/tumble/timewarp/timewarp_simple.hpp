@@ -16,9 +16,9 @@ namespace tumble {
 /// end anew, and what was foreseen for them is found afresh. So a collision costs the same however
 /// many bodies there are, where `basic` takes back all of them.
 ///
-/// What it misses is the thesis's own: bodies that meet and part within a frame or change places (S5),
+/// What it misses is the thesis's own: bodies that meet and part within a frame or change places (T5),
 /// and whatever follows from that. Collisions closer than the resolution come in the order of bodies
-/// (S9). Bodies that rest on one another are left to the end of the frame: see ContactStage.
+/// (T9). Bodies that rest on one another are left to the end of the frame: see ContactStage.
 /// \par Cost
 /// A frame: n flights and a broad phase. A collision: 4 flights, n comparisons of bounds, and the
 /// searches of pairs that are near the two.

@@ -41,7 +41,7 @@ double PrintedObject::kinetic_energy(const Vec3& boost_w) const {
 }
 
 void PrintedObjects::begin(const World& world, std::span<const std::uint8_t> stable,
-                           std::span<const Vec3> fixed_w, const ErrataSet& repaired) {
+                           std::span<const Vec3> fixed_w, const DampedErrata& repaired) {
   require::that(stable.size() == world.states().size() && fixed_w.size() == world.states().size(),
                 "stable, fixed_w: one entry for each body of the world is needed");
   whole_pose_ = repaired.has("RC4");

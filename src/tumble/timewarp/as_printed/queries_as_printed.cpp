@@ -8,13 +8,13 @@ namespace tumble {
 
 PrintedQueries::PrintedQueries(const TimewarpAsPrintedOptions& options)
     : options_(options),
-      mended_{.valid_times = options.repaired.has("S4"),
-              .ways = options.repaired.has("S5"),
-              .contact_stage = options.repaired.has("S6"),
-              .apart = options.repaired.has("S7"),
-              .exact_flight = options.repaired.has("S8"),
-              .together = options.repaired.has("S9"),
-              .movable_only = options.repaired.has("S10"),
+      mended_{.valid_times = options.repaired.has("T4"),
+              .ways = options.repaired.has("T5"),
+              .contact_stage = options.repaired.has("T6"),
+              .apart = options.repaired.has("T7"),
+              .exact_flight = options.repaired.has("T8"),
+              .together = options.repaired.has("T9"),
+              .movable_only = options.repaired.has("T10"),
               .strictly_before = options.repaired.has("F6"),
               .swept = options.repaired.has("F7")},
       method_(mended_.ways ? SearchMethod::conservative : SearchMethod::discrete),
@@ -41,7 +41,7 @@ void PrintedQueries::begin(World& world, double dt, Observer* observer) {
 
 bool PrintedQueries::stamped(int body) const { return movable(body) || !mended_.movable_only; }
 
-// Erratum S8: one step of semi-implicit Euler, however long; after two steps a body is elsewhere
+// Erratum T8: one step of semi-implicit Euler, however long; after two steps a body is elsewhere
 // than after one of both lengths.
 void PrintedQueries::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
@@ -54,12 +54,12 @@ void PrintedQueries::integrate_forward(BodyState& state, int body, double time) 
 }
 
 // The flight in which integrate_forward() puts bodies: x + t (v + t g) is the parabola of twice the
-// gravity (S8).
+// gravity (T8).
 Vec3 PrintedQueries::gravity_of_flight() const {
   return mended_.exact_flight ? world_->gravity_w : Vec3(2.0 * world_->gravity_w);
 }
 
-// Erratum S4: the listings hand no valid times to a search.
+// Erratum T4: the listings hand no valid times to a search.
 Flight PrintedQueries::flight() const {
   return Flight{.bodies = world_->bodies(),
                 .states = world_->states(),
@@ -68,7 +68,7 @@ Flight PrintedQueries::flight() const {
                 .rule = options_.rotation};
 }
 
-// Erratum S5: where the body is at the end. Mended: its way there.
+// Erratum T5: where the body is at the end. Mended: its way there.
 Bounds PrintedQueries::bounds_of_body(int body) const {
   const BodyProperties& properties = world_->bodies()[at(body)];
   if (!mended_.ways) return bounds_of(properties, test[at(body)]);
@@ -88,7 +88,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
   const ForeseenCollision first = heap.remove_first();
   out.time = first.time;
   out.pairs.assign(1, first.pair);
-  // Erratum S9 mended: and what cannot be told from it in time.
+  // Erratum T9 mended: and what cannot be told from it in time.
   const double last = first.time + options_.resolution;
   while (mended_.together && !heap.empty() && heap.first().time <= last)
     out.pairs.push_back(heap.remove_first().pair);
@@ -129,7 +129,7 @@ double PrintedQueries::gap_of(std::span<const BodyState> states, const IndexPair
 
 // When two bodies collide before an end. They do if their test states overlap; the time is searched
 // between the start, which is the later of their valid times, and the end, with both flown from
-// their valid states. So test states that do not belong to the valid ones (S3) are a collision at
+// their valid states. So test states that do not belong to the valid ones (T3) are a collision at
 // the end.
 std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
@@ -139,7 +139,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
     return gap_at(all, pair, time).distance;
   };
   if (!mended_.ways && gap_of(test, pair) >= 0.0) return std::nullopt;
-  // Erratum S7: who overlaps to begin with collides now, and now again.
+  // Erratum T7: who overlaps to begin with collides now, and now again.
   if (!(start < end)) {
     const bool now = !mended_.apart && (!mended_.ways || gap(end) < 0.0);
     return now ? std::optional(end) : std::nullopt;

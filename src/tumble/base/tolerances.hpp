@@ -1,16 +1,10 @@
 /// \file
-/// \brief Every small number of the library, in one place; those of the chapters are in a file of
-///        their own beside this one.
+/// \brief The small numbers of the lower layers. Every other folder has its own `tolerances.hpp`.
 ///
-/// Each line says: what it decides, its unit, why it has that size, and the thesis section it
-/// belongs to. Numbers without a unit are ratios and hold for boxes of any size and mass.
-/// A bare small literal anywhere else in the library is a mistake.
+/// Each docstring says: what the constant decides, its unit, why it has that size, and the thesis
+/// section it belongs to. Numbers without a unit are ratios and hold for boxes of any size and mass.
+/// A bare small literal outside of a `tolerances.hpp` is a mistake.
 #pragma once
-
-#include "tumble/base/chapter_tolerance.hpp"
-#include "tumble/base/filtering_tolerance.hpp"
-#include "tumble/base/rotation_tolerance.hpp"
-#include "tumble/base/stability_tolerance.hpp"
 
 /// Names for every small number.
 namespace tumble::tolerance {
@@ -63,6 +57,11 @@ inline constexpr double dependent_length = 1e-10;
 /// squares, a slope below this share of |d| counts as none. Reason: 1e-13 is rounding with 30
 /// contacts, and the answers of different solvers are compared at 1e-9. (3.3.1)
 inline constexpr double complementarity = 1e-11;
+
+/// [rad] Below this angle coefficients of rotations are the first term of their series. Reason: the next
+/// term is a hundredth of the square, 1e-10, of a part that is itself the square of the angle times the
+/// whole. (6.2)
+inline constexpr double small_angle = 1e-4;
 
 // --- geometry -----------------------------------------------------------------------------
 
@@ -129,120 +128,15 @@ inline constexpr double reciprocal = 1e-9;
 /// step would find other times when the step changes. (3.3.1)
 inline constexpr double event_resolution = 1e-6;
 
-// --- contact ------------------------------------------------------------------------------
-
-/// [-] Largest sine of the angle between a contact normal and the horizontal at which neither body
-/// holds up the other: 6 degrees. Reason: bodies side by side wobble by a degree or two; nothing
-/// rests on a face as steep as 84 degrees below a coefficient of friction of 10. (4.4)
-inline constexpr double side_contact = 0.1;
-
-/// [-] Overlap that repair leaves, as a share of the shortest edge of the two bodies. Reason: a
-/// gap would let go of the contact and the body would fall into it on the next step; a thousandth
-/// of an edge is below what a picture shows. (4.4)
-inline constexpr double repair_slop = 1e-3;
-
-/// [-] How much deeper than the slop an overlap must be to be worth a move, as a share of the
-/// slop. Reason: sweeps come near their end like a geometric series; a hundredth of the slop is
-/// far above rounding and ends it soon. (4.4)
-inline constexpr double repair_closeness = 0.01;
-
-/// [-] Two pushes on a body in a row count as to and fro if the cosine between them is below
-/// this. Reason: walls that open by more than 26 degrees let a body escape sideways. (4.4)
-inline constexpr double repair_to_and_fro = -0.9;
-
-/// [-] Below this speed of its fastest point a body is slow, as a share of sqrt(g L), L its
-/// shortest edge. Reason: about 3 cm/s for a box of 1 m; a free body gains 16 cm/s in 1/60 s. (4.5)
-inline constexpr double sleeping_speed = 0.01;
-
-/// [-] The same where there is no gravity, as a share of L / dt. Reason: a motion of less than a
-/// ten-thousandth of an edge in a frame is not seen. (4.5)
-inline constexpr double sleeping_speed_weightless = 1e-4;
-
-/// [s] How long all bodies of an island must have been slow before it falls asleep. Reason: a
-/// body that turns round at the top of its way is slow for less than 0.01 s at 1 m, and half a
-/// second is not long to wait. (4.5)
-inline constexpr double sleeping_time = 0.5;
-
-/// [-] A direction in which a pair of bodies yields less than this share of the sum over all three
-/// is one that nothing moves along. Reason: locked axes leave rounding, 1e-16; the thinnest box
-/// that makes sense, 1 to 1000, leaves 1e-6. (5.2)
-inline constexpr double rigid = 1e-13;
-
-/// [-] A slip below this share of the relative velocity has no direction. Reason: rounding leaves
-/// 1e-16 of a velocity that only points along the normal. (5.2)
-inline constexpr double still = 1e-12;
-
-/// [-] If friction leaves less than this share of the yield along the normal, there is no slipping
-/// impulse (Painleve). Reason: impulses a million times larger than without friction are no answer,
-/// and the guard of energy would scale them down to nothing anyway. (5.2)
-inline constexpr double jamming = 1e-6;
-
-/// [-] A gain of energy below this share of the work of an impulse is rounding. Reason: some ten
-/// operations of 1e-16 each. (5.3)
-inline constexpr double energy_rounding = 1e-14;
-
-/// [-] Collisions slower than this share of sqrt(g L) stick. Reason: 0.16 m/s for a box of 1 m, as
-/// much as gravity gives in 1/60 s; such a bounce with e = 1 rises by 1.3 mm. (4.3)
-inline constexpr double sticky_speed = 0.05;
-
-/// [-] The same where there is no gravity, as a share of L / dt. Reason: a bounce of less than a
-/// ten-thousandth of an edge in a frame is not seen. (4.3)
-inline constexpr double sticky_speed_weightless = 1e-4;
-
-/// [-] Width of a contact area, its widest reach being 1, below which it is taken for a line.
-/// Reason: pressure spread over a narrower one would lose more than five digits. (3.2)
-inline constexpr double thin_patch = 1e-5;
-
-/// [-] Friction has settled when a step changes it by less than this share of the normal impulses.
-/// Reason: what is left of an approach is of that order, a nanometre per second for one of 1 m/s;
-/// each digit more costs a fifth more steps. (5.2)
-inline constexpr double friction_settled = 1e-9;
-
-/// [-] An approach slower than this share of the fastest one when the event began is none.
-/// Reason: impacts one after the other end like a geometric series, and at 1 m/s the bodies sink by
-/// less than 2e-8 m in 1/60 s. (5.2)
-inline constexpr double impact_settled = 1e-6;
-
-/// [-] How close to Coulomb's limit a friction impulse has to be to be called slipping. Reason: it
-/// decides what is reported, never what is computed, so it only has to be above rounding. (3.3.2)
-inline constexpr double friction_limit = 1e-9;
-
 /// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
 /// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
 /// what is seen begins a thousand million times above. (2.1)
 inline constexpr double rounding_overlap = 1e-12;
 
-/// [-] Two bodies stick where they push each other if their materials there part by less than this
-/// share of the speed at which turning moves the bodies' ends. Reason: solvers leave a thousandth, what
-/// slides has ten times as much. In between it hardly matters who is carried: the two ways of moving
-/// differ by half the angle of a step, and only in where what slides is led. (6.2)
-inline constexpr double carried_slip = 1e-2;
-
-/// [-] A body that is carried is predicted anew if what carries it has moved it by more than this share of
-/// its shortest edge. Reason: rounding of a few metres is 1e-15; what rests is not looked at again. (6.2)
-inline constexpr double carried_again = 1e-14;
-
-// --- scenes, record -----------------------------------------------------------------------
+// --- scenes -------------------------------------------------------------------------------
 
 /// [-] Overlap at the start of a run up to which a scene is accepted, as a share of the shortest
 /// edge of the two bodies. Reason: positions are typed with six digits. (4.4)
 inline constexpr double start_overlap = 1e-3;
-
-/// [-] Up to this gap two bodies count as touching in measurements of chatter, as a share of the
-/// shortest edge of the two. Reason: well below what is seen, well above what techniques leave
-/// open. (3.3.2)
-inline constexpr double touching = 5e-3;
-
-/// [-] How far the corners of a body may have got in half a second for it to rest, as a share of its
-/// shortest edge. Reason: what slides or tips gets further, and that is not chatter. (3.3.2)
-inline constexpr double resting_movement = 0.01;
-
-/// [-] By how much of a display frame a step may end before the frame and still show it. Reason: times
-/// are sums of steps and carry rounding; a millionth of a frame is 17 ns. (3.3.2)
-inline constexpr double frame_slack = 1e-6;
-
-/// [-] A duration that is this part of a step longer than a whole number of steps is one of whole
-/// steps. Reason: rounding of 10 s / (1/60 s), well below any remainder somebody asked for. (2.1)
-inline constexpr double step_remainder = 1e-9;
 
 }  // namespace tumble::tolerance

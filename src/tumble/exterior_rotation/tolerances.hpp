@@ -1,16 +1,10 @@
 /// \file
-/// \brief The small numbers of the chapter on exterior rotation, in the form of those of the layers;
-///        include `tumble/base/tolerance.hpp`, which has all.
+/// \brief The small numbers of `exterior_rotation`.
 #pragma once
 
 namespace tumble::tolerance {
 
-// --- exterior rotation --------------------------------------------------------------------
-
-/// [rad] Below this angle coefficients of rotations are the first term of their series. Reason: the next
-/// term is a hundredth of the square, 1e-10, of a part that is itself the square of the angle times the
-/// whole. (6.2)
-inline constexpr double small_angle = 1e-4;
+// --- exterior_rotation --------------------------------------------------------------------
 
 /// [-] A row of the joints whose part that no row before it holds is below this share of it depends on
 /// them. Reason: rounding leaves 1e-13 of the rows of a ring of boxes, and the stiffest joint of the
@@ -32,5 +26,12 @@ inline constexpr double closed_area = 1e-12;
 /// [-] Share of the kinetic energy that joints must take away at once for velocities to be changed by them.
 /// Reason: the square of a millionth of the speed; scenes give velocities with fewer digits. (6.2)
 inline constexpr double joining_energy = 1e-12;
+
+/// [-] Error that the integration with a controlled one accepts in a step. Reason: errors of a
+/// thousand steps add up to a millionth, far below those of the simple schemes. (6.2)
+inline constexpr double rotation_accuracy = 1e-9;
+
+/// [-] Smallest such error that may be asked for. Reason: fifty times the rounding of a number. (6.2)
+inline constexpr double least_rotation_accuracy = 1e-14;
 
 }  // namespace tumble::tolerance
