@@ -114,7 +114,6 @@ SlideRun slide(const SlideSetup& setup) {
     if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
       throw std::runtime_error("a step of " + std::string(technique->name()) + " failed");
     SlideStep step;
-    step.time = world.time();
     step.speed = speed_of_upper(world);
     step.overhang = overhang(world);
     // Damped integration goes by the mark that the step before has left; the other one looks

@@ -5,16 +5,31 @@
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace tumble::chapters {
 
-/// What a run of the technique `glued` came to.
+/// Options of the technique `glued`.
+/// \param scheme    how the motion is integrated
+/// \param pose      how bodies are moved
+/// \param accuracy  [-] of dormand_prince, error allowed in a step
+/// \return all others are the defaults
+GluedOptions glued_options(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate,
+                           double accuracy = GluedOptions{}.accuracy);
+
+/// Numbers that are evenly spread in the logarithm.
+/// \param first  the first one, above 0
+/// \param last   the last one, above 0
+/// \param count  how many, 2 or more
+/// \return them
+std::vector<double> log_spaced(double first, double last, int count);
+
+/// The result of a run of the technique `glued`.
 struct GluedRun {
   World world;         ///< at the end
   double gap = 0.0;    ///< [m] largest opening or overlap of any joint after any step
   double apart = 0.0;  ///< [m] largest distance of a held corner from itself after any step
+  int solves = 0;      ///< systems of joint forces solved
 };
 
 /// Runs a group that sticks.

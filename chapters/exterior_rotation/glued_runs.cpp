@@ -1,6 +1,6 @@
 /// \file
 /// \brief Runs of groups that stick, and the groups of the figures on the cure.
-#include "exterior_rotation/cure_runs.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include "tumble/math/rotation.hpp"
 
@@ -18,6 +18,23 @@ constexpr double kInset = 0.1;              // [m] from its edges to the pivot
 
 }  // namespace
 
+GluedOptions glued_options(GluedScheme scheme, PoseUpdate pose, double accuracy) {
+  GluedOptions options;
+  options.scheme = scheme;
+  options.pose = pose;
+  options.accuracy = accuracy;
+  return options;
+}
+
+std::vector<double> log_spaced(double first, double last, int count) {
+  std::vector<double> numbers;
+  for (int k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / (count - 1);
+    numbers.push_back(first * std::exp(share * std::log(last / first)));
+  }
+  return numbers;
+}
+
 GluedRun run_glued(World world, const GluedOptions& options, double dt, int steps,
                    const std::function<void(const World&, const JointGap&)>& after) {
   Glued technique(options);
@@ -31,6 +48,7 @@ GluedRun run_glued(World world, const GluedOptions& options, double dt, int step
     if (after) after(world, gap);
   }
   run.world = std::move(world);
+  run.solves = technique.solves();
   return run;
 }
 
