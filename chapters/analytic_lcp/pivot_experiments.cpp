@@ -1,8 +1,8 @@
 /// \file
 /// \brief Baraff's algorithm step by step (thesis 3.3.1).
-#include "analytic_lcp/force_experiments.hpp"
 #include "analytic_lcp/pivot_trace.hpp"
 #include "analytic_lcp/planks.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <span>
@@ -36,7 +36,7 @@ Table set_table(const std::vector<TracedStep>& steps, int contacts) {
     ++number;
     for (int i = 0; i < contacts; ++i) {
       const double end = step.ended_by == i ? 1.0 + static_cast<double>(step.end) : 0.0;
-      table.rows.push_back({number, i + 1.0, state_of(step, i), end});
+      table.add(number, i + 1.0, state_of(step, i), end);
     }
   }
   return table;
@@ -58,15 +58,8 @@ Table path_table(const LcpProblem& problem, const std::vector<TracedStep>& steps
   for (int i = 0; i < n; ++i)
     table.columns.push_back(
         {column_of("a", i, "_m_s2"), "m/s²", "acceleration apart at this contact"});
-  std::vector<double> row(static_cast<std::size_t>(1 + n), 0.0);
-  row.insert(row.end(), problem.b.data(), problem.b.data() + n);
-  table.rows.push_back(row);
-  for (const TracedStep& step : steps) {
-    row.assign(1, row.front() + 1.0);
-    row.insert(row.end(), step.f.begin(), step.f.end());
-    row.insert(row.end(), step.a.begin(), step.a.end());
-    table.rows.push_back(row);
-  }
+  table.add(0, std::vector<double>(static_cast<std::size_t>(n), 0.0), problem.b);
+  for (const TracedStep& step : steps) table.add(table.rows.size(), step.f, step.a);
   return table;
 }
 
@@ -80,8 +73,7 @@ Table body_table(const Planks& planks) {
   for (std::size_t k = 0; k < planks.bodies.size(); ++k) {
     const BodyProperties& body = planks.world.bodies()[k];
     const Vec3& p = planks.bodies[k].position_w;
-    table.rows.push_back(
-        {p.x(), p.y(), body.size.x(), body.size.y(), body.movable() ? body.mass : 0.0});
+    table.add(p.x(), p.y(), body.size.x(), body.size.y(), body.movable() ? body.mass : 0.0);
   }
   return table;
 }
@@ -94,7 +86,7 @@ Table contact_table(const Planks& planks, const LcpResult& result) {
                {"force_n", "N", "in the end"}}};
   for (std::size_t k = 0; k < planks.contacts.size(); ++k) {
     const Vec3& p = planks.contacts[k].points[0].position_w;
-    table.rows.push_back({static_cast<double>(k + 1), p.x(), p.y(), result.f[k]});
+    table.add(k + 1, p.x(), p.y(), result.f[k]);
   }
   return table;
 }
@@ -104,56 +96,30 @@ double fastest_sinking(std::span<const double> a) {
   return std::max(0.0, -*std::min_element(a.begin(), a.end()));
 }
 
-// P4, taken literally: the loop goes on *until* a contact sinks. One does at the start, with f = 0
-// and a = b, so it is not entered.
-double left_by_loop_until_sinking(const LcpProblem& problem) {
-  return fastest_sinking({problem.b.data(), static_cast<std::size_t>(problem.size())});
-}
-
-// The force at the third post when the upper plank tips over it: m g / (1 + m d² / I), d from its
-// centre.
-double tipping_force(const Planks& planks, double post) {
-  const BodyProperties& plank = planks.world.bodies().back();
-  const double d = planks.bodies.back().position_w.x() - post;
-  return plank.mass * planks.world.gravity_w.norm() /
-         (1.0 + plank.mass * d * d * plank.inverse_inertia_b.z());
-}
-
-}  // namespace
-
 Result measure_index_sets(const Parameters& settings) {
-  const double post = settings.number("post");
-  const Planks planks = make_planks(settings.number("centre"), post);
+  const Planks planks = make_planks(settings.number("centre"), settings.number("post"));
   const LcpProblem& lcp = planks.problem.lcp();
   LcpResult result;
   const std::vector<TracedStep> steps = trace_baraff(lcp, result);
   if (result.status != LcpStatus::solved)
     throw std::runtime_error("Baraff's algorithm ended as " + std::string(name_of(result.status)));
 
-  std::vector<Quantity> quantities;
-  const auto add = [&](const std::string& name, const char* unit, double value) {
-    quantities.push_back({name, unit, value});
-  };
-  const auto ends = [&steps](StepEnd end) {
-    return static_cast<double>(std::count_if(
-        steps.begin(), steps.end(), [end](const TracedStep& step) { return step.end == end; }));
-  };
-  add("steps", "-", static_cast<double>(steps.size()));
-  add("of these, a contact lets go", "-", ends(StepEnd::lets_go));
-  add("of these, a contact returns", "-", ends(StepEnd::returns));
-  for (std::size_t i = 0; i < result.f.size(); ++i)
-    add("force at contact " + std::to_string(i + 1), "N", result.f[i]);
-  add("force at the third post, plank tipping over it", "N", tipping_force(planks, post));
-  for (std::size_t i = 0; i < result.a.size(); ++i)
-    add("acceleration apart at contact " + std::to_string(i + 1), "m/s²", result.a[i]);
-  add("residual", "-", result.residual);
-  add("P4: fastest sinking that is left, loop until a contact sinks", "m/s²",
-      left_by_loop_until_sinking(lcp));
-  add("P4: fastest sinking that is left, loop while a contact sinks", "m/s²",
-      fastest_sinking(result.a));
+  // P4, taken literally: the loop goes on *until* a contact sinks. One does at the start, with f = 0
+  // and a = b, so it is not entered.
   return {{set_table(steps, lcp.size()), path_table(lcp, steps), body_table(planks),
            contact_table(planks, result)},
-          quantities};
+          {{"P4: fastest sinking that is left, loop until a contact sinks", "m/s²",
+            fastest_sinking({lcp.b.data(), static_cast<std::size_t>(lcp.size())})},
+           {"P4: fastest sinking that is left, loop while a contact sinks", "m/s²",
+            fastest_sinking(result.a)}}};
 }
 
+const Registered index_sets_figure{
+    {.name = "index_sets",
+     .parameters = Parameters{}
+                       .add_number("centre", 1.625, 0.5, 2.2, "m", "middle of the upper plank")
+                       .add_number("post", 1.5, 1.05, 2.5, "m", "place of the third post"),
+     .experiment = measure_index_sets}};
+
+}  // namespace
 }  // namespace tumble::chapters

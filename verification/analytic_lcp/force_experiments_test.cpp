@@ -6,7 +6,6 @@
 #include "tumble/math/elementary.hpp"
 
 #include "analytic_lcp/brick_pyramid.hpp"
-#include "analytic_lcp/experiments.hpp"
 #include "analytic_lcp/force_range.hpp"
 #include "analytic_lcp/painleve_rod.hpp"
 #include "analytic_lcp/pivot_trace.hpp"
@@ -30,14 +29,6 @@ using namespace tumble::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-Result small_run(const char* name) {
-  std::vector<Figure> figures;
-  add_force_figures(figures);
-  return run_quickly(figures, name);
-}
-
-double number(const Result& result, const char* name) { return quantity_of(result, name).value; }
 
 std::vector<double> forces(const LcpProblem& problem) {
   BaraffSolver solver;
@@ -103,15 +94,13 @@ TEST_CASE("A cube loaded near a corner leaves each corner a range of forces 0.98
 TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weight",
           "[exact][analytic_lcp]") {
   // It touches from 1/40 to 1/2 m on either side of its middle, so forces are as 20 to 1 at most.
-  const Result result = small_run("pyramid_forces");
-  CHECK(
-      number(result,
-             "two rows on faces: smallest force under an end of the top brick, over its weight") ==
-      Approx(1.0 / 21.0)
-          .epsilon(1e-9));  // faces are widened by 1e-12 to be clipped: measured 1e-12
-  CHECK(number(result, "two rows on faces: largest force there, over its weight") ==
+  const FigureUnderTest figure("pyramid_forces");
+  // Faces are widened by 1e-12 to be clipped: measured 1e-12.
+  CHECK(figure.number("two rows on faces: smallest force under an end of the top brick, over its "
+                      "weight") == Approx(1.0 / 21.0).epsilon(1e-9));
+  CHECK(figure.number("two rows on faces: largest force there, over its weight") ==
         Approx(20.0 / 21.0).epsilon(1e-9));
-  const Table& pairs = result.tables.front();
+  const Table& pairs = figure.result.tables.front();
   REQUIRE(pairs.rows.size() == 4);
   for (std::size_t k = 0; k < 2; ++k) {  // on the ground, with their own weight
     CHECK(pairs.rows[k][4] == Approx(22.0 / 21.0).epsilon(1e-9));
@@ -121,19 +110,15 @@ TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weig
 
 TEST_CASE("All solvers' forces in a pyramid lie within what is possible, and they differ",
           "[claims][analytic_lcp]") {
-  std::vector<Figure> figures;
-  add_force_figures(figures);
-  const Result result = run_quickly(figures, "pyramid_forces", {"rows=3"});
+  const FigureUnderTest figure("pyramid_forces", {"rows=3"});
   // [weights] Gauss-Seidel stops at 1e-9 of g.
-  CHECK(number(result,
-               "on faces: how far an answer is outside of its bar, over the weight of a brick") <
-        1e-7);  // measured 1e-14
-  CHECK(number(result,
-               "on faces: how far two answers for a pair of faces are apart, over the "
-               "weight of a brick") > 1.0);  // measured 1.49
-  CHECK(number(result, "on faces: load of the lowest row, over the weight of a brick") ==
+  CHECK(figure.number("on faces: how far an answer is outside of its bar, over the weight of a "
+                      "brick") < 1e-7);  // measured 1e-14
+  CHECK(figure.number("on faces: how far two answers for a pair of faces are apart, over the "
+                      "weight of a brick") > 1.0);  // measured 1.49
+  CHECK(figure.number("on faces: load of the lowest row, over the weight of a brick") ==
         Approx(6.0).epsilon(1e-12));
-  for (const std::vector<double>& row : result.tables.front().rows) CHECK(row[4] < row[5]);
+  for (const std::vector<double>& row : figure.result.tables.front().rows) CHECK(row[4] < row[5]);
 }
 
 // --- Baraff's steps -----------------------------------------------------------------------------
@@ -177,6 +162,9 @@ TEST_CASE("On two planks, contact 1 comes to rest, parts and returns", "[exact][
   const double g = 9.81;
   const double tipping = 1.25 * g / (1.0 + 12.0 * 0.125 * 0.125 / (2.5 * 2.5 + 0.1 * 0.1));
   CHECK(near(result.f, {0.25 * g, 0.75 * g, 0.0, 0.0, tipping}, 1e-13));
+  // The upper one falls at its middle, and nine and four times as fast up where 3 and 4 were.
+  const double falls = g - tipping / 1.25;
+  CHECK(near(result.a, {0.0, 0.0, 9.0 * falls, 4.0 * falls, 0.0}, 1e-13));
   CHECK(result.pivots == 9);
 }
 
@@ -197,9 +185,9 @@ TEST_CASE("A contact that a later one relieves enters the set C and leaves it ag
 
 TEST_CASE("A loop that ends as soon as a contact sinks leaves planks in free fall",
           "[exact][analytic_lcp]") {
-  const Result result = small_run("index_sets");
-  CHECK(number(result, "P4: fastest sinking that is left, loop until a contact sinks") == 9.81);
-  CHECK(number(result, "P4: fastest sinking that is left, loop while a contact sinks") <
+  const FigureUnderTest figure("index_sets");
+  CHECK(figure.number("P4: fastest sinking that is left, loop until a contact sinks") == 9.81);
+  CHECK(figure.number("P4: fastest sinking that is left, loop while a contact sinks") <
         1e-5);  // [m/s²] the thesis's own eps: measured 2e-15
 }
 
@@ -258,14 +246,14 @@ TEST_CASE("A time step of Painlevé's rod has an answer where no force exists",
 
 TEST_CASE("The map of Painlevé's rod has its edge on the closed form, and every step is solved",
           "[claims][analytic_lcp]") {
-  const Result result = small_run("painleve_map");
+  const FigureUnderTest figure("painleve_map");
   // Half a cell of 3/30: measured 0.049.
-  CHECK(number(result, "largest distance of the map's edge from the closed form") < 0.05);
-  CHECK(number(result, "steps tried") == 224.0);
-  CHECK(number(result, "of these, the end lifts off") == 0.0);
+  CHECK(figure.number("largest distance of the map's edge from the closed form") < 0.05);
+  CHECK(figure.number("steps tried") == 224.0);
+  CHECK(figure.number("of these, the end lifts off") == 0.0);
   // Rods that a step leaves sliding are all below the curve.
   int beyond = 0;
-  for (const std::vector<double>& row : result.tables.front().rows)
+  for (const std::vector<double>& row : figure.result.tables.front().rows)
     if (row[2] == 1.0 && row[1] > critical_friction(row[0] * kDegree)) ++beyond;
   CHECK(beyond == 0);
 }

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The experiment on the solvers' work, run small.
-#include "analytic_lcp/work_experiments.hpp"
-
 #include "analytic_lcp/pyramid_problem.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
@@ -14,15 +12,12 @@ using namespace tumble::chapters;
 
 TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
           "[claims][lcp][analytic_lcp]") {
-  std::vector<Figure> figures;
-  add_work_figures(figures);
-  const Result result = run_quickly(figures, "lcp_work");
-  const auto value = [&](const char* name) { return quantity_of(result, name).value; };
-  CHECK(value("largest residual, multipliers, rest") <= 1e-12);
-  CHECK(value("largest residual, multipliers, noisy") <= 1e-12);
+  const FigureUnderTest figure("lcp_work");
+  CHECK(figure.number("largest residual, multipliers, rest") <= 1e-12);
+  CHECK(figure.number("largest residual, multipliers, noisy") <= 1e-12);
   // 144 contacts: measured 0.17 of a dense factorisation at rest, 0.69 with noise.
-  CHECK(value("work over a dense factorisation, multipliers, largest, rest") < 0.2);
-  CHECK(value("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
+  CHECK(figure.number("work over a dense factorisation, multipliers, largest, rest") < 0.2);
+  CHECK(figure.number("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
 }
 
 TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
