@@ -1,5 +1,5 @@
 /// \file
-/// \brief What exact impact times cost, against time stepping at equal error (thesis 3.3.1).
+/// \brief The cost of exact impact times against time stepping at equal error (thesis 3.3.1).
 #include "tumble/scenes/scene.hpp"
 
 #include "driver/common_numbers.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Five things that a body may do, in one world and one run (thesis 3.3.1).
+/// \brief A bounce, a sticky collision, rest, sliding and toppling in one world and one run (thesis 3.3.1).
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/scene.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where Coulomb's law has no answer, and what a time step does there (thesis 2.6.3).
+/// \brief Painlevé's rod where Coulomb's law has no answer, and its time steps there (thesis 2.6.3).
 #include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/elementary.hpp"
 
@@ -20,7 +20,7 @@ constexpr double kLast = 88.0;
 constexpr double kMost = 3.0;         // [-] friction at the map's upper edge
 constexpr double kStandstill = 1e-9;  // [m/s] slower is rounding, where rods slide with 1 m/s
 
-// What the map tells.
+// What the map shows.
 enum class Answers { none, pushes, lifts, two };
 
 Answers answers_of(const PainleveRod& rod) {

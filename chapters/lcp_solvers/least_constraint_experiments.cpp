@@ -4,9 +4,9 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "analytic_lcp/redundant_contacts.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 /// \file
 /// \brief The experiment on the solvers' work, run small.
-#include "analytic_lcp/pyramid_problem.hpp"
 #include "driver/quick.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
-          "[claims][lcp][analytic_lcp]") {
+          "[claims][lcp][lcp_solvers]") {
   const FigureUnderTest figure("lcp_work");
   CHECK(figure.number("largest residual, multipliers, rest") <= 1e-12);
   CHECK(figure.number("largest residual, multipliers, noisy") <= 1e-12);
@@ -21,7 +21,7 @@ TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than 
 }
 
 TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
-          "[exact][lcp][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // Two cubes and one on top: two pairs of faces on the ground, two above.
   const PyramidProblem pyramid = pyramid_problem(16, 0.0, 1);
   CHECK(pyramid.problem.factors.bodies.size() == 3);
@@ -44,7 +44,7 @@ TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
 }
 
 TEST_CASE("After the right impulses the next step begins with contacts that do not part or sink",
-          "[exact][lcp][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // b of the next step is a of this one plus gravity's share, which is b at rest.
   const PyramidProblem rest = pyramid_problem(36, 0.0, 1);
   const PyramidProblem pyramid = pyramid_problem(36, 0.1, 1);

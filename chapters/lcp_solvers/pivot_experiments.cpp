@@ -1,8 +1,8 @@
 /// \file
-/// \brief Baraff's algorithm step by step (thesis 3.3.1).
-#include "analytic_lcp/pivot_trace.hpp"
-#include "analytic_lcp/planks.hpp"
+/// \brief The figure of Baraff's algorithm, step by step (thesis 3.3.1).
 #include "driver/registry.hpp"
+#include "lcp_solvers/pivot_trace.hpp"
+#include "lcp_solvers/planks.hpp"
 
 #include <algorithm>
 #include <span>
@@ -42,22 +42,15 @@ Table set_table(const std::vector<TracedStep>& steps, int contacts) {
   return table;
 }
 
-std::string column_of(const char* letter, int contact, const char* unit) {
-  std::string name = letter;
-  name += std::to_string(contact + 1);
-  name += unit;
-  return name;
-}
-
 // Forces and accelerations before the first step and after each one. In between they are linear.
 Table path_table(const LcpProblem& problem, const std::vector<TracedStep>& steps) {
   const int n = problem.size();
   Table table{"path", {{"step", "-", "steps done"}}};
   for (int i = 0; i < n; ++i)
-    table.columns.push_back({column_of("f", i, "_n"), "N", "force at this contact"});
+    table.columns.push_back({"f" + std::to_string(i + 1) + "_n", "N", "force at this contact"});
   for (int i = 0; i < n; ++i)
     table.columns.push_back(
-        {column_of("a", i, "_m_s2"), "m/s²", "acceleration apart at this contact"});
+        {"a" + std::to_string(i + 1) + "_m_s2", "m/s²", "acceleration apart at this contact"});
   table.add(0, std::vector<double>(static_cast<std::size_t>(n), 0.0), problem.b);
   for (const TracedStep& step : steps) table.add(table.rows.size(), step.f, step.a);
   return table;

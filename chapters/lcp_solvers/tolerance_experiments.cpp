@@ -6,22 +6,21 @@
 #include "tumble/lcp_solvers/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 
-#include "analytic_lcp/redundant_contacts.hpp"
 #include "driver/common_numbers.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
 namespace tumble::chapters {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Stacks of one to four cubes, pushed about at random by up to a tenth of their weight.
 LcpProblem random_stack(Random& random) {
@@ -123,7 +122,7 @@ class Rest {
   // The load of each cube goes round its middle, 0.2 m from it and once in some ten seconds.
   void step(double time, double dt) {
     for (std::size_t k = 0; k < loads_.size(); ++k) {
-      const double angle = 2.0 * pi * time / (9.0 + static_cast<double>(k));
+      const double angle = 2.0 * std::numbers::pi * time / (9.0 + static_cast<double>(k));
       const Vec3 place(0.2 * elementary::cos(angle), 0.0, 0.2 * elementary::sin(angle));
       loads_[k].linear_w = Vec3(0.0, -weight_, 0.0);
       loads_[k].angular_w = 6.0 * place.cross(Vec3(0.0, -weight_, 0.0));

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What contact solvers have to do, counted, against the number of contacts (thesis 3.3.1).
+/// \brief Multiplications of contact solvers against the number of contacts (thesis 3.3.1).
 ///
 /// The problems are those of pyramid_problem(), k cubes in the lowest row for 4k² contacts. Each solver
 /// does larger ones as long as the next is expected to stay below a limit of multiplications, taken to
@@ -7,8 +7,8 @@
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
-#include "analytic_lcp/pyramid_problem.hpp"
 #include "driver/registry.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -54,8 +54,7 @@ std::vector<Work> work_of(const LcpRecipe& recipe, const Parameters& settings, d
   return all;
 }
 
-// A row for each size: n, the cost of one dense factorisation, and the work of each solver that solved
-// it.
+// A row for each size: n, the cost of one dense factorisation, and the work of each solver that solved it.
 Table table_of(const std::string& suffix, const std::vector<std::vector<Work>>& solvers) {
   Table table{suffix,
               {{"contacts", "-", "rows n of the problem"},
@@ -76,13 +75,6 @@ Table table_of(const std::string& suffix, const std::vector<std::vector<Work>>& 
     table.add(n, n * n * n / 6.0, work_of_each);
   }
   return table;
-}
-
-// The others.
-void add_failures(double noisy, const std::vector<std::vector<Work>>& solvers, Table& table) {
-  for (std::size_t k = 0; k < solvers.size(); ++k)
-    for (const Work& work : solvers[k])
-      if (!work.solved) table.add(work.n, work.multiplications, noisy, k + 1, work.residual);
 }
 
 // What is said about the fastest solver.
@@ -112,7 +104,10 @@ Result measure_work(const Parameters& settings) {
       if (recipe.name == kFastest) add_quantities(which, solvers.back(), result.quantities);
     }
     result.tables.push_back(table_of(noise > 0.0 ? "noisy" : "", solvers));
-    add_failures(noise > 0.0 ? 1.0 : 0.0, solvers, failures);
+    for (std::size_t k = 0; k < solvers.size(); ++k)
+      for (const Work& work : solvers[k])
+        if (!work.solved)
+          failures.add(work.n, work.multiplications, noise > 0.0, k + 1, work.residual);
   }
   result.tables.push_back(failures);
   return result;

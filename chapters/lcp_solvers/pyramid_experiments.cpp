@@ -1,14 +1,12 @@
 /// \file
 /// \brief Forces in a pyramid: determined on feet, a range on full faces (thesis 2.6, 3.3.1).
-#include "tumble/base/error.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
 
-#include "analytic_lcp/brick_pyramid.hpp"
-#include "analytic_lcp/force_range.hpp"
 #include "driver/registry.hpp"
+#include "lcp_solvers/brick_pyramid.hpp"
+#include "lcp_solvers/force_range.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 
-#include "analytic_lcp/redundant_contacts.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -174,14 +174,9 @@ Result measure_friction_cost(const Parameters& settings) {
       const double plain_again = Path(plain, random).work_with_new_factors();
       with.push_back(Path(rough, random).work_with_new_factors());
       without.push_back(updated);
-      const std::array<double, 8> one = {static_cast<double>(contacts),
-                                         static_cast<double>(plain.size()),
-                                         static_cast<double>(rough.size()),
-                                         entries(plain.A),
-                                         entries(rough.A),
-                                         updated,
-                                         plain_again,
-                                         with.back()};
+      const std::array<double, 8> one = {1.0 * contacts,   1.0 * plain.size(), 1.0 * rough.size(),
+                                         entries(plain.A), entries(rough.A),   updated,
+                                         plain_again,      with.back()};
       for (std::size_t k = 0; k < row.size(); ++k) row[k] += one[k] / seeds;
     }
     table.add(row);
