@@ -6,7 +6,7 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "analytic_lcp/pyramid_problem.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/lcp_cases.hpp"
 #include "lcp_solvers/siconos_friction.hpp"
 #include "lcp_solvers/siconos_problems.hpp"

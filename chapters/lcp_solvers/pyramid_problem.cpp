@@ -1,6 +1,6 @@
 /// \file
 /// \brief The contact problems that solvers are measured with: pyramids of cubes without friction.
-#include "analytic_lcp/pyramid_problem.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"

@@ -1,24 +1,18 @@
 /// \file
-/// \brief The figures that show contact forces: pyramids, the steps of Baraff's algorithm, Painlevé's
-///        rod.
+/// \brief The figures that show contact forces: pyramids, and the steps of Baraff's algorithm.
 #include "tumble/lcp_solvers/baraff.hpp"
-#include "tumble/lcp_solvers/lemke.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "analytic_lcp/brick_pyramid.hpp"
-#include "analytic_lcp/experiments.hpp"
-#include "analytic_lcp/force_range.hpp"
-#include "analytic_lcp/painleve_rod.hpp"
-#include "analytic_lcp/pivot_trace.hpp"
-#include "analytic_lcp/planks.hpp"
 #include "driver/quick.hpp"
+#include "lcp_solvers/brick_pyramid.hpp"
+#include "lcp_solvers/force_range.hpp"
 #include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/pivot_trace.hpp"
+#include "lcp_solvers/planks.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,16 +22,6 @@ using namespace tumble::chapters;
 using namespace tumble::test;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-Result small_run(const char* name) {
-  std::vector<Figure> figures;
-  add_force_figures(figures);
-  return run_quickly(figures, name);
-}
-
-double number(const Result& result, const char* name) { return quantity_of(result, name).value; }
 
 std::vector<double> forces(const LcpProblem& problem) {
   BaraffSolver solver;
@@ -52,17 +36,18 @@ std::vector<double> forces(const LcpProblem& problem) {
 // --- pyramids -----------------------------------------------------------------------------------
 
 TEST_CASE("On feet, loads go straight down a pyramid and arrive as 3/2, 7/2, 5, 7/2, 3/2 weights",
-          "[exact][analytic_lcp]") {
-  const std::array<std::vector<double>, 4> written_down{std::vector<double>{1.5, 1.5},
-                                                        {1.5, 3.0, 1.5},
-                                                        {1.5, 3.5, 3.5, 1.5},
-                                                        {1.5, 3.5, 5.0, 3.5, 1.5}};
+          "[exact][lcp][lcp_solvers]") {
+  // A foot stands right above one of the next row, so each column of feet bears half the weight of every
+  // brick that it passes: min(c, 2 rows + 1 - c) / 2 in column c from 1.
+  const std::array<std::vector<double>, 4> loads{std::vector<double>{1.5, 1.5},
+                                                 {1.5, 3.0, 1.5},
+                                                 {1.5, 3.5, 3.5, 1.5},
+                                                 {1.5, 3.5, 5.0, 3.5, 1.5}};
   for (int rows = 2; rows <= 5; ++rows) {
-    CHECK(loads_on_feet(rows) == written_down[static_cast<std::size_t>(rows - 2)]);
     const BrickPyramid pyramid = make_brick_pyramid(rows, 1.05, Stand::feet);
     const std::vector<double> f = forces(pyramid.problem.lcp());
     const std::vector<Resultant> got = resultants(pyramid, f);
-    const std::vector<double> want = loads_on_feet(rows);
+    const std::vector<double>& want = loads[static_cast<std::size_t>(rows - 2)];
     double worst = 0.0;
     for (std::size_t k = 0; k < want.size(); ++k)
       worst = std::max(worst, std::abs(got[k].force / weight_of_brick(pyramid) - want[k]));
@@ -77,7 +62,7 @@ TEST_CASE("On feet, loads go straight down a pyramid and arrive as 3/2, 7/2, 5, 
 }
 
 TEST_CASE("A cube loaded near a corner leaves each corner a range of forces 0.981 N long",
-          "[exact][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // The load at (0.4, 0.3): least squares plus t (1, -1, 1, -1) with t from 0.981 to 1.962.
   const LcpProblem cube = cube_on_ground(9.81, 0.4, 0.3);
   const ForceRange range(cube.A, cube.b);
@@ -101,17 +86,15 @@ TEST_CASE("A cube loaded near a corner leaves each corner a range of forces 0.98
 }
 
 TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weight",
-          "[exact][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // It touches from 1/40 to 1/2 m on either side of its middle, so forces are as 20 to 1 at most.
-  const Result result = small_run("pyramid_forces");
-  CHECK(
-      number(result,
-             "two rows on faces: smallest force under an end of the top brick, over its weight") ==
-      Approx(1.0 / 21.0)
-          .epsilon(1e-9));  // faces are widened by 1e-12 to be clipped: measured 1e-12
-  CHECK(number(result, "two rows on faces: largest force there, over its weight") ==
+  const FigureUnderTest figure("pyramid_forces");
+  // Faces are widened by 1e-12 to be clipped: measured 1e-12.
+  CHECK(figure.number("two rows on faces: smallest force under an end of the top brick, over its "
+                      "weight") == Approx(1.0 / 21.0).epsilon(1e-9));
+  CHECK(figure.number("two rows on faces: largest force there, over its weight") ==
         Approx(20.0 / 21.0).epsilon(1e-9));
-  const Table& pairs = result.tables.front();
+  const Table& pairs = figure.result.tables.front();
   REQUIRE(pairs.rows.size() == 4);
   for (std::size_t k = 0; k < 2; ++k) {  // on the ground, with their own weight
     CHECK(pairs.rows[k][4] == Approx(22.0 / 21.0).epsilon(1e-9));
@@ -120,25 +103,22 @@ TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weig
 }
 
 TEST_CASE("All solvers' forces in a pyramid lie within what is possible, and they differ",
-          "[claims][analytic_lcp]") {
-  std::vector<Figure> figures;
-  add_force_figures(figures);
-  const Result result = run_quickly(figures, "pyramid_forces", {"rows=3"});
+          "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("pyramid_forces", {"rows=3"});
   // [weights] Gauss-Seidel stops at 1e-9 of g.
-  CHECK(number(result,
-               "on faces: how far an answer is outside of its bar, over the weight of a brick") <
-        1e-7);  // measured 1e-14
-  CHECK(number(result,
-               "on faces: how far two answers for a pair of faces are apart, over the "
-               "weight of a brick") > 1.0);  // measured 1.49
-  CHECK(number(result, "on faces: load of the lowest row, over the weight of a brick") ==
+  CHECK(figure.number("on faces: how far an answer is outside of its bar, over the weight of a "
+                      "brick") < 1e-7);  // measured 1e-14
+  CHECK(figure.number("on faces: how far two answers for a pair of faces are apart, over the "
+                      "weight of a brick") > 1.0);  // measured 1.49
+  CHECK(figure.number("on faces: load of the lowest row, over the weight of a brick") ==
         Approx(6.0).epsilon(1e-12));
-  for (const std::vector<double>& row : result.tables.front().rows) CHECK(row[4] < row[5]);
+  for (const std::vector<double>& row : figure.result.tables.front().rows) CHECK(row[4] < row[5]);
 }
 
 // --- Baraff's steps -----------------------------------------------------------------------------
 
-TEST_CASE("On two planks, contact 1 comes to rest, parts and returns", "[exact][analytic_lcp]") {
+TEST_CASE("On two planks, contact 1 comes to rest, parts and returns",
+          "[exact][lcp][lcp_solvers]") {
   const Planks planks = make_planks(1.625, 1.5);
   LcpResult result;
   const std::vector<TracedStep> steps = trace_baraff(planks.problem.lcp(), result);
@@ -177,11 +157,14 @@ TEST_CASE("On two planks, contact 1 comes to rest, parts and returns", "[exact][
   const double g = 9.81;
   const double tipping = 1.25 * g / (1.0 + 12.0 * 0.125 * 0.125 / (2.5 * 2.5 + 0.1 * 0.1));
   CHECK(near(result.f, {0.25 * g, 0.75 * g, 0.0, 0.0, tipping}, 1e-13));
+  // The upper one falls at its middle, and nine and four times as fast up where 3 and 4 were.
+  const double falls = g - tipping / 1.25;
+  CHECK(near(result.a, {0.0, 0.0, 9.0 * falls, 4.0 * falls, 0.0}, 1e-13));
   CHECK(result.pivots == 9);
 }
 
 TEST_CASE("A contact that a later one relieves enters the set C and leaves it again",
-          "[exact][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   LcpResult result;
   const std::vector<TracedStep> steps = trace_baraff(lcp({4, 3, 3, 4}, {-1, -4}), result);
   REQUIRE(steps.size() == 3);
@@ -196,76 +179,9 @@ TEST_CASE("A contact that a later one relieves enters the set C and leaves it ag
 }
 
 TEST_CASE("A loop that ends as soon as a contact sinks leaves planks in free fall",
-          "[exact][analytic_lcp]") {
-  const Result result = small_run("index_sets");
-  CHECK(number(result, "P4: fastest sinking that is left, loop until a contact sinks") == 9.81);
-  CHECK(number(result, "P4: fastest sinking that is left, loop while a contact sinks") <
+          "[exact][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("index_sets");
+  CHECK(figure.number("P4: fastest sinking that is left, loop until a contact sinks") == 9.81);
+  CHECK(figure.number("P4: fastest sinking that is left, loop while a contact sinks") <
         1e-5);  // [m/s²] the thesis's own eps: measured 2e-15
-}
-
-// --- Painlevé's rod -----------------------------------------------------------------------------
-
-TEST_CASE("Painlevé's rod has one force below a friction of 4/3, and none or two above the curve",
-          "[exact][analytic_lcp]") {
-  const auto critical = [](double degrees) { return critical_friction(degrees * kDegree); };
-  // Twelve digits were written down.
-  CHECK(critical(30.0) == Approx(2.50185116649).epsilon(1e-11));
-  CHECK(critical(45.0) == Approx(1.66666666667).epsilon(1e-11));
-  CHECK(critical(60.0) == Approx(1.34715062811).epsilon(1e-11));
-  CHECK(critical(75.0) == Approx(1.60128252576).epsilon(1e-11));
-  CHECK(critical(63.4349488229) == Approx(4.0 / 3.0).epsilon(1e-11));
-
-  const double angle = 60.0 * kDegree;
-  CHECK(push_response({angle, 1.0, 0.0}) == Approx(0.450961894323).epsilon(1e-11));
-  REQUIRE(possible_forces({angle, 1.0, 0.0}).size() == 1);
-  CHECK(possible_forces({angle, 1.0, 0.0})[0] == Approx(21.7535009576).epsilon(1e-11));
-
-  CHECK(push_response({angle, 1.5, 0.0}) == Approx(-0.198557158515).epsilon(1e-11));
-  CHECK(free_acceleration({angle, 1.5, 0.0}) == -9.81);
-  CHECK(possible_forces({angle, 1.5, 0.0}).empty());
-
-  CHECK(free_acceleration({angle, 1.5, 5.0}) == Approx(11.8406350946).epsilon(1e-11));
-  const std::vector<double> two = possible_forces({angle, 1.5, 5.0});
-  REQUIRE(two.size() == 2);
-  CHECK(two[0] == 0.0);
-  CHECK(two[1] == Approx(59.633383068).epsilon(1e-11));
-  CHECK(std::abs(free_acceleration({angle, 1.5, 3.36565183605})) < 1e-10);  // [m/s²] measured 5e-12
-}
-
-TEST_CASE("A time step of Painlevé's rod has an answer where no force exists",
-          "[exact][analytic_lcp]") {
-  const double angle = 60.0 * kDegree;
-  LemkeSolver lemke;
-  // Nine digits were written down.
-  const RodStep jams = step_rod({angle, 1.5, 0.0}, 1.0 / 60.0, lemke);
-  CHECK(jams.status == LcpStatus::solved);
-  CHECK(jams.normal_impulse == Approx(0.457603276).epsilon(2e-9));
-  CHECK(jams.friction_impulse == Approx(0.490598183).epsilon(2e-9));
-  CHECK(std::abs(jams.slip) < 1e-14);
-  CHECK(std::abs(jams.lift) < 1e-14);
-  CHECK(jams.spin == Approx(0.588206553).epsilon(2e-9));
-
-  const RodStep slides = step_rod({angle, 1.0, 0.0}, 1.0 / 60.0, lemke);
-  CHECK(slides.normal_impulse == Approx(0.362558349).epsilon(2e-9));
-  CHECK(slides.friction_impulse == Approx(0.362558349).epsilon(2e-9));
-  CHECK(slides.slip == Approx(-0.292662476).epsilon(2e-9));
-
-  // However short the step, the impulse stays: 3 sin cos / 4 and 7/16.
-  const RodStep limit = step_rod({angle, 1.5, 0.0}, 1e-12, lemke);
-  CHECK(limit.normal_impulse == Approx(3.0 * std::sqrt(3.0) / 16.0).epsilon(1e-10));
-  CHECK(limit.friction_impulse == Approx(0.4375).epsilon(1e-10));
-}
-
-TEST_CASE("The map of Painlevé's rod has its edge on the closed form, and every step is solved",
-          "[claims][analytic_lcp]") {
-  const Result result = small_run("painleve_map");
-  // Half a cell of 3/30: measured 0.049.
-  CHECK(number(result, "largest distance of the map's edge from the closed form") < 0.05);
-  CHECK(number(result, "steps tried") == 224.0);
-  CHECK(number(result, "of these, the end lifts off") == 0.0);
-  // Rods that a step leaves sliding are all below the curve.
-  int beyond = 0;
-  for (const std::vector<double>& row : result.tables.front().rows)
-    if (row[2] == 1.0 && row[1] > critical_friction(row[0] * kDegree)) ++beyond;
-  CHECK(beyond == 0);
 }

@@ -4,9 +4,9 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "analytic_lcp/redundant_contacts.hpp"
-#include "analytic_lcp/solver_experiments.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ double multiplications(LcpSolver& solver, const LcpProblem& problem, LcpResult& 
 }
 
 // Work of both forms by contacts per body (index 0: least) and seed.
-struct Work {
+struct ChainWork {
   std::vector<std::vector<double>> forces;
   std::vector<std::vector<double>> least_constraint;
 
@@ -42,11 +42,11 @@ struct Work {
   }
 };
 
-Work measure_chains(int boxes, int fewest, int most, int seeds) {
+ChainWork measure_chains(int boxes, int fewest, int most, int seeds) {
   BaraffSolver baraff;
   LeastConstraintSolver least_constraint;
   LcpResult result;
-  Work work;
+  ChainWork work;
   for (int contacts = fewest; contacts <= most; ++contacts) {
     work.forces.emplace_back();
     work.least_constraint.emplace_back();
@@ -60,14 +60,12 @@ Work measure_chains(int boxes, int fewest, int most, int seeds) {
   return work;
 }
 
-}  // namespace
-
 Result measure_least_constraint(const Parameters& settings) {
   constexpr int fewest = 2;
   constexpr std::array<int, 3> boxes = {1, 4, 10};
   const int seeds = settings.count("seeds");
   const int most = settings.count("most");
-  std::array<Work, 3> work;
+  std::array<ChainWork, 3> work;
   for (std::size_t k = 0; k < boxes.size(); ++k)
     work[k] = measure_chains(boxes[k], fewest, most, seeds);
 
@@ -78,19 +76,14 @@ Result measure_least_constraint(const Parameters& settings) {
                {"forces_4", "-", "contact forces, four boxes"},
                {"least_4", "-", "least constraint, the same"},
                {"forces_10", "-", "contact forces, ten boxes"},
-               {"least_10", "-", "least constraint, the same"},
-               {"unknowns_forces", "-", "unknown forces for each box"},
-               {"unknowns_least", "-", "unknown accelerations for each box"}}};
+               {"least_10", "-", "least constraint, the same"}}};
   for (std::size_t i = 0; i < work[0].forces.size(); ++i) {
-    const double contacts = fewest + static_cast<double>(i);
-    std::vector<double> row{contacts};
-    for (const Work& one : work) {
+    std::vector<double> row;
+    for (const ChainWork& one : work) {
       row.push_back(sum_without(one.forces[i], -1) / seeds);
       row.push_back(sum_without(one.least_constraint[i], -1) / seeds);
     }
-    row.push_back(contacts);
-    row.push_back(6.0);
-    table.rows.push_back(row);
+    table.add(static_cast<std::size_t>(fewest) + i, row);
   }
 
   const auto crossing = [&](std::size_t k, const char* name) {
@@ -104,9 +97,17 @@ Result measure_least_constraint(const Parameters& settings) {
                     "than contact forces do"),
            crossing(1, "the same for four boxes"),
            {"one box: work of least constraint over that of contact forces, most contacts", "-",
-            last[2] / last[1]},
-           {"ten boxes: work of least constraint over that of contact forces, most contacts", "-",
-            last[6] / last[5]}}};
+            last[2] / last[1]}}};
 }
 
+const Registered claim_2_6_2a_least_constraint_figure{
+    {.name = "claim_2_6_2a_least_constraint",
+     .parameters =
+         Parameters{}
+             .add_whole("most", 24, 8, 64, "contacts on a box with the one before, at most")
+             .add_whole("seeds", 20, 2, 1000, "random chains for each number of contacts"),
+     .quick = {"most=16", "seeds=3"},
+     .experiment = measure_least_constraint}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What Baraff's algorithm does, step by step (thesis 3.3.1).
+/// \brief The steps of Baraff's algorithm (thesis 3.3.1).
 #pragma once
 
 #include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
@@ -20,7 +20,6 @@ struct TracedStep {
   int driven = 0;                 ///< the contact whose force grew
   int ended_by = 0;               ///< the contact that ended the step
   StepEnd end = StepEnd::rests;   ///< how
-  double length = 0.0;            ///< [N] by how much the force grew
   std::vector<BaraffSet> during;  ///< (n) the sets while it grew
   std::vector<double> f;          ///< [N] (n) after the step
   std::vector<double> a;          ///< [m/s²] (n) after the step

@@ -1,6 +1,6 @@
 /// \file
 /// \brief A flat pyramid of bricks as a problem of contact forces (thesis 2.6).
-#include "analytic_lcp/brick_pyramid.hpp"
+#include "lcp_solvers/brick_pyramid.hpp"
 
 #include "tumble/contact/gather.hpp"
 
@@ -98,14 +98,6 @@ std::vector<Resultant> resultants(const BrickPyramid& pyramid, std::span<const d
   }
   for (Resultant& r : result) r.place = r.force > 0.0 ? r.place / r.force : 0.0;
   return result;
-}
-
-std::vector<double> loads_on_feet(int rows) {
-  const auto column = [rows](int c) { return 0.5 * std::min(c, 2 * rows + 1 - c); };
-  std::vector<double> loads;
-  for (int brick = 1; brick <= rows; ++brick)
-    loads.push_back(column(2 * brick - 1) + column(2 * brick));
-  return loads;
 }
 
 }  // namespace tumble::chapters

@@ -1,9 +1,7 @@
 /// \file
 /// \brief The experiment on the solvers' work, run small.
-#include "analytic_lcp/work_experiments.hpp"
-
-#include "analytic_lcp/pyramid_problem.hpp"
 #include "driver/quick.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -13,20 +11,17 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
-          "[claims][lcp][analytic_lcp]") {
-  std::vector<Figure> figures;
-  add_work_figures(figures);
-  const Result result = run_quickly(figures, "lcp_work");
-  const auto value = [&](const char* name) { return quantity_of(result, name).value; };
-  CHECK(value("largest residual, multipliers, rest") <= 1e-12);
-  CHECK(value("largest residual, multipliers, noisy") <= 1e-12);
+          "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("lcp_work");
+  CHECK(figure.number("largest residual, multipliers, rest") <= 1e-12);
+  CHECK(figure.number("largest residual, multipliers, noisy") <= 1e-12);
   // 144 contacts: measured 0.17 of a dense factorisation at rest, 0.69 with noise.
-  CHECK(value("work over a dense factorisation, multipliers, largest, rest") < 0.2);
-  CHECK(value("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
+  CHECK(figure.number("work over a dense factorisation, multipliers, largest, rest") < 0.2);
+  CHECK(figure.number("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
 }
 
 TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
-          "[exact][lcp][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // Two cubes and one on top: two pairs of faces on the ground, two above.
   const PyramidProblem pyramid = pyramid_problem(16, 0.0, 1);
   CHECK(pyramid.problem.factors.bodies.size() == 3);
@@ -49,7 +44,7 @@ TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
 }
 
 TEST_CASE("After the right impulses the next step begins with contacts that do not part or sink",
-          "[exact][lcp][analytic_lcp]") {
+          "[exact][lcp][lcp_solvers]") {
   // b of the next step is a of this one plus gravity's share, which is b at rest.
   const PyramidProblem rest = pyramid_problem(36, 0.0, 1);
   const PyramidProblem pyramid = pyramid_problem(36, 0.1, 1);

@@ -1,30 +1,18 @@
 /// \file
 /// \brief The claims 2.6.2a, 3.3.1a, 3.3.1b and 5.3d on solvers, and the erratum P5.
-#include "analytic_lcp/experiments.hpp"
-#include "analytic_lcp/redundant_contacts.hpp"
 #include "driver/quick.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
-namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  return {analytic_lcp_figures(), name, set};
-}
-
-}  // namespace
-
 TEST_CASE(
     "In a chain of ten boxes least constraint takes less work from about a dozen contacts a box on",
-    "[claims][analytic_lcp]") {
-  const FigureUnderTest figure = figure_of("claim_2_6_2a_least_constraint");
+    "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("claim_2_6_2a_least_constraint");
   const double from = figure.number(
       "contacts per body from which least constraint takes fewer multiplications than contact "
       "forces do");
@@ -36,16 +24,16 @@ TEST_CASE(
 }
 
 TEST_CASE("One redundant problem in twelve does not end without a tolerance and ends with one",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure = figure_of("claim_3_3_1a_tolerance");
+          "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("claim_3_3_1a_tolerance");
   CHECK(figure.number("problems that the loop does not end with eps = 0 and ends with eps = 1e-5, "
                       "over all problems") >= 0.01);                            // measured 0.08
   CHECK(figure.number("most negative force, contacts given twice") >= -1e-12);  // [N] -2e-16
 }
 
 TEST_CASE("A stack sinks by wrong answers alike whether negative forces are left or set to zero",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure = figure_of("claim_3_3_1b_negative_forces");
+          "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("claim_3_3_1b_negative_forces");
   CHECK(figure.number("exponent of the depth against time, negative forces being left") >= 1.8);
   const double left = figure.number("depth at the end, negative forces left");
   CHECK(std::abs(figure.number("depth at the end, negative forces set to 0") / left - 1.0) <= 1e-9);
@@ -59,8 +47,8 @@ TEST_CASE("A stack sinks by wrong answers alike whether negative forces are left
 TEST_CASE(
     "A load below an absolute tolerance sinks with the square of time, with a relative one it "
     "rests",
-    "[claims][analytic_lcp]") {
-  const FigureUnderTest figure = figure_of("claim_3_3_1b_negative_forces");
+    "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("claim_3_3_1b_negative_forces");
   CHECK(std::abs(figure.number("the same, a load below the tolerance") - 2.0) <= 0.02);
   const double depth = figure.number("P5: depth of a load below the tolerance, at the end");
   CHECK(depth > 0.5 * 0.5 * 9e-6 * 60.0 * 60.0);  // [m] a corner with most of the load; 0.0105
@@ -68,14 +56,14 @@ TEST_CASE(
 }
 
 TEST_CASE("A pivot with friction and new factors takes many times the work of one without",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure = figure_of("claim_5_3d_friction_cost");
+          "[claims][lcp][lcp_solvers]") {
+  const FigureUnderTest figure("claim_5_3d_friction_cost");
   CHECK(figure.number("multiplications per pivot at 64 contacts, friction and new factors over no "
                       "friction and updated factors") >= 4.0);  // measured 86, 76 with eight seeds
   CHECK(figure.number("unknowns with friction over those without") == 6.0);
 }
 
-TEST_CASE("A cube on its corners is the problem known by hand", "[exact][analytic_lcp]") {
+TEST_CASE("A cube on its corners is the problem known by hand", "[exact][lcp][lcp_solvers]") {
   const LcpFactors factors = stack_on_corners(1);
   MatX A;
   multiply_out(factors, A);

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Contact problems for the claims on solvers: stacks of cubes, and chains of boxes.
-#include "analytic_lcp/redundant_contacts.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include "tumble/base/index.hpp"
 

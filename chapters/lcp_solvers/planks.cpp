@@ -1,6 +1,6 @@
 /// \file
 /// \brief Two planks on three posts: a small problem on which Baraff's algorithm shows all it does.
-#include "analytic_lcp/planks.hpp"
+#include "lcp_solvers/planks.hpp"
 
 #include <limits>
 

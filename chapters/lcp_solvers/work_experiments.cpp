@@ -1,15 +1,14 @@
 /// \file
-/// \brief What contact solvers have to do, counted, against the number of contacts (thesis 3.3.1).
+/// \brief Multiplications of contact solvers against the number of contacts (thesis 3.3.1).
 ///
 /// The problems are those of pyramid_problem(), k cubes in the lowest row for 4k² contacts. Each solver
 /// does larger ones as long as the next is expected to stay below a limit of multiplications, taken to
 /// grow with the cube of the size, as a factorisation does. Counts are the same on every machine.
-#include "analytic_lcp/work_experiments.hpp"
-
+#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "analytic_lcp/pyramid_problem.hpp"
+#include "driver/registry.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -28,7 +27,6 @@ struct Work {
   bool solved = false;
   double multiplications = 0.0;
   double residual = 0.0;
-  int changes = 0;  // of its sets, or sweeps, or factorisations
 };
 
 // One solver, all sizes that it comes to.
@@ -49,15 +47,14 @@ std::vector<Work> work_of(const LcpRecipe& recipe, const Parameters& settings, d
     const bool solved =
         result.status == LcpStatus::solved && result.residual <= tolerance::usable_residual;
     const auto multiplications = static_cast<double>(result.multiplications);
-    all.push_back({n, solved, multiplications, result.residual, result.pivots});
+    all.push_back({n, solved, multiplications, result.residual});
     const double growth = (row + (row < 8 ? 1.0 : 2.0)) / row;  // squared, of n
     expected = multiplications * growth * growth * growth * growth * growth * growth;
   }
   return all;
 }
 
-// A row for each size: n, the cost of one dense factorisation, and the work of each solver that solved
-// it.
+// A row for each size: n, the cost of one dense factorisation, and the work of each solver that solved it.
 Table table_of(const std::string& suffix, const std::vector<std::vector<Work>>& solvers) {
   Table table{suffix,
               {{"contacts", "-", "rows n of the problem"},
@@ -68,52 +65,28 @@ Table table_of(const std::string& suffix, const std::vector<std::vector<Work>>& 
   }
   for (const int row : kLowestRows) {
     const double n = 4.0 * row * row;
-    table.rows.push_back({n, n * n * n / 6.0});
+    std::vector<double> work_of_each;
     for (const std::vector<Work>& solver : solvers) {
       const auto here = std::find_if(solver.begin(), solver.end(),
                                      [&](const Work& work) { return work.n == 4 * row * row; });
       const bool found = here != solver.end() && here->solved;
-      table.rows.back().push_back(found ? here->multiplications : kNothing);
+      work_of_each.push_back(found ? here->multiplications : kNothing);
     }
+    table.add(n, n * n * n / 6.0, work_of_each);
   }
   return table;
-}
-
-// The others.
-void add_failures(double noisy, const std::vector<std::vector<Work>>& solvers, Table& table) {
-  for (std::size_t k = 0; k < solvers.size(); ++k)
-    for (const Work& work : solvers[k])
-      if (!work.solved)
-        table.rows.push_back({static_cast<double>(work.n), work.multiplications, noisy,
-                              static_cast<double>(k + 1), work.residual});
 }
 
 // What is said about the fastest solver.
 void add_quantities(const std::string& which, const std::vector<Work>& fastest,
                     std::vector<Quantity>& quantities) {
   double worst = 0.0;
-  int most = 0;
-  for (const Work& work : fastest) {
-    worst = std::max(worst, work.residual);
-    most = std::max(most, work.changes);
-  }
-  const Work& last = fastest.back();
-  const double n = last.n;
-  const double dense = n * n * n / 6.0;
+  for (const Work& work : fastest) worst = std::max(worst, work.residual);
+  const double n = fastest.back().n;
   quantities.push_back({"largest residual, multipliers, " + which, "-", worst});
-  quantities.push_back(
-      {"most factorisations, multipliers, " + which, "-", static_cast<double>(most)});
   quantities.push_back({"work over a dense factorisation, multipliers, largest, " + which, "-",
-                        last.multiplications / dense});
-  const auto quarter = std::find_if(fastest.begin(), fastest.end(),
-                                    [&](const Work& work) { return 4 * work.n >= last.n; });
-  const double growth = elementary::log(last.multiplications / quarter->multiplications) /
-                        elementary::log(n / quarter->n);
-  quantities.push_back(
-      {"growth exponent from a quarter of the largest, multipliers, " + which, "-", growth});
+                        fastest.back().multiplications / (n * n * n / 6.0)});
 }
-
-}  // namespace
 
 Result measure_work(const Parameters& settings) {
   Result result;
@@ -131,37 +104,27 @@ Result measure_work(const Parameters& settings) {
       if (recipe.name == kFastest) add_quantities(which, solvers.back(), result.quantities);
     }
     result.tables.push_back(table_of(noise > 0.0 ? "noisy" : "", solvers));
-    add_failures(noise > 0.0 ? 1.0 : 0.0, solvers, failures);
+    for (std::size_t k = 0; k < solvers.size(); ++k)
+      for (const Work& work : solvers[k])
+        if (!work.solved)
+          failures.add(work.n, work.multiplications, noise > 0.0, k + 1, work.residual);
   }
   result.tables.push_back(failures);
   return result;
 }
 
-void add_work_figures(std::vector<Figure>& figures) {
-  Figure figure;
-  figure.name = "lcp_work";
-  figure.section = "3.3.1";
-  figure.title = "Where contact forces cost less than one factorisation of their matrix";
-  figure.caption =
-      "Flat pyramids of cubes without friction, four contact points for each pair of faces, so "
-      "that forces are not unique and the matrix is singular; above at rest, below with random "
-      "velocities up to 0.1 m/s. Shown are multiplications until the forces are found, counted "
-      "and not timed; a cross is work that led to no answer, the grey line one Cholesky "
-      "factorisation of a matrix of all contacts. Methods that look at contacts one by one "
-      "have to do more than that, and the more so the closer the contacts are to a tie. Seen "
-      "from the bodies (the method of multipliers, blue) the matrix is small and mostly empty, "
-      "and from some hundred contacts on the forces cost less than the factorisation. "
-      "Gauss-Seidel stops at a residual of 1e-9, the others at rounding. A solver is followed "
-      "as far as a limit on its work allows, the thesis's form to 256 contacts.";
-  figure.parameters.add_number("noise", 0.1, 1e-6, 10.0, "m/s", "velocities of the noisy case")
-      .add_whole("seed", 1, 0, 1000000000, "of these velocities")
-      .add_number("limit", 5e8, 1e4, 1e12, "-",
-                  "multiplications that a solve may be expected to take")
-      .add_whole("largest", 1024, 16, 1024, "contacts of the largest problem")
-      .add_whole("largest_printed", 256, 16, 1024, "the same for the thesis's form");
-  figure.quick = {"limit=1e7", "largest=144", "largest_printed=64"};
-  figure.experiment = measure_work;
-  figures.push_back(figure);
-}
+const Registered lcp_work_figure{
+    {.name = "lcp_work",
+     .parameters =
+         Parameters{}
+             .add_number("noise", 0.1, 1e-6, 10.0, "m/s", "velocities of the noisy case")
+             .add_whole("seed", 1, 0, 1000000000, "of these velocities")
+             .add_number("limit", 5e8, 1e4, 1e12, "-",
+                         "multiplications that a solve may be expected to take")
+             .add_whole("largest", 1024, 16, 1024, "contacts of the largest problem")
+             .add_whole("largest_printed", 256, 16, 1024, "the same for the thesis's form"),
+     .quick = {"limit=1e7", "largest=144", "largest_printed=64"},
+     .experiment = measure_work}};
 
+}  // namespace
 }  // namespace tumble::chapters

@@ -47,13 +47,4 @@ double weight_of_brick(const BrickPyramid& pyramid);
 /// \return one for each contact
 std::vector<Resultant> resultants(const BrickPyramid& pyramid, std::span<const double> f);
 
-/// The loads on the ground of a pyramid on feet, in closed form.
-///
-/// A foot stands right above one of the next row, so that loads go straight down: each of 2 rows
-/// columns of feet bears half the weight of every brick that it passes. \f$\tfrac12 \min(c, 2\,rows + 1
-/// - c)\f$ weights arrive in column c from 1.
-/// \param rows  at least 1
-/// \return [bricks' weights] one for each brick of the lowest row, 3/2, 7/2, 5, 7/2, 3/2 for five rows
-std::vector<double> loads_on_feet(int rows);
-
 }  // namespace tumble::chapters

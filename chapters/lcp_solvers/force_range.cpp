@@ -1,7 +1,7 @@
 /// \file
 /// \brief The smallest and the largest force that a part of the contacts can bear, as a linear
 ///        programme (thesis 2.6).
-#include "analytic_lcp/force_range.hpp"
+#include "lcp_solvers/force_range.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,14 +1,12 @@
 /// \file
 /// \brief Forces in a pyramid: determined on feet, a range on full faces (thesis 2.6, 3.3.1).
-#include "tumble/base/error.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
 
-#include "analytic_lcp/brick_pyramid.hpp"
-#include "analytic_lcp/force_experiments.hpp"
-#include "analytic_lcp/force_range.hpp"
+#include "driver/registry.hpp"
+#include "lcp_solvers/brick_pyramid.hpp"
+#include "lcp_solvers/force_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,20 +86,6 @@ Vec3 middle_of(const Contact& contact) {
   return sum / contact.count;
 }
 
-// Of pyramids of two to five rows: the largest error of a load on feet.
-double error_on_feet(double spacing) {
-  double worst = 0.0;
-  for (int rows = 2; rows <= 5; ++rows) {
-    const BrickPyramid pyramid = make_brick_pyramid(rows, spacing, Stand::feet);
-    BaraffSolver solver;
-    const std::vector<double> got = loads(pyramid, solved(solver, pyramid.problem.lcp()).f);
-    const std::vector<double> want = loads_on_feet(rows);
-    for (std::size_t k = 0; k < want.size(); ++k)
-      worst = std::max(worst, std::abs(got[k] - want[k]));
-  }
-  return worst;
-}
-
 Table brick_table(const BrickPyramid& pyramid) {
   Table table{"bricks",
               {{"x_m", "m", "middle, to the right"},
@@ -111,7 +95,7 @@ Table brick_table(const BrickPyramid& pyramid) {
   for (std::size_t k = 1; k < pyramid.bodies.size(); ++k) {
     const Vec3& p = pyramid.bodies[k].position_w;
     const Vec3& size = pyramid.world.bodies()[k].size;
-    table.rows.push_back({p.x(), p.y(), size.x(), size.y()});
+    table.add(p.x(), p.y(), size.x(), size.y());
   }
   return table;
 }
@@ -121,12 +105,10 @@ Table feet_table(const BrickPyramid& pyramid) {
   for (const Contact& contact : pyramid.contacts)
     for (int i = 0; i < contact.count; ++i) {
       const Vec3& p = contact.points[static_cast<std::size_t>(i)].position_w;
-      table.rows.push_back({p.x(), p.y()});
+      table.add(p.x(), p.y());
     }
   return table;
 }
-
-}  // namespace
 
 Result measure_pyramid_forces(const Parameters& settings) {
   const int rows = settings.count("rows");
@@ -167,48 +149,41 @@ Result measure_pyramid_forces(const Parameters& settings) {
   double on_ground = 0.0;
   for (std::size_t k = 0; k < full.contacts.size(); ++k) {
     const Vec3 middle = middle_of(full.contacts[k]);
-    std::vector<double> row{on_feet[k].place, feet_loads[k],  middle.x(),
-                            middle.y(),       range[k].least, range[k].most};
-    double low = range[k].most;
-    double high = range[k].least;
-    for (const std::vector<double>& answer : answers) {
-      row.push_back(answer[k]);
-      low = std::min(low, answer[k]);
-      high = std::max(high, answer[k]);
-    }
+    std::vector<double> found;
+    for (const std::vector<double>& answer : answers) found.push_back(answer[k]);
+    const auto [low, high] = std::minmax_element(found.begin(), found.end());
     widest = std::max(widest, range[k].most - range[k].least);
-    apart = std::max(apart, high - low);
-    outside = std::max({outside, range[k].least - low, high - range[k].most});
+    apart = std::max(apart, *high - *low);
+    outside = std::max({outside, range[k].least - *low, *high - range[k].most});
     if (full.contacts[k].first == 0) on_ground += answers[0][k];
-    table.rows.push_back(std::move(row));
+    table.add(on_feet[k].place, feet_loads[k], middle.x(), middle.y(), range[k].least,
+              range[k].most, found);
   }
 
   const ForceInterval top = ranges(make_brick_pyramid(2, spacing, Stand::faces)).back();
-  std::vector<Quantity> quantities;
-  for (int k = 0; k < rows; ++k)
-    quantities.push_back(
-        {"on feet: load of brick " + shortest_text(k + 1.0) + " of the lowest row, over its weight",
-         "-", feet_loads[static_cast<std::size_t>(k)]});
-  const auto add = [&](const char* name, const char* unit, double value) {
-    quantities.push_back({name, unit, value});
-  };
-  add("on feet: largest error of a load, 2 to 5 rows, over the weight of a brick", "-",
-      error_on_feet(spacing));
-  add("on faces: load of the lowest row, over the weight of a brick", "-", on_ground);
-  add("on faces: longest bar, over the weight of a brick", "-", widest);
-  add("on faces: how far two answers for a pair of faces are apart, over the weight of a brick",
-      "-", apart);
-  add("on faces: how far an answer is outside of its bar, over the weight of a brick", "-",
-      outside);
-  add("on faces: smallest force at a point, least norm, over the weight of a brick", "-",
-      *std::min_element(shortest.begin(), shortest.end()) / weight_of_brick(full));
-  add("two rows on faces: smallest force under an end of the top brick, over its weight", "-",
-      top.least);
-  add("two rows on faces: largest force there, over its weight", "-", top.most);
-  add("largest residual of the exact solvers", "-",
-      std::max(by_baraff.residual, by_lemke.residual));
-  add("residual of the sweeps", "-", by_sweeps.residual);
-  return {{table, brick_table(full), feet_table(feet)}, quantities};
+  return {
+      {table, brick_table(full), feet_table(feet)},
+      {{"on feet: load of brick 1 of the lowest row, over its weight", "-", feet_loads[0]},
+       {"on feet: load of brick 2 of the lowest row, over its weight", "-", feet_loads[1]},
+       {"on faces: load of the lowest row, over the weight of a brick", "-", on_ground},
+       {"on faces: longest bar, over the weight of a brick", "-", widest},
+       {"on faces: how far two answers for a pair of faces are apart, over the weight of a brick",
+        "-", apart},
+       {"on faces: how far an answer is outside of its bar, over the weight of a brick", "-",
+        outside},
+       {"two rows on faces: smallest force under an end of the top brick, over its weight", "-",
+        top.least},
+       {"two rows on faces: largest force there, over its weight", "-", top.most}}};
 }
 
+const Registered pyramid_forces_figure{
+    {.name = "pyramid_forces",
+     .parameters = Parameters{}
+                       .add_whole("rows", 3, 2, 6, "bricks in the lowest row")
+                       .add_number("spacing", 1.05, 1.001, 1.5, "m",
+                                   "from brick to brick in a row, 1 m wide"),
+     .quick = {"rows=2"},
+     .experiment = measure_pyramid_forces}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,6 +1,6 @@
 /// \file
-/// \brief What Baraff's algorithm does, step by step (thesis 3.3.1).
-#include "analytic_lcp/pivot_trace.hpp"
+/// \brief The steps of Baraff's algorithm (thesis 3.3.1).
+#include "lcp_solvers/pivot_trace.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -17,7 +17,6 @@ class Recorder : public BaraffObserver {
     traced.end = step.ended_by == step.driven        ? StepEnd::rests
                  : step.sets[mover] == BaraffSet::NC ? StepEnd::lets_go
                                                      : StepEnd::returns;
-    traced.length = step.length;
     traced.during = sets_;
     traced.f.assign(step.f.begin(), step.f.end());
     traced.a.assign(step.a.begin(), step.a.end());

@@ -3,9 +3,9 @@
 #include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 
-#include "analytic_lcp/redundant_contacts.hpp"
-#include "analytic_lcp/solver_experiments.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,14 +132,7 @@ class Path {
   std::vector<int> basis_;  // which unknown each row gives
 };
 
-double entries(const MatX& A) {
-  double count = 0.0;
-  for (Eigen::Index j = 0; j < A.cols(); ++j)
-    for (Eigen::Index i = 0; i < A.rows(); ++i) count += A(i, j) != 0.0 ? 1.0 : 0.0;
-  return count;
-}
-
-}  // namespace
+double entries(const MatX& A) { return static_cast<double>((A.array() != 0.0).count()); }
 
 Result measure_friction_cost(const Parameters& settings) {
   const double friction = settings.number("friction");
@@ -156,7 +149,7 @@ Result measure_friction_cost(const Parameters& settings) {
   std::vector<double> with;
   std::vector<double> without;
   for (const int contacts : {8, 16, 24, 32, 48, 64}) {
-    std::vector<double> row(8, 0.0);
+    std::array<double, 8> row{};
     with.clear();
     without.clear();
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -181,17 +174,12 @@ Result measure_friction_cost(const Parameters& settings) {
       const double plain_again = Path(plain, random).work_with_new_factors();
       with.push_back(Path(rough, random).work_with_new_factors());
       without.push_back(updated);
-      const std::array<double, 8> one = {static_cast<double>(contacts),
-                                         static_cast<double>(plain.size()),
-                                         static_cast<double>(rough.size()),
-                                         entries(plain.A),
-                                         entries(rough.A),
-                                         updated,
-                                         plain_again,
-                                         with.back()};
+      const std::array<double, 8> one = {1.0 * contacts,   1.0 * plain.size(), 1.0 * rough.size(),
+                                         entries(plain.A), entries(rough.A),   updated,
+                                         plain_again,      with.back()};
       for (std::size_t k = 0; k < row.size(); ++k) row[k] += one[k] / seeds;
     }
-    table.rows.push_back(row);
+    table.add(row);
   }
   const std::vector<double>& last = table.rows.back();
   return {{table},
@@ -206,4 +194,13 @@ Result measure_friction_cost(const Parameters& settings) {
            {"new factors over updated ones, no friction, 64 contacts", "-", last[6] / last[5]}}};
 }
 
+const Registered claim_5_3d_friction_cost_figure{
+    {.name = "claim_5_3d_friction_cost",
+     .parameters = Parameters{}
+                       .add_number("friction", 0.5, 0.01, 2.0, "-", "coefficient")
+                       .add_whole("seeds", 20, 2, 100, "random velocities"),
+     .quick = {"seeds=2"},
+     .experiment = measure_friction_cost}};
+
+}  // namespace
 }  // namespace tumble::chapters
