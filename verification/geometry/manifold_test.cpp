@@ -5,6 +5,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/geometry/rectangle.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -18,16 +19,9 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Quat about(const Vec3& axis, double angle) {
-  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
-
-Box cube_at(const Vec3& center, const Quat& q = Quat::Identity()) {
-  return make_box(center, q, Vec3::Ones());
-}
 
 const ManifoldPoint& point(const Manifold& m, int i) {
   return m.points[static_cast<std::size_t>(i)];

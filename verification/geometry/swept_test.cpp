@@ -6,6 +6,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <stdexcept>
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -24,19 +26,6 @@ constexpr double kEighthTurn = 0.78539816339744830962;  // [rad] 45 degrees
 
 // [-] Ten rounding errors of numbers of order 10, for fractions of a motion.
 constexpr double kRounding = 1e-14;
-
-Box cube_at(const Vec3& center) { return make_box(center, Quat::Identity(), Vec3::Ones()); }
-
-Box cube_at(const Vec3& center, const Vec3& rotation) {
-  return make_box(center, rotation_from_vector(rotation), Vec3::Ones());
-}
-
-Box random_box(Random& random, double spread) {
-  const Vec3 center = random.in_cube(spread);
-  const Quat orientation = random.orientation();
-  const Vec3 size = random.in_cube(1.2).cwiseAbs() + Vec3::Constant(0.2);
-  return make_box(center, orientation, size);
-}
 
 Box moved(Box box, const Vec3& by) {
   box.center_w += by;
@@ -77,8 +66,8 @@ TEST_CASE("A bullet that is through within one step is hit by the sweep", "[exac
 }
 
 TEST_CASE("Two edges that meet crosswise meet at the closed-form fraction", "[exact][swept]") {
-  const Box lower = cube_at(Vec3::Zero(), kEighthTurn * Vec3::UnitZ());
-  const Box upper = cube_at(Vec3(0.0, 2.0, 0.0), kEighthTurn * Vec3::UnitX());
+  const Box lower = cube_at(Vec3::Zero(), rotation_from_vector(kEighthTurn * Vec3::UnitZ()));
+  const Box upper = cube_at(Vec3(0.0, 2.0, 0.0), rotation_from_vector(kEighthTurn * Vec3::UnitX()));
   const SweepResult got = sweep(lower, Vec3::Zero(), upper, Vec3(0.0, -1.0, 0.0));
   CHECK(got.status == SweepStatus::hit);
   CHECK(std::abs(got.enter - (2.0 - std::sqrt(2.0))) < kRounding);
@@ -128,7 +117,7 @@ TEST_CASE("The sweep agrees with fine sampling of the separation", "[unit][swept
   int hits = 0, overlaps_before = 0, apart_at_contact = 0, wrong_leave = 0, wrong_start = 0;
   double worst_enter = 0.0, worst_leave = 0.0;
   for (int trial = 0; trial < 3000; ++trial) {
-    const Box first = random_box(random, 1.0), second = random_box(random, 1.0);
+    const Box first = random_box(random, 1.0, 1.2, 0.2), second = random_box(random, 1.0, 1.2, 0.2);
     const Vec3 u1 = random.in_cube(3.0), u2 = random.in_cube(3.0);
     const SweepResult got = sweep(first, u1, second, u2);
     const auto gap_at = [&](double t) { return gap(moved(first, t * u1), moved(second, t * u2)); };
@@ -162,7 +151,7 @@ TEST_CASE("A sweep depends on the relative motion only, and on no order", "[unit
   int wrong = 0, hits = 0;
   double worst = 0.0;
   for (int trial = 0; trial < 3000; ++trial) {
-    const Box first = random_box(random, 1.0), second = random_box(random, 1.0);
+    const Box first = random_box(random, 1.0, 1.2, 0.2), second = random_box(random, 1.0, 1.2, 0.2);
     const Vec3 u1 = random.in_cube(3.0), u2 = random.in_cube(3.0), common = random.in_cube(3.0);
     const SweepResult plain = sweep(first, u1, second, u2);
     const SweepResult boosted = sweep(first, u1 + common, second, u2 + common);
@@ -265,7 +254,7 @@ TEST_CASE("Conservative advancement never passes a contact of tumbling boxes", "
   for (int trial = 0; trial < 3000; ++trial) {
     RigidMotion motions[2];
     for (RigidMotion& motion : motions) {
-      motion.start = random_box(random, 1.0);
+      motion.start = random_box(random, 1.0, 1.2, 0.2);
       motion.velocity_w = random.in_cube(4.0);
       motion.angular_velocity_w = random.in_cube(10.0);
       if (random.unit() < 0.5) motion.acceleration_w = Vec3(0.0, -9.81, 0.0);

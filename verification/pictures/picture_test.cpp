@@ -10,6 +10,7 @@
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -20,6 +21,8 @@
 
 using namespace tumble;
 using Catch::Matchers::Contains;
+using test::Stretch;
+using test::stretch_in;
 
 namespace {
 
@@ -31,24 +34,6 @@ PictureBox upright(const Vec3& center, const Vec3& size) {
 }
 
 // --- the judge: rays ----------------------------------------------------------------------------
-
-// Where a ray is inside a box, by cutting it with the three slabs; empty if it misses.
-struct Stretch {
-  double enter = -kInfinity, leave = kInfinity;
-  [[nodiscard]] bool empty() const { return enter > leave || leave < 0.0; }
-};
-
-Stretch stretch_in(const Box& box, const Vec3& origin, const Vec3& direction) {
-  const Vec3 o = box.axes_w.transpose() * (origin - box.center_w);
-  const Vec3 d = box.axes_w.transpose() * direction;
-  Stretch out;
-  for (int k = 0; k < 3; ++k) {
-    const double t1 = (-box.half[k] - o[k]) / d[k], t2 = (box.half[k] - o[k]) / d[k];
-    out.enter = std::max(out.enter, std::min(t1, t2));
-    out.leave = std::min(out.leave, std::max(t1, t2));
-  }
-  return out;
-}
 
 // The line of sight of a pixel, from the definition of a perspective with a vertical picture edge.
 Vec3 sight_of(const Camera& camera, const Vec2& pixel) {
