@@ -100,14 +100,11 @@ StepReport Analytic::step(World& world, double dt) {
 // diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. Who is
 // carried goes beside it.
 void Analytic::find_candidates(const World& world, double left, bool carried) {
-  bounds_.resize(at(world.count()));
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
+  const auto reach = [&](std::size_t k) {
     const double beside = carried ? flight_.offset_w(static_cast<int>(k), left).norm() : 0.0;
-    bounds_[k] = bounds_of_flight(body, world.states()[k], world.gravity_w, left,
-                                  (0.5 + tolerance::contact_margin) * body.size.norm() + beside);
-  }
-  broad_phase_->find_pairs(bounds_, candidates_);
+    return (0.5 + tolerance::contact_margin) * world.bodies()[k].size.norm() + beside;
+  };
+  find_flight_pairs(world, left, reach, *broad_phase_, bounds_, candidates_);
 }
 
 void Analytic::find_near(const World& world, StepReport& report) {

@@ -37,7 +37,6 @@ StepReport Basic::step(World& world, double dt) {
     // at which the first two meet.
     const double left = dt - passed;
     if (!(left > 0.0)) break;  // an impact came with the end
-    find_candidates(world, left);
     const FirstEvent& found = find_first(world, left, report);
     // [S2.1:search]
 
@@ -81,20 +80,6 @@ StepReport Basic::step(World& world, double dt) {
   return report;
 }
 
-// [S4.1]
-// Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
-// diagonal, overlap. A parabola stays within g t²/8 of its chord.
-void Basic::find_candidates(const World& world, double left) {
-  bounds_.resize(at(world.count()));
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    bounds_[k] =
-        bounds_of_flight(body, world.states()[k], world.gravity_w, left, 0.5 * body.size.norm());
-  }
-  broad_phase_->find_pairs(bounds_, candidates_);
-}
-// [S4.1]
-
 Flight Basic::flight_of(const World& world) const {
   return Flight{.bodies = world.bodies(),
                 .states = world.states(),
@@ -104,6 +89,8 @@ Flight Basic::flight_of(const World& world) const {
 
 // The first impact in the time that is left, if all bodies fly on.
 const FirstEvent& Basic::find_first(const World& world, double left, StepReport& report) {
+  const auto half_diagonal = [&](std::size_t k) { return 0.5 * world.bodies()[k].size.norm(); };
+  find_flight_pairs(world, left, half_diagonal, *broad_phase_, bounds_, candidates_);
   const auto let_go = [&](const IndexPair& pair) {
     return std::find(let_go_.begin(), let_go_.end(), pair) != let_go_.end();
   };
@@ -146,12 +133,9 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
   report.events += impact.collisions;
-  report.impulses += impact.impulses;
-  report.iterations += impact.passes;
-  report.pivots += impact.pivots;
-  report.energy.restitution += impact.restitution_energy;
-  report.energy.friction += impact.friction_energy;
-  record(moment);
+  book(impact, report);
+  add_records(contacts_, moment.time, records_);
+  for (const Contact& contact : contacts_) report_collision(contact, moment, observer());
   double push = 0.0;
   for (const Contact& contact : contacts_) {
     double impulse = 0.0;
@@ -177,24 +161,12 @@ void Basic::let_go_of_rounding(const World& world, double push, double left) {
   }
 }
 
-// Tells about the collisions of one moment.
-void Basic::record(const Event& moment) {
-  for (const Contact& contact : contacts_) {
-    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
-    const std::optional<Event> event = event_of(contact, moment);
-    if (event && observer() != nullptr) observer()->on_event(*event);
-  }
-}
-
 // What is left of overlap (rounding, a capped step, a missed collision) is repaired by moving
 // bodies (thesis 4.4).
 void Basic::repair_overlap(World& world, StepReport& report) {
   repair_bounds(world, 0.0, bounds_);
   broad_phase_->find_pairs(bounds_, candidates_);
-  const RepairReport repaired = repair_.run(world, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  book(repair_.run(world, candidates_), report);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }
 

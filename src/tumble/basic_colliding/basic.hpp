@@ -56,12 +56,10 @@ class Basic : public Technique {
 
  private:
   [[nodiscard]] Flight flight_of(const World& world) const;
-  void find_candidates(const World& world, double left);
   const FirstEvent& find_first(const World& world, double left, StepReport& report);
   int fly_all(World& world, double time, StepReport& report) const;
   double resolve(World& world, const Event& moment, StepReport& report);
   void let_go_of_rounding(const World& world, double push, double left);
-  void record(const Event& moment);
   void repair_overlap(World& world, StepReport& report);
 
   BasicOptions options_;

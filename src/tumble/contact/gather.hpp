@@ -9,6 +9,29 @@
 
 namespace tumble {
 
+/// Contact points of two bodies, either of which may be the ground.
+/// \param world       their constant parts
+/// \param states      poses of all bodies
+/// \param pair        the two, by index
+/// \param margin      [m] surfaces up to this far apart count as touching, at least 0
+/// \param remembered  the axis that the pair had before, or kNoAxis
+/// \param out         is overwritten; the normal points from the first to the second
+/// \return whether there is a point
+bool touch_pair(const World& world, std::span<const BodyState> states, const IndexPair& pair,
+                double margin, AxisIndex remembered, Manifold& out);
+
+/// A contact without points: bodies, friction (the geometric mean of the two coefficients) and
+/// restitution (the larger).
+/// \param world  the bodies
+/// \param pair   the two, by index
+/// \return the contact
+Contact contact_of(const World& world, const IndexPair& pair);
+
+/// Takes over normal and points.
+/// \param manifold  as touch_pair() finds it
+/// \param contact   in and out; the impulses of its points stay
+void set_points(const Manifold& manifold, Contact& contact);
+
 /// What gather_contacts() did.
 struct GatherReport {
   std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at

@@ -60,6 +60,14 @@ double fastest_approach(std::span<const Contact> contacts, std::span<const Movin
   return fastest;
 }
 
+void book(const ImpactResult& impact, StepReport& report) {
+  report.impulses += impact.impulses;
+  report.iterations += impact.passes;
+  report.pivots += impact.pivots;
+  report.energy.restitution += impact.restitution_energy;
+  report.energy.friction += impact.friction_energy;
+}
+
 ImpactResult ImpactSolver::resolve(std::span<Contact> contacts, std::span<MovingBody> bodies,
                                    const ImpactOptions& options) {
   require::within(options.settled, 0.0, 1.0, "options.settled");

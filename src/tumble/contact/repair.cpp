@@ -196,6 +196,12 @@ void OverlapRepair::store(World& world, RepairReport& report) const {
   }
 }
 
+void book(const RepairReport& repaired, StepReport& report) {
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+}
+
 void repair_bounds(const World& world, double margin, std::vector<Bounds>& out) {
   out.resize(world.bodies().size());
   for (std::size_t k = 0; k < out.size(); ++k) {

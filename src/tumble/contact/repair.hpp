@@ -4,7 +4,7 @@
 
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/dynamics/world.hpp"
+#include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <cstdint>
@@ -39,6 +39,11 @@ struct RepairReport {
   std::int64_t pair_tests = 0;                ///< separation tests of two bodies
   double energy = 0.0;                        ///< [J] potential energy added, for booking
 };
+
+/// Adds pair tests, energy and the deepest overlap to the report of a step.
+/// \param repaired  what was done
+/// \param report    in and out
+void book(const RepairReport& repaired, StepReport& report);
 
 /// Bounds in which bodies that overlap are found, and those that may once they are moved apart.
 /// \param world   the bodies

@@ -142,18 +142,18 @@ void Damped::end(World& world, double dt, StepReport& report) {
   // [DAMPEDINTEGRATION:6]
   stability_.run(world, collisions_, options_.stable_boxes, options_.numbers.eps9, stable_);
   // [DAMPEDINTEGRATION:6]
-  stable_ids_.clear();
-  for (std::size_t k = 0; k < stable_.size(); ++k)
-    if (stable_[k] != 0 && world.bodies()[k].movable()) stable_ids_.push_back(world.ids()[k]);
-
   if (options_.sleeping) {
     islands_.build(world.bodies(), collisions_);
     report.energy.damping +=
         sleeping_.update(world, collisions_, islands_, dt, slow_bodies()).energy;
   }
+  stable_ids_.clear();
   stable_left_.clear();
-  for (const BodyId id : stable_ids_)
-    stable_left_.push_back(world.states()[static_cast<std::size_t>(world.index_of(id))]);
+  for (std::size_t k = 0; k < stable_.size(); ++k) {
+    if (stable_[k] == 0 || !world.bodies()[k].movable()) continue;
+    stable_ids_.push_back(world.ids()[k]);
+    stable_left_.push_back(world.states()[k]);
+  }
   stable_under_w_ = world.gravity_w;
   record(world, dt, report);
   world.finish_step(dt);
@@ -164,19 +164,13 @@ void Damped::tell_collisions(const World& world, double dt, StepReport& report) 
   Event moment;
   moment.time = world.time() + dt;
   report.events += static_cast<std::int64_t>(told_.size());
-  if (observer() == nullptr) return;
-  for (const Contact& contact : told_) {
-    const std::optional<Event> event = event_of(contact, moment);
-    if (event) observer()->on_event(*event);
-  }
+  for (const Contact& contact : told_) report_collision(contact, moment, observer());
 }
 
 // The points of this step with their impulses, at the predicted poses where they were found.
 void Damped::record(const World& world, double dt, StepReport& report) {
   records_.clear();
-  for (const Contact& contact : told_)
-    for (int p = 0; p < contact.count; ++p)
-      records_.push_back(record_of(contact, p, world.time() + dt));
+  add_records(told_, world.time() + dt, records_);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }
 

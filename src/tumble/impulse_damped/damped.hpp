@@ -5,10 +5,9 @@
 #include "tumble/contact/islands.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
+#include "tumble/impulse_damped/damped_stage.hpp"
 #include "tumble/impulse_damped/dampen_objects.hpp"
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
-#include "tumble/impulse_damped/resolve_collisions.hpp"
-#include "tumble/impulse_damped/resolve_contacts.hpp"
 
 #include <cstdint>
 #include <memory>

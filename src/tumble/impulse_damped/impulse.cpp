@@ -178,10 +178,8 @@ void Impulse::tell_collisions(const World& world, StepReport& report) {
   moment.time = world.time();
   for (const int number : pairs_.all()) {
     Contact& contact = pairs_[number].contact;
-    const std::optional<Event> event = event_of(contact, moment);
-    if (!event) continue;
+    if (!report_collision(contact, moment, observer())) continue;
     ++report.events;
-    if (observer() != nullptr) observer()->on_event(*event);
     for (int k = 0; k < contact.count; ++k) {
       contact.points[at(k)].normal_impulse = 0.0;
       contact.points[at(k)].friction_impulse_w.setZero();

@@ -6,7 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/geometry/ground.hpp"
+#include "tumble/contact/gather.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 
 #include <algorithm>
@@ -151,31 +151,14 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;
 
-    Contact contact;
-    contact.first = pair.first;
-    contact.second = pair.second;
-    contact.first_id = world.ids()[at(pair.first)];
-    contact.second_id = world.ids()[at(pair.second)];
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-    const bool ground_first = a.shape == Shape::ground;
-    if (ground_first || b.shape == Shape::ground) {
-      const int box = ground_first ? pair.second : pair.first;
-      Manifold manifold;
-      if (!collide_with_ground(box_of(bodies[at(box)], now[at(box)]), margin, manifold)) continue;
-      contact.normal_w = ground_first ? manifold.normal_w : Vec3(-manifold.normal_w);
-      contact.count = manifold.count;
-      for (int p = 0; p < manifold.count; ++p) {
-        const ManifoldPoint& point = manifold.points[at(p)];
-        contact.points[at(p)].position_w = point.position_w;
-        contact.points[at(p)].distance = point.distance;
-        contact.points[at(p)].feature = point.feature;
-      }
-    } else if (!touch(box_of(a, now[at(pair.first)]), box_of(b, now[at(pair.second)]),
-                      box_of(a, last[at(pair.first)]), box_of(b, last[at(pair.second)]), margin,
-                      contact)) {
-      continue;
-    }
+    Manifold manifold;
+    if (!touch_pair(world, now, pair, margin, kNoAxis, manifold)) continue;
+    Contact contact = contact_of(world, pair);
+    set_points(manifold, contact);
+    if (a.shape == Shape::box && b.shape == Shape::box)
+      turn_normal(box_of(a, now[at(pair.first)]), box_of(b, now[at(pair.second)]),
+                  box_of(a, last[at(pair.first)]), box_of(b, last[at(pair.second)]), margin,
+                  manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[at(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(contact);
@@ -185,11 +168,10 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
 }
 
 // [S3.3.2:normal]
-// Whether two boxes touch, and if so, along which normal and where.
-bool PairGatherer::touch(const Box& first, const Box& second, const Box& first_last,
-                         const Box& second_last, double margin, Contact& contact) const {
-  Manifold manifold;
-  if (!collide(first, second, margin, kNoAxis, manifold)) return false;
+// The normal of two boxes that touch by the rule, and where they touch along it.
+void PairGatherer::turn_normal(const Box& first, const Box& second, const Box& first_last,
+                               const Box& second_last, double margin, Manifold& manifold,
+                               Contact& contact) const {
   Separation found{0.0, manifold.normal_w, manifold.axis};
   if (normals_ == NormalRule::last_face) {
     // The face that was closest when the step began, turned with its body since. The normal keeps
@@ -214,16 +196,9 @@ bool PairGatherer::touch(const Box& first, const Box& second, const Box& first_l
     find_manifold(first, second, found, margin, manifold);
     if (manifold.count == 0) manifold = exact;
   }
+  set_points(manifold, contact);
   contact.normal_w = found.normal_w;
   contact.axis = found.axis;
-  contact.count = manifold.count;
-  for (int p = 0; p < manifold.count; ++p) {
-    const ManifoldPoint& point = manifold.points[at(p)];
-    contact.points[at(p)].position_w = point.position_w;
-    contact.points[at(p)].distance = point.distance;
-    contact.points[at(p)].feature = point.feature;
-  }
-  return true;
 }
 // [S3.3.2:normal]
 

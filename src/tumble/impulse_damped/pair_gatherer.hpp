@@ -121,8 +121,9 @@ class PairGatherer {
                     ContactList& out);
 
  private:
-  bool touch(const Box& first, const Box& second, const Box& first_last, const Box& second_last,
-             double margin, Contact& contact) const;
+  void turn_normal(const Box& first, const Box& second, const Box& first_last,
+                   const Box& second_last, double margin, Manifold& manifold,
+                   Contact& contact) const;
 
   NormalRule normals_;
   PointRule points_;

@@ -1,6 +1,6 @@
 /// \file
 /// \brief The listing RESOLVECOLLISIONS.
-#include "tumble/impulse_damped/resolve_collisions.hpp"
+#include "tumble/impulse_damped/damped_stage.hpp"
 
 namespace tumble {
 

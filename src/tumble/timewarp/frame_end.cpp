@@ -24,14 +24,9 @@ void FrameEnd::settle(World& world, double dt, double resolution, std::span<cons
     const InstantReport impact = impacts_.resolve(
         world, resting_, {.resolution = resolution, .bounce = false, .dt = dt, .margin = reach},
         report);
-    for (const Contact& contact : impact.contacts)
-      for (int p = 0; p < contact.count; ++p)
-        records.push_back(record_of(contact, p, world.time() + dt));
+    add_records(impact.contacts, world.time() + dt, records);
   }
-  const RepairReport repaired = repair_.run(world, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = repaired.deepest_before;
+  book(repair_.run(world, candidates_), report);
 }
 
 // Adds who touches those that rest, directly or over others.
