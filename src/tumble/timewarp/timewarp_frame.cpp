@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/timewarp/near_pairs.hpp"
 
 #include <algorithm>
 
@@ -83,16 +84,9 @@ void TimewarpFrame::find_all_collisions(CollisionHeap& heap) {
 
 void TimewarpFrame::add_collisions_of(std::span<const int> bodies, CollisionHeap& heap) {
   for (const int body : bodies) bounds_[at(body)] = bounds_of_body(body);
-  for (const int body : bodies) {
-    if (!movable(body)) continue;
-    for (int other = 0; other < world_->count(); ++other) {
-      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
-      const bool again =
-          other < body && movable(other) && std::binary_search(bodies.begin(), bodies.end(), other);
-      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
-    }
-  }
+  for_each_near_pair(
+      bodies, [&](int body) { return movable(body); }, bounds_,
+      [&](const IndexPair& pair) { search(pair, heap); });
 }
 
 void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {

@@ -9,7 +9,7 @@
 namespace tumble {
 
 TimewarpSafer::TimewarpSafer(const TimewarpOptions& options)
-    : frame_(options, SearchMethod::discrete) {}
+    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
 
 std::unique_ptr<Technique> TimewarpSafer::clone() const {
   return std::make_unique<TimewarpSafer>(*this);

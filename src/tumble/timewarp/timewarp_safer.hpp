@@ -4,7 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/timewarp/timewarp_frame.hpp"
+#include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
 
@@ -25,7 +25,7 @@ namespace tumble {
 /// \deviation{Immovable bodies are not stamped, and what was foreseen with them is kept.}
 /// \verified{A body that flies past keeps its time and its place}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
-class TimewarpSafer final : public Technique {
+class TimewarpSafer final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
   /// \param options see there
@@ -40,18 +40,6 @@ class TimewarpSafer final : public Technique {
   /// \throws std::invalid_argument for a dt that is not finite and above 0
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
-  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
-    return frame_.contacts();
-  }
-
-  /// Whom to show the queue to, collision by collision.
-  /// \param watcher  nullptr: nobody. Not owned
-  void watch(TimewarpWatcher* watcher) { watcher_ = watcher; }
-
- private:
-  TimewarpFrame frame_;
-  CollisionHeap collision_heap_;
-  TimewarpWatcher* watcher_ = nullptr;
 };
 
 }  // namespace tumble

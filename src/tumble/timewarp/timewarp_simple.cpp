@@ -9,7 +9,7 @@
 namespace tumble {
 
 TimewarpSimple::TimewarpSimple(const TimewarpOptions& options)
-    : frame_(options, SearchMethod::discrete) {}
+    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
 
 std::unique_ptr<Technique> TimewarpSimple::clone() const {
   return std::make_unique<TimewarpSimple>(*this);

@@ -4,7 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/timewarp/timewarp_frame.hpp"
+#include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
 
@@ -33,7 +33,7 @@ struct TimewarpSweptOptions : TimewarpOptions {
 /// As TimewarpSimple; searches take more tests, the faster bodies spin.
 /// \algorithm{Timewarp with swept volumes: section 5.1}
 /// \verified{Swept, full timewarp and a search over all bodies tell the same story}
-class TimewarpSwept final : public Technique {
+class TimewarpSwept final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
   /// \param options see there
@@ -43,21 +43,11 @@ class TimewarpSwept final : public Technique {
   [[nodiscard]] std::string_view name() const override { return "timewarp_swept"; }
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
-  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
-    return frame_.contacts();
-  }
-
-  /// Whom to show the queue to, collision by collision.
-  /// \param watcher  nullptr: nobody. Not owned
-  void watch(TimewarpWatcher* watcher) { watcher_ = watcher; }
 
  private:
   void take_moment(const World& world);
 
   TimewarpSweptOptions options_;
-  TimewarpFrame frame_;
-  CollisionHeap collision_heap_;
-  TimewarpWatcher* watcher_ = nullptr;
   ForeseenCollision first_;
   std::vector<IndexPair> pairs_;  // of one moment
   std::vector<int> bodies_;       // ditto

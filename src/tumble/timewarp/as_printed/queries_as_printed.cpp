@@ -2,6 +2,8 @@
 /// \brief Which collisions the listings of the synchronised timewarp find, as printed (thesis A.1).
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 
+#include "tumble/timewarp/near_pairs.hpp"
+
 #include <algorithm>
 
 namespace tumble {
@@ -103,16 +105,9 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
 
 void PrintedQueries::add_collisions_for(std::span<const int> bodies, CollisionHeap& heap) {
   for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
-  for (const int body : bodies) {
-    if (!stamped(body)) continue;
-    for (int other = 0; other < world_->count(); ++other) {
-      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
-      const bool again =
-          other < body && stamped(other) && std::binary_search(bodies.begin(), bodies.end(), other);
-      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
-    }
-  }
+  for_each_near_pair(
+      bodies, [&](int body) { return stamped(body); }, bounds_,
+      [&](const IndexPair& pair) { search(pair, heap); });
 }
 
 void PrintedQueries::search(const IndexPair& pair, CollisionHeap& heap) {
