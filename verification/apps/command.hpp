@@ -2,6 +2,8 @@
 /// \brief Running the command `tumble` from a test.
 #pragma once
 
+#include "support/files.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -44,33 +46,6 @@ inline Outcome shell(const std::string& line) {
 inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
 }
-
-/// What is in a file.
-/// \param path the file
-/// \return its bytes; empty if there is none
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
-
-/// A folder of its own for a test: not there at its start, and gone at its end.
-struct Folder {
-  /// Makes sure that it is not there.
-  /// \param name no other test's
-  explicit Folder(const char* name)
-      : path(std::filesystem::temp_directory_path() / (std::string("tumble_command_") + name)) {
-    std::filesystem::remove_all(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  /// Where it is.
-  /// \return as the command line takes it
-  [[nodiscard]] std::string text() const { return path.string(); }
-  std::filesystem::path path;  ///< where it is
-};
 
 /// The hash in a run's summary.
 /// \param folder of the run

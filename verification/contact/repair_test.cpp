@@ -9,6 +9,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr double kSlop = tolerance::repair_slop;  // [m] for bodies with a shortest edge of 1 m
@@ -38,13 +40,6 @@ BodyId fixed(World& world, const Vec3& size, double x, double y) {
 
 Vec3 position_of(const World& world, BodyId id) {
   return world.states()[at(world.index_of(id))].position_w;
-}
-
-std::vector<IndexPair> all_pairs(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-  return pairs;
 }
 
 RepairReport repair(World& world) {

@@ -12,6 +12,7 @@
 #include "tumble/techniques.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +22,11 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 
 constexpr double kStep = 1.0 / 60.0;  // [s]
 
-World clump(int per_edge) {
-  const SceneRecipe& recipe = scene_recipe("fig6_7");
-  Parameters parameters = recipe.parameters();
-  parameters.set("per_edge", std::to_string(per_edge));
-  return build_world(recipe.build(parameters, Random(1)));
-}
+World clump(int per_edge) { return world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}}); }
 
 std::unique_ptr<Technique> damped(bool sleeping) {
   DampedOptions options;

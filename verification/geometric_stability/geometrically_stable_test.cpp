@@ -8,6 +8,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -18,29 +19,10 @@ namespace {
 
 using namespace tumble;
 
-struct Pile {
-  World world;
-  ContactList contacts;
-
-  Pile() { world.add_ground(); }
-  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(),
-          const Quat& q = Quat::Identity()) {
-    const BodyProperties body = box_properties(size, 1.0);
-    world.add(body, make_state(body, position_w, q));
-    return world.count() - 1;
-  }
-  int add_fixed(const Vec3& position_w, const Vec3& size) {
-    const BodyProperties body = fixed_box_properties(size);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  void gather() {
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, tolerance::stability_margin, {}, contacts);
+struct Pile : test::Pile {
+  Pile() {
+    margin = tolerance::stability_margin;
+    world.add_ground();
   }
   // As many characters as movable bodies: 1 stable, 0 not.
   std::string verdict(StableRule rule) {
@@ -180,7 +162,7 @@ TEST_CASE("A hair of tilt and gap does not matter, three degrees do",
           "[unit][geometric_stability]") {
   for (const double degrees : {0.0, 0.05, 3.0}) {
     Pile pile;
-    pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(),
+    pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(), 1.0, 0.0,
              rotation_from_degrees(Vec3(0.0, 20.0, degrees)));
     CHECK(pile.both() == (degrees < 1.0 ? "1" : "0"));
   }

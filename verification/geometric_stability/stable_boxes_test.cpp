@@ -8,6 +8,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr char kFree = static_cast<char>(Hold::free);
@@ -42,10 +44,7 @@ struct Structure {
   }
   void gather() {
     load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, 1e-6, {}, contacts);
+    contacts = contacts_within(world, 1e-6);
   }
   std::vector<char> find(StableBoxes& boxes) {
     gather();

@@ -9,6 +9,7 @@
 #include "tumble/math/elementary.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,28 +21,8 @@ namespace {
 using namespace tumble;
 
 // Bodies that touch, from scratch.
-struct Pile {
-  World world;
-  ContactList contacts;
-
-  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0) {
-    const BodyProperties body = box_properties(size, mass);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  int add_fixed(const Vec3& position_w, const Vec3& size) {
-    const BodyProperties body = fixed_box_properties(size);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  void gather() {
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, 1e-6, {}, contacts);
-  }
+struct Pile : test::Pile {
+  Pile() { margin = 1e-6; }
   Towers towers(std::span<const char> held = {}) {
     if (contacts.empty()) gather();
     Towers result;

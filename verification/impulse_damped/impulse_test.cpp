@@ -8,6 +8,7 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,17 +38,6 @@ Vec3 spin_of(const World& world, std::size_t k) {
   return angular_velocity(world.bodies()[k], world.states()[k]);
 }
 
-double fastest(const World& world) {
-  double speed = 0.0;
-  for (std::size_t k = 0; k < world.bodies().size(); ++k)
-    speed = std::max({speed, velocity_of(world, k).norm(), spin_of(world, k).norm()});
-  return speed;
-}
-
-void run(World& world, Technique& technique, int steps) {
-  for (int k = 0; k < steps; ++k) technique.step(world, kStep);
-}
-
 ImpulseOptions with(ImpulsePoints points) {
   ImpulseOptions options;
   options.points = points;
@@ -55,17 +45,6 @@ ImpulseOptions with(ImpulsePoints points) {
 }
 
 constexpr std::array<ImpulsePoints, 2> kBoth = {ImpulsePoints::area, ImpulsePoints::one};
-
-// A flat box on a plane that is tilted, seen from a camera that is tilted with it.
-World tilted_plane(double degrees, double friction) {
-  World world;
-  world.add_ground(friction);
-  const double angle = degrees * std::numbers::pi / 180.0;
-  world.gravity_w = kG * Vec3(std::sin(angle), -std::cos(angle), 0.0);
-  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
-  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0)));
-  return world;
-}
 
 // Cubes that fly at each other, turned at random.
 World weightless_clump() {

@@ -7,6 +7,7 @@
 #include "live/seen.hpp"
 #include "session.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,8 @@ bool same_pose(const Vec3& position_w, const Quat& orientation_wb, const BodySta
 std::vector<char> stable_in(const World& world, StableRule rule) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
   ContactList contacts;
-  gather_near(world, moving, pairs, {}, contacts);
+  gather_near(world, moving, test::all_pairs(world), {}, contacts);
   StableBoxes boxes(rule);
   const std::span<const char> found = boxes.find(world, moving, contacts);
   return {found.begin(), found.end()};

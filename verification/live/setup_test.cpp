@@ -7,6 +7,7 @@
 
 #include "session.hpp"
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <string>
 #include <utility>
@@ -15,18 +16,10 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using namespace tumble::live;
 
 const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 2\nposition = [0, 3, 0]\n";
-
-// The scene that `tumble run NAME --set ... --seed N` makes.
-Scene built(const char* name, std::initializer_list<std::pair<const char*, const char*>> set = {},
-            std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters settings = recipe.parameters();
-  for (const auto& [key, value] : set) settings.set(key, value);
-  return checked(recipe.build(settings, Random(seed)));
-}
 
 std::string hash_of(Technique& technique, const Scene& scene) {
   RunSettings settings;

@@ -7,6 +7,7 @@
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +15,8 @@
 #include <string>
 #include <vector>
 
-namespace {
-
 using namespace tumble;
-
-Scene built(const char* name, std::initializer_list<std::pair<const char*, const char*>> set,
-            std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return checked(recipe.build(p, Random(seed)));
-}
-
-}  // namespace
+using namespace tumble::test;
 
 TEST_CASE("Every built-in scene is accepted with its defaults", "[unit][scenes]") {
   std::set<std::string_view> names;
