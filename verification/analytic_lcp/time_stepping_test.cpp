@@ -344,20 +344,6 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
   CHECK(worst < 1e-9);  // [m] rounding, grown by impacts
 }
 
-TEST_CASE("A copy of the technique goes on with the same bits",
-          "[determinism][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  World world = pyramid_of(3);
-  add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0));
-  TimeStepping technique(posed<TimeSteppingOptions>());
-  run(world, technique, 8);
-  World copy = world;
-  const std::unique_ptr<Technique> clone = technique.clone();
-  run(world, technique, 4);
-  run(copy, *clone, 4);
-  CHECK(world.hash().value() == copy.hash().value());
-}
-
 TEST_CASE("Time stepping can be made by name", "[unit][time_stepping][analytic_lcp]") {
   const TechniqueRecipe& recipe = technique_recipe("time_stepping");
   CHECK(recipe.name == "time_stepping");

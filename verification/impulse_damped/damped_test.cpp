@@ -231,22 +231,6 @@ TEST_CASE("A stack is still with shock by velocity and chatters with shock by po
   CHECK(fastest(stopped) < 1e-10);
 }
 
-TEST_CASE("A clone of damped integration steps like its original",
-          "[determinism][impulse_damped]") {
-  World world = heap();
-  DampedOptions options;
-  options.sleeping = true;
-  Damped damped(options);
-  run(world, damped, 100);
-  World copy = world;
-  const std::unique_ptr<Technique> clone = damped.clone();
-  for (int k = 0; k < 100; ++k) {
-    damped.step(world, kStep);
-    clone->step(copy, kStep);
-    REQUIRE(world.hash().value() == copy.hash().value());
-  }
-}
-
 TEST_CASE("Everything that damped integration adds is in its books", "[exact][impulse_damped]") {
   // Contacts are booked with gravity at the half of the step, and poses follow the last velocity.
   // Without collisions and without damping, which has books of its own, what is left then is the

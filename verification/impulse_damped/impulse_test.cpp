@@ -351,27 +351,6 @@ TEST_CASE("With gravity a sliding box loses what impulses book",
 
 // --- what holds for all techniques --------------------------------------------------------------
 
-TEST_CASE("A copy of the impulse technique goes on with the same bits",
-          "[determinism][impulse][impulse_damped]") {
-  BOTH_POSES;
-  for (const bool sleeping : {false, true}) {
-    World world = weightless_clump();
-    world.gravity_w = Vec3(0.0, -kG, 0.0);
-    world.add_ground(0.5, 0.3);
-    for (std::size_t k = 0; k + 1 < world.states().size(); ++k)
-      world.states()[k].position_w.y() += 2.0;
-    ImpulseOptions options;
-    options.sleeping = sleeping;
-    Impulse technique(posed(options));
-    run(world, technique, 40);
-    World copy = world;
-    const std::unique_ptr<Technique> clone = technique.clone();
-    run(world, technique, 100);
-    run(copy, *clone, 100);
-    CHECK(world.hash().value() == copy.hash().value());
-  }
-}
-
 TEST_CASE("A warm step by impulses asks for no memory", "[unit][impulse][impulse_damped]") {
   BOTH_POSES;
   for (const ImpulseShock shock : {ImpulseShock::velocity, ImpulseShock::position}) {
