@@ -11,6 +11,12 @@
 
 namespace tumble {
 
+/// Checks the bodies of a contact.
+/// \param contact  the two, by index
+/// \param count    how many bodies there are
+/// \throws std::invalid_argument for an index out of range
+void require_bodies(const IndexPair& contact, int count);
+
 /// Movable bodies that are connected through contacts.
 ///
 /// An immovable body passes nothing on, so two heaps on one ground are two islands. Every movable

@@ -27,15 +27,6 @@ enum Motion : char {
 
 constexpr char hold(Hold how) { return static_cast<char>(how); }
 
-// Refuses a contact of a body that there is not.
-void check(const Contact& contact, int count) {
-  const auto in_range = [&](int body) { return body >= 0 && body < count; };
-  if (in_range(contact.first) && in_range(contact.second)) return;
-  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
-                           std::to_string(contact.second) + ": give indices below " +
-                           std::to_string(count));
-}
-
 }  // namespace
 
 std::span<const char> StableBoxes::find(const World& world, std::span<const MovingBody> bodies,
@@ -43,7 +34,8 @@ std::span<const char> StableBoxes::find(const World& world, std::span<const Movi
   if (bodies.size() != world.bodies().size())
     require::that(false, "bodies: " + std::to_string(bodies.size()) + " entries; " +
                              std::to_string(world.bodies().size()) + " are needed");
-  for (const Contact& contact : contacts) check(contact, world.count());
+  for (const Contact& contact : contacts)
+    require_bodies({contact.first, contact.second}, world.count());
   find_motion(world, bodies, contacts);
   report_ = {};
   report_.remembered = unchanged(world, contacts);

@@ -18,16 +18,6 @@
 namespace tumble {
 namespace {
 
-// Index of a name in a list.
-template <std::size_t N>
-int place_of(std::string_view name, std::string_view what,
-             const std::array<std::string_view, N>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  require::that(found != names.end(), std::string(what) + " = " + std::string(name) + ": " +
-                                          expected_names(name, {names.begin(), names.end()}));
-  return static_cast<int>(found - names.begin());
-}
-
 // s(n) along a face axis, 0 to 5, with the normal from the first box to the second.
 Separation along_face(const Box& first, const Box& second, AxisIndex axis) {
   const Vec3 n_w = axis < 3 ? first.axes_w.col(axis) : second.axes_w.col(axis - 3);
