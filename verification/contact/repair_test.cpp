@@ -157,7 +157,7 @@ TEST_CASE("A box that presses against a shelf from below goes down, and the shel
   CHECK(report.energy < 0.0);
 }
 
-TEST_CASE("A box squeezed between two walls ends in their middle, and the status tells",
+TEST_CASE("A box squeezed between two walls ends in their middle, and the status reports it",
           "[unit][repair]") {
   for (const double off : {0.0, 0.03, -0.08}) {
     World world;
@@ -290,7 +290,7 @@ TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
   CHECK(report.deepest_before == 0.0);
   CHECK(position_of(world, sleeper).y() == 0.9);
 
-  // Somebody awake goes out of the sleeper's way, although he is below it.
+  // A body that is awake goes out of the sleeper's way, although it is below.
   const BodyId below = cube(world, 0.0, 0.1);
   world.remove(world.ids()[0]);
   world.remove(world.ids()[0]);

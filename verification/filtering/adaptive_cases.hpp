@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the tests of adaptive steps step through.
+/// \brief Worlds that the tests of adaptive steps step through.
 #pragma once
 
 #include "tumble/filtering/adaptive_step.hpp"

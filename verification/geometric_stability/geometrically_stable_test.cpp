@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who is geometrically stable: the thesis's figures, orders, marks and both definitions.
+/// \brief Geometric stability: the thesis's figures, orders, marks and both definitions.
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
 #include "tumble/base/random.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("One support that is not stable speaks against the whole box, whatever
   CHECK(clear.both() == "1");
 }
 
-TEST_CASE("Who stands firm does not depend on the order of contacts",
+TEST_CASE("Which bodies stand firm does not depend on the order of contacts",
           "[determinism][geometric_stability]") {
   Random random(9);
   int stable = 0;
@@ -149,7 +149,7 @@ TEST_CASE("Marks of corners are of this step only", "[exact][geometric_stability
   CHECK(stable == std::vector<char>{1, 1, 0});
 }
 
-TEST_CASE("Who is going up is not stable yet", "[exact][geometric_stability]") {
+TEST_CASE("A body that goes up is not stable yet", "[exact][geometric_stability]") {
   Pile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.world.states()[1].linear_momentum_w.y() = 0.1;  // the limit is 0.02 sqrt(9.81) = 0.063
@@ -274,8 +274,9 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   CHECK_THROWS_WITH(is_stable(StableRule::hull), Catch::Matchers::Contains("outlines: 4 for 5"));
 }
 
-TEST_CASE("Where it is looked at, who sinks, tips or rocks is not steady, and who slides is",
-          "[exact][geometric_stability]") {
+TEST_CASE(
+    "Where motion counts, a body that sinks, tips or rocks is not steady, and one that slides is",
+    "[exact][geometric_stability]") {
   const auto stable_with = [](const Vec3& momentum_w, const Vec3& angular_w, double steady) {
     Pile pile;
     pile.add(Vec3(0.0, 0.5, 0.0));

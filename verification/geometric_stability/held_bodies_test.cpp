@@ -218,7 +218,7 @@ TEST_CASE("Stable boxes are not left out of forces with Coulomb's friction",
   }
 }
 
-TEST_CASE("A box that lands on a stable one comes to rest on it, whoever is left out",
+TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodies are held",
           "[exact][geometric_stability]") {
   // The second cube lands over the edge of the first one by a quarter, and stays.
   const auto drop = [](StableRule rule) {
@@ -251,7 +251,7 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whoever is left
   }
 }
 
-TEST_CASE("A box that tips off a stable one does so at the same time, whoever is left out",
+TEST_CASE("A box that tips off a stable one does so at the same time, whichever bodies are held",
           "[exact][geometric_stability]") {
   const auto tip = [](StableRule rule) {
     World world;

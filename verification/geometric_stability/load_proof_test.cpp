@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who carries every load: who moves, and what touches from outside.
+/// \brief Load-proof bodies: motion, and contacts from outside.
 #include "tumble/geometric_stability/load_proof.hpp"
 
 #include "tumble/contact/gather.hpp"

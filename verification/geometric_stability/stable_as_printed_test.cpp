@@ -78,7 +78,7 @@ TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed
         std::vector<bool>{true, true, true, false});
 }
 
-TEST_CASE("Mended, the order of contacts does not change who is stable",
+TEST_CASE("Mended, the order of contacts does not change which bodies are stable",
           "[exact][geometric_stability]") {
   // Two cubes and a fixed block carry a plank, and the block touches one of the cubes.
   const auto by_ids = [](const Contact& a, const Contact& b) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Towers as one heavier block: closed forms, loads, what is no tower, orders.
+/// \brief Towers as one heavier block: closed forms, loads, shapes that are no tower, orders.
 #include "tumble/geometric_stability/towers.hpp"
 
 #include "tumble/base/index.hpp"
@@ -155,7 +155,7 @@ TEST_CASE("Towers refuse a staircase that its blocks' own centres would let stan
   };
   CHECK(staircase(0.2 * (1.0 - 1e-6)).stands());
   Pile falls = staircase(0.2 * (1.0 + 1e-6));
-  // The centre of the upper four is no more over the lowest, which has nothing to be told then.
+  // The centre of the upper four is no more over the lowest, which carries nothing then.
   CHECK(falls.towers().states()[2] == TowerState::tips);
   CHECK(falls.towers().states()[1] == TowerState::none);
   CHECK(!staircase(0.3).stands());
@@ -189,7 +189,7 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   CHECK(towers.loads()[at(alone)].mass == near(2.0).margin(1e-15));
 }
 
-TEST_CASE("A body that is held counts for the ground: it is nobody's load",
+TEST_CASE("A body that is held counts for the ground: it is no load",
           "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();
@@ -215,7 +215,7 @@ TEST_CASE("Without gravity straight down there are no towers", "[unit][geometric
   }
 }
 
-TEST_CASE("A support told as two contacts holds as much as the two together",
+TEST_CASE("A support given as two contacts holds as much as the two together",
           "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();

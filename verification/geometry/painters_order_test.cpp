@@ -244,7 +244,7 @@ TEST_CASE("Views overlap exactly if some ray meets both boxes", "[unit][painters
   CHECK(claimed - confirmed <= 5);
 }
 
-TEST_CASE("A ring of three sticks that cover each other is told as a cycle",
+TEST_CASE("A ring of three sticks that cover each other is reported as a cycle",
           "[exact][painters_order]") {
   const std::vector<Box> ring = ring_of_sticks();
   for (std::size_t a = 0; a < 3; ++a) {

@@ -89,7 +89,7 @@ TEST_CASE("A sweep that ends short, runs away or passes by hits nothing", "[unit
   CHECK(sweep(here, Vec3(2.0, 0.0, 0.0), there, Vec3::Zero()).status == SweepStatus::hit);
 }
 
-TEST_CASE("Boxes that overlap or touch at the start are told with the axis of least overlap",
+TEST_CASE("Boxes that overlap or touch at the start are reported with the axis of least overlap",
           "[unit][swept]") {
   const Box here = cube_at(Vec3::Zero());
   const SweepResult deep =

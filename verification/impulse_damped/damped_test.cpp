@@ -176,7 +176,7 @@ TEST_CASE("Impulses keep the momentum of two free bodies and never add energy",
   }
 }
 
-TEST_CASE("Gravity last, as listed, or before the contacts, as told, is the same path",
+TEST_CASE("Gravity last, as listed, or before the contacts, as in the text, is the same path",
           "[exact][impulse_damped]") {
   // Section 5.2 adds gravity before contacts. COLLIDE's temporary gravity stands for it. Free
   // flight, a bounce and rest of one box, by hand with the order of the text.
@@ -247,7 +247,7 @@ TEST_CASE("Everything that damped integration adds is in its books", "[exact][im
       const double energy = energy_of(world).total();
       const double momentum = linear_momentum(world).y();
       const StepReport report = damped.step(world, kStep);
-      // Who still rises slower than gravity takes away in the step is stopped early: at speed v up to
+      // A body that still rises slower than gravity takes away in the step is stopped early: at speed v up to
       // v (g dt - v) / 2 for each kilogram, at most (g dt)²/8.
       CHECK(report.energy.restitution <= 0.125 * cubes * kG * kG * kStep * kStep);
       CHECK(report.energy.friction == 0.0);

@@ -202,7 +202,7 @@ TEST_CASE("With a push of positions in place of the shock a stack keeps its spee
   }
 }
 
-TEST_CASE("Contacts at rest tell a foot that carries a third of a stack of ten",
+TEST_CASE("Contacts at rest show a foot that carries a third of a stack of ten",
           "[claims][impulse][impulse_damped]") {
   // Weight that ten passes do not bring down is lost in the shock: its lower side is infinitely
   // heavy.

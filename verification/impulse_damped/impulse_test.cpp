@@ -115,7 +115,7 @@ TEST_CASE("A bouncing box loses the square of restitution in height, and stops b
     const double speed = velocity_of(world, 1).y();
     if (report.events > 0) {
       ++bounces;
-      // The law holds for each: the parting speed is e times the speed that the step began with,
+      // The law holds for each: the separation speed is e times the speed that the step began with,
       // and gravity takes its share afterwards.
       const double parting = -0.5 * before - kG * kStep;
       CHECK(speed == near(std::max(parting, 0.0)).margin(bounces < 5 ? 1e-12 : kG * kStep));
@@ -123,7 +123,7 @@ TEST_CASE("A bouncing box loses the square of restitution in height, and stops b
     if (bounces == 1) top = std::max(top, world.states()[1].position_w.y() - 0.5);
     before = speed;
   }
-  // 0.25 m, off by what half a step at the speeds of landing and parting is worth: measured 0.2356.
+  // 0.25 m, off by what half a step at the speeds before and after landing is worth: measured 0.2356.
   CHECK(top == near(0.25).margin(0.5 * kStep * (4.43 + 2.21)));
   CHECK(bounces >= 4);
   CHECK(fastest(world) < 1e-12);  // [m/s] the sequence of stages ends it, no threshold does
@@ -203,7 +203,7 @@ TEST_CASE("A pair that others press together again in one event parts as the eve
     return bodies.moving()[1].velocity_w.x() - bodies.moving()[0].velocity_w.x();
   };
   CHECK(parting() == near(1.0).margin(1e-12));  // [m/s] e · 2 m/s
-  // Pressed together at 1.5 m/s by somebody else: still 1 m/s, not e · 1.5 m/s.
+  // Pressed together at 1.5 m/s by another body: still 1 m/s, not e · 1.5 m/s.
   bodies.moving()[0].velocity_w.x() += 2.5;
   CHECK(push.collide(pair, bodies.moving(), 0.5, kStep).pushed);
   CHECK(parting() == near(1.0).margin(1e-12));

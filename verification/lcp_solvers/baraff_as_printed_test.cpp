@@ -71,7 +71,7 @@ TEST_CASE("The thesis's form counts a contact that pushed at first and then part
   CHECK(result.multiplications == 3 * 4 + 1 + 3 * 4);
 }
 
-TEST_CASE("The thesis's form tells bodies that are squeezed and systems without solution",
+TEST_CASE("The thesis's form detects bodies that are squeezed and systems without solution",
           "[unit][lcp][analytic_lcp]") {
   CHECK(solved(lcp({1, -1, -1, 1}, {-1, -1})).status == LcpStatus::infeasible);
   CHECK(solved(lcp({0}, {-1})).status == LcpStatus::infeasible);

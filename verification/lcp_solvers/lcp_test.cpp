@@ -1,5 +1,5 @@
 /// \file
-/// \brief What all solvers of the complementarity problem have to do, and the exact ones compared.
+/// \brief All solvers of the complementarity problem by answers known by hand, and the exact ones compared.
 #include "tumble/lcp_solvers/lcp.hpp"
 
 #include "tumble/lcp_solvers/baraff.hpp"
@@ -277,7 +277,7 @@ TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp]
   }
 }
 
-TEST_CASE("The residual is 0 at a solution and tells each way of being wrong",
+TEST_CASE("The residual is 0 at a solution and shows each way of being wrong",
           "[exact][lcp][analytic_lcp]") {
   const LcpProblem problem = lcp({4, 0, 0, 4}, {-8, 2});
   CHECK(lcp_residual(problem, std::vector<double>{2, 0}) == 0.0);

@@ -104,7 +104,7 @@ TEST_CASE("All exact solvers find one motion in 10000 contact problems with redu
 TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
           "[unit][lcp][analytic_lcp]") {
   // On the way to the answer rows depend on each other up to 1e-12 of their lengths: more than A can
-  // tell, which holds the squares.
+  // show, which holds the squares.
   Random random(12);
   Comparison comparison;
   for (const int bodies : {1, 4})

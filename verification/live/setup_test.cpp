@@ -1,5 +1,5 @@
 /// \file
-/// \brief Requests: what their words make, and in which sentence a mistake is told.
+/// \brief Requests: what their words make, and in which sentence a mistake is reported.
 #include "tumble/record/run.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -79,7 +79,7 @@ TEST_CASE("All that follows the word toml is the scene file", "[unit][live]") {
   CHECK(setup.scene.boxes[0].name == "set");
 }
 
-TEST_CASE("A mistake in a request is told in a sentence that says what would be right",
+TEST_CASE("A mistake in a request is reported in a sentence that says what would be right",
           "[unit][live]") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "unknown scene : expected one of: box_drop, bouncing_box"},

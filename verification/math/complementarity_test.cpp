@@ -110,15 +110,14 @@ TEST_CASE("Contacts that part anyway get no force and take no pivot", "[unit][lc
   CHECK(near(result.f, vector({0, 0}), 0.0));
 }
 
-TEST_CASE("Problems without a solution are told apart, with a proof", "[exact][lcp]") {
+TEST_CASE("Problems without a solution are detected, with a proof", "[exact][lcp]") {
   check_infeasible(square({0}), vector({-1}));
   check_infeasible(square({1, -1, -1, 1}), vector({-1, -1}));  // squeezed by two walls
   // The same walls beside a contact that has a solution.
   check_infeasible(square({2, 0, 0, 0, 1, -1, 0, -1, 1}), vector({-1, -1, -1}));
 }
 
-TEST_CASE("A matrix that is not positive semidefinite is told apart where it shows",
-          "[unit][lcp]") {
+TEST_CASE("A matrix that is not positive semidefinite is detected where it shows", "[unit][lcp]") {
   const auto status = ComplementarityStatus::not_positive_semidefinite;
   CHECK(solved(square({-1}), vector({-1})).status == status);
   CHECK(solved(square({0, 1, 1, 0}), vector({-1, -1})).status == status);

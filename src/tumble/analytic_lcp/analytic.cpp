@@ -79,7 +79,8 @@ StepReport Analytic::step(World& world, double dt) {
     find_candidates(world, progress.left(), false);
     find_near(world, report);
     if (!capped && collide(world, progress, report))
-      find_candidates(world, progress.left(), false);  // who moves otherwise may meet others
+      find_candidates(world, progress.left(),
+                      false);  // a body that moves otherwise may meet others
     Plan plan;
     if (!find_forces(world, progress, plan, report)) {
       unsolved_ = true;
@@ -97,7 +98,7 @@ StepReport Analytic::step(World& world, double dt) {
 }
 
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
-// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. Who is
+// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. What is
 // carried goes beside it.
 void Analytic::find_candidates(const World& world, double left, bool carried) {
   const auto reach = [&](std::size_t k) {
@@ -135,7 +136,7 @@ bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, S
   return improve_forces(world, progress, plan, report);
 }
 
-// Who is carried by whom in this flight.
+// Which bodies carry each other in this flight.
 void Analytic::carry(const World& world) {
   pushed_.clear();
   for (const Contact& contact : resting_) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The analytic technique's collisions, and what it tells about its contacts.
+/// \brief Collisions of the analytic technique, and records of its contacts.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"

@@ -22,7 +22,7 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options)
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-// The broad phase and what was told of the last step are all there is of memory; everything else is
+// The broad phase and the records of the last step are all there is of memory; everything else is
 // storage.
 TimeStepping::TimeStepping(const TimeStepping& other)
     : Technique(other),

@@ -28,16 +28,16 @@ StepReport Basic::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;
   records_.clear();
-  let_go_.clear();
-  double passed = 0.0;  // [s] of this step
+  released_.clear();
+  double elapsed = 0.0;  // [s] of this step
   for (int moment = 0;; ++moment) {
     // [S2.1:search]
     // Let all bodies fly to the end of the step, and see whether
     // two of them overlap there. If so, search back for the moment
     // at which the first two meet.
-    const double left = dt - passed;
-    if (!(left > 0.0)) break;  // an impact came with the end
-    const FirstEvent& found = find_first(world, left, report);
+    const double remaining = dt - elapsed;
+    if (!(remaining > 0.0)) break;  // an impact came with the end
+    const FirstEvent& found = find_first(world, remaining, report);
     // [S2.1:search]
 
     // Bodies that overlap when the step begins, and go deeper, collide before anything moves.
@@ -54,7 +54,7 @@ StepReport Basic::step(World& world, double dt) {
     const bool capped = lost || endless;
     if (capped) report.status = StepStatus::event_cap;
     if (!collide || capped) {
-      fly_all(world, left, report);
+      fly_all(world, remaining, report);
       break;
     }
     // [S2.1:fly_on]
@@ -65,15 +65,15 @@ StepReport Basic::step(World& world, double dt) {
     Event impact;
     if (!at_once) {
       touching_ = found.touching;
-      passed += found.time;
+      elapsed += found.time;
       impact.rewinds = fly_all(world, found.time, report);
       impact.restarts = static_cast<int>(found.restarts);
       report.rewinds += impact.rewinds;
     }
-    impact.time = world.time() + passed;
-    const double push = resolve(world, impact, report);
+    impact.time = world.time() + elapsed;
+    const double speed_change = resolve(world, impact, report);
     // [S2.1:resolve]
-    let_go_of_rounding(world, push, dt - passed);
+    release_rounding(world, speed_change, dt - elapsed);
   }
   repair_overlap(world, report);
   world.finish_step(dt);
@@ -88,18 +88,18 @@ Flight Basic::flight_of(const World& world) const {
 }
 
 // The first impact in the time that is left, if all bodies fly on.
-const FirstEvent& Basic::find_first(const World& world, double left, StepReport& report) {
+const FirstEvent& Basic::find_first(const World& world, double remaining, StepReport& report) {
   const auto half_diagonal = [&](std::size_t k) { return 0.5 * world.bodies()[k].size.norm(); };
-  find_flight_pairs(world, left, half_diagonal, *broad_phase_, bounds_, candidates_);
-  const auto let_go = [&](const IndexPair& pair) {
-    return std::find(let_go_.begin(), let_go_.end(), pair) != let_go_.end();
+  find_flight_pairs(world, remaining, half_diagonal, *broad_phase_, bounds_, candidates_);
+  const auto released = [&](const IndexPair& pair) {
+    return std::find(released_.begin(), released_.end(), pair) != released_.end();
   };
-  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), let_go),
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), released),
                     candidates_.end());
   const Flight flight = flight_of(world);
   const SearchOptions how{.method = options_.search,
-                          .resolution = std::min(options_.resolution, left)};
-  const FirstEvent& found = search_.find(flight, candidates_, 0.0, left, how);
+                          .resolution = std::min(options_.resolution, remaining)};
+  const FirstEvent& found = search_.find(flight, candidates_, 0.0, remaining, how);
   report.pair_tests += found.pair_tests;
   report.searches += found.evaluations;
   report.restarts += found.restarts;
@@ -136,19 +136,19 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   book(impact, report);
   add_records(contacts_, moment.time, records_);
   for (const Contact& contact : contacts_) report_collision(contact, moment, observer());
-  double push = 0.0;
+  double speed_change = 0.0;
   for (const Contact& contact : contacts_) {
     double impulse = 0.0;
     for (int p = 0; p < contact.count; ++p) impulse += contact.points[at(p)].normal_impulse;
     for (const int body : {contact.first, contact.second})
-      push = std::max(push, impulse * moving_[at(body)].inverse_mass.maxCoeff());
+      speed_change = std::max(speed_change, impulse * moving_[at(body)].inverse_mass.maxCoeff());
   }
-  return push;
+  return speed_change;
 }
 
 // Pairs that touch, hardly push, and overlap at the end by less than a rounding: the search would
-// find them for ever at this same moment. They are left out until somebody is pushed.
-void Basic::let_go_of_rounding(const World& world, double push, double left) {
+// find them for ever at this same moment. They are left out until a body is pushed.
+void Basic::release_rounding(const World& world, double speed_change, double remaining) {
   const Flight flight = flight_of(world);
   for (const IndexPair& pair : touching_) {
     double size = 0.0;
@@ -156,8 +156,8 @@ void Basic::let_go_of_rounding(const World& world, double push, double left) {
       if (world.bodies()[at(body)].movable())
         size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
     const double rounding = tolerance::rounding_overlap * size;
-    if (push * left > rounding) return let_go_.clear();
-    if (gap_at(flight, pair, left).distance > -rounding) let_go_.push_back(pair);
+    if (speed_change * remaining > rounding) return released_.clear();
+    if (gap_at(flight, pair, remaining).distance > -rounding) released_.push_back(pair);
   }
 }
 

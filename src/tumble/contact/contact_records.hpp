@@ -28,7 +28,7 @@ void add_records(std::span<const Contact> contacts, double time,
 /// The collision of two bodies, all points of their contact together.
 /// \param contact  with its impulses; they act at their weighted centre
 /// \param moment   time, rewinds and restarts are taken over
-/// \return the collision; nothing if no point is pushed, that is, if the bodies were parting already
+/// \return the collision; nothing if no point is pushed, that is, if the bodies were separating already
 std::optional<Event> event_of(const Contact& contact, const Event& moment);
 
 /// Shows a collision to an observer.

@@ -67,7 +67,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 /// of their size.
 /// \param world       the bodies
 /// \param bodies      how they move: one for each body index
-/// \param pairs       who is about to touch
+/// \param pairs       bodies that are about to touch
 /// \param resolution  [s] of the search
 /// \return [m]
 [[nodiscard]] double search_margin(const World& world, std::span<const MovingBody> bodies,
@@ -75,7 +75,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 
 /// Gives points that touched before the impulses that they had, as a start for iterative solvers.
 ///
-/// A point is the same if its pair and its feature are. What is left of the friction impulse
+/// A point is the same if its pair and its feature are. The rest of the friction impulse
 /// across the new normal is kept.
 /// \param previous  contacts of an earlier step, sorted by id
 /// \param contacts  contacts of this step, sorted by id; impulses in and out

@@ -116,7 +116,7 @@ void ImpactSolver::one_after_the_other(std::span<Contact> contacts, std::span<Mo
       const SimultaneousResult collision =
           one[0].count == 1 ? collide_alone(one[0], bodies) : block_.solve(one, bodies);
       add(collision, result);
-      // One that pushed nobody (an approach of rounding size) would do so in every pass.
+      // One without an impulse (an approach of rounding size) would do so in every pass.
       if (collision.impulses > 0) quiet = false;
     }
   }

@@ -62,7 +62,7 @@ RepairReport OverlapRepair::run(World& world, std::span<const IndexPair> pairs) 
       move_apart(candidate);
       ++report.moves;
     }
-    // Whom did these moves push into whom?
+    // Which bodies did these moves push into each other?
     report.deepest_after = measure_all(world, report);
     overlapping = any_too_deep();
   }

@@ -40,7 +40,7 @@ struct Flight {
 /// \param body   its constant part
 /// \param state  its state
 /// \param rule   how it turns
-/// \return true for cubes, but for rk4, and for whoever cannot move
+/// \return true for cubes, but for rk4, and for an immovable body
 [[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state,
                                 RotationRule rule);
 
@@ -92,7 +92,7 @@ Vec3 acceleration_of(const Flight& flight, int body);
 /// \param flight  how bodies move
 /// \param pair    the two
 /// \param time    [s]
-/// \return as gap_between() tells it
+/// \return as gap_between() has it
 /// \throws std::invalid_argument if an angular momentum is not finite
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
@@ -119,7 +119,7 @@ template <class Reach>
 void find_flight_pairs(const World& world, double time, const Reach& reach, BroadPhase& broad_phase,
                        std::vector<Bounds>& bounds, std::vector<IndexPair>& pairs) {
   // [S4.1]
-  // Who may meet in the time that is left: those whose ways overlap.
+  // Bodies may meet in the time that is left if their ways overlap.
   bounds.clear();
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
     bounds.push_back(

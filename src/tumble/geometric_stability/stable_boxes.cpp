@@ -72,7 +72,7 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
     if (v.norm() + reach * omega.norm() <= tolerance::standstill * unit) motion = kStill;
     if (!world.bodies()[b].movable()) motion = kStill;
   }
-  // Contact forces let a gap close; who is held would hover above it.
+  // Contact forces let a gap close; a held body would hover above it.
   for (const Contact& contact : contacts) {
     double size = std::numeric_limits<double>::infinity();
     for (const int b : {contact.first, contact.second})
@@ -94,7 +94,7 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
     return false;
   for (std::size_t b = 0; b < basis_.inverse_masses.size(); ++b)
     if (world.bodies()[b].inverse_mass != basis_.inverse_masses[b]) return false;
-  // A support that is smaller than what lies on it tells nothing of where that is.
+  // A support that is smaller than what lies on it says nothing of where that is.
   const auto stays = [&](int body) {
     const BodyState& now = world.states()[at(body)];
     const BodyState& then = basis_.states[at(body)];

@@ -17,15 +17,15 @@ struct DampedStage {
   const World& world;            ///< poses of the step's start
   double dt = 0.0;               ///< [s] of the step
   RotationRule rotation{};       ///< how bodies turn
-  const SleepingRule* sleeping;  ///< whom to leave out; nullptr: nobody
+  const SleepingRule* sleeping;  ///< which bodies to leave out; nullptr: none
   DampedBodies& bodies;          ///< velocities, predicted poses, marks
   PairGatherer& gatherer;        ///< finds what overlaps
   Collide& collide;              ///< lets pairs collide
   ContactList& collisions;       ///< of the present pass
-  ContactList& told;             ///< pairs of this step with all their impulses, sorted by id
+  ContactList& pushed_pairs;     ///< pairs of this step with all their impulses, sorted by id
   StepReport& report;            ///< counts and energy
 
-  /// integrateObjectPositions and gatherCollisions: looks where bodies come to, and who overlaps
+  /// integrateObjectPositions and gatherCollisions: looks where bodies come to, and which overlap
   /// there.
   void predict_and_gather();
   /// Lets a pair collide and keeps book of it.
@@ -43,7 +43,7 @@ struct DampedStage {
 /// predicted place but not in its velocity, and so it does not approach.
 /// \param stage   velocities in and out
 /// \param passes  NUM_COLLISION_ITERATIONS, at least 0
-/// \param noise   what is left to chance (thesis 4.2)
+/// \param noise   the share of chance (thesis 4.2)
 /// \param random  the stream of this step
 /// \algorithm{RESOLVECOLLISIONS: appendix A.2}
 /// \verified{A box at rest does not bounce though restitution is 0.9}
@@ -65,7 +65,7 @@ void resolve_contacts(DampedStage& stage, int passes);
 /// Guendelman, Bridson and Fedkiw's shock propagation, which the thesis replaced by a push (4.4).
 ///
 /// Once more contacts are stopped, from the ground up: level by level of the contact graph, and
-/// what is below counts as immovable. Bodies of one level that touch are stopped as usual.
+/// all that lies below counts as immovable. Bodies of one level that touch are stopped as usual.
 class ShockPropagation {
  public:
   /// Goes up once.

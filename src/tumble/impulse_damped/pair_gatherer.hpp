@@ -70,7 +70,7 @@ struct PairReport {
 /// Finds the pairs of bodies that overlap at given poses, for methods that let bodies sink into
 /// each other and answer by impulses.
 ///
-/// Whether two bodies overlap is always told by the separating axis test; touching counts. The
+/// Whether two bodies overlap is always decided by the separating axis test; touching counts. The
 /// normal is that of the rule:
 /// - `last_face`: the face that was closest at the poses of the step's start, which are those at
 ///   which the last step ended, as it has turned since. It is wrong where edges meet, and where the
@@ -108,10 +108,10 @@ class PairGatherer {
   /// Friction and restitution are combined as gather_contacts() does it. Impulses and approach
   /// speeds are 0 (see stamp_approach_speeds()). Pairs of two immovable or two sleeping bodies are
   /// left out.
-  /// \param world     who the bodies are; its poses are not looked at
+  /// \param world     the bodies; its poses are not looked at
   /// \param last      poses at which the step began, one for each body index
   /// \param now       poses at which overlap is looked for, ditto
-  /// \param sleeping  whom to leave out besides (SleepingRule::needs_test()); nullptr: nobody
+  /// \param sleeping  pairs to leave out besides (SleepingRule::needs_test()); nullptr: none
   /// \param margin    [m] surfaces up to this far apart count as touching, at least 0
   /// \param out       is overwritten; sorted by id
   /// \return counts

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The end of a timewarp's frame: who rests is stopped, who overlaps is moved apart (thesis
+/// \brief The end of a timewarp's frame: resting bodies are stopped, overlapping ones moved apart (thesis
 ///        A.1: fixInterpenetration).
 #include "tumble/timewarp/frame_end.hpp"
 
@@ -29,7 +29,7 @@ void FrameEnd::settle(World& world, double dt, double resolution, std::span<cons
   book(repair_.run(world, candidates_), report);
 }
 
-// Adds who touches those that rest, directly or over others.
+// Adds bodies that touch those that rest, directly or over others.
 void FrameEnd::join_touching(const World& world, double reach, StepReport& report) {
   const auto movable = [&](int body) { return world.bodies()[at(body)].movable(); };
   const auto join = [&](const IndexPair& pair) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+/// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include "tumble/base/error.hpp"
@@ -172,14 +172,14 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
     report.status = std::max(report.status, StepStatus::event_cap);
   const int moved = static_cast<int>(pushed_.size());
   report.rewinds += moved;
-  tell(impact.contacts, time, moved);
+  report_collisions(impact.contacts, time, moved);
   stage_.release_pushed(*world_, pushed_, before_, dt_);
   for (const IndexPair& pair : pairs)
     stage_.count(pair, impacts_.separation_speed(*world_, pair, dt_), world_->gravity_w.norm());
 }
 
-// Tells about the collisions of one time.
-void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rewinds) {
+// Reports the collisions of one time.
+void TimewarpFrame::report_collisions(std::span<const Contact> contacts, double time, int rewinds) {
   Event moment;
   moment.time = world_->time() + time;
   moment.rewinds = rewinds;

@@ -93,7 +93,7 @@ class TimewarpFrame {
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
   /// \param dt        [s] its length
-  /// \param observer  told about collisions; may be nullptr
+  /// \param observer  gets the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
 
@@ -161,7 +161,7 @@ class TimewarpFrame {
   [[nodiscard]] Bounds bounds_of_body(int body) const;
   void search(const IndexPair& pair, CollisionHeap& heap);
   std::optional<double> first_collision(const IndexPair& pair, double end);
-  void tell(std::span<const Contact> contacts, double time, int rewinds);
+  void report_collisions(std::span<const Contact> contacts, double time, int rewinds);
 
   TimewarpOptions options_;
   SearchMethod method_;

@@ -12,7 +12,7 @@ namespace tumble {
 ///
 /// At the start of a frame every body flies to the frame's end, into its test state. Pairs that
 /// overlap there are searched for the time at which they met, and wait in a queue. Of the earliest one
-/// the two bodies, and nobody else, are put where they were at that time; they collide, fly to the
+/// the two bodies, and no others, are put where they were at that time; they collide, fly to the
 /// end anew, and what was foreseen for them is found afresh. So a collision costs the same however
 /// many bodies there are, where `basic` takes back all of them.
 ///

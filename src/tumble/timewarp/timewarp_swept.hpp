@@ -10,8 +10,8 @@ namespace tumble {
 
 /// What becomes of collisions closer in time than the resolution.
 enum class TieRule : std::uint8_t {
-  /// Those that follow one within a resolution are resolved with it at one stroke: order cannot be
-  /// told, so none is made up.
+  /// Those that follow one within a resolution are resolved with it at one stroke: their order is not
+  /// known, so none is made up.
   together,
   /// One after the other by their times as found, as the thesis's forms do it: they may be in the
   /// wrong order.
@@ -26,13 +26,13 @@ struct TimewarpSweptOptions : TimewarpOptions {
 /// TimewarpSimple with the cure that the thesis names: whose swept volumes meet is searched, and
 /// times are found by conservative advancement, rotation included.
 ///
-/// Everybody who overlaps for one resolution or longer is found, wherever in the frame. So each
+/// Every pair that overlaps for one resolution or longer is found, wherever in the frame. So each
 /// collision is foreseen before it is its turn, none is resolved too early, and the order is that of a
 /// search over all bodies, while only those that collide are taken back.
 /// \par Cost
 /// As TimewarpSimple; searches take more tests, the faster bodies spin.
 /// \algorithm{Timewarp with swept volumes: section 5.1}
-/// \verified{Swept, full timewarp and a search over all bodies tell the same story}
+/// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
 class TimewarpSwept final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.

@@ -90,7 +90,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
   const ForeseenCollision first = heap.remove_first();
   out.time = first.time;
   out.pairs.assign(1, first.pair);
-  // Erratum T9 mended: and what cannot be told from it in time.
+  // Erratum T9 mended: and what cannot be distinguished from it in time.
   const double last = first.time + options_.resolution;
   while (mended_.together && !heap.empty() && heap.first().time <= last)
     out.pairs.push_back(heap.remove_first().pair);
@@ -134,7 +134,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
     return gap_at(all, pair, time).distance;
   };
   if (!mended_.ways && gap_of(test, pair) >= 0.0) return std::nullopt;
-  // Erratum T7: who overlaps to begin with collides now, and now again.
+  // Erratum T7: a pair that overlaps to begin with collides now, and now again.
   if (!(start < end)) {
     const bool now = !mended_.apart && (!mended_.ways || gap(end) < 0.0);
     return now ? std::optional(end) : std::nullopt;
