@@ -95,6 +95,17 @@ void set_points(const Manifold& manifold, Contact& contact) {
   }
 }
 
+double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
+  double least = 0.0;
+  for (int k = 0; k < contact.count; ++k) {
+    const Vec3 u_w = relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
+                                       contact.points[at(k)].position_w);
+    const double speed = contact.normal_w.dot(u_w);
+    least = k == 0 ? speed : std::min(least, speed);
+  }
+  return least;
+}
+
 GatherReport gather_contacts(const World& world, std::span<const MovingBody> bodies,
                              std::span<const IndexPair> candidates, double margin,
                              std::span<const Contact> previous, ContactList& out) {

@@ -32,6 +32,12 @@ Contact contact_of(const World& world, const IndexPair& pair);
 /// \param contact   in and out; the impulses of its points stay
 void set_points(const Manifold& manifold, Contact& contact);
 
+/// The speed at which a pair approaches at its fastest point.
+/// \param contact  its points
+/// \param bodies   how they move
+/// \return [m/s] the least normal velocity; below 0 they approach
+double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies);
+
 /// What gather_contacts() did.
 struct GatherReport {
   std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at

@@ -3,6 +3,7 @@
 #include "tumble/geometry/swept.hpp"
 
 #include "tumble/base/tolerances.hpp"
+
 namespace tumble {
 namespace {
 
