@@ -2,6 +2,7 @@
 /// \brief Running the command `tumble` from a test.
 #pragma once
 
+#include "support/catch.hpp"
 #include "support/files.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <vector>
 
 #ifndef TUMBLE_COMMAND
 #define TUMBLE_COMMAND "tumble"  // where the build does not say: the one that is installed
@@ -45,6 +47,24 @@ inline Outcome shell(const std::string& line) {
 /// \return how it ended
 inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
+}
+
+/// A command line that is wrong, and what its answer has to contain.
+struct Refusal {
+  std::string arguments;  ///< as typed after the command's name
+  std::string message;    ///< a part of the answer
+};
+
+/// Checks that each command line is refused with one line and exit code 2.
+/// \param refusals  the command lines
+inline void check_refused(const std::vector<Refusal>& refusals) {
+  for (const Refusal& refusal : refusals) {
+    const Outcome outcome = run_tumble(refusal.arguments);
+    INFO(refusal.arguments << '\n' << outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.text.find(refusal.message) != std::string::npos);
+    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+  }
 }
 
 /// The hash in a run's summary.

@@ -81,27 +81,6 @@ void judge(const std::vector<Box>& boxes, const std::vector<int>& places, const 
   }
 }
 
-// Three sticks in the plane across the view, each over the next one at one end: they lean on each
-// other like the flaps of a closed box.
-std::vector<Box> ring_of_sticks() {
-  std::vector<Box> sticks;
-  for (int k = 0; k < 3; ++k) {
-    const double angle = 2.0 * 3.14159265358979323846 / 3.0 * k;
-    const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-    const Vec3 along(-std::sin(angle), std::cos(angle), 0.0);
-    // Tilted: one end is nearer to the viewer, at +z, than the other.
-    const Vec3 axis = (along + 0.3 * Vec3::UnitZ()).normalized();
-    Box stick;
-    stick.center_w = 0.5 * outwards;
-    stick.axes_w.col(0) = axis;
-    stick.axes_w.col(1) = outwards;
-    stick.axes_w.col(2) = axis.cross(outwards);
-    stick.half = Vec3(1.5, 0.1, 0.05);
-    sticks.push_back(stick);
-  }
-  return sticks;
-}
-
 }  // namespace
 
 TEST_CASE("A row of boxes is painted from the far end, whatever its numbering",
