@@ -12,6 +12,7 @@
 #include "tumble/techniques.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +22,11 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 
 constexpr double kStep = 1.0 / 60.0;  // [s]
 
-World clump(int per_edge) {
-  const SceneRecipe& recipe = scene_recipe("fig6_7");
-  Parameters parameters = recipe.parameters();
-  parameters.set("per_edge", std::to_string(per_edge));
-  return build_world(recipe.build(parameters, Random(1)));
-}
+World clump(int per_edge) { return world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}}); }
 
 std::unique_ptr<Technique> damped(bool sleeping) {
   DampedOptions options;
@@ -49,8 +46,9 @@ int asleep(const World& world) {
 
 }  // namespace
 
-TEST_CASE("A heap that only chatters falls asleep if chatter is told from history and not else",
-          "[unit][filtering]") {
+TEST_CASE(
+    "A heap that only chatters falls asleep if chatter is detected from history, and not otherwise",
+    "[unit][filtering]") {
   World by_speed = clump(5);
   World by_history = by_speed;
   run(*damped(true), by_speed, 4.0);
@@ -189,7 +187,7 @@ TEST_CASE("A clone of a freezing technique goes on to the same bits", "[exact][f
   CHECK(world.hash().value() == copy.hash().value());
 }
 
-TEST_CASE("A world that is put back in time is stepped, and its bodies are told anew",
+TEST_CASE("A world that is put back in time is stepped, and its bodies are classified anew",
           "[unit][filtering]") {
   World world = clump(2);
   FreezeOnChatter freezing(damped(true));
@@ -208,7 +206,7 @@ TEST_CASE("A world that is put back in time is stepped, and its bodies are told 
   CHECK(calm() > 0);
 }
 
-TEST_CASE("A body is calm until it gets away from where it was told to be", "[exact][filtering]") {
+TEST_CASE("A body is calm until it gets away from where it was classified", "[exact][filtering]") {
   CalmBodies calm;
   World world;
   const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});

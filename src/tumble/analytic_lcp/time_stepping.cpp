@@ -22,7 +22,7 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options)
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-// The broad phase and what was told of the last step are all there is of memory; everything else is
+// The broad phase and the records of the last step are all there is of memory; everything else is
 // storage.
 TimeStepping::TimeStepping(const TimeStepping& other)
     : Technique(other),
@@ -67,15 +67,12 @@ StepReport TimeStepping::step(World& world, double dt) {
   // [S2.6.3]
 
   find_pairs(world, 0.0);
-  const RepairReport repaired = repair_.run(world, pairs_);
-  report.pair_tests += repaired.pair_tests;
-  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  book(repair_.run(world, pairs_), report);
   report.impulses = result.impulses;
   report.fallbacks = result.fallbacks;
   report.contacts = static_cast<std::int64_t>(records_.size());
   report.energy.restitution = result.restitution_energy;
   report.energy.friction = result.friction_energy;
-  report.energy.repair += repaired.energy;
   world.finish_step(dt);
   return report;
 }

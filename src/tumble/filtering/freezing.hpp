@@ -65,7 +65,7 @@ class CalmBodies {
 /// \par Cost
 /// A step of the detector for each body, asleep or not; telling for each that is not calm.
 /// \algorithm{Chatter told from earlier steps: section 6.3.1}
-/// \verified{A heap that only chatters falls asleep if chatter is told from history and not else}
+/// \verified{A heap that only chatters falls asleep if chatter is detected from history, and not otherwise}
 class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.

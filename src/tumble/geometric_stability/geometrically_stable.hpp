@@ -99,7 +99,7 @@ std::string told(const World& world, std::span<const Contact> contacts,
 /// somebody. The result does not depend on the order of contacts. No allocation once warm.
 /// \algorithm{SETGEOMETRICALLYSTABLE: section 5.4 and appendix A.2}
 /// \deviation{Vetoes come first and hold for both bodies; immovable bodies keep their mark; comparisons have tolerances.}
-/// \verified{Who stands firm does not depend on the order of contacts}
+/// \verified{Which bodies stand firm does not depend on the order of contacts}
 class GeometricStability {
  public:
   /// The outline of a body as seen from above: its corners [m], x and z, in any order.

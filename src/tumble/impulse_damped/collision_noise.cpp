@@ -31,10 +31,7 @@ double normal_speed(const Contact& contact, std::span<const MovingBody> bodies) 
 
 Randomness randomness_from(std::string_view name) {
   static constexpr std::array<std::string_view, 4> kNames{"off", "fast", "slow", "all"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  require::that(found != kNames.end(),
-                "randomness = " + std::string(name) + ": " + expected_names(name, kNames));
-  return static_cast<Randomness>(found - kNames.begin());
+  return static_cast<Randomness>(place_of(name, "randomness", kNames));
 }
 
 // [S4.2]

@@ -2,6 +2,8 @@
 /// \brief Which collisions the listings of the synchronised timewarp find, as printed (thesis A.1).
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 
+#include "tumble/timewarp/near_pairs.hpp"
+
 #include <algorithm>
 
 namespace tumble {
@@ -88,7 +90,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
   const ForeseenCollision first = heap.remove_first();
   out.time = first.time;
   out.pairs.assign(1, first.pair);
-  // Erratum T9 mended: and what cannot be told from it in time.
+  // Erratum T9 mended: and what cannot be distinguished from it in time.
   const double last = first.time + options_.resolution;
   while (mended_.together && !heap.empty() && heap.first().time <= last)
     out.pairs.push_back(heap.remove_first().pair);
@@ -103,16 +105,9 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
 
 void PrintedQueries::add_collisions_for(std::span<const int> bodies, CollisionHeap& heap) {
   for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
-  for (const int body : bodies) {
-    if (!stamped(body)) continue;
-    for (int other = 0; other < world_->count(); ++other) {
-      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
-      const bool again =
-          other < body && stamped(other) && std::binary_search(bodies.begin(), bodies.end(), other);
-      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
-    }
-  }
+  for_each_near_pair(
+      bodies, [&](int body) { return stamped(body); }, bounds_,
+      [&](const IndexPair& pair) { search(pair, heap); });
 }
 
 void PrintedQueries::search(const IndexPair& pair, CollisionHeap& heap) {
@@ -139,7 +134,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
     return gap_at(all, pair, time).distance;
   };
   if (!mended_.ways && gap_of(test, pair) >= 0.0) return std::nullopt;
-  // Erratum T7: who overlaps to begin with collides now, and now again.
+  // Erratum T7: a pair that overlaps to begin with collides now, and now again.
   if (!(start < end)) {
     const bool now = !mended_.apart && (!mended_.ways || gap(end) < 0.0);
     return now ? std::optional(end) : std::nullopt;
