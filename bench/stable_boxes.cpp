@@ -2,7 +2,7 @@
 /// \brief Time of contact forces with all boxes and without the stable ones (thesis 5.4).
 ///
 /// Prints for the pyramid of figure 5.6, of 5 to 13 rows, at rest and without friction: unknowns and the
-/// time of one solution from scratch, for each rule of who is left out, with our default solver and
+/// time of one solution from scratch, for each rule of which boxes are left out, with our default solver and
 /// with Baraff's. The first column of times has the search for stable boxes in it, the second has not:
 /// nothing has changed since, and the answer is remembered. Counted work, without clocks, is the figure
 /// `claim_5_4b_excluded`.
