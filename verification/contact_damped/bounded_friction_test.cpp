@@ -1,5 +1,5 @@
 /// \file
-/// \brief Friction of an area: the impulse within a ball that takes most of the kinetic energy.
+/// \brief Friction of a contact patch: the impulse within a ball that removes most of the kinetic energy.
 #include "tumble/contact_damped/bounded_friction.hpp"
 
 #include "tumble/base/random.hpp"
@@ -20,7 +20,7 @@ Vec3 random_vector(Random& random) {
   return {x, y, z};
 }
 
-// S (B B' + 1/10) S, with S = diag(1, 1, lever): of an area whose friction has this lever.
+// S (B B' + 1/10) S, with S = diag(1, 1, lever): of a patch whose friction has this lever.
 Mat3 random_matrix(double lever, Random& random) {
   Mat3 b;
   for (int k = 0; k < 3; ++k) b.col(k) = random_vector(random);
@@ -33,7 +33,8 @@ Mat3 random_matrix(double lever, Random& random) {
 }  // namespace
 
 TEST_CASE(
-    "Friction within a ball stops the motion, or is at the bound and straight against what is left",
+    "Friction within a ball stops the motion, or is at the bound and directly against the "
+    "remaining one",
     "[exact][bounded_friction][impulse_damped]") {
   Random random(1);
   int stopped = 0;
@@ -66,7 +67,7 @@ TEST_CASE("Friction within a ball is finite whatever the lever and the bound",
           "[exact][bounded_friction][impulse_damped]") {
   Random random(2);
   for (int k = 0; k < 3000; ++k) {
-    // Levers down to rounding, whose square is not in the sum of the others, and bounds that are as good as 0.
+    // Levers down to rounding, whose square vanishes in the sum of the others, and bounds of nearly 0.
     const double lever = std::pow(10.0, -random.uniform(0.0, 30.0));
     const Mat3 a = random_matrix(lever, random);
     const double limit = std::pow(10.0, -random.uniform(0.0, 100.0));

@@ -2,7 +2,7 @@
 /// \brief Boxes at the limit of balance with contact_damped.
 #include "tumble/math/rotation.hpp"
 
-#include "impulse_damped/scene_runs.hpp"
+#include "contact_damped/helpers.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -13,11 +13,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr const char* kTechnique = "contact_damped";
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-std::string text(double value) { return std::to_string(value); }
-
 // Whether the configuration of figure 6.5 stays for two seconds. With 5 % too little on top a lower
 // block turns by its own weight at 0.17 rad/s², which takes its centre 0.1 m away within two
 // seconds.
@@ -25,7 +20,7 @@ bool stays(double mass_ratio, double offset) {
   World world = world_of(
       "fig6_5", {{"mass_ratio", text(mass_ratio)}, {"offset", text(offset)}, {"friction", "0"}});
   const World start = world;
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 2.0);
   return distance_of(world, start) < 0.01;  // [m]
 }
@@ -59,7 +54,7 @@ TEST_CASE("A loaded see-saw tips, one with equal loads stays",
   BOTH_POSES;
   const auto tilt_after = [](const Settings& set, double seconds) {
     World world = world_of("seesaw", set);
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, seconds);
     const Vec3 along = state_of(world, "plank").orientation_wb * Vec3::UnitX();
     return std::asin(along.y()) / kDegree;  // [degrees] above 0: the left end is down
@@ -95,7 +90,7 @@ TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on",
     const Vec3 place = Vec3(2.0 * std::cos(angle), 0.0, 0.0) + lean * Vec3(-1.0, 0.01, 0.0);
     world.add(ladder, make_state(ladder, place, lean), "ladder");
     const World start = world;
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 3.0);
     INFO(off << " degrees off the limit");
     if (off < 0.0) CHECK(turned_most_of(world, start) > 5.0 * kDegree);
@@ -110,10 +105,10 @@ TEST_CASE("Planks that lean on blocks, and a table on four legs, stay where they
       {"leaning", {}}, {"leaning", {{"fixed", "on"}}}, {"table", {}}, {"table", {{"load", "50"}}}};
   for (const auto& [name, set] : scenes) {
     World world = world_of(name, set);
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     const Course course = run(world, *technique, 4.0);
     INFO(name);
     CHECK(course.failed == 0);
-    CHECK(course.moved < 1e-3);  // [m] what a viewer cannot see, as for structures
+    CHECK(course.moved < 1e-3);  // [m] invisible, as for structures
   }
 }

@@ -1,9 +1,9 @@
 /// \file
-/// \brief What broke contact_damped once: large friction, worlds that are changed, sleepers, fast spin.
+/// \brief Cases that once broke contact_damped: large friction, worlds that are changed, sleep, fast spin.
 #include "tumble/contact_damped/island_parts.hpp"
 #include "tumble/dynamics/event_log.hpp"
 
-#include "impulse_damped/scene_runs.hpp"
+#include "contact_damped/helpers.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -23,13 +23,13 @@ World column(int boxes) {
 
 }  // namespace
 
-TEST_CASE("No friction is too large for a box, a lean or a see-saw",
+TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   for (const char* friction : {"3", "10"}) {
     for (const char* scene : {"leaning", "seesaw", "stack"}) {
       World world = world_of(scene, {{"friction", friction}});
-      const std::unique_ptr<Technique> technique = awake("contact_damped");
+      const std::unique_ptr<Technique> technique = contact_damped();
       const Course course = run(world, *technique, 3.0);
       INFO(scene << ", friction " << friction);
       CHECK(course.failed == 0);
@@ -42,7 +42,7 @@ TEST_CASE("No friction is too large for a box, a lean or a see-saw",
     const BodyProperties box = box_properties(Vec3::Ones(), 1.0, friction, 0.0);
     const Quat tilt = rotation_from_vector(Vec3(0.3, 0.2, 0.1));
     world.add(box, make_state(box, Vec3(0.0, 1.2, 0.0), tilt, Vec3(1.0, -3.0, 0.5)));
-    const std::unique_ptr<Technique> technique = awake("contact_damped");
+    const std::unique_ptr<Technique> technique = contact_damped();
     const Course course = run(world, *technique, 3.0);
     CHECK(course.failed == 0);
     CHECK(world.states()[1].position_w.y() == near(0.5).margin(1e-4));  // [m] on a face
@@ -54,11 +54,11 @@ TEST_CASE("A point without friction does not pull", "[exact][contact_damped][imp
   CHECK(island::into_cone(Vec3(0.0, 0.0, 1.0), 0.0) == Vec3(0.0, 0.0, 1.0));
 }
 
-TEST_CASE("A copy of the technique tells the same contacts",
+TEST_CASE("A copy of the technique reports the same contacts",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = column(2);
-  const std::unique_ptr<Technique> technique = awake("contact_damped");
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.1);
   const std::unique_ptr<Technique> copy = technique->clone();
   REQUIRE(copy->contacts().size() == technique->contacts().size());
@@ -66,11 +66,11 @@ TEST_CASE("A copy of the technique tells the same contacts",
     CHECK(copy->contacts()[k].point_w == technique->contacts()[k].point_w);
 }
 
-TEST_CASE("A box that is replaced by an immovable one in its place disturbs nobody",
+TEST_CASE("A box that is replaced by an immovable one in its place disturbs no other body",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = column(10);
-  const std::unique_ptr<Technique> technique = awake("contact_damped");
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 1.0);
   world.remove(world.ids()[10]);
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
@@ -82,11 +82,11 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs nobo
     CHECK(world.states()[static_cast<std::size_t>(k)].position_w.y() == near(k - 0.5).margin(1e-3));
 }
 
-TEST_CASE("A heavy box that drops on sleepers finds bodies and no walls",
+TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own masses",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = column(3);
-  const std::unique_ptr<Technique> technique = awake("contact_damped", {{"sleeping", "on"}});
+  const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[3].asleep);
   const BodyProperties heavy = box_properties(Vec3::Ones(), 100.0);
@@ -96,11 +96,11 @@ TEST_CASE("A heavy box that drops on sleepers finds bodies and no walls",
   CHECK(world.states()[4].position_w.y() == near(3.5).margin(1e-3));
 }
 
-TEST_CASE("A sleeper into which an immovable box is put wakes and is pushed out",
+TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed out",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = column(1);
-  const std::unique_ptr<Technique> technique = awake("contact_damped", {{"sleeping", "on"}});
+  const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
@@ -109,13 +109,13 @@ TEST_CASE("A sleeper into which an immovable box is put wakes and is pushed out"
   CHECK(world.states()[1].position_w.x() == near(-0.2).margin(1e-3));
 }
 
-TEST_CASE("With sleeping off nobody stays asleep", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = column(5);
-  run(world, *awake("contact_damped", {{"sleeping", "on"}}), 3.0);
+  run(world, *contact_damped({{"sleeping", "on"}}), 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
   world.remove(world.ids()[3]);
-  const std::unique_ptr<Technique> technique = awake("contact_damped");
+  const std::unique_ptr<Technique> technique = contact_damped();
   const Course course = run(world, *technique, 2.0);
   CHECK(course.failed == 0);
   CHECK(world.states()[4].position_w.y() == near(3.5).margin(1e-3));  // came down by one
@@ -130,31 +130,31 @@ TEST_CASE("A box that spins in the air touches what it can reach and nothing els
     // Half a diagonal of a face is 0.7071 m.
     world.add(kCube, make_state(kCube, Vec3(0.0, 0.72, 0.0), Quat::Identity(), Vec3::Zero(),
                                 Vec3(0.0, 0.0, spin)));
-    awake("contact_damped")->step(world, kFrame);
+    contact_damped()->step(world, kFrame);
     CHECK(velocity(kCube, world.states()[1]).y() == near(-kGravity * kFrame).margin(1e-12));
   }
 }
 
-TEST_CASE("An event tells the whole impulse, restitution with it",
+TEST_CASE("An event reports the whole impulse, with that of restitution",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
-  class Ears : public Observer {
+  class ImpulseSum : public Observer {
    public:
-    void on_event(const Event& event) override { heard += event.impulse_w; }
-    Vec3 heard = Vec3::Zero();
+    void on_event(const Event& event) override { sum += event.impulse_w; }
+    Vec3 sum = Vec3::Zero();
   };
   World world;
   world.add_ground(0.5, 1.0);
   const BodyProperties ball = box_properties(Vec3::Ones(), 2.0, 0.5, 1.0);
   world.add(ball, make_state(ball, Vec3(0.0, 1.0, 0.0)));
-  const std::unique_ptr<Technique> technique = awake("contact_damped");
-  Ears ears;
-  technique->observe(&ears);
-  for (int k = 0; k < 60 && ears.heard.isZero(0.0); ++k) {
+  const std::unique_ptr<Technique> technique = contact_damped();
+  ImpulseSum impulse;
+  technique->observe(&impulse);
+  for (int k = 0; k < 60 && impulse.sum.isZero(0.0); ++k) {
     const double before = world.states()[1].linear_momentum_w.y();
     technique->step(world, kFrame);
     const double change = world.states()[1].linear_momentum_w.y() - before;
-    if (!ears.heard.isZero(0.0)) CHECK(ears.heard.y() == near(change).epsilon(0.1));
+    if (!impulse.sum.isZero(0.0)) CHECK(impulse.sum.y() == near(change).epsilon(0.1));
   }
-  CHECK(ears.heard.y() > 10.0);  // [N s] 2 kg turned round at 3 m/s
+  CHECK(impulse.sum.y() > 10.0);  // [N s] 2 kg turned round at 3 m/s
 }

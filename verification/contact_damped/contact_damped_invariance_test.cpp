@@ -1,8 +1,8 @@
 /// \file
-/// \brief What a step of contact_damped must not depend on, and that it never adds kinetic energy.
+/// \brief Invariances of a step of contact_damped, and that it never adds kinetic energy.
 #include "tumble/math/rotation.hpp"
 
-#include "impulse_damped/scene_runs.hpp"
+#include "contact_damped/helpers.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/changed_world.hpp"
@@ -14,8 +14,6 @@ namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr const char* kTechnique = "contact_damped";
 
 struct Example {
   const char* scene;
@@ -34,7 +32,7 @@ const std::vector<Example> kExamples = {
 
 // Cubes that overlap and touch, in free space, with chance in their sizes, masses and velocities;
 // the first one cannot be moved.
-World heap(std::uint64_t seed) {
+World clump_of_cubes(std::uint64_t seed) {
   World world;
   world.gravity_w = Vec3::Zero();
   for (std::uint64_t k = 0; k < 14; ++k) {
@@ -72,10 +70,10 @@ World touching_row(std::uint64_t seed) {
 }
 
 // [-] The largest share by which a step raised the kinetic energy. Bodies that turn together about what
-// they stand on come nearer to one another, and keep their angular momentum as skaters do: with them, the
+// their support come nearer to one another, and keep their angular momentum as skaters do: with them, the
 // largest share that was not booked.
 double largest_rise(World world, int steps) {
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   const bool turn_together = test::pose_under_test == PoseUpdate::exponential;
   double worst = 0.0;
   for (int k = 0; k < steps; ++k) {
@@ -98,8 +96,8 @@ double yawed_apart(const Example& example) {
     state.linear_momentum_w = yaw * state.linear_momentum_w;
     state.angular_momentum_w = yaw * state.angular_momentum_w;
   });
-  const std::unique_ptr<Technique> first = awake(kTechnique);
-  const std::unique_ptr<Technique> second = awake(kTechnique);
+  const std::unique_ptr<Technique> first = contact_damped();
+  const std::unique_ptr<Technique> second = contact_damped();
   run(world, *first, 100.0 * kFrame);
   run(other, *second, 100.0 * kFrame);
   double worst = 0.0;
@@ -116,7 +114,7 @@ TEST_CASE("A scene that is turned about the vertical does the same, turned",
   BOTH_POSES;
   for (const Example& example : kExamples) {
     INFO(example.scene);
-    // [m] Rounding, grown by a hundred steps with impacts. Who is carried may depend on rounding too: the
+    // [m] Rounding, grown by a hundred steps with impacts. Which body is carried may depend on rounding too: the
     // see-saw's plank, just before it rests, gets 8e-8 m apart.
     CHECK(yawed_apart(example) < (pose_under_test == PoseUpdate::separate ? 1e-9 : 1e-6));
   }
@@ -126,7 +124,7 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   const Vec3 boost(3.0, -2.0, 1.0);
-  // What flies together meets within a hundred steps: clump without ground and weight, in a row, in
+  // Bodies that meet within a hundred steps: the clump without ground and weight, in a row, in
   // pairs.
   World clump = world_of("clump", {{"per_edge", "2"}, {"toward", "origin"}});
   World free;
@@ -140,8 +138,8 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
       state.linear_momentum_w += body.mass * boost;
     });
     const World start = world;
-    const std::unique_ptr<Technique> first = awake(kTechnique);
-    const std::unique_ptr<Technique> second = awake(kTechnique);
+    const std::unique_ptr<Technique> first = contact_damped();
+    const std::unique_ptr<Technique> second = contact_damped();
     run(world, *first, 100.0 * kFrame);
     run(other, *second, 100.0 * kFrame);
     double worst = 0.0;
@@ -152,7 +150,7 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
     // [m] rounding, grown by impacts
     CHECK(worst < 1e-9);
     CHECK(distance_of(world, start) > 0.1);  // [m] something happened
-    // [kg m/s] what one body gains another one loses
+    // [kg m/s] momentum is conserved
     CHECK((linear_momentum(world) - linear_momentum(start)).norm() < 1e-11);
   }
 }
@@ -165,8 +163,8 @@ TEST_CASE(
     for (const Example& example : kExamples) {
       World world = world_of(example.scene, example.settings);
       World other = in_other_units(world, mass);
-      const std::unique_ptr<Technique> first = awake(kTechnique);
-      const std::unique_ptr<Technique> second = awake(kTechnique);
+      const std::unique_ptr<Technique> first = contact_damped();
+      const std::unique_ptr<Technique> second = contact_damped();
       int differ = 0;
       for (int k = 0; k < 100; ++k) {
         first->step(world, kFrame);
@@ -187,25 +185,23 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Without gravity no step raises the kinetic energy by anything that is not booked",
+TEST_CASE("Without gravity no step raises the kinetic energy except as booked",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    worst = std::max(worst, largest_rise(heap(seed), 20));
+    worst = std::max(worst, largest_rise(clump_of_cubes(seed), 20));
     worst = std::max(worst, largest_rise(touching_row(seed), 20));
   }
   CHECK(worst < 1e-12);  // [-] rounding
 }
 
-TEST_CASE(
-    "Without gravity no step raises the kinetic energy by anything that is not booked, in many "
-    "heaps",
-    "[.long][exact][contact_damped][impulse_damped]") {
+TEST_CASE("Without gravity no step raises the kinetic energy except as booked, in many clumps",
+          "[.long][exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 100; seed <= 400; ++seed) {
-    worst = std::max(worst, largest_rise(heap(seed), 60));
+    worst = std::max(worst, largest_rise(clump_of_cubes(seed), 60));
     worst = std::max(worst, largest_rise(touching_row(seed), 60));
   }
   CHECK(worst < 1e-12);  // [-] rounding
@@ -217,8 +213,8 @@ TEST_CASE("A copy of world and technique goes on with the same bits",
   for (const Example& example : kExamples) {
     World world = world_of(example.scene, example.settings);
     World again = world;
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
-    const std::unique_ptr<Technique> fresh = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
+    const std::unique_ptr<Technique> fresh = contact_damped();
     run(world, *technique, 20.0 * kFrame);
     World copy = world;
     const std::unique_ptr<Technique> clone = technique->clone();
@@ -234,7 +230,7 @@ TEST_CASE("A copy of world and technique goes on with the same bits",
 TEST_CASE("The order of the bodies does not decide whether a pile stands",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
-  // Sweeps go through contacts in an order, so that what is not settled differs with it.
+  // Sweeps go through contacts in an order, so that the residual differs with it.
   for (std::size_t example = 0; example < 2; ++example) {
     World world = world_of(kExamples[example].scene, kExamples[example].settings);
     World reversed;
@@ -242,8 +238,8 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
     const std::size_t count = world.bodies().size();
     for (std::size_t k = count - 1; k > 0; --k)
       reversed.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
-    const std::unique_ptr<Technique> first = awake(kTechnique);
-    const std::unique_ptr<Technique> second = awake(kTechnique);
+    const std::unique_ptr<Technique> first = contact_damped();
+    const std::unique_ptr<Technique> second = contact_damped();
     run(world, *first, 3.0);
     run(reversed, *second, 3.0);
     double spread = 0.0;
@@ -257,13 +253,13 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
   }
 }
 
-TEST_CASE("A warm step of contact_damped asks for no memory",
+TEST_CASE("A warm step of contact_damped allocates nothing",
           "[unit][contact_damped][impulse_damped]") {
   BOTH_POSES;
   const Example examples[] = {{"stack", {}}, {"pyramid", {{"rows", "5"}}}, {"leaning", {}}};
   for (const Example& example : examples) {
     World world = world_of(example.scene, example.settings);
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     for (int k = 0; k < 60; ++k) technique->step(world, kFrame);
     const AllocationCount count;
     for (int k = 0; k < 10; ++k) technique->step(world, kFrame);

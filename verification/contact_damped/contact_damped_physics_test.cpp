@@ -1,22 +1,15 @@
 /// \file
-/// \brief Sliding and tipping with contact_damped, against what statics and Coulomb's law say.
+/// \brief Sliding, tipping and bouncing with contact_damped, against statics and Coulomb's law.
 #include "tumble/math/rotation.hpp"
 
-#include "impulse_damped/scene_runs.hpp"
+#include "contact_damped/helpers.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
-
-#include <numbers>
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr const char* kTechnique = "contact_damped";
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-std::string text(double value) { return std::to_string(value); }
 
 // How far the box of `slope` has gone down along it, and how fast it goes there.
 struct Slider {
@@ -29,7 +22,7 @@ class SlopeRun {
  public:
   SlopeRun(double degrees, const Settings& set)
       : along_(std::cos(degrees * kDegree), -std::sin(degrees * kDegree), 0.0),
-        technique_(awake(kTechnique)) {
+        technique_(contact_damped()) {
     Settings all = set;
     all.emplace_back("angle", text(degrees));
     world_ = world_of("slope", all);
@@ -55,14 +48,14 @@ class SlopeRun {
 
 // --- sliding ------------------------------------------------------------------------------------
 
-TEST_CASE("A box slides as far as Coulomb's law says, less what a step is long",
+TEST_CASE("A box slides as far as Coulomb's law says, within half a step",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   // v²/(2 μ g) = 1.529051988 m for 3 m/s and 0.3. A step takes the speed at its end, which is short
   // by half a step at the speed of the start: 0.025 m.
   for (const double steps_a_second : {60.0, 240.0}) {
     World world = world_of("slide");
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 1.5, 1.0 / steps_a_second);
     const double far = state_of(world, "box").position_w.x();
     INFO("stopped after " << far << " m");
@@ -75,11 +68,11 @@ TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   World world = world_of("slide");
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 61.0 * kFrame);
   CHECK(velocity_of(world, "box").x() > 0.001);  // [m/s] 3 - 61 mu g h = 0.00795
   run(world, *technique, kFrame);
-  CHECK(std::abs(velocity_of(world, "box").x()) < 1e-6);  // [m/s] what the sweeps leave
+  CHECK(std::abs(velocity_of(world, "box").x()) < 1e-6);  // [m/s] residual of the sweeps
   // [m] a residual of 1e-6 of the impulse of a step in each of 62 steps.
   CHECK(std::abs(state_of(world, "box").position_w.x() - 1.5041075) < 1e-5);
 }
@@ -95,7 +88,7 @@ TEST_CASE("A box slides equally far in every direction, straight on and without 
     World world = world_of("slide", {{"heading", heading}});
     const Vec3 ahead = velocity_of(world, "box").normalized();
     const World start = world;
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 1.5);
     const Vec3 way = state_of(world, "box").position_w - state_of(start, "box").position_w;
     const double far = way.dot(ahead);
@@ -182,7 +175,7 @@ TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
     World world = world_of("rocking_block", {{"width", "0.5"}, {"tilt", "0"}});
     const World start = world;
     world.gravity_w.x() = 2.4525 * share;
-    const std::unique_ptr<Technique> technique = awake(kTechnique);
+    const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 4.0);
     INFO(share);
     if (share < 1.0) CHECK(turned_most_of(world, start) < 0.01 * kDegree);
@@ -190,15 +183,15 @@ TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
   }
 }
 
-// --- friction that is handed on ------------------------------------------------------------------
+// --- friction that is passed on ------------------------------------------------------------------
 
-TEST_CASE("Friction drags the lower block of figure 5.2 along until both go at one speed",
+TEST_CASE("Friction drags the lower block of figure 5.2 along until both have one speed",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   // 1 kg at 2 m/s on 2 kg, no friction below: both end at 2/3 m/s; A slows down by mu g and B gains
   // mu g/2. After 0.2 s: 1.019 and 0.4905 m/s.
   World world = world_of("fig5_2");
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.2);
   CHECK(std::abs(velocity_of(world, "A").x() - 1.019) < 1e-3);
   CHECK(std::abs(velocity_of(world, "B").x() - 0.4905) < 1e-3);
@@ -208,13 +201,13 @@ TEST_CASE("Friction drags the lower block of figure 5.2 along until both go at o
   CHECK(std::abs(linear_momentum(world).x() - 2.0) < 1e-9);  // [kg m/s] nothing else pushes
 }
 
-TEST_CASE("A stack on a sled comes along, the upper box too",
+TEST_CASE("A stack on a sled moves along with it, the upper box too",
           "[exact][contact_damped][impulse_damped]") {
   BOTH_POSES;
   // 4 kg at 1 m/s and two boxes of 1 kg: 2/3 m/s for all of them. The boxes feel the same mu g, so
   // that neither slides on the other.
   World world = world_of("sled");
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.05);
   CHECK(std::abs(velocity_of(world, "load2").x() - velocity_of(world, "load1").x()) < 1e-4);
   CHECK(velocity_of(world, "load2").x() > 0.2);  // [m/s] 0.245 after three steps of mu g h
@@ -222,5 +215,70 @@ TEST_CASE("A stack on a sled comes along, the upper box too",
   for (const char* body : {"sled", "load1", "load2"}) {
     INFO(body);
     CHECK(std::abs(velocity_of(world, body).x() - 2.0 / 3.0) < 1e-4);
+  }
+}
+
+// --- bounces -------------------------------------------------------------------------------------
+
+TEST_CASE("A cube with restitution a half rises to a quarter of its height after each bounce",
+          "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
+  World world;
+  world.add_ground(0.0, 0.5);
+  const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
+  world.add(body, make_state(body, Vec3(0.0, 2.5, 0.0)), "cube");
+  const std::unique_ptr<Technique> technique = contact_damped();
+  const double dt = kFrame / 16.0;
+  double top = 2.0;  // [m] of the last rise
+  double booked = 0.0;
+  const double energy = energy_of(world).total();
+  int bounces = 0;
+  double before = -1.0;
+  double highest = 0.0;
+  while (bounces < 4 && world.time() < 5.0) {
+    booked += technique->step(world, dt).energy.total();
+    const double v = velocity_of(world, "cube").y();
+    const double height = state_of(world, "cube").position_w.y() - 0.5;
+    highest = std::max(highest, before > 0.0 ? height : 0.0);
+    if (before > 0.0 && v <= 0.0) {
+      // [m] v²/(2g): v is off by g h for the moment of the impact, twice.
+      const double speed = std::sqrt(2.0 * kGravity * top);
+      CHECK(std::abs(highest - 0.25 * top) < 0.25 * top * 4.0 * kGravity * dt / speed);
+      top = highest;
+      highest = 0.0;
+      ++bounces;
+    }
+    before = v;
+  }
+  CHECK(bounces == 4);
+  // [J] m g L times 1e-3: the losses of the impacts are booked.
+  CHECK(std::abs(energy_of(world).total() - energy - booked) < 1e-3 * kGravity);
+  run(world, *technique, 3.0, dt);
+  CHECK(fastest_of(world) < 1e-6);
+  CHECK(state_of(world, "cube").position_w.y() == near(0.5).margin(1e-4));
+}
+
+TEST_CASE(
+    "A cube with restitution one that falls flat rises as high as it was, in steps of any length",
+    "[exact][contact_damped][impulse_damped]") {
+  BOTH_POSES;
+  for (const double height : {0.7, 1.0, 1.3, 2.0}) {
+    for (const double dt : {kFrame, kFrame / 16.0}) {
+      World world;
+      world.add_ground(0.0, 1.0);
+      const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
+      world.add(body, make_state(body, Vec3(0.0, 0.5 + height, 0.0)), "cube");
+      const double energy = energy_of(world).total();
+      const std::unique_ptr<Technique> technique = contact_damped();
+      const double fall = std::sqrt(2.0 * height / kGravity);
+      const double speed = kGravity * fall;
+      run(world, *technique, 1.9 * fall, dt);
+      const double gained = energy_of(world).total() - energy;
+      INFO("from " << height << " m, steps of " << dt << " s: gained " << gained << " J");
+      // [J] m v g h: gravity's share of the step of the impact, which waits for its end. Measured
+      // -0.013 J at 60 steps a second, at most 4.6e-5 J gained at 960.
+      CHECK(gained < speed * kGravity * dt);
+      CHECK(gained > -speed * kGravity * dt);
+    }
   }
 }

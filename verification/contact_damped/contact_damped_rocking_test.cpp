@@ -2,7 +2,7 @@
 /// \brief Housner's rocking block with contact_damped, and the rocking block of Siconos' examples.
 #include "tumble/math/rotation.hpp"
 
-#include "impulse_damped/scene_runs.hpp"
+#include "contact_damped/helpers.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 #include "support/shared_data.hpp"
@@ -15,9 +15,7 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr const char* kTechnique = "contact_damped";
-
-// What is exact about a block that is let go at a tilt: Housner's model with the pendulum's true
+// Exact values for a block that is released at a tilt: Housner's model with the pendulum's true
 // period, computed with elliptic integrals.
 struct Rocking {
   const char *width, *height, *tilt;
@@ -54,7 +52,7 @@ Seen rock(const Rocking& block, double dt) {
   World world = world_of(
       "rocking_block",
       {{"width", block.width}, {"height", block.height}, {"tilt", block.tilt}, {"friction", "2"}});
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   Seen seen;
   double before = 1.0;
   for (double time = dt; time < 3.0; time += dt) {
@@ -152,7 +150,7 @@ TEST_CASE("A block falls over if it is pushed faster than its centre needs to pa
       const BodyState start = state_of(world, "block");
       const Vec3 from_edge = start.position_w - Vec3(-0.5 * std::stod(c.width), 0.0, 0.0);
       world.set_velocity(*world.find("block"), omega.cross(from_edge), omega);
-      const std::unique_ptr<Technique> technique = awake(kTechnique);
+      const std::unique_ptr<Technique> technique = contact_damped();
       run(world, *technique, 4.0, kFrame / 4.0);
       const double tilt = rotation_vector(state_of(world, "block").orientation_wb).z();
       INFO(c.width << " by " << c.height << " at " << share);
@@ -200,7 +198,7 @@ TEST_CASE("A block that bounces on its corners does what Siconos' event-driven r
             make_state(block, Vec3(start[1], start[2], 0.0),
                        rotation_from_vector(Vec3(0.0, 0.0, start[3]))),
             "block");
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   const double dt = kFrame / 16.0;
   double before = 0.0;
   std::vector<double> times;

@@ -1,7 +1,7 @@
 /// \file
 /// \brief Structures stand: with contact_damped, friction 0.5, no restitution, 60 steps a second
-///        and nobody asleep.
-#include "impulse_damped/scene_runs.hpp"
+///        and no body asleep.
+#include "contact_damped/helpers.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -10,11 +10,9 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr const char* kTechnique = "contact_damped";
-
 // [s] A structure may settle for so long, as its boxes come from places that are not exact.
 constexpr double kSettling = 2.0;
-// [m] After that no box may move farther: what a viewer cannot see on boxes of a metre.
+// [m] After that no box may move farther: invisible on boxes of a metre.
 constexpr double kMovement = 1e-3;
 // [-] Overlap that stays, over the size of a box, for each level.
 constexpr double kSlop = 1e-5;
@@ -57,17 +55,17 @@ void check_standing(const Structure& structure, const Settings& scatter, std::ui
   const World exact = world_of(structure.scene, structure.settings);
   World world = world_of(structure.scene, joined(structure.settings, scatter), seed);
   const double edge_energy = energy_scale(world, structure.edge);
-  const std::unique_ptr<Technique> technique = awake(kTechnique);
+  const std::unique_ptr<Technique> technique = contact_damped();
   const Course settling = run(world, *technique, kSettling);
   const Course rest = run(world, *technique, seconds - kSettling);
-  std::string told = structure.scene;
-  for (const auto& [key, value] : structure.settings) told += " " + key + "=" + value;
-  INFO(told << ", seed " << (scatter.empty() ? 0 : seed));
+  std::string label = structure.scene;
+  for (const auto& [key, value] : structure.settings) label += " " + key + "=" + value;
+  INFO(label << ", seed " << (scatter.empty() ? 0 : seed));
   CHECK(settling.failed + rest.failed == 0);
   CHECK(rest.moved <= kMovement);
   CHECK(sag(world, exact) <= structure.levels * kSlop * structure.edge);
   CHECK(rest.unbooked <= kEnergy * edge_energy);
-  // From exact places nothing falls, so the books have to be right from the start.
+  // From exact places nothing falls, so energy is booked from the start.
   if (scatter.empty()) CHECK(settling.unbooked <= kEnergy * edge_energy);
   if (scatter.empty()) CHECK(settling.moved <= kMovement);
 }
@@ -152,7 +150,7 @@ TEST_CASE("Pyramids and the wall stand for a minute",
   }
 }
 
-// What is not booked is half of the weight times the step times the mean velocity: nothing if nothing moves.
+// The unbooked energy is half of the weight times the step times the mean velocity: 0 if nothing moves.
 TEST_CASE("The scattered wall stands for a minute and its energy is booked",
           "[.long][unit][contact_damped][impulse_damped]") {
   BOTH_POSES;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief One contact area: sticking, the bounds of friction, bounces and lifts.
+/// \brief One contact patch: sticking, the bounds of friction, restitution and overlap correction.
 #include "tumble/contact_damped/patch_solver.hpp"
 
 #include "tumble/base/random.hpp"
@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;
 
-// A cube of 1 m and 2 kg over the ground, and its area.
+// A cube of 1 m and 2 kg over the ground, and its patch.
 struct OnGround {
   MovingBody ground;
   MovingBody box;
-  ContactPatch block;
+  ContactPatch patch;
 
   explicit OnGround(double friction, double height = 0.0) {
     const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
@@ -40,21 +40,23 @@ struct OnGround {
         found.points[static_cast<std::size_t>(count++)] = found.points[static_cast<std::size_t>(i)];
     found.count = count;
     REQUIRE(count == 4);
-    block.size = 1.0;
-    block.friction = friction;
-    build_patch(found, ground, box, block);
-    set_targets(tolerance::contact_damped_slop, kStep, block);
-    REQUIRE(block.spreads);
+    patch.size = 1.0;
+    patch.friction = friction;
+    build_patch(found, ground, box, patch);
+    set_targets(tolerance::contact_damped_slop, kStep, patch);
+    REQUIRE(patch.spans_area);
   }
 
-  double solve(int rounds) { return solve_patch(block, ground, box, rounds); }
-  // One call stops as soon as what is left is a hundredth of what it corrected.
+  double solve(int iterations) { return solve_patch(patch, ground, box, iterations); }
+  // Each call stops early, when it changes little compared with its first iteration.
   void settle() {
     for (int call = 0; call < 300; ++call) solve(2);
   }
-  [[nodiscard]] Six motion() const { return motion_of(block, ground, box); }
-  [[nodiscard]] double normal() const { return impulse_of(block)[2]; }
-  [[nodiscard]] double rub() const { return std::hypot(block.along_impulse, block.across_impulse); }
+  [[nodiscard]] Six motion() const { return motion_of(patch, ground, box); }
+  [[nodiscard]] double normal() const { return impulse_of(patch)[2]; }
+  [[nodiscard]] double friction() const {
+    return std::hypot(patch.along_impulse, patch.across_impulse);
+  }
 };
 
 double largest(const Six& motion) {
@@ -65,9 +67,9 @@ double largest(const Six& motion) {
 
 }  // namespace
 
-TEST_CASE("A box that turns about an edge has an area whose middle does not slide",
+TEST_CASE("A box that turns about an edge has a patch whose middle does not slide",
           "[exact][contact_damped][impulse_damped]") {
-  // Its face rises from the edge by a hundredth of a metre; what is halfway is 2.5 mm above the ground on average.
+  // Its face rises from the edge by a hundredth of a metre; points halfway are 2.5 mm above the ground on average.
   const double tilt = 0.01;
   const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
   const Quat orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, tilt));
@@ -83,19 +85,19 @@ TEST_CASE("A box that turns about an edge has an area whose middle does not slid
   box.inverse_inertia_w = 3.0 * Mat3::Identity();
   box.angular_velocity_w = Vec3(0.0, 0.0, 1.0);
   box.velocity_w = box.angular_velocity_w.cross(state.position_w);
-  ContactPatch block;
-  block.size = 1.0;
-  build_patch(found, ground, box, block);
-  const Six motion = motion_of(block, ground, box);
+  ContactPatch patch;
+  patch.size = 1.0;
+  build_patch(found, ground, box, patch);
+  const Six motion = motion_of(patch, ground, box);
   CHECK(std::hypot(motion[0], motion[1]) <
         1e-15);  // [m/s] rounding; 2.5e-3 at the mean of the points
   for (int k = 0; k < 4; ++k) {
-    const Vec3 point_w = position_of(block, ground, block.points[static_cast<std::size_t>(k)]);
+    const Vec3 point_w = position_of(patch, ground, patch.points[static_cast<std::size_t>(k)]);
     CHECK(std::abs(point_w.y()) < 1e-15);  // [m] where the edge touches, all of them
   }
 }
 
-TEST_CASE("An area that sticks is stopped in all six motions by one product",
+TEST_CASE("A patch that sticks is stopped in all six motions by one product",
           "[exact][contact_damped][impulse_damped]") {
   OnGround one(1.0);
   one.box.velocity_w = Vec3(0.02, -0.1635, 0.01);
@@ -103,11 +105,11 @@ TEST_CASE("An area that sticks is stopped in all six motions by one product",
   const double corrected = one.solve(1);
   CHECK(largest(one.motion()) < 1e-15);  // [m/s], [rad/s] rounding of 0.16
   CHECK(corrected > 0.16);
-  CHECK(one.rub() <= one.normal());
+  CHECK(one.friction() <= one.normal());
   // The ground takes the whole momentum: 2 kg at 0.1635 m/s.
   CHECK(one.normal() == near(0.327).margin(1e-14));
-  CHECK(one.solve(1) < 1e-15);  // and nothing is left to do
-  for (int i = 0; i < 4; ++i) CHECK(one.block.points[static_cast<std::size_t>(i)].impulse > 0.0);
+  CHECK(one.solve(1) < 1e-15);  // already solved
+  for (int i = 0; i < 4; ++i) CHECK(one.patch.points[static_cast<std::size_t>(i)].impulse > 0.0);
 }
 
 TEST_CASE("A box that slides is braked by mu times the pressure, straight against its motion",
@@ -120,9 +122,9 @@ TEST_CASE("A box that slides is braked by mu times the pressure, straight agains
   const Vec3 braked(push.x(), 0.0, push.z());
   CHECK(braked.norm() == near(0.3 * push.y()).margin(1e-9));
   CHECK(braked.normalized().dot(Vec3(3.0, 0.0, 1.0).normalized()) == near(-1.0).margin(1e-6));
-  CHECK(one.rub() <= 0.3 * one.normal() * (1.0 + 1e-12));
+  CHECK(one.friction() <= 0.3 * one.normal() * (1.0 + 1e-12));
   for (int i = 0; i < 4; ++i) {
-    const ContactPatchPoint& p = one.block.points[static_cast<std::size_t>(i)];
+    const ContactPatchPoint& p = one.patch.points[static_cast<std::size_t>(i)];
     const Six u = one.motion();
     const double v = u[2] + p.across * u[3] - p.along * u[4];
     CHECK(v > -1e-9);  // [m/s]
@@ -138,7 +140,7 @@ TEST_CASE("A box that spins on the ground is braked by mu times pressure times l
   one.settle();
   // Four corners with a quarter of 0.327 N s each, half a diagonal from the middle; I = 1/3 kg m².
   const double brake = 0.3 * 0.327 * std::sqrt(0.5);
-  CHECK(one.block.twist_impulse == near(-brake).margin(1e-12));
+  CHECK(one.patch.twist_impulse == near(-brake).margin(1e-12));
   CHECK(one.box.angular_velocity_w.y() == near(5.0 - 3.0 * brake).margin(1e-12));
   CHECK(std::abs(one.box.velocity_w.x()) < 1e-14);
   OnGround slow(0.3);
@@ -148,19 +150,19 @@ TEST_CASE("A box that spins on the ground is braked by mu times pressure times l
   CHECK(largest(slow.motion()) < 1e-15);
 }
 
-TEST_CASE("An area pulls nothing, and nothing at all without pressure",
+TEST_CASE("A patch never pulls, and has no friction without pressure",
           "[exact][contact_damped][impulse_damped]") {
   OnGround one(0.5);
   one.box.velocity_w = Vec3(1.0, 0.2, 0.0);
   one.box.angular_velocity_w = Vec3(0.0, 2.0, 0.0);
   CHECK(one.solve(4) == 0.0);
-  CHECK(largest(impulse_of(one.block)) == 0.0);
-  // Impulses of the step before are taken back.
-  for (int i = 0; i < 4; ++i) one.block.points[static_cast<std::size_t>(i)].impulse = 0.1;
-  one.block.along_impulse = 0.05;
-  apply(impulse_of(one.block), one.block, one.ground, one.box);
+  CHECK(largest(impulse_of(one.patch)) == 0.0);
+  // Impulses of the step before are removed.
+  for (int i = 0; i < 4; ++i) one.patch.points[static_cast<std::size_t>(i)].impulse = 0.1;
+  one.patch.along_impulse = 0.05;
+  apply(impulse_of(one.patch), one.patch, one.ground, one.box);
   one.solve(50);
-  CHECK(largest(impulse_of(one.block)) < 1e-15);
+  CHECK(largest(impulse_of(one.patch)) < 1e-15);
   CHECK((one.box.velocity_w - Vec3(1.0, 0.2, 0.0)).norm() < 1e-14);
 }
 
@@ -177,7 +179,7 @@ TEST_CASE("A box above the ground may come down by its gap less the slop, in one
   CHECK(slow.box.velocity_w.y() == near(-0.5).margin(1e-15));
 }
 
-TEST_CASE("A solved area has less kinetic energy than without it, whatever the motion",
+TEST_CASE("Solving a patch lowers the kinetic energy, whatever the motion",
           "[exact][contact_damped][impulse_damped]") {
   double worst = -1.0;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
@@ -195,40 +197,40 @@ TEST_CASE("A solved area has less kinetic energy than without it, whatever the m
   CHECK(worst < 1e-13);  // [-] rounding
 }
 
-TEST_CASE("Points that were hit leave with the restitution times the speed of the approach",
+TEST_CASE("Points that were hit separate with the restitution times the speed of approach",
           "[exact][contact_damped][impulse_damped]") {
   OnGround one(0.0);
-  one.block.restitution = 0.5;
+  one.patch.restitution = 0.5;
   one.box.velocity_w = Vec3(0.4, -2.0, 0.0);
-  for (int i = 0; i < 4; ++i) one.block.points[static_cast<std::size_t>(i)].approach = -2.0;
+  for (int i = 0; i < 4; ++i) one.patch.points[static_cast<std::size_t>(i)].approach = -2.0;
   one.settle();
   CHECK(std::abs(one.box.velocity_w.y()) < 1e-14);
-  require_separation(0.3, one.block);
+  require_separation(0.3, one.patch);
   one.settle();
   CHECK(one.box.velocity_w.y() == near(1.0).margin(1e-12));
   CHECK(one.box.velocity_w.x() == near(0.4).margin(1e-14));
-  // Slower than what sticks: no bounce.
+  // Slower than the sticky speed: no bounce.
   OnGround soft(0.0);
-  soft.block.restitution = 0.5;
+  soft.patch.restitution = 0.5;
   soft.box.velocity_w = Vec3(0.0, -2.0, 0.0);
-  for (int i = 0; i < 4; ++i) soft.block.points[static_cast<std::size_t>(i)].approach = -2.0;
+  for (int i = 0; i < 4; ++i) soft.patch.points[static_cast<std::size_t>(i)].approach = -2.0;
   soft.solve(4);
-  require_separation(2.5, soft.block);
+  require_separation(2.5, soft.patch);
   soft.solve(4);
   CHECK(std::abs(soft.box.velocity_w.y()) < 1e-14);
 }
 
-TEST_CASE("A lift takes away a share of the overlap, and lets nothing sink",
+TEST_CASE("The overlap correction removes a share of the overlap, and lets nothing sink",
           "[exact][contact_damped][impulse_damped]") {
   OnGround one(0.5, -0.01);
   MovingBody move = one.box;
   MovingBody still = one.ground;
-  begin_lift(still, move, one.block);
-  for (int pass = 0; pass < 60; ++pass) lift_patch(one.block, 1e-5, 0.2, still, move);
+  begin_correction(still, move, one.patch);
+  for (int pass = 0; pass < 60; ++pass) correct_overlap(one.patch, 1e-5, 0.2, still, move);
   CHECK(move.velocity_w.y() == near(0.2 * (0.01 - 1e-5)).margin(1e-12));
   OnGround apart(0.5, 0.01);
   MovingBody rest = apart.box;
-  begin_lift(still, rest, apart.block);
-  CHECK(lift_patch(apart.block, 1e-5, 0.2, still, rest) == 0.0);
+  begin_correction(still, rest, apart.patch);
+  CHECK(correct_overlap(apart.patch, 1e-5, 0.2, still, rest) == 0.0);
   CHECK(rest.velocity_w.norm() == 0.0);
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Friction of an area: force and moment under one bound.
+/// \brief Friction of a contact patch: force and moment under one bound.
 #include "tumble/contact_damped/bounded_friction.hpp"
 
 #include "tumble/contact_damped/tolerances.hpp"
@@ -8,22 +8,15 @@
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-constexpr double kLittle = 1e-17;  // of a motion: less than rounding
-constexpr double kNearly =
-    1e-7;  // of the bound: so near to it that a straight step ends within rounding
-
-}  // namespace
 
 Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit) {
   if (!(limit > 0.0)) return Vec3::Zero();
   const double speed = motion.norm();
   const double yield = inverse_mass.norm();
-  // So little that it changes nothing of the motion; what follows would overflow.
-  if (limit * yield <= kLittle * speed) return motion * (-limit / speed);
+  // Too small to change the motion at all; the formulas below would overflow.
+  if (limit * yield <= tolerance::friction_negligible * speed) return motion * (-limit / speed);
   // lambda(beta) = -(A + beta I)^-1 u shrinks as beta grows; 1/|lambda| is nearly straight in beta, and
-  // Newton's steps from below never pass the root. With cofactors numerator and denominator are polynomials,
+  // Newton steps from below never pass the root. With cofactors numerator and denominator are polynomials,
   //   lambda = -p/d,  p = adj(A + beta I) u = (adj(A) + beta (tr(A) I - A) + beta^2 I) u,
   //   d = det(A + beta I) = det(A) + beta tr(adj(A)) + beta^2 tr(A) + beta^3,
   // so that a step costs no inverse; and powers of two of the mass give the same bits.
@@ -44,12 +37,12 @@ Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit
   const auto adjoined = [&](double beta, const Vec3& x) -> Vec3 {
     return cofactors * x + beta * ((trace + beta) * x - A * x);
   };
-  // From |lambda| >= |u| / (|A| + beta): above 0 it says that the ball does not allow to stop.
+  // Lower bound from |lambda| >= |u| / (|A| + beta). Above 0 the ball does not allow a stop.
   double beta = std::max(0.0, speed / limit - yield);
   const Vec3 p0 = cofactors * u;
   const Vec3 p1 = trace * u - A * u;
   Vec3 p = p0;
-  for (int step = 0; step < 30; ++step) {
+  for (int step = 0; step < tolerance::friction_newton_steps; ++step) {
     p = p0 + beta * (p1 + beta * u);
     const double d = d0 + beta * (d1 + beta * (trace + beta));
     const double square = p.squaredNorm();
@@ -60,7 +53,7 @@ Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit
     // lambda' = -(A + beta I)^-1 lambda; one division leads to the next beta.
     const Vec3 follows = adjoined(beta, p);
     const double more = square * excess / (limit * p.dot(follows));
-    if (excess < kNearly * most) return (more / d * follows - p) / d;
+    if (excess < tolerance::friction_last_step * most) return (more / d * follows - p) / d;
     beta += more;
   }
   return p * (-limit / p.norm());

@@ -1,62 +1,78 @@
 /// \file
-/// \brief The default technique: contact areas that stick, slide or let go, solved stiff (thesis 6.3.1).
+/// \brief The default technique: contact patches that stick, slide or open, solved stiffly (thesis 6.3.1).
 ///
 /// Uses no other chapter.
+///
+/// **Reading order.** This header and ContactDamped::step() in contact_damped.cpp; then what that uses:
+/// 1. contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
+///    patches of a step and keeps them while bodies rest; island_order.hpp groups and orders them.
+/// 2. patch_solver.hpp: one patch by itself (bounded_friction.hpp: its friction). island.hpp: a sweep over all
+///    patches of an island.
+/// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
+/// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
+///    (Newton steps), with the arithmetic of island_parts.hpp.
+/// 5. contact_damped_motion.cpp: restitution, overlap and the energy account.
+///
+/// Iteration counts and residuals are in tolerances.hpp.
 #pragma once
 
-#include "tumble/contact/graph.hpp"
-#include "tumble/contact/islands.hpp"
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/sleeping.hpp"
+#include "tumble/contact_damped/island.hpp"
+#include "tumble/contact_damped/island_order.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace tumble {
 
 /// Options of the technique.
 struct ContactDampedOptions {
-  /// Sweeps over the areas of a large island that is not solved as a whole, at least 1; small islands, of up
+  /// Sweeps over the patches of an island that the direct solver does not take, at least 1; small islands, of up
   /// to twenty bodies, get at least fifty.
   int passes = 6;
-  int rounds = 100;  ///< of the direct solver, three times as many for a small island; 0: none
-  int repair_passes = 50;                           ///< sweeps that end overlap, at least 1
-  bool sleeping = false;                            ///< islands at rest are left alone (thesis 4.5)
-  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  /// ADMM iterations of the direct solver, three times as many for a small island; 0: it is not used.
+  int rounds = 100;
+  int repair_passes = 50;  ///< sweeps of the overlap correction, at least 1
+  bool sleeping = false;   ///< islands at rest are not simulated (thesis 4.5)
+  RotationRule rotation = RotationRule::splitting;  ///< how orientations are integrated
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
-/// Damping as friction between bodies, in place of scaled velocities, free of size and mass.
+/// Damping as friction between bodies, in place of scaled velocities, independent of size and mass.
 ///
-/// What the thesis asks for as future work (6.3.1): its damping slows each body by itself; this one
-/// takes energy out of the motion of two bodies *against each other*, where they touch, and what one
-/// loses in momentum the other gets. Friction, torsion and the inelastic normal impulse are
-/// the only dissipation.
+/// The thesis proposes this as future work (6.3.1): its damping slows each body by itself; this one
+/// removes energy from the motion of two bodies *relative to each other*, where they touch, so that momentum is
+/// conserved. Friction, torsion and the inelastic normal impulse are the only dissipation.
 ///
-/// **A step.** Velocities get their share of gravity. Contact areas are found at the start of the step
-/// and kept while their bodies rest (PersistentManifolds). Each island begins with the impulses of the step before
-/// and one sweep over its areas (solve_patch()). If that does not settle it, sweeps go on where it moves
-/// fast, and all areas are solved together (IslandSolver) where it does not, over some steps until it
-/// rests. Bodies that something pushes
-/// move with the velocities at the end of the step; the others fly their parabola. Fast impacts
-/// bounce. Those that turn together are kept together by PoseUpdate::exponential (PivotUpdate), as
-/// velocities agree where the step begins. What overlap is left is taken away by moves
-/// that change no velocity.
+/// **A step**, as step() does it:
+/// 1. Velocities get their share of gravity.
+/// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
+///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
+/// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
+///    sweep. If that changes something, plan_island() chooses: more sweeps where the island moves fast, slides
+///    or is nearly done; all patches at once (IslandSolver) elsewhere.
+/// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola.
+///    With PoseUpdate::exponential, bodies that turn together are moved together (PivotUpdate).
+/// 5. Fast impacts bounce: Newton's restitution, by more sweeps.
+/// 6. Overlap beyond a slop is corrected by displacements that change no velocity.
+/// 7. The work of all impulses is booked, and islands at rest are put to sleep if that is on.
 ///
-/// **Why it is stiff, quiet and fast at once.** An area sticks as a whole, by one product with a 6×6
+/// **Why it is stiff, quiet and fast.** A patch sticks as a whole, by one product with a 6×6
 /// inverse. The impulses of the step before solve the next one as long as nothing changes, and nothing
-/// does, because areas are kept; so a island at rest is one sweep that finds nothing to do. While it
+/// does, because patches are kept; so an island at rest costs one sweep that changes nothing. While it
 /// lands, the direct solver carries weight through all levels at once.
 ///
 /// All thresholds are shares of the size, of gravity times the step, or of sqrt(g L).
 /// \par Cost
 /// At rest about 0.4 us for each pair that touches.
+/// \par Extending it
+/// Another solver for an island is one more IslandMethod: plan_island() chooses it and solve_island() runs it.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}
@@ -68,7 +84,7 @@ class ContactDamped : public Technique {
   explicit ContactDamped(const ContactDampedOptions& options = {});
   /// A copy with all memory.
   /// \param other the original
-  ContactDamped(const ContactDamped& other);
+  ContactDamped(const ContactDamped& other) = default;
   ContactDamped& operator=(const ContactDamped&) = delete;
   ~ContactDamped() override = default;
 
@@ -78,69 +94,55 @@ class ContactDamped : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override;
 
  private:
+  // Kept between steps.
+  struct Memory {
+    BoundingTree broad_phase;
+    PersistentManifolds manifolds;
+    IslandOrder order;
+    IslandSolver island_solver;
+    SleepingRule sleeping;
+    double last_dt = 0.0;  // [s] of the step before
+    // Islands, by the id of their first body, that the direct solver solved in the step before; ascending.
+    std::vector<BodyId> solved_directly;
+  };
+  // Velocities of a step, by body index.
+  struct Velocities {
+    std::vector<MovingBody> start;  // before gravity
+    std::vector<MovingBody> free;   // with gravity, without contacts
+    std::vector<MovingBody> end;    // with impulses
+    std::vector<MovingBody> moved;  // with which bodies moved, before something bounced
+  };
+  // Storage of one step, kept so that a warm step allocates nothing.
+  struct Storage {
+    std::vector<Bounds> bounds;
+    std::vector<IndexPair> candidates;      // pairs that may touch
+    std::vector<IndexPair> touching;        // bodies of the patches
+    std::vector<BodyId> solved_directly;    // as in Memory, of this step
+    std::vector<char> in_flight;            // by body index: without an impulse
+    std::vector<char> hit;                  // by patch: an impact too fast to stick
+    std::vector<PushedPair> pushed;         // pairs with an impulse
+    PivotUpdate pivots;                     // bodies that are moved together
+    std::vector<MovingBody> displacements;  // of the overlap correction
+  };
+
   void load(const World& world, double dt);
-  void find_areas(World& world, double dt, StepReport& report);
+  void find_patches(World& world, double dt, StepReport& report);
   void find_candidates(const World& world, double dt);
-  void order_islands(const World& world);
-  void solve_island(const World& world, int island, double dt, StepReport& report);
-  double sweep(std::span<const int> contacts, bool down, int rounds, double rest,
-               StepReport& report);
-  [[nodiscard]] bool slides(std::span<const int> contacts, double unit) const;
-  [[nodiscard]] std::pair<double, double> unrest(const World& world, int island, double dt) const;
-  [[nodiscard]] double swing(const World& world, int island, double dt) const;
-  [[nodiscard]] bool hurries(const World& world, int island, double dt) const;
-  [[nodiscard]] double hardest(const World& world, int island) const;
-  [[nodiscard]] double smallest(int island) const;
-  void forget(int island);
-  void release(int island);
-  void bounce_island(const World& world, int island, double dt, StepReport& report);
-  void guard_energy(const World& world, int island, StepReport& report);
-  void find_carried(const World& world);
+  Island island(const World& world, int k, double dt);
+  void solve_island(const Island& island, StepReport& report);
+  void find_pivots(const World& world);
   void move(World& world, double dt, StepReport& report);
-  void bounce(World& world, double dt, StepReport& report);
-  void repair(World& world, double dt, StepReport& report);
-  void account(const World& world, double dt, StepReport& report);
-  void tell(const ContactPatch& block, double time) const;
-  [[nodiscard]] double speed_scale(const World& world, int island, double dt) const;
-  [[nodiscard]] std::span<const int> ordered(int island) const;
+  bool bounce(World& world, double dt, StepReport& report);
+  void correct_overlaps(World& world, double dt, StepReport& report);
+  void account(const World& world, double dt, bool bounced, StepReport& report) const;
+  void notify_observer(const ContactPatch& patch, double time) const;
 
   ContactDampedOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
-  PersistentManifolds areas_;
-  IslandSolver island_solver_;
-  SleepingRule sleeping_;
-  PivotUpdate carried_;
-  Islands islands_;
-  ContactGraph graph_;
-  double last_dt_ = 0.0;  // [s] of the step before
-  /// Islands, named by their first body, that the step before solved as a whole; ascending.
-  std::vector<BodyId> unsettled_;
-  std::vector<BodyId> unsettling_;  // and those of this step
-  // What islands were ordered for: how many bodies there were, gravity, the pairs by index and by name.
-  int ordered_for_ = -1;
-  Vec3 ordered_gravity_w_ = Vec3::Zero();
-
-  // Storage of one step, kept so that a warm step asks for no memory.
-  std::vector<Bounds> bounds_;
-  std::vector<IndexPair> candidates_;
-  std::vector<IndexPair> touching_;               // pairs of the areas
-  std::vector<IndexPair> touched_;                // and of the step before
-  std::vector<std::pair<BodyId, BodyId>> names_;  // of the areas' bodies
-  std::vector<std::pair<BodyId, BodyId>> named_;  // and of the step before
-  std::vector<SupportEdge> edges_;
-  std::vector<int> order_;          // areas, island by island, from the ground up
-  std::vector<int> order_start_;    // of a island's areas in order_
-  std::vector<MovingBody> start_;   // before gravity
-  std::vector<MovingBody> free_;    // with gravity, without contacts
-  std::vector<MovingBody> bodies_;  // at the end
-  std::vector<MovingBody> moves_;   // of the repair
-  std::vector<MovingBody> moved_;   // velocities with which bodies moved, if something bounced
-  std::vector<char> hit_;           // by area: it was, so fast that it does not stick
-  bool bounced_ = false;            // something did, in this step
-  std::vector<char> flies_;         // by index: nothing pushes it
-  std::vector<PushedPair> pushed_;  // by the areas
-  double contact_time_ = 0.0;       // [s] of the poses that the contacts belong to
-  mutable std::vector<ContactRecord> records_;
+  Memory memory_;
+  Velocities velocities_;
+  Storage storage_;
+  double contact_time_ = 0.0;                   // [s] of the poses that the contacts belong to
+  mutable std::vector<ContactRecord> records_;  // made by contacts()
   mutable bool recorded_ = false;
 };
 

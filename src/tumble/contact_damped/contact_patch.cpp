@@ -1,5 +1,5 @@
 /// \file
-/// \brief One contact area as a unit.
+/// \brief Building a contact patch, its targets and its warm start.
 #include "tumble/contact_damped/contact_patch.hpp"
 
 #include "tumble/contact/effective_mass.hpp"
@@ -14,14 +14,7 @@
 namespace tumble {
 namespace {
 
-// How far, as a share of the slop in a step, the targets of an area's points may be from those of one motion
-// that is asked for in their place. A whole slop would make an area that rests on some points, with others just
-// apart, move in every step towards what its points do not ask for.
-constexpr double kFlat = 0.01;
-
-constexpr std::size_t kNormal = 2, kRollAlong = 3, kRollAcross = 4;
-
-// Adds what one body contributes: with S = [r]x, its velocity at the middle changes by
+// Adds the inverse mass of one body: with S = [r]x, its velocity at the middle changes by
 // (1/m - S I⁻¹ S) F - S I⁻¹ M, its angular velocity by I⁻¹ M + I⁻¹ S F.
 void add_body(const MovingBody& body, const Vec3& arm_w, const Mat3& frame_w, SixBySix& sum) {
   if (body.inverse_mass.x() == 0.0) return;
@@ -76,23 +69,23 @@ SixBySix inverse_of(const SixBySix& m) {
   return inverse;
 }
 
-// Second moments of the points about their middle, and their inverse if they span an area.
-void find_spread(ContactPatch& block) {
+// Inverse of the second moments of the points about their middle, if they span an area.
+void find_moments(ContactPatch& patch) {
   double aa = 0.0, ac = 0.0, cc = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
+  for (const ContactPatchPoint& p : patch.used()) {
     aa += p.along * p.along;
     ac += p.along * p.across;
     cc += p.across * p.across;
   }
   const double determinant = aa * cc - ac * ac;
   const double size = aa + cc;
-  block.spreads = block.count >= 3 && determinant > tolerance::thin_patch * size * size;
-  if (block.spreads) block.spread = {cc / determinant, -ac / determinant, aa / determinant};
+  patch.spans_area = patch.count >= 3 && determinant > tolerance::thin_patch * size * size;
+  if (patch.spans_area)
+    patch.inverse_moments = {cc / determinant, -ac / determinant, aa / determinant};
 }
 
-// How far above the mean of an area's points its surfaces touch [m], along the normal: points lie halfway
-// between the surfaces, those that are apart higher or lower than the others. Velocities are matched at
+// How far above the mean of a patch's points its surfaces touch [m], along the normal: points lie halfway
+// between the surfaces, those with a gap higher or lower than the others. Velocities are matched at
 // the middle, and a box that turns about an edge must not be held by a point beside that edge.
 double height_of_touch(const Manifold& found, const Vec3& mean_w, double slop) {
   double least = std::numeric_limits<double>::infinity();
@@ -112,162 +105,167 @@ double height_of_touch(const Manifold& found, const Vec3& mean_w, double slop) {
 
 }  // namespace
 
-Vec3 position_of(const ContactPatch& block, const MovingBody& first,
+Vec3 position_of(const ContactPatch& patch, const MovingBody& first,
                  const ContactPatchPoint& point) {
-  return first.position_w + block.first_arm_w + point.along * block.frame_w.col(0) +
-         point.across * block.frame_w.col(1);
+  return first.position_w + patch.first_arm_w + point.along * patch.frame_w.col(0) +
+         point.across * patch.frame_w.col(1);
 }
 
 void build_patch(const Manifold& found, const MovingBody& first, const MovingBody& second,
-                 ContactPatch& block) {
+                 ContactPatch& patch) {
   Vec3 middle_w = Vec3::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
     middle_w += found.points[i].position_w;
   middle_w /= found.count;
-  middle_w += height_of_touch(found, middle_w, tolerance::contact_damped_slop * block.size) *
+  middle_w += height_of_touch(found, middle_w, tolerance::contact_damped_slop * patch.size) *
               found.normal_w;
   const Tangents tangents = tangents_of(found.normal_w);
-  block.frame_w.col(0) = tangents.first_w;
-  block.frame_w.col(1) = tangents.second_w;
-  block.frame_w.col(2) = found.normal_w;
-  block.axis = found.axis;
-  block.first_arm_w = middle_w - first.position_w;
-  block.second_arm_w = middle_w - second.position_w;
-  block.count = found.count;
+  patch.frame_w.col(0) = tangents.first_w;
+  patch.frame_w.col(1) = tangents.second_w;
+  patch.frame_w.col(2) = found.normal_w;
+  patch.axis = found.axis;
+  patch.first_arm_w = middle_w - first.position_w;
+  patch.second_arm_w = middle_w - second.position_w;
+  patch.count = found.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
     const ManifoldPoint& p = found.points[i];
-    ContactPatchPoint& point = block.points[i];
+    ContactPatchPoint& point = patch.points[i];
     point = ContactPatchPoint{};
     point.along = tangents.first_w.dot(p.position_w - middle_w);
     point.across = tangents.second_w.dot(p.position_w - middle_w);
     point.built_gap = point.gap = p.distance;
     point.feature = p.feature;
   }
-  block.along_impulse = block.across_impulse = block.twist_impulse = 0.0;
-  block.inverse_mass = {};
-  add_body(first, block.first_arm_w, block.frame_w, block.inverse_mass);
-  add_body(second, block.second_arm_w, block.frame_w, block.inverse_mass);
-  find_spread(block);
-  if (block.spreads) block.mass = inverse_of(block.inverse_mass);
+  patch.along_impulse = patch.across_impulse = patch.twist_impulse = 0.0;
+  patch.inverse_mass = {};
+  add_body(first, patch.first_arm_w, patch.frame_w, patch.inverse_mass);
+  add_body(second, patch.second_arm_w, patch.frame_w, patch.inverse_mass);
+  find_moments(patch);
+  if (patch.spans_area) patch.mass = inverse_of(patch.inverse_mass);
 }
 
-void begin_lift(const MovingBody& first, const MovingBody& second, ContactPatch& block) {
-  for (ContactPatchPoint& p : block.points) p.lift = 0.0;
-  block.ease = {};
-  add_body(first, block.first_arm_w, block.frame_w, block.ease);
-  add_body(second, block.second_arm_w, block.frame_w, block.ease);
-}
-
-bool spread_evenly(const Six& impulse, const ContactPatch& block,
-                   std::array<double, ContactPatch::kMostPoints>& pressure) {
-  const double even = impulse[kNormal] / block.count;
-  const double along =
-      block.spread[1] * impulse[kRollAlong] - block.spread[0] * impulse[kRollAcross];
-  const double across =
-      block.spread[2] * impulse[kRollAlong] - block.spread[1] * impulse[kRollAcross];
+bool distribute_evenly(const Six& impulse, const ContactPatch& patch,
+                       std::array<double, ContactPatch::kMostPoints>& pressure) {
+  const double even = impulse[six::normal] / patch.count;
+  const double along = patch.inverse_moments[1] * impulse[six::roll_along] -
+                       patch.inverse_moments[0] * impulse[six::roll_across];
+  const double across = patch.inverse_moments[2] * impulse[six::roll_along] -
+                        patch.inverse_moments[1] * impulse[six::roll_across];
   bool pushes = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    pressure[i] = even + along * block.points[i].along + across * block.points[i].across;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
+    pressure[i] = even + along * patch.points[i].along + across * patch.points[i].across;
     pushes = pushes && pressure[i] >= 0.0;
   }
   return pushes;
 }
 
-void inherit(const ContactPatch& before, ContactPatch& block) {
-  // The impulse of the old area, seen from the new one's middle and in its frame. It goes with the body on
-  // which the area has moved less: with the one that slides, if the other one is larger.
+void transfer_impulses(const ContactPatch& before, ContactPatch& patch) {
+  // The impulse of the previous patch about the middle of the new one and in its frame. It moves with the body
+  // on which the patch has moved less: the sliding one, if the other one is larger.
   const Six old = impulse_of(before);
-  const Mat3 turn = block.frame_w.transpose() * before.frame_w;
+  const Mat3 turn = patch.frame_w.transpose() * before.frame_w;
   const Vec3 force = turn * Vec3(old[0], old[1], old[2]);
-  const Vec3 on_first_w = before.first_arm_w - block.first_arm_w;
-  const Vec3 on_second_w = before.second_arm_w - block.second_arm_w;
+  const Vec3 on_first_w = before.first_arm_w - patch.first_arm_w;
+  const Vec3 on_second_w = before.second_arm_w - patch.second_arm_w;
   const bool with_first = on_first_w.squaredNorm() < on_second_w.squaredNorm();
-  const Vec3 shift = block.frame_w.transpose() * (with_first ? on_first_w : on_second_w);
+  const Vec3 shift = patch.frame_w.transpose() * (with_first ? on_first_w : on_second_w);
   const Vec3 moment = turn * Vec3(old[3], old[4], old[5]) + shift.cross(force);
-  block.along_impulse = force[0];
-  block.across_impulse = force[1];
-  block.twist_impulse = moment[2];
-  const auto count = static_cast<std::size_t>(block.count);
-  bool same_points = before.count == block.count;
+  patch.along_impulse = force[0];
+  patch.across_impulse = force[1];
+  patch.twist_impulse = moment[2];
+  const auto count = static_cast<std::size_t>(patch.count);
+  bool same_points = before.count == patch.count;
   for (std::size_t i = 0; i < count && same_points; ++i)
-    same_points = before.points[i].feature == block.points[i].feature;
+    same_points = before.points[i].feature == patch.points[i].feature;
   for (std::size_t i = 0; i < count && same_points; ++i)
-    block.points[i].given = turn * before.points[i].given;
+    patch.points[i].solver_impulse = turn * before.points[i].solver_impulse;
   std::array<double, ContactPatch::kMostPoints> pressure;
   const Six impulse{0.0, 0.0, force[2], moment[0], moment[1], 0.0};
-  if (block.spreads && force[2] > 0.0 && spread_evenly(impulse, block, pressure)) {
-    for (std::size_t i = 0; i < count; ++i) block.points[i].impulse = pressure[i];
+  if (patch.spans_area && force[2] > 0.0 && distribute_evenly(impulse, patch, pressure)) {
+    for (std::size_t i = 0; i < count; ++i) patch.points[i].impulse = pressure[i];
     return;
   }
-  // Else each old point leaves its impulse to the one of the same name, or to the nearest one.
-  for (std::size_t k = 0; k < static_cast<std::size_t>(before.count); ++k) {
-    const ContactPatchPoint& gone = before.points[k];
-    if (!(gone.impulse > 0.0)) continue;
-    const Vec3 at = turn * Vec3(gone.along, gone.across, 0.0) + shift;
-    ContactPatchPoint* heir = nullptr;
+  // Otherwise each previous point passes its impulse to the point of the same feature, or to the nearest one.
+  for (const ContactPatchPoint& old_point : before.used()) {
+    if (!(old_point.impulse > 0.0)) continue;
+    const Vec3 at = turn * Vec3(old_point.along, old_point.across, 0.0) + shift;
+    ContactPatchPoint* receiver = nullptr;
     double nearest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      ContactPatchPoint& p = block.points[i];
+      ContactPatchPoint& p = patch.points[i];
       const double a = p.along - at.x();
       const double b = p.across - at.y();
-      const double far = p.feature == gone.feature ? -1.0 : a * a + b * b;
-      if (heir != nullptr && far >= nearest) continue;
-      heir = &p;
+      const double far = p.feature == old_point.feature ? -1.0 : a * a + b * b;
+      if (receiver != nullptr && far >= nearest) continue;
+      receiver = &p;
       nearest = far;
     }
-    heir->impulse += gone.impulse;
+    receiver->impulse += old_point.impulse;
   }
 }
 
-void set_targets(double slop, double dt, ContactPatch& block) {
+void scale_impulses(double factor, ContactPatch& patch) {
+  patch.along_impulse *= factor;
+  patch.across_impulse *= factor;
+  patch.twist_impulse *= factor;
+  for (ContactPatchPoint& p : patch.used()) {
+    p.impulse *= factor;
+    p.solver_impulse *= factor;
+  }
+}
+
+void set_targets(double slop, double dt, ContactPatch& patch) {
   bool all_touch = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    ContactPatchPoint& p = block.points[i];
+  for (ContactPatchPoint& p : patch.used()) {
     p.target = p.gap > slop ? -(p.gap - slop) / dt : 0.0;
     all_touch = all_touch && p.target == 0.0;
   }
-  block.goal = {};
-  block.flat = block.spreads;
-  if (!block.spreads) return;
-  if (all_touch) return;
-  // The plane through the targets that is nearest to them; a plane is what one motion can do.
+  patch.target_motion = {};
+  patch.targets_planar = patch.spans_area;
+  if (!patch.spans_area || all_touch) return;
+  // The normal velocities of one motion lie in a plane: the one that fits the targets best.
   double mean = 0.0, along = 0.0, across = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
-    mean += p.target / block.count;
+  for (const ContactPatchPoint& p : patch.used()) {
+    mean += p.target / patch.count;
     along += p.along * p.target;
     across += p.across * p.target;
   }
-  const double slope_along = block.spread[0] * along + block.spread[1] * across;
-  const double slope_across = block.spread[1] * along + block.spread[2] * across;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
+  const double slope_along = patch.inverse_moments[0] * along + patch.inverse_moments[1] * across;
+  const double slope_across = patch.inverse_moments[1] * along + patch.inverse_moments[2] * across;
+  for (const ContactPatchPoint& p : patch.used()) {
     const double plane = mean + slope_along * p.along + slope_across * p.across;
-    if (std::abs(plane - p.target) * dt > kFlat * slop) block.flat = false;
+    if (std::abs(plane - p.target) * dt > tolerance::planar_targets * slop)
+      patch.targets_planar = false;
   }
-  block.goal[kNormal] = mean;
-  block.goal[kRollAlong] = slope_across;
-  block.goal[kRollAcross] = -slope_along;
+  patch.target_motion[six::normal] = mean;
+  patch.target_motion[six::roll_along] = slope_across;
+  patch.target_motion[six::roll_across] = -slope_along;
 }
 
-void follow_arcs(const MovingBody& first, const MovingBody& second, double dt,
-                 ContactPatch& block) {
-  // How much further than its tangent the arc of a point leads along the normal.
+void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
+                                  ContactPatch& patch) {
+  // How much further along the normal than its tangent the arc of a point leads.
   const auto rise = [&](const MovingBody& body, const Vec3& arm_w) {
     const Vec3 turn_w = dt * body.angular_velocity_w;
     if (!(turn_w.norm() > tolerance::fast_turn)) return 0.0;
     const Vec3 arc_w = rotation_from_vector(turn_w) * arm_w - arm_w;
-    return block.frame_w.col(2).dot(arc_w - turn_w.cross(arm_w));
+    return patch.frame_w.col(2).dot(arc_w - turn_w.cross(arm_w));
   };
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    ContactPatchPoint& p = block.points[i];
-    const Vec3 offset_w = p.along * block.frame_w.col(0) + p.across * block.frame_w.col(1);
+  for (ContactPatchPoint& p : patch.used()) {
+    const Vec3 offset_w = p.along * patch.frame_w.col(0) + p.across * patch.frame_w.col(1);
     const double away =
-        rise(second, block.second_arm_w + offset_w) - rise(first, block.first_arm_w + offset_w);
+        rise(second, patch.second_arm_w + offset_w) - rise(first, patch.first_arm_w + offset_w);
     if (!(away > 0.0)) continue;
     p.target -= away / dt;
-    block.flat = false;
+    patch.targets_planar = false;
   }
+}
+
+void begin_correction(const MovingBody& first, const MovingBody& second, ContactPatch& patch) {
+  for (ContactPatchPoint& p : patch.points) p.correction = 0.0;
+  patch.correction_inverse_mass = {};
+  add_body(first, patch.first_arm_w, patch.frame_w, patch.correction_inverse_mass);
+  add_body(second, patch.second_arm_w, patch.frame_w, patch.correction_inverse_mass);
 }
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// \file
-/// \brief One contact area as a unit: six numbers of motion, six of force (thesis 6.3.1).
+/// \brief A contact patch: where two bodies touch, with six numbers of motion and six of impulse (thesis 6.3.1).
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"
@@ -8,177 +8,205 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace tumble {
 
-/// Six numbers in the frame of a contact area (first tangent, second tangent, normal): of motion, the
-/// velocity and the angular velocity of the second body as seen from the first; of impulses, the
-/// force and the moment on the second body. Both at the area's middle.
+/// Six numbers in the frame of a contact patch (first tangent, second tangent, normal), all taken at the
+/// patch's middle; see tumble::six for the indices.
+///
+/// As *motion*: velocity and angular velocity of the second body relative to the first one. As *impulse*:
+/// linear and angular impulse on the second body; the first one gets the opposite.
 using Six = std::array<double, 6>;
 
-/// Row by row.
+/// A 6×6 matrix, row by row.
 using SixBySix = std::array<Six, 6>;
 
-/// One point of a contact area.
+/// Indices of a Six.
+namespace six {
+inline constexpr std::size_t along = 0;        ///< tangential, along the first tangent
+inline constexpr std::size_t across = 1;       ///< tangential, along the second tangent
+inline constexpr std::size_t normal = 2;       ///< along the normal
+inline constexpr std::size_t roll_along = 3;   ///< about the first tangent
+inline constexpr std::size_t roll_across = 4;  ///< about the second tangent
+inline constexpr std::size_t twist = 5;        ///< about the normal
+}  // namespace six
+
+/// One point of a contact patch.
 struct ContactPatchPoint {
-  double along = 0.0;      ///< [m] from the middle along the first tangent
-  double across = 0.0;     ///< [m] from the middle along the second tangent
-  double built_gap = 0.0;  ///< [m] when the area was found; below 0 the surfaces overlap
-  double gap = 0.0;        ///< [m] now
-  double target = 0.0;     ///< [m/s] least normal velocity allowed at the end of the step
-  double approach = 0.0;   ///< [m/s] normal velocity with which it hits, if below 0
-  double impulse = 0.0;    ///< [N s] along the normal, at least 0
-  double lift = 0.0;       ///< [m] what the repair of overlap has pushed so far, at least 0
-  FeatureId feature = 0;   ///< its name over time
-  /// [N s] along, across, normal: what IslandSolver gave the point when it last solved the area. What
-  /// has come to the area since is in its sums alone.
-  Vec3 given = Vec3::Zero();
+  double along = 0.0;       ///< [m] from the middle along the first tangent
+  double across = 0.0;      ///< [m] from the middle along the second tangent
+  double built_gap = 0.0;   ///< [m] when the patch was built; below 0 the surfaces overlap
+  double gap = 0.0;         ///< [m] now
+  double target = 0.0;      ///< [m/s] least normal velocity allowed at the end of the step
+  double approach = 0.0;    ///< [m/s] normal velocity with which it hits, if below 0
+  double impulse = 0.0;     ///< [N s] along the normal, at least 0
+  double correction = 0.0;  ///< [m] pseudo-impulse of the overlap correction so far, at least 0
+  FeatureId feature = 0;    ///< identifies the point over time
+  /// [N s] along, across, normal: the point's impulse when IslandSolver last solved the patch. Later
+  /// changes are in the sums of the patch only.
+  Vec3 solver_impulse = Vec3::Zero();
 };
 
-/// A contact area of two bodies, with all that solving it needs.
+/// A contact patch of two bodies, with all that solving it needs.
 ///
-/// While the bodies hardly move against each other, the area, its frame and the inverse masses are
-/// kept from step to step, and gaps follow from the small motion.
+/// While the bodies hardly move relative to each other, the points, the frame and the inverse masses are
+/// kept from step to step, and gaps follow from the small motion (PersistentManifolds).
 struct ContactPatch {
-  static constexpr std::size_t kMostPoints = Manifold::kMostPoints;  ///< of an area
+  static constexpr std::size_t kMostPoints = Manifold::kMostPoints;  ///< of a patch
 
-  BodyId first_id{};                         ///< the body with the smaller id
-  BodyId second_id{};                        ///< the other one
-  int first = 0;                             ///< index of the first body in this step
-  int second = 0;                            ///< index of the second body in this step
-  AxisIndex axis = kNoAxis;                  ///< remembered for the next step
-  std::uint64_t stamp = 0;                   ///< another one each time that the area is found anew
-  double size = 0.0;                         ///< [m] shortest edge of the movable bodies
-  double friction = 0.0;                     ///< [-] coefficient of the pair
-  double restitution = 0.0;                  ///< [-] of the pair
-  Mat3 frame_w = Mat3::Identity();           ///< [-] columns: first tangent, second, normal
-  Vec3 first_arm_w = Vec3::Zero();           ///< [m] from the first body's centre to the middle
-  Vec3 second_arm_w = Vec3::Zero();          ///< [m] from the second body's centre to the middle
-  std::array<Vec3, 2> built_position_w;      ///< [m] of both bodies when the area was found
-  std::array<Quat, 2> built_orientation_wb;  ///< [-] of both bodies then
-  std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleepers
-  double built_reach = 0.0;                    ///< [m] points apart by more were left out
+  BodyId first_id{};                           ///< the body with the smaller id
+  BodyId second_id{};                          ///< the other one
+  int first = 0;                               ///< index of the first body in this step
+  int second = 0;                              ///< index of the second body in this step
+  AxisIndex axis = kNoAxis;                    ///< separating axis to try first in the next step
+  std::uint64_t stamp = 0;                     ///< changes each time that the patch is built
+  double size = 0.0;                           ///< [m] shortest edge of the movable bodies
+  double friction = 0.0;                       ///< [-] coefficient of the pair
+  double restitution = 0.0;                    ///< [-] of the pair
+  Mat3 frame_w = Mat3::Identity();             ///< [-] columns: first tangent, second, normal
+  Vec3 first_arm_w = Vec3::Zero();             ///< [m] from the first body's centre to the middle
+  Vec3 second_arm_w = Vec3::Zero();            ///< [m] from the second body's centre to the middle
+  std::array<Vec3, 2> built_position_w;        ///< [m] of both bodies when the patch was built
+  std::array<Quat, 2> built_orientation_wb;    ///< [-] of both bodies then
+  std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleeping ones
+  double built_reach = 0.0;                    ///< [m] points with a larger gap were left out
   int count = 0;                               ///< points in use
   std::array<ContactPatchPoint, kMostPoints> points;  ///< the first `count`
   double along_impulse = 0.0;                         ///< [N s] friction along the first tangent
   double across_impulse = 0.0;                        ///< [N s] friction along the second tangent
-  double twist_impulse = 0.0;  ///< [N m s] friction about the normal at the middle
-  SixBySix inverse_mass{};     ///< motion of a unit impulse
-  SixBySix mass{};             ///< its inverse, if `spreads`
-  SixBySix ease{};             ///< motion of a unit push, see begin_lift()
+  double twist_impulse = 0.0;          ///< [N m s] friction about the normal at the middle
+  SixBySix inverse_mass{};             ///< motion of a unit impulse
+  SixBySix mass{};                     ///< its inverse, if `spans_area`
+  SixBySix correction_inverse_mass{};  ///< motion of a unit pseudo-impulse, see begin_correction()
   /// [1/m²] inverse of the points' second moments: along-along, along-across, across-across
-  std::array<double, 3> spread{};
-  bool spreads = false;  ///< three points or more that span an area
-  bool flat = false;     ///< one motion meets all targets
-  Six goal{};            ///< this motion
+  std::array<double, 3> inverse_moments{};
+  bool spans_area = false;      ///< three points or more that are not on a line
+  bool targets_planar = false;  ///< one motion, `target_motion`, meets the targets of all points
+  Six target_motion{};          ///< the motion whose normal velocities fit the targets best
+
+  /// The points in use.
+  /// \return `count` of them
+  [[nodiscard]] std::span<const ContactPatchPoint> used() const {
+    return std::span(points).first(static_cast<std::size_t>(count));
+  }
+  /// The points in use.
+  /// \return `count` of them
+  [[nodiscard]] std::span<ContactPatchPoint> used() {
+    return std::span(points).first(static_cast<std::size_t>(count));
+  }
 };
 
-/// Where a point of an area is.
-/// \param block  the area
+/// Position of a point of a patch.
+/// \param patch  the patch
 /// \param first  its first body, where it was at the start of the step
-/// \param point  one of the area's
+/// \param point  one of the patch's
 /// \return [m] world frame
-Vec3 position_of(const ContactPatch& block, const MovingBody& first,
+Vec3 position_of(const ContactPatch& patch, const MovingBody& first,
                  const ContactPatchPoint& point);
 
-/// Builds a block from a manifold.
+/// Builds a patch from a manifold.
 ///
-/// The area's middle is the mean of its points, at the height along the normal at which those that touch
-/// do: points that are apart lie halfway between the surfaces.
+/// The middle is the mean of the points, at the height along the normal of those that touch: points with a
+/// gap lie halfway between the surfaces.
 /// \param found   where the bodies touch, normal from the first to the second; at least one point
-/// \param first   how the first body moves
-/// \param second  how the second one does
-/// \param block   ids, indices, coefficients stay; the rest is overwritten, impulses are 0
+/// \param first   velocity and inverse mass of the first body
+/// \param second  the same of the second one
+/// \param patch   ids, indices, coefficients stay; the rest is overwritten, impulses are 0
 void build_patch(const Manifold& found, const MovingBody& first, const MovingBody& second,
-                 ContactPatch& block);
+                 ContactPatch& patch);
 
-/// Spreads a normal impulse over the points of an area as evenly as its centre allows: the split with
-/// the least sum of squares among those that may pull.
+/// Distributes a normal impulse over the points of a patch as evenly as its centre of pressure allows: the
+/// split with the least sum of squares, negative values included.
 /// \param impulse   the sum along the normal and the two moments across it are used
-/// \param block     the area, one that spreads
+/// \param patch     one that spans an area
 /// \param pressure  out: [N s] one for each point
-/// \return whether no point pulls
-bool spread_evenly(const Six& impulse, const ContactPatch& block,
-                   std::array<double, ContactPatch::kMostPoints>& pressure);
+/// \return whether all are at least 0
+bool distribute_evenly(const Six& impulse, const ContactPatch& patch,
+                       std::array<double, ContactPatch::kMostPoints>& pressure);
 
-/// Gives a new block the impulses of the old one of the same pair: those of the points by name, and
-/// friction as it was in the world frame.
-/// \param before  the old one
-/// \param block   the new one; impulses are overwritten
-void inherit(const ContactPatch& before, ContactPatch& block);
+/// Warm start of a patch that was built again: takes over the impulses of the pair's previous patch, those
+/// of points by feature, and friction as it was in the world frame.
+/// \param before  the previous patch
+/// \param patch   the new one; impulses are overwritten
+void transfer_impulses(const ContactPatch& before, ContactPatch& patch);
+
+/// Multiplies all impulses of a patch.
+/// \param factor  [-] at least 0
+/// \param patch   impulses in and out
+void scale_impulses(double factor, ContactPatch& patch);
 
 /// Sets the least normal velocities of the points for a step.
 ///
-/// A point that is apart by d may close its gap up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one
-/// that touches or overlaps may not approach. Whether one motion of the area meets all
-/// targets is found as well.
-/// \param slop   [m] gaps up to this are none
+/// A point with the gap d may close it up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one
+/// that touches or overlaps may not approach. Finds also whether one motion of the patch meets all targets.
+/// \param slop   [m] smaller gaps count as touching
 /// \param dt     [s] of the step
-/// \param block  targets, flat and goal are overwritten
-void set_targets(double slop, double dt, ContactPatch& block);
+/// \param patch  targets, targets_planar and target_motion are overwritten
+void set_targets(double slop, double dt, ContactPatch& patch);
 
-/// Makes an area ready for the repair of its overlap: no push so far, and how far it yields to one.
-/// \param first   moves of the first body
-/// \param second  moves of the second body
-/// \param block   `lift` of its points and `ease` are overwritten
-void begin_lift(const MovingBody& first, const MovingBody& second, ContactPatch& block);
-
-/// Corrects targets where a body turns so far in a step that a point leaves its tangent: by what
+/// Corrects the targets where a body turns so far in a step that a point leaves its tangent: by how much
 /// the arc \f$(e^{[h\omega]} - 1)\,r\f$ leads further away than \f$h\,\omega\times r\f$.
 /// \param first   how the first body would move
 /// \param second  how the second one would
 /// \param dt      [s] of the step
-/// \param block   after set_targets(); targets and flat in and out
-void follow_arcs(const MovingBody& first, const MovingBody& second, double dt, ContactPatch& block);
+/// \param patch   after set_targets(); targets and targets_planar in and out
+void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
+                                  ContactPatch& patch);
 
-/// The motion of a block's bodies against each other.
-/// \param block   the area
+/// Prepares a patch for the overlap correction: no pseudo-impulses yet, and its inverse mass for them.
+/// \param first   displacement of the first body, with the inverse mass to use
+/// \param second  the same of the second body
+/// \param patch   `correction` of its points and `correction_inverse_mass` are overwritten
+void begin_correction(const MovingBody& first, const MovingBody& second, ContactPatch& patch);
+
+/// The relative motion of a patch's bodies.
+/// \param patch   the patch
 /// \param first   how the first body moves
 /// \param second  how the second one does
-/// \return in the area's frame
-inline Six motion_of(const ContactPatch& block, const MovingBody& first, const MovingBody& second) {
-  const Vec3 v = second.velocity_w + second.angular_velocity_w.cross(block.second_arm_w) -
-                 first.velocity_w - first.angular_velocity_w.cross(block.first_arm_w);
+/// \return in the patch's frame
+inline Six motion_of(const ContactPatch& patch, const MovingBody& first, const MovingBody& second) {
+  const Vec3 v = second.velocity_w + second.angular_velocity_w.cross(patch.second_arm_w) -
+                 first.velocity_w - first.angular_velocity_w.cross(patch.first_arm_w);
   const Vec3 w = second.angular_velocity_w - first.angular_velocity_w;
-  const auto& f = block.frame_w;
+  const auto& f = patch.frame_w;
   return {f.col(0).dot(v), f.col(1).dot(v), f.col(2).dot(v),
           f.col(0).dot(w), f.col(1).dot(w), f.col(2).dot(w)};
 }
 
-/// All impulses of a block as one.
-/// \param block the area
-/// \return in the area's frame
-inline Six impulse_of(const ContactPatch& block) {
-  Six sum{block.along_impulse, block.across_impulse, 0.0, 0.0, 0.0, block.twist_impulse};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
-    sum[2] += p.impulse;
-    sum[3] += p.impulse * p.across;
-    sum[4] -= p.impulse * p.along;
+/// The sum of all impulses of a patch.
+/// \param patch the patch
+/// \return in the patch's frame
+inline Six impulse_of(const ContactPatch& patch) {
+  Six sum{patch.along_impulse, patch.across_impulse, 0.0, 0.0, 0.0, patch.twist_impulse};
+  for (const ContactPatchPoint& p : patch.used()) {
+    sum[six::normal] += p.impulse;
+    sum[six::roll_along] += p.impulse * p.across;
+    sum[six::roll_across] -= p.impulse * p.along;
   }
   return sum;
 }
 
-/// Applies impulses to the bodies of a block.
-/// \param impulse  in the area's frame
-/// \param block    the area
+/// Applies an impulse to the bodies of a patch.
+/// \param impulse  in the patch's frame
+/// \param patch    the patch
 /// \param first    changed unless immovable
 /// \param second   changed unless immovable
-inline void apply(const Six& impulse, const ContactPatch& block, MovingBody& first,
+inline void apply(const Six& impulse, const ContactPatch& patch, MovingBody& first,
                   MovingBody& second) {
-  const auto& f = block.frame_w;
+  const auto& f = patch.frame_w;
   const Vec3 force_w = impulse[0] * f.col(0) + impulse[1] * f.col(1) + impulse[2] * f.col(2);
   const Vec3 moment_w = impulse[3] * f.col(0) + impulse[4] * f.col(1) + impulse[5] * f.col(2);
   if (first.inverse_mass.x() > 0.0) {
     first.velocity_w -= first.inverse_mass.x() * force_w;
     first.angular_velocity_w -=
-        first.inverse_inertia_w * (moment_w + block.first_arm_w.cross(force_w));
+        first.inverse_inertia_w * (moment_w + patch.first_arm_w.cross(force_w));
     first.changed = true;
   }
   if (second.inverse_mass.x() > 0.0) {
     second.velocity_w += second.inverse_mass.x() * force_w;
     second.angular_velocity_w +=
-        second.inverse_inertia_w * (moment_w + block.second_arm_w.cross(force_w));
+        second.inverse_inertia_w * (moment_w + patch.second_arm_w.cross(force_w));
     second.changed = true;
   }
 }

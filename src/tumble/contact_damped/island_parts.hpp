@@ -1,5 +1,5 @@
 /// \file
-/// \brief Arithmetic of IslandSolver: motions, impulses, cones and springs of contact areas.
+/// \brief Arithmetic of IslandSolver: motions, impulses, cones and springs of contact patches.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
@@ -11,7 +11,7 @@
 /// Arithmetic of IslandSolver.
 namespace tumble::island {
 
-/// Velocity and angular velocity in one.
+/// Velocity and angular velocity in one vector.
 /// \param body  a body
 /// \return [m/s], [rad/s] world frame
 inline Vec6 velocities_of(const MovingBody& body) {
@@ -20,21 +20,21 @@ inline Vec6 velocities_of(const MovingBody& body) {
   return v;
 }
 
-/// Motion of an area's middle when one of its bodies has these velocities.
-/// \param frame_w  of the area
+/// Motion of a patch's middle as a point of one of its bodies.
+/// \param frame_w  of the patch
 /// \param arm_w    [m] from the body's centre to the middle
 /// \param v        [m/s], [rad/s] of the body
-/// \return in the area's frame
+/// \return in the patch's frame
 inline Six motion_of(const Mat3& frame_w, const Vec3& arm_w, const Vec6& v) {
   const Vec3 turn = frame_w.transpose() * v.tail<3>();
   const Vec3 move = frame_w.transpose() * (v.head<3>() + v.tail<3>().cross(arm_w));
   return {move[0], move[1], move[2], turn[0], turn[1], turn[2]};
 }
 
-/// Force and moment at a body's centre of an impulse at an area's middle.
-/// \param frame_w  of the area
+/// Linear and angular impulse at a body's centre from an impulse at a patch's middle.
+/// \param frame_w  of the patch
 /// \param arm_w    [m] from the body's centre to the middle
-/// \param impulse  [N s], [N m s] in the area's frame
+/// \param impulse  [N s], [N m s] in the patch's frame
 /// \return [N s], [N m s] world frame
 inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse) {
   Vec6 w;
@@ -43,20 +43,20 @@ inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse
   return w;
 }
 
-/// The motion of an area's point.
-/// \param along   [m] where it is
+/// The motion of a point of a patch.
+/// \param along   [m] its place
 /// \param across  [m] ditto
-/// \param u       motion of the area
+/// \param u       motion of the patch
 /// \return [m/s] along, across, normal
 inline Vec3 motion_at(double along, double across, const Six& u) {
   return {u[0] - across * u[5], u[1] + along * u[5], u[2] + across * u[3] - along * u[4]};
 }
 
-/// Adds an impulse at a point to that of the area.
-/// \param along   [m] where it is
+/// Adds an impulse at a point to that of the patch.
+/// \param along   [m] its place
 /// \param across  [m] ditto
 /// \param push    [N s] along, across, normal
-/// \param sum     of the area; in and out
+/// \param sum     of the patch; in and out
 inline void add_push(double along, double across, const Vec3& push, Six& sum) {
   sum[0] += push[0];
   sum[1] += push[1];
@@ -66,7 +66,7 @@ inline void add_push(double along, double across, const Vec3& push, Six& sum) {
   sum[5] += along * push[1] - across * push[0];
 }
 
-/// Raises a maximum; what is not a number stays, so that nobody takes it for settled.
+/// Raises a maximum. A NaN stays, so that it is not taken for converged.
 /// \param value  candidate
 /// \param most   in and out
 inline void raise(double value, double& most) {
@@ -80,22 +80,22 @@ inline void raise(double value, double& most) {
 inline Vec3 into_cone(const Vec3& a, double mu) {
   const double size = std::sqrt(a[0] * a[0] + a[1] * a[1]);
   if (mu * size <= -a[2])
-    return Vec3::Zero();  // first: without friction a pull is within the next bound
+    return Vec3::Zero();  // before the next test, which a pull without friction would pass
   if (size <= mu * a[2]) return a;
   const double p = (a[2] + mu * size) / (1.0 + mu * mu);
   return {mu * p * a[0] / size, mu * p * a[1] / size, p};
 }
 
-/// Spring of an area at its middle. The motion of the middle is v - [r] w for a body with the arm r.
+/// All springs of a patch as one at its middle. The motion of the middle is v - [r] w for a body with the arm r.
 struct Spring {
   Mat3 force_of_move = Mat3::Zero();   ///< [N s / (m/s)] world frame
   Mat3 force_of_turn = Mat3::Zero();   ///< [N s / (rad/s)]
   Mat3 moment_of_turn = Mat3::Zero();  ///< [N m s / (rad/s)]
 
-  /// Seen from the centres of two bodies, or twice from one.
-  /// \param first_arm_w   [m] from the one's centre to the middle
-  /// \param second_arm_w  [m] from the other's
-  /// \return forces on the one of velocities of the other
+  /// The 6×6 block between the centres of two bodies, or of a body with itself.
+  /// \param first_arm_w   [m] from the centre of the body that the force acts on to the middle
+  /// \param second_arm_w  [m] from the centre of the body that moves
+  /// \return force and moment of a unit velocity
   [[nodiscard]] Mat6 between(const Vec3& first_arm_w, const Vec3& second_arm_w) const {
     const Mat3 a = skew(first_arm_w);
     const Mat3 b = skew(second_arm_w);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief All contact areas of a island together: what is solved, and its matrix.
+/// \brief The direct solver: its bodies and points, and its matrix.
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact_damped/island_parts.hpp"
@@ -12,14 +12,36 @@
 namespace tumble {
 
 using island::add_push, island::into_cone, island::motion_at, island::motion_of, island::Spring,
-    island::velocities_of;
+    island::velocities_of, island::wrench_of;
+
+namespace {
+
+// Distributes the normal impulse of a patch over its points: the impulse of the last solution and an even share of
+// the change since then. If a point would pull, the distribution of the sweeps.
+std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch& patch,
+                                                              const Six& since) {
+  const auto count = at(patch.count);
+  std::array<double, ContactPatch::kMostPoints> pressure{};
+  bool pushes = patch.spans_area;
+  if (pushes) distribute_evenly(since, patch, pressure);
+  const double none = tolerance::rounding * impulse_of(patch)[2];
+  for (std::size_t i = 0; i < count && pushes; ++i) {
+    const double before = patch.points[i].solver_impulse[2];
+    pressure[i] = before == 0.0 && std::abs(pressure[i]) <= none ? 0.0 : before + pressure[i];
+    pushes = pressure[i] >= 0.0;
+  }
+  for (std::size_t i = 0; i < count && !pushes; ++i) pressure[i] = patch.points[i].impulse;
+  return pressure;
+}
+
+}  // namespace
 
 void IslandSolver::load(std::span<const int> members, std::span<const int> contacts,
-                        std::span<const MovingBody> free, std::span<const ContactPatch> blocks,
+                        std::span<const MovingBody> free, std::span<const ContactPatch> patches,
                         std::span<const MovingBody> bodies) {
   member_of_.assign(bodies.size(), -1);
   members_.clear();
-  wanted_stamps_.clear();
+  stamps_.clear();
   for (const int body : members) {
     member_of_[at(body)] = static_cast<int>(members_.size());
     Member& member = members_.emplace_back();
@@ -28,62 +50,45 @@ void IslandSolver::load(std::span<const int> members, std::span<const int> conta
     member.free = velocities_of(free[at(body)]);
     member.now = velocities_of(bodies[at(body)]);
   }
-  areas_.clear();
+  constraints_.clear();
   points_.clear();
   joined_.clear();
   for (const int contact : contacts) {
-    const ContactPatch& block = blocks[at(contact)];
-    Area& area = areas_.emplace_back();
-    area.block = contact;
-    area.first = member_of_[at(block.first)];
-    area.second = member_of_[at(block.second)];
-    if (area.first >= 0 && area.second >= 0) {
-      area.pair = static_cast<int>(joined_.size());
-      joined_.push_back({area.first, area.second});
+    const ContactPatch& patch = patches[at(contact)];
+    Constraint& constraint = constraints_.emplace_back();
+    constraint.patch = contact;
+    constraint.first = member_of_[at(patch.first)];
+    constraint.second = member_of_[at(patch.second)];
+    if (constraint.first >= 0 && constraint.second >= 0) {
+      constraint.pair = static_cast<int>(joined_.size());
+      joined_.push_back({constraint.first, constraint.second});
     }
-    area.begin = static_cast<int>(points_.size());
-    load_points(block);
-    area.end = static_cast<int>(points_.size());
-    wanted_stamps_.push_back(block.stamp);
+    constraint.begin = static_cast<int>(points_.size());
+    load_points(patch);
+    constraint.end = static_cast<int>(points_.size());
+    stamps_.push_back(patch.stamp);
   }
   x_.resize(members_.size());
-  from_.resize(members_.size());
-  // Factoring takes roots. With masses of about 1, those times a power of two leave the same bits.
+  newton_start_.resize(members_.size());
+  // Factorization takes square roots. In units of about a body's mass, scaling all masses by a power of two
+  // leaves the same bits.
   int power = 0;
   std::frexp(members_.front().mass, &power);
   unit_mass_ = std::ldexp(1.0, -power);
 }
 
-// How much of the normal impulse each point of an area bears: what it was given and an even share of what has
-// come since. Where that would pull, what sweeps have left.
-std::array<double, ContactPatch::kMostPoints> IslandSolver::pressures_of(const ContactPatch& block,
-                                                                         const Six& since) {
-  const auto count = at(block.count);
-  std::array<double, ContactPatch::kMostPoints> pressure{};
-  bool pushes = block.spreads;
-  if (pushes) spread_evenly(since, block, pressure);
-  const double none = tolerance::rounding * impulse_of(block)[2];
-  for (std::size_t i = 0; i < count && pushes; ++i) {
-    const double given = block.points[i].given[2];
-    pressure[i] = given == 0.0 && std::abs(pressure[i]) <= none ? 0.0 : given + pressure[i];
-    pushes = pressure[i] >= 0.0;
-  }
-  for (std::size_t i = 0; i < count && !pushes; ++i) pressure[i] = block.points[i].impulse;
-  return pressure;
-}
-
-// The points of an area, each with what it was given when the area was last solved. Friction that has come
-// since is shared out: each point gets the share of its pressure, and what turns the area about the centre
-// of pressure in proportion to the lever too.
-void IslandSolver::load_points(const ContactPatch& block) {
-  const SixBySix& K = block.inverse_mass;
-  Six since = impulse_of(block);
-  for (std::size_t i = 0; i < at(block.count); ++i)
-    add_push(block.points[i].along, block.points[i].across, -block.points[i].given, since);
-  const auto pressure = pressures_of(block, since);
+// The points of a patch, each with its impulse of the last solution. Friction that was added since is distributed:
+// each point gets a share in proportion to its pressure, and of the moment about the centre of pressure in
+// proportion to its lever as well.
+void IslandSolver::load_points(const ContactPatch& patch) {
+  const SixBySix& K = patch.inverse_mass;
+  Six since = impulse_of(patch);
+  for (const ContactPatchPoint& p : patch.used())
+    add_push(p.along, p.across, -p.solver_impulse, since);
+  const auto pressure = point_pressures(patch, since);
   double normal = 0.0, along = 0.0, across = 0.0, square = 0.0, far = 0.0;
-  for (std::size_t i = 0; i < at(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
+  for (std::size_t i = 0; i < at(patch.count); ++i) {
+    const ContactPatchPoint& p = patch.points[i];
     normal += pressure[i];
     along += pressure[i] * p.along;
     across += pressure[i] * p.across;
@@ -93,77 +98,78 @@ void IslandSolver::load_points(const ContactPatch& block) {
     along /= normal;
     across /= normal;
   }
-  for (std::size_t i = 0; i < at(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
+  for (std::size_t i = 0; i < at(patch.count); ++i) {
+    const ContactPatchPoint& p = patch.points[i];
     const double a = p.along - along;
     const double c = p.across - across;
     square += pressure[i] * (a * a + c * c);
   }
   const double moment = since[5] - (along * since[1] - across * since[0]);
-  // A single point that pushes has no lever but rounding.
+  // A single point that pushes has no lever except rounding.
   const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
-  for (std::size_t i = 0; i < at(block.count); ++i) {
-    const ContactPatchPoint& p = block.points[i];
+  for (std::size_t i = 0; i < at(patch.count); ++i) {
+    const ContactPatchPoint& p = patch.points[i];
     Point& point = points_.emplace_back();
     point.along = p.along;
     point.across = p.across;
     point.target = p.target;
-    point.friction = block.friction;
-    point.yield = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
-                  p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
-                  p.along * p.along * K[4][4];
+    point.friction = patch.friction;
+    point.inverse_mass = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
+                         p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
+                         p.along * p.along * K[4][4];
     if (!(pressure[i] > 0.0)) continue;
     const double share = pressure[i] / normal;
-    double f = p.given[0] + share * since[0] - turn * pressure[i] * (p.across - across);
-    double g = p.given[1] + share * since[1] + turn * pressure[i] * (p.along - along);
+    double f = p.solver_impulse[0] + share * since[0] - turn * pressure[i] * (p.across - across);
+    double g = p.solver_impulse[1] + share * since[1] + turn * pressure[i] * (p.along - along);
     const double size = std::sqrt(f * f + g * g);
-    const double bound = block.friction * pressure[i];
+    const double bound = patch.friction * pressure[i];
     if (size > bound) {
       f *= bound / size;
       g *= bound / size;
     }
-    point.pushed = {f, g, pressure[i]};
+    point.impulse = {f, g, pressure[i]};
   }
 }
 
-// Motion of an area at the present velocities.
-Six IslandSolver::motion_now(const Area& area, const ContactPatch& block) const {
+// Relative motion of a patch at the present velocities.
+Six IslandSolver::motion_now(const Constraint& constraint, const ContactPatch& patch) const {
   Six motion{};
-  if (area.second >= 0)
-    motion = motion_of(block.frame_w, block.second_arm_w, members_[at(area.second)].now);
-  if (area.first >= 0) {
-    const Six other = motion_of(block.frame_w, block.first_arm_w, members_[at(area.first)].now);
+  if (constraint.second >= 0)
+    motion = motion_of(patch.frame_w, patch.second_arm_w, members_[at(constraint.second)].now);
+  if (constraint.first >= 0) {
+    const Six other =
+        motion_of(patch.frame_w, patch.first_arm_w, members_[at(constraint.first)].now);
     for (std::size_t k = 0; k < 6; ++k) motion[k] -= other[k];
   }
   return motion;
 }
 
-// z of the velocities at the start, and which points slide.
-void IslandSolver::start_from(std::span<const ContactPatch> blocks, double unit) {
-  for (Area& area : areas_) {
-    const Six motion = motion_now(area, blocks[at(area.block)]);
-    for (int i = area.begin; i < area.end; ++i) {
+// Classifies points as sliding or not, and starts z from the velocities.
+void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, double unit_speed) {
+  for (Constraint& constraint : constraints_) {
+    const Six motion = motion_now(constraint, patches[at(constraint.patch)]);
+    for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[at(i)];
-      const double rho = stiffness_ / p.yield;
+      const double rho = stiffness_ / p.inverse_mass;
       Vec3 u = motion_at(p.along, p.across, motion);
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
-      p.slides = speed > tolerance::island_slides * p.friction * unit;
-      wanted_stamps_.push_back(p.slides ? 1 : 0);
+      p.slides = speed > tolerance::island_slides * p.friction * unit_speed;
+      stamps_.push_back(p.slides ? 1 : 0);
       if (p.slides) {
-        p.slip = {u[0] / speed, u[1] / speed, 0.0};
-        p.pushed.head<2>() = -p.friction * p.pushed[2] * p.slip.head<2>();
-        p.reached = {0.0, 0.0, std::max(0.0, u[2])};
+        p.slip_direction = {u[0] / speed, u[1] / speed, 0.0};
+        p.impulse.head<2>() = -p.friction * p.impulse[2] * p.slip_direction.head<2>();
+        p.auxiliary = {0.0, 0.0, std::max(0.0, u[2])};
       } else {
-        p.reached = u + (into_cone(p.pushed - rho * u, p.friction) - p.pushed) / rho;
+        p.auxiliary = u + (into_cone(p.impulse - rho * u, p.friction) - p.impulse) / rho;
       }
     }
   }
 }
 
-// M + J' D J and its factors, with the springs' stiffness across and along the normal of each point, or for
-// hard springs as they follow.
-void IslandSolver::factor(std::span<const ContactPatch> blocks, bool soft) {
+// M + J' D J and its factors. D is the stiffness of each point's spring, tangential and normal, or for Newton steps
+// the derivative of its impulse.
+void IslandSolver::factor(std::span<const ContactPatch> patches, bool newton) {
   matrix_.clear();
   for (std::size_t m = 0; m < members_.size(); ++m) {
     Mat6 own = Mat6::Zero();
@@ -171,39 +177,61 @@ void IslandSolver::factor(std::span<const ContactPatch> blocks, bool soft) {
     own.bottomRightCorner<3, 3>() = unit_mass_ * members_[m].inertia_w;
     matrix_.add_to(static_cast<int>(m), own);
   }
-  for (const Area& area : areas_) {
-    const ContactPatch& block = blocks[at(area.block)];
-    Spring spring{Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
-    const Mat3& f = block.frame_w;
-    for (int i = area.begin; i < area.end; ++i) {
+  for (const Constraint& constraint : constraints_) {
+    const ContactPatch& patch = patches[at(constraint.patch)];
+    Spring spring;
+    const Mat3& f = patch.frame_w;
+    for (int i = constraint.begin; i < constraint.end; ++i) {
       const Point& p = points_[at(i)];
-      const double across = p.slides ? 0.0 : stiffness_ / p.yield;
-      const double along = stiffness_ / p.yield;
-      const Mat3 d = unit_mass_ * (soft ? Mat3(across * Mat3::Identity() +
-                                               (along - across) * f.col(2) * f.col(2).transpose())
-                                        : Mat3(f * p.follows * f.transpose()));
+      const double normal = stiffness_ / p.inverse_mass;
+      const double tangential = p.slides ? 0.0 : normal;
+      const Mat3 d =
+          unit_mass_ * (newton ? Mat3(f * p.spring_slope * f.transpose())
+                               : Mat3(tangential * Mat3::Identity() +
+                                      (normal - tangential) * f.col(2) * f.col(2).transpose()));
       const Mat3 s = skew(p.along * f.col(0) + p.across * f.col(1));
       const Mat3 ds = d * s;
       spring.force_of_move += d;
       spring.force_of_turn -= ds;
       spring.moment_of_turn -= s * ds;
     }
-    if (area.first >= 0)
-      matrix_.add_to(area.first, spring.between(block.first_arm_w, block.first_arm_w));
-    if (area.second >= 0)
-      matrix_.add_to(area.second, spring.between(block.second_arm_w, block.second_arm_w));
-    if (area.pair >= 0)
-      matrix_.add_to_pair(area.pair, -spring.between(block.first_arm_w, block.second_arm_w));
+    if (constraint.first >= 0)
+      matrix_.add_to(constraint.first, spring.between(patch.first_arm_w, patch.first_arm_w));
+    if (constraint.second >= 0)
+      matrix_.add_to(constraint.second, spring.between(patch.second_arm_w, patch.second_arm_w));
+    if (constraint.pair >= 0)
+      matrix_.add_to_pair(constraint.pair, -spring.between(patch.first_arm_w, patch.second_arm_w));
   }
   matrix_.factor();
 }
 
-void IslandSolver::factor_if_changed(std::span<const ContactPatch> blocks, IslandResult& result) {
-  if (factored_stiffness_ == stiffness_ && stamps_ == wanted_stamps_) return;
-  stamps_ = wanted_stamps_;
+void IslandSolver::factor_if_changed(std::span<const ContactPatch> patches, IslandResult& result) {
+  if (factored_stiffness_ == stiffness_ && factored_stamps_ == stamps_) return;
+  factored_stamps_ = stamps_;
   factored_stiffness_ = stiffness_;
-  ++result.factorings;
-  factor(blocks, true);
+  ++result.factorizations;
+  factor(patches, false);
+}
+
+// Momenta without contacts.
+void IslandSolver::begin_right_side() {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    x_[m].head<3>() = members_[m].mass * members_[m].free.head<3>();
+    x_[m].tail<3>() = members_[m].inertia_w * members_[m].free.tail<3>();
+  }
+}
+
+void IslandSolver::add_to_right_side(const Constraint& constraint, const ContactPatch& patch,
+                                     const Six& impulse) {
+  if (constraint.first >= 0)
+    x_[at(constraint.first)] -= wrench_of(patch.frame_w, patch.first_arm_w, impulse);
+  if (constraint.second >= 0)
+    x_[at(constraint.second)] += wrench_of(patch.frame_w, patch.second_arm_w, impulse);
+}
+
+void IslandSolver::solve_with_factors() {
+  for (Vec6& x : x_) x *= unit_mass_;
+  matrix_.solve(x_);
 }
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// \file
-/// \brief All contact areas of a island together, by alternating directions (thesis 6.3.1).
+/// \brief The direct solver: all contact patches of an island at once, by ADMM and Newton steps (thesis 6.3.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -15,73 +15,72 @@
 
 namespace tumble {
 
-/// When IslandSolver is to stop, and which islands it takes on.
+/// When IslandSolver stops, and which islands it takes.
 struct IslandLimits {
-  double enough = 0.0;     ///< [m/s] wrong velocity at a point that is left alone
-  double unit = 0.0;       ///< [m/s] what gravity does in a step, or what stands for it
-  int most_rounds = 20;    ///< in one call, at least 1
-  double most_work = 0.0;  ///< [-] multiplications of a factorisation for each body
-  double hardest = tolerance::island_hardness;  ///< [-] stiffness of springs in the rounds, at most
-  int most_steps = 100;                         ///< of Newton's after the rounds, each factors
-  /// [m/s] By how much the shift of a point may be wrong after Newton's steps. Above 0 what they leave is
-  /// taken even if they have not come to an end, provided that it is in balance and much better than before.
-  double loose = 0.0;
-  int most_turns = 100;  ///< how often impulses and shifts follow these steps, at most
+  double residual = 0.0;    ///< [m/s] velocity error at a point that counts as solved
+  double unit_speed = 0.0;  ///< [m/s] speed that gravity gives in a step, or a substitute for it
+  int max_iterations = 20;  ///< ADMM iterations, at least 1
+  double max_work = 0.0;    ///< [-] multiplications of a factorization for each body, at most
+  double max_stiffness = tolerance::island_hardness;  ///< [-] of the springs of ADMM
+  int max_newton_steps = 100;                         ///< after ADMM; each factors the matrix
+  /// [m/s] Error of a point's shift that is accepted after Newton steps. Above 0 their result is also
+  /// taken when they have not converged, if it is in balance and its residual much smaller than before.
+  double shift_tolerance = 0.0;
+  int max_shift_updates = 100;  ///< updates of impulses and shifts between Newton steps
 };
 
 /// How IslandSolver ended.
 struct IslandResult {
-  bool tried = false;   ///< false: factors would cost more than allowed, or rounds ran away
-  bool solved = false;  ///< what is wrong is below what was asked for
-  bool close =
-      false;  ///< it is not, but Newton's steps have made it much less; see IslandLimits::loose
-  int factorings = 0;  ///< of the island's matrix
-  int rounds = 0;      ///< solutions with its factors
-  double wrong = 0.0;  ///< [m/s] the largest velocity at a point that is not as it should be
+  bool accepted = false;  ///< false: nothing was changed, as factors cost too much or ADMM diverged
+  bool converged = false;  ///< the residual is below the limit
+  bool improved = false;   ///< it is not, but Newton steps made it much smaller: shift_tolerance
+  int factorizations = 0;  ///< of the island's matrix
+  int iterations = 0;      ///< ADMM iterations, each a solution with the factors
+  double residual = 0.0;   ///< [m/s] the largest velocity error at a point
 };
 
-/// Finds the velocities at the end of a step, and the impulses of all contact areas of a island.
+/// Finds the velocities at the end of a step, and the impulses of all contact patches of an island.
 ///
-/// With u the motion of a point against its target w, \f$u = J v - w\f$, Coulomb's law with the cone
+/// With u the motion of a point relative to its target w, \f$u = J v - w\f$, Coulomb's law with the cone
 /// \f$K: |\lambda_t| \le \mu \lambda_n\f$ and its dual \f$K^*\f$ is
 /// \f[ K \ni \lambda \perp u + \mu |u_t|\, n \in K^* . \f]
-/// With \f$s = \mu |u_t|\f$ of the round before (0 where nothing slides) it is the condition for
+/// With the *shift* \f$s = \mu |u_t|\f$ of the iteration before (0 where nothing slides) it is the condition for
 /// \f[ \min_v\; \tfrac12 (v-\hat v)^{\mathsf T} M (v-\hat v)\quad\text{with}\quad
 ///     z = J v - w + s\,n \in K^* , \f]
-/// convex, \f$\hat v\f$ being the velocities without contacts. **Alternating directions**: each point is a
-/// spring of stiffness \f$\rho\f$, always on, that pulls its motion to z; the bodies give way to all
-/// springs at once, then each spring is put right by itself,
+/// convex, \f$\hat v\f$ being the velocities without contacts. **ADMM**, the alternating direction method of
+/// multipliers: each point is a spring of stiffness \f$\rho\f$, always on, that pulls its motion to z. In turn
+/// the velocities are solved for all springs together, then each impulse is projected by itself,
 /// \f[ (M + J^{\mathsf T}\rho J)\, v = M \hat v + J^{\mathsf T}\bigl(\rho (z + w - s n) + \lambda\bigr),
 ///     \quad \lambda \leftarrow P_K\bigl(\lambda - \rho (J v - w + s n)\bigr), \f]
-/// and z is what is left. The matrix is the same in every round: one factorisation, then a
-/// back-substitution a round. Unlike sweeps the rounds do not get more with the height of a stack, because
-/// the factors carry weight through all of it; where all areas stick two or three rounds do. The stiffness
-/// is raised or lowered when one of the two residuals, \f$|u - z|\f$ and \f$|\Delta z|\f$, runs ahead.
+/// and z follows. The matrix is the same in every iteration: one factorization, then one
+/// back-substitution each. Unlike sweeps, the iterations do not grow with the height of a stack, because
+/// the factors carry weight through all of it; where all patches stick two or three are enough. The stiffness
+/// is raised or lowered when one of the two residuals, primal \f$|u - z|\f$ and dual \f$|\Delta z|\f$, runs ahead.
 ///
-/// **Sliding.** A point that slides faster than friction could stop it in four steps has no spring across
-/// the normal and no shift; its friction is \f$\mu\f$ times the pressure of the round before, against its
-/// way. So it is at its bound in every round.
+/// **Sliding.** A point that slides faster than friction could stop it in four steps has no tangential
+/// spring and no shift; its friction is \f$\mu\f$ times the pressure of the iteration before, against its
+/// direction. So it is at its bound in every iteration.
 ///
-/// **The last digits.** Where rounds do not end, springs that are hard,
-/// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$, are brought into balance with the bodies,
-/// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$, by Newton's steps, each as long as the convex
-/// function falls whose slope this is; then \f$\lambda_0\f$ and s follow (augmented Lagrangian). With
-/// friction above 1 it is not tried: shifts that follow slides run away there. If it
-/// does not end the rounds have the last word: what it leaves on the way is rounding,
-/// enlarged by how hard the springs are.
+/// **Newton steps** follow where ADMM does not converge. Stiff springs
+/// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$ are brought into balance with the bodies,
+/// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$; each step goes as far as the convex function decreases whose
+/// gradient this is. Then \f$\lambda_0\f$ and s are updated (augmented Lagrangian). With
+/// friction above 1 this is not tried, as the shifts diverge there. If it does not
+/// converge either, the result of ADMM stays: an unfinished one is dominated by rounding, enlarged by the
+/// stiffness of the springs.
 ///
-/// **From step to step.** Where points creep, s comes nearer by a twentieth in a turn. A shift that is wrong by
-/// less than a slop in a step opens no gap; so it may be (IslandLimits::loose), and two or three turns in a step
-/// do. The next step goes on from there: each point keeps what it was given (ContactPatchPoint::given).
+/// **From step to step.** Where points creep, an update brings s nearer by a twentieth only. An error of the shift
+/// below a slop in a step opens no gap and is accepted (IslandLimits::shift_tolerance), so two or three updates in
+/// a step are enough. The next step continues: each point keeps its impulse (ContactPatchPoint::solver_impulse).
 ///
-/// Nothing here depends on the axes of the world but by rounding: what is wrong is measured by lengths of
+/// Nothing depends on the axes of the world except by rounding: errors are measured by lengths of
 /// vectors, never by components along tangents.
 ///
-/// Rounds that are broken off leave velocities that nearly keep all conditions, and impulses within the
+/// ADMM that is stopped early leaves velocities that nearly meet all conditions, and impulses within the
 /// cones that nearly belong to them.
 /// \par Cost and determinism
-/// SparseBlocks::factor() when the island or the place of an area in it has changed since the last call, and
-/// SparseBlocks::solve() in each round; the factors of one island are kept. No allocation once warm.
+/// SparseBlocks::factor() if the island or the place of a patch in it has changed since the last call, and
+/// SparseBlocks::solve() in each iteration; the factors of one island are kept. No allocation once warm.
 /// \see Boyd et al., "Distributed optimization and statistical learning via the alternating direction
 ///      method of multipliers", Found. Trends Mach. Learn. 3 (2011).
 /// \see De Saxcé, Feng, "The bipotential method", Math. Comput. Model. 28 (1998), for s.
@@ -89,92 +88,104 @@ struct IslandResult {
 ///      problem via convex optimization", ZAMM 91 (2011).
 /// \see Carpentier, Montaut, Le Lidec, "From compliant to rigid contact simulation: a unified and
 ///      efficient approach", RSS 2024.
-/// \algorithm{Contact areas of a island together: section 6.3.1}
+/// \algorithm{Contact patches of an island together: section 6.3.1}
 class IslandSolver {
  public:
   /// Solves one island.
   /// \param members   indices of the island's movable bodies
-  /// \param contacts  places of its areas in `blocks`
+  /// \param contacts  places of its patches in `patches`
   /// \param limits    when to stop
   /// \param free      how the bodies would move without any contact, by index
-  /// \param blocks    areas with their targets; impulses in (a start) and out
+  /// \param patches   with their targets; impulses in (a start) and out
   /// \param bodies    by index: velocities in (a start) and out
-  /// \return how it ended; nothing is changed unless it was tried
+  /// \return how it ended; nothing is changed unless it was accepted
   IslandResult solve(std::span<const int> members, std::span<const int> contacts,
                      const IslandLimits& limits, std::span<const MovingBody> free,
-                     std::span<ContactPatch> blocks, std::span<MovingBody> bodies);
+                     std::span<ContactPatch> patches, std::span<MovingBody> bodies);
 
  private:
+  // A movable body of the island.
   struct Member {
     double mass = 0.0;              // [kg]
     Mat3 inertia_w = Mat3::Zero();  // [kg m²]
     Vec6 free = Vec6::Zero();       // velocity and angular velocity without contacts
     Vec6 now = Vec6::Zero();        // the present ones
   };
+  // A point of a patch; vectors are along, across, normal.
   struct Point {
-    double along = 0.0, across = 0.0;  // [m] from the middle of the area
-    double target = 0.0;               // [m/s] w
-    double shift = 0.0;                // [m/s] s
-    double yield = 0.0;                // [1/kg] normal velocity of a unit impulse
-    double friction = 0.0;             // [-] mu
-    Vec3 pushed = Vec3::Zero();        // [N s] lambda: along, across, normal
-    Vec3 reached = Vec3::Zero();       // [m/s] z, ditto
-    Vec3 slip = Vec3::Zero();          // [-] direction in which it slides too fast to stop, or 0
-    bool slides = false;               // whether it does
-    Vec3 motion = Vec3::Zero();        // [m/s] u, in polish()
-    Vec3 presses = Vec3::Zero();       // [N s] what a hard spring pushes, ditto
-    Vec3 way = Vec3::Zero();           // [m/s] how u changes in a whole step of Newton's
-    Vec3 pressed = Vec3::Zero();       // [N s] what the spring pushed before that step
-    Mat3 follows = Mat3::Zero();       // [kg] how that falls with the motion, ditto
+    double along = 0.0, across = 0.0;    // [m] from the middle of the patch
+    double target = 0.0;                 // [m/s] w
+    double shift = 0.0;                  // [m/s] s
+    double inverse_mass = 0.0;           // [1/kg] normal velocity of a unit impulse
+    double friction = 0.0;               // [-] mu
+    Vec3 impulse = Vec3::Zero();         // [N s] lambda
+    Vec3 auxiliary = Vec3::Zero();       // [m/s] z
+    Vec3 slip_direction = Vec3::Zero();  // [-] of a point that slides too fast to stop, or 0
+    bool slides = false;                 // whether it does
+    Vec3 motion = Vec3::Zero();          // [m/s] u, in newton()
+    Vec3 spring_impulse = Vec3::Zero();  // [N s] of its stiff spring, in newton()
+    Mat3 spring_slope = Mat3::Zero();    // [kg] by which that falls as the motion grows
+    Vec3 motion_change = Vec3::Zero();   // [m/s] of u in a whole Newton step
+    Vec3 start_impulse = Vec3::Zero();   // [N s] spring impulse at the start of a Newton step
   };
-  struct Area {
-    int block = 0;    // place in the list
+  // A patch: the members that it joins, and its points.
+  struct Constraint {
+    int patch = 0;    // place in the list
     int first = -1;   // member, or -1 for an immovable body
     int second = -1;  // ditto
-    int pair = -1;    // in the matrix
+    int pair = -1;    // of members in the matrix, or -1
     int begin = 0;    // its points
     int end = 0;      // ditto
   };
 
+  // island_setup.cpp: bodies, points and the matrix.
   void load(std::span<const int> members, std::span<const int> contacts,
-            std::span<const MovingBody> free, std::span<const ContactPatch> blocks,
+            std::span<const MovingBody> free, std::span<const ContactPatch> patches,
             std::span<const MovingBody> bodies);
-  void load_points(const ContactPatch& block);
-  static std::array<double, ContactPatch::kMostPoints> pressures_of(const ContactPatch& block,
-                                                                    const Six& since);
-  void start_from(std::span<const ContactPatch> blocks, double unit);
-  void factor(std::span<const ContactPatch> blocks, bool soft);
-  void press(std::span<const ContactPatch> blocks);
-  double balance(std::span<const ContactPatch> blocks);
-  double go(std::span<const ContactPatch> blocks);
-  void go_to(double share, std::span<const ContactPatch> blocks);
-  [[nodiscard]] double slope(double share) const;
-  void polish(std::span<const ContactPatch> blocks, const IslandLimits& limits,
+  void load_points(const ContactPatch& patch);
+  void begin_iterations(std::span<const ContactPatch> patches, double unit_speed);
+  [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
+  void factor(std::span<const ContactPatch> patches, bool newton);
+  void factor_if_changed(std::span<const ContactPatch> patches, IslandResult& result);
+  void begin_right_side();
+  void add_to_right_side(const Constraint& constraint, const ContactPatch& patch,
+                         const Six& impulse);
+  void solve_with_factors();
+
+  // island_solver.cpp: an ADMM iteration is solve_velocities(), then project_impulses().
+  void solve_velocities(std::span<const ContactPatch> patches);
+  void project_impulses(std::span<const ContactPatch> patches, double& primal, double& dual);
+  void adjust_stiffness(double primal, double dual, double most);
+  void store(std::span<const int> members, bool from_impulses, std::span<const MovingBody> free,
+             std::span<ContactPatch> patches, std::span<MovingBody> bodies) const;
+
+  // island_newton.cpp
+  void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,
               IslandResult& result);
-  [[nodiscard]] Six motion_now(const Area& area, const ContactPatch& block) const;
-  void factor_if_changed(std::span<const ContactPatch> blocks, IslandResult& result);
-  void give_way(std::span<const ContactPatch> blocks);
-  void put_right(std::span<const ContactPatch> blocks, double& primal, double& dual);
-  void store(std::span<const int> members, bool solved, std::span<const MovingBody> free,
-             std::span<ContactPatch> blocks, std::span<MovingBody> bodies) const;
+  double update_impulses(double shift_tolerance, double residual);
+  double newton_step(std::span<const ContactPatch> patches);
+  void evaluate_springs(std::span<const ContactPatch> patches);
+  double line_search(std::span<const ContactPatch> patches);
+  void move_along(double share, std::span<const ContactPatch> patches);
+  [[nodiscard]] double slope(double share) const;
 
   std::vector<int> member_of_;  // by body index, -1 for others
   std::vector<Member> members_;
-  std::vector<Area> areas_;
+  std::vector<Constraint> constraints_;
   std::vector<Point> points_;
-  std::vector<BlockPair> joined_;
-  std::vector<Vec6> x_;
-  std::vector<Vec6> from_;
-  std::vector<Point> points_before_;
-  std::vector<Member> members_before_;
+  std::vector<BlockPair> joined_;   // members of patches between two movable bodies
+  std::vector<Vec6> x_;             // right side, then solution; in Newton steps the direction
+  std::vector<Vec6> newton_start_;  // velocities at the start of a Newton step
+  std::vector<Point> saved_points_;
+  std::vector<Member> saved_members_;
   double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
-  double stiffness_ = 0.0;  // [-] rho times yield, the same for all points
+  double stiffness_ = 0.0;  // [-] rho times inverse mass, the same for all points
 
-  // What the factors belong to: memory from step to step.
+  // Kept from step to step: the factors, and what they belong to.
   SparseBlocks matrix_;
   double factored_stiffness_ = 0.0;
-  std::vector<std::uint64_t> stamps_;
-  std::vector<std::uint64_t> wanted_stamps_;
+  std::vector<std::uint64_t> factored_stamps_;  // of patches, then which points slide
+  std::vector<std::uint64_t> stamps_;           // the same for the present island
 };
 
 }  // namespace tumble

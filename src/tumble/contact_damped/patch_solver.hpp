@@ -1,15 +1,16 @@
 /// \file
-/// \brief Impulses of one contact area, exact where it sticks (thesis 6.3.1).
+/// \brief The impulses of one contact patch, exact where it sticks (thesis 6.3.1).
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
 
 namespace tumble {
 
-/// Finds the impulses of one area while those of all others stay, and applies the change.
+/// Finds the impulses of one patch while those of all others stay, and applies the change. A Gauss-Seidel
+/// sweep calls it for one patch after the other.
 ///
-/// What is asked for: no point ends slower than its target (apart) or pulls, the two go together,
-/// and friction stops the area or is at its bound and against the motion:
+/// The conditions: no point ends slower than its target or pulls, only points at their targets push,
+/// and friction stops the patch or is at its bound and against the motion:
 /// \f[ 0 \le p_i \perp v_i - w_i \ge 0, \qquad
 ///     |F_t|^2 + \frac{(T - n\cdot(c\times F_t))^2}{r^2} \le \mu^2 N^2, \qquad
 ///     r = \frac{1}{N} \textstyle\sum_i p_i\,|s_i - c|, \f]
@@ -17,41 +18,41 @@ namespace tumble {
 /// were each free to reach its own, a box that spins would hold its place as if it did not.
 ///
 /// **Sticking.** If one motion meets all targets, the impulse that brings it about is one product,
-/// \f$\lambda + K^{-1}(w - u)\f$. It is the answer, and exact, if the pressure that it asks for
-/// pulls nowhere and friction bears the rest. **Otherwise** friction at the centre of pressure and
-/// pressure (of all points at once if none pulls, else of each) are solved in turn, a few times over.
-/// \param block   the area; impulses in and out
-/// \param first   the first body; changed
-/// \param second  the second body; changed
+/// \f$\lambda + K^{-1}(w - u)\f$. It is the exact answer if no point has to pull for it and it is within the
+/// bound of friction. **Otherwise** friction at the centre of pressure and pressure (of all points at once if
+/// none pulls, else of each) are solved in turn, a few times.
 ///
-/// **Left alone** is an area that is right as it is, unless all of it touches and sticks. Where several
-/// pressures carry the same, and where friction that turns may be shared out among points, IslandSolver
-/// finds others than these formulas, and theirs would undo them.
-/// \param rounds  how many times the parts are solved in turn, if it does not stick, at least 1
-/// \param rest    [m/s] wrong velocity at a point that is left alone in an area that rests; it may creep ten
-///                times as fast; 0: none
-/// \return [m/s] the largest velocity that was corrected
-/// \see Box2D and its heirs solve points; solving areas is due to Baraff's remark on contact regions;
+/// **Skipped** is a patch that meets the conditions already, unless all of its points touch and it sticks.
+/// Where several pressures carry the same load, or friction about the normal may be distributed among the
+/// points in several ways, IslandSolver finds other impulses than these formulas, which would undo them.
+/// \param patch       impulses in and out
+/// \param first       its first body; changed
+/// \param second      its second body; changed
+/// \param iterations  how often friction and pressure are solved in turn if the patch does not stick, at least 1
+/// \param residual    [m/s] velocity error of a patch that is skipped; points that push may slide ten times as
+///                    fast; 0: none is skipped
+/// \return [m/s] the largest change of a velocity
+/// \see Box2D and its relatives solve points; solving patches is due to Baraff's remark on contact regions;
 /// the common bound of force and moment is the ellipsoid of Howe and Cutkosky (1996).
-double solve_patch(ContactPatch& block, MovingBody& first, MovingBody& second, int rounds,
-                   double rest = 0.0);
+double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, int iterations,
+                   double residual = 0.0);
 
-/// Asks the points of an area that were pushed and had approached fast to part: Newton's restitution,
-/// \f$v_n \ge -e\,v_n^-\f$; others that were pushed keep from approaching. Solving the area again then
-/// gives the rest of the impulse, friction with it.
-/// \param slowest  [m/s] approaches slower than this do not bounce
-/// \param block    the area; targets in and out
-void require_separation(double slowest, ContactPatch& block);
+/// Restitution: sets the separation velocity of points that have an impulse and approached fast as their target,
+/// Newton's \f$v_n \ge -e\,v_n^-\f$, and 0 for others with an impulse. Solving the patch again then
+/// gives the remaining impulse, including friction.
+/// \param slowest  [m/s] slower approaches do not bounce
+/// \param patch    targets in and out
+void require_separation(double slowest, ContactPatch& patch);
 
-/// Ends a share of the overlap of an area's points by moving its bodies apart, as an impulse would in a
-/// unit of time: "velocities" are the moves of this step.
-/// \param block   the area, after begin_lift(); `lift` of its points in and out
+/// Corrects a share of the overlap of a patch by displacing its bodies. Displacements are found like
+/// velocities from impulses ("pseudo-impulses"), so a body's "velocity" is its displacement in this step.
+/// \param patch   after begin_correction(); `correction` of its points in and out
 /// \param slop    [m] overlap that is left
-/// \param share   [-] of the rest that is to go, 0 to 1
-/// \param first   moves of the first body; changed
-/// \param second  moves of the second body; changed
-/// \return [m] the largest move that was corrected
-double lift_patch(ContactPatch& block, double slop, double share, MovingBody& first,
-                  MovingBody& second);
+/// \param share   [-] of the overlap beyond it that is corrected, 0 to 1
+/// \param first   displacement of the first body; changed
+/// \param second  displacement of the second body; changed
+/// \return [m] the largest change of a displacement
+double correct_overlap(ContactPatch& patch, double slop, double share, MovingBody& first,
+                       MovingBody& second);
 
 }  // namespace tumble

@@ -89,4 +89,142 @@ inline constexpr double patch_settled = 1e-4;
 /// times the rounding of a number. (6.3.1)
 inline constexpr double friction_rounding = 1e-14;
 
+// --- one contact patch ---------------------------------------------------------------------------
+
+/// [-] Share of the slop that the targets of a patch's points may be off, in a step, from those of the one motion
+/// that replaces them. Reason: with a whole slop a patch that rests on some points, with others just open,
+/// would move in every step in a way that its points do not ask for. (6.3.1)
+inline constexpr double planar_targets = 0.01;
+
+/// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping
+/// points take IslandSolver many steps, and friction under the patch's common bound, which is not
+/// that of each point, would set it back in each. (6.3.1)
+inline constexpr double patch_creep = 10.0;
+
+/// [-] A bound of friction that changes less than this share of the motion is applied without a search. Reason:
+/// below the rounding of the motion, 1e-16. (6.3.1)
+inline constexpr double friction_negligible = 1e-17;
+
+/// [-] Excess over the bound of friction below which the next Newton step is the last one and is taken to first
+/// order. Reason: its error is the square of this, 1e-14. (6.3.1)
+inline constexpr double friction_last_step = 1e-7;
+
+/// Newton steps to the bound of friction, at most. Reason: they converge quadratically; a few do. (6.3.1)
+inline constexpr int friction_newton_steps = 30;
+
+// --- sweeps over an island -----------------------------------------------------------------------
+
+/// Bodies of a small island, at most. Reason: it is solved well at any speed, since that costs little. (6.3.1)
+inline constexpr int small_island = 20;
+
+/// Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
+inline constexpr int small_island_sweeps = 50;
+
+/// Friction and pressure in turn within a patch, in a small island, at most. Reason: as for small_island. (6.3.1)
+inline constexpr int small_patch_iterations = 20;
+
+/// Friction and pressure in turn within a patch of a large island. Reason: the next sweep goes on. (6.3.1)
+inline constexpr int patch_iterations = 2;
+
+/// The same in a large island that moves fast. Reason: it changes before the last digits matter. (6.3.1)
+inline constexpr int fast_patch_iterations = 1;
+
+/// [-] Sweeps are converging if the second one corrects less than this share of the first. Reason: one or two
+/// more are enough then. (6.3.1)
+inline constexpr double sweeps_converging = 0.05;
+
+/// [-] Solving stops at this share of the negligible residual (contact_settled). Reason: a margin, so that the
+/// impulses are good enough for the next step too. (6.3.1)
+inline constexpr double solved_residual = 0.1;
+
+/// [-] The same for the direct solver in a small island or a quiet one. Reason: rounding must not decide. (6.3.1)
+inline constexpr double solved_residual_exact = 1e-3;
+
+/// [-] Multiple of the negligible residual at which sweeps may end without the direct solver. Reason: as far
+/// as sweeps get where patches slide. (6.3.1)
+inline constexpr double fair_residual = 100.0;
+
+/// [-] Multiple of the negligible residual beyond which sweeps have diverged. Reason: light boxes under a heavy one
+/// are thrown about, and their impulses are a bad start for the direct solver. (6.3.1)
+inline constexpr double diverged_residual = 1e6;
+
+// --- direct solver -------------------------------------------------------------------------------
+
+/// Multiple of the option's ADMM iterations for a small island. Reason: they are cheap there. (6.3.1)
+inline constexpr int small_island_iterations = 3;
+
+/// ADMM iterations for a quiet island, at most. Reason: they would not converge, and are only the start of
+/// the Newton steps. (6.3.1)
+inline constexpr int quiet_iterations = 20;
+
+/// Newton steps in a small island, at most. Reason: it must be solved in this step. (6.3.1)
+inline constexpr int small_newton_steps = 50;
+
+/// Newton steps in a quiet island, at most. Reason: each factors a large matrix; the next step goes on. (6.3.1)
+inline constexpr int quiet_newton_steps = 20;
+
+/// Updates of impulses and shifts in a quiet island, at most. Reason: the next step goes on. (6.3.1)
+inline constexpr int quiet_shift_updates = 3;
+
+/// ADMM iterations between two adjustments of the stiffness. Reason: a new stiffness costs a factorization. (6.3.1)
+inline constexpr int stiffness_interval = 8;
+
+/// ADMM iterations that must be left for an adjustment of the stiffness. Reason: as above. (6.3.1)
+inline constexpr int stiffness_last = 4;
+
+/// [-] Square root of the ratio of primal and dual residual at which the stiffness is adjusted. Reason: Boyd et
+/// al. 2011, section 3.4.1, take ten for the ratio itself. (6.3.1)
+inline constexpr double residuals_unbalanced = 3.0;
+
+/// [-] Change of the stiffness in one adjustment, at most. Reason: residuals far from the solution mislead. (6.3.1)
+inline constexpr double stiffness_change = 10.0;
+
+/// [-] Lowest stiffness of the springs, as a multiple of the mass that a point resists with. Reason: softer ones
+/// hardly act. (6.3.1)
+inline constexpr double island_softness = 0.1;
+
+/// [-] Multiple of the residual after the first ADMM iteration beyond which the iterations have diverged. Reason:
+/// the shift of sliding points is found by substitution, which diverges for large friction. (6.3.1)
+inline constexpr double admm_diverged = 10.0;
+
+/// [-] Friction beyond which Newton steps are not tried. Reason: shifts that follow the sliding diverge. (6.3.1)
+inline constexpr double newton_steepest_friction = 1.0;
+
+/// Newton steps before impulses and shifts are updated. Reason: balance is reached in a handful. (6.3.1)
+inline constexpr int newton_steps_in_a_row = 10;
+
+/// [-] Share of the allowed residual at which springs and bodies are in balance. Reason: the remainder must not
+/// count against the updates. (6.3.1)
+inline constexpr double newton_balanced = 0.01;
+
+/// [-] A result of Newton steps that have not converged is taken if its residual is below this share of the one
+/// before them. Reason: a clear gain, not chance. (6.3.1)
+inline constexpr double newton_improved = 0.1;
+
+/// Evaluations of a line search, at most. Reason: secants halve the interval or better. (6.3.1)
+inline constexpr int line_search_evaluations = 12;
+
+/// [-] Share of the slope at the start of a Newton step at which its line search ends. Reason: the next step
+/// matters more than the end of this one. (6.3.1)
+inline constexpr double line_search_slope = 0.3;
+
+/// [-] Share of the interval that a line search cuts off each time, at least. Reason: secants may stall. (6.3.1)
+inline constexpr double line_search_cut = 0.1;
+
+// --- restitution and overlap ---------------------------------------------------------------------
+
+/// Sweeps over an island after restitution, at most. Reason: a bounce is not carried through a stack. (4.3)
+inline constexpr int bounce_sweeps = 10;
+
+/// Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
+inline constexpr int bounce_patch_iterations = 20;
+
+/// Sweeps of the overlap correction over a large island that moves fast, at most. Reason: it makes new overlap in
+/// each step. (4.4)
+inline constexpr int fast_correction_sweeps = 10;
+
+/// [-] The overlap correction ends at a displacement below this share of its largest one. Reason: a step corrects
+/// a fifth of the overlap anyway. (4.4)
+inline constexpr double correction_converged = 0.05;
+
 }  // namespace tumble::tolerance

@@ -1,0 +1,139 @@
+/// \file
+/// \brief One island in a step, and sweeps over it.
+#include "tumble/contact_damped/island.hpp"
+
+#include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/patch_solver.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+// Kinetic energy of velocities, with the body's own inertia: 1/2 m v² + 1/2 omega·I omega.
+double kinetic_energy_of(const BodyProperties& body, const Mat3& inertia_w,
+                         const MovingBody& moving) {
+  return 0.5 * body.mass * moving.velocity_w.squaredNorm() +
+         0.5 * moving.angular_velocity_w.dot(inertia_w * moving.angular_velocity_w);
+}
+
+// Velocities at a share of the way from one state of motion to another.
+void interpolate(const MovingBody& from, double share, MovingBody& to) {
+  to.velocity_w = from.velocity_w + share * (to.velocity_w - from.velocity_w);
+  to.angular_velocity_w =
+      from.angular_velocity_w + share * (to.angular_velocity_w - from.angular_velocity_w);
+}
+
+// The normal velocity with which a point hits after a free fall through its gap; 0 or above if it does not
+// approach before gravity has acted: a resting point does not hit.
+double approach_of(const ContactPatchPoint& p, const Six& before, const Six& after, double dt) {
+  const double start = before[2] + p.across * before[3] - p.along * before[4];
+  const double end = after[2] + p.across * after[3] - p.along * after[4];
+  if (start >= 0.0) return start;
+  const double gained = -2.0 * (end - start) / dt * std::max(p.gap, 0.0);
+  return -std::sqrt(std::max(start * start + gained, 0.0));
+}
+
+}  // namespace
+
+double shortest_edge(const Island& island) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int contact : island.contacts) size = std::min(size, island.patches[at(contact)].size);
+  return size;
+}
+
+double negligible_residual(const Island& island) {
+  const double g = island.world.gravity_w.norm();
+  const double speed =
+      g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
+  return tolerance::contact_settled * speed;
+}
+
+SpeedRange speed_range(const Island& island) {
+  double before = 0.0, now = 0.0;
+  const double g = island.world.gravity_w.norm();
+  for (const int k : island.bodies) {
+    const BodyProperties& body = island.world.bodies()[at(k)];
+    const double size = body.size.minCoeff();
+    const double unit =
+        g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
+    const auto fastest_point = [&](const MovingBody& moving) {
+      return (moving.velocity_w.norm() +
+              0.5 * body.size.norm() * moving.angular_velocity_w.norm()) /
+             unit;
+    };
+    before = std::max(before, fastest_point(island.start[at(k)]));
+    now = std::max(now, fastest_point(island.now[at(k)]));
+  }
+  return {std::min(before, now), std::max(before, now)};
+}
+
+bool is_small(const Island& island) {
+  return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
+}
+
+void warm_start(const Island& island) {
+  for (const int contact : island.upward) {
+    ContactPatch& patch = island.patches[at(contact)];
+    const Six before =
+        motion_of(patch, island.start[at(patch.first)], island.start[at(patch.second)]);
+    const Six after = motion_of(patch, island.free[at(patch.first)], island.free[at(patch.second)]);
+    for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
+    apply(impulse_of(patch), patch, island.now[at(patch.first)], island.now[at(patch.second)]);
+  }
+}
+
+double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
+             StepReport& report) {
+  double most = 0.0;
+  const std::size_t count = island.upward.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
+    ContactPatch& patch = island.patches[at(contact)];
+    most = std::max(most, solve_patch(patch, island.now[at(patch.first)],
+                                      island.now[at(patch.second)], patch_iterations, residual));
+  }
+  ++report.iterations;
+  report.impulses += static_cast<std::int64_t>(count);
+  return most;
+}
+
+void discard_impulses(const Island& island) {
+  for (const int contact : island.contacts) {
+    ContactPatch& patch = island.patches[at(contact)];
+    patch.along_impulse = patch.across_impulse = patch.twist_impulse = 0.0;
+    for (ContactPatchPoint& p : patch.points) {
+      p.impulse = 0.0;
+      p.solver_impulse.setZero();
+    }
+  }
+  for (const int k : island.bodies) island.now[at(k)] = island.free[at(k)];
+}
+
+void limit_energy(const Island& island, StepReport& report) {
+  double before = 0.0, after = 0.0, halfway = 0.0;
+  for (const int k : island.bodies) {
+    if (island.now[at(k)].inverse_mass.x() == 0.0) continue;
+    const BodyProperties& body = island.world.bodies()[at(k)];
+    const Mat3 axes_w = island.world.states()[at(k)].orientation_wb.toRotationMatrix();
+    const Mat3 inertia_w = axes_w * body.inertia_b.asDiagonal() * axes_w.transpose();
+    before += kinetic_energy_of(body, inertia_w, island.free[at(k)]);
+    after += kinetic_energy_of(body, inertia_w, island.now[at(k)]);
+    MovingBody middle = island.now[at(k)];
+    interpolate(island.free[at(k)], 0.5, middle);
+    halfway += kinetic_energy_of(body, inertia_w, middle);
+  }
+  if (after <= before * (1.0 + tolerance::energy_rounding)) return;
+  // E(t) = before + b t + a t², E(1) = after, E(1/2) = halfway.
+  const double a = 2.0 * (before + after - 2.0 * halfway);
+  const double share = std::clamp(1.0 - (after - before) / a, 0.0, 1.0);
+  for (const int k : island.bodies) interpolate(island.free[at(k)], share, island.now[at(k)]);
+  for (const int contact : island.contacts) scale_impulses(share, island.patches[at(contact)]);
+  ++report.fallbacks;
+}
+
+}  // namespace tumble

@@ -1,0 +1,89 @@
+/// \file
+/// \brief One island in a step, and sweeps over it (thesis 6.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include <span>
+
+namespace tumble {
+
+/// An island in a step: bodies that touch one another, their patches, and their velocities. A view; all
+/// velocities are of the whole world, by body index.
+struct Island {
+  const World& world;                 ///< all bodies
+  double dt = 0.0;                    ///< [s] of the step
+  std::span<const int> bodies;        ///< indices of its movable bodies, at least one
+  std::span<const int> contacts;      ///< places of its patches in `patches`, ascending
+  std::span<const int> upward;        ///< the same from the ground up, the order of sweeps
+  std::span<ContactPatch> patches;    ///< of all islands
+  std::span<const MovingBody> start;  ///< velocities before gravity
+  std::span<const MovingBody> free;   ///< with gravity, without contacts
+  std::span<MovingBody> now;          ///< with the impulses so far
+};
+
+/// The shortest edge of a body in an island's patches.
+/// \param island  with a patch at least
+/// \return [m]
+[[nodiscard]] double shortest_edge(const Island& island);
+
+/// The residual that counts as none: a share of the speed that gravity gives in a step, or without gravity of
+/// the shortest edge in a step.
+/// \param island  with a patch at least
+/// \return [m/s] see tolerance::contact_settled
+[[nodiscard]] double negligible_residual(const Island& island);
+
+/// Two speeds of an island's fastest point: before the step and with the impulses so far, in ascending order.
+///
+/// A landing island is fast before and slow then; one at rest may be thrown about by impulses that are far from
+/// right. So an island moves fast if the lower one is high, and is quiet if the higher one is low.
+struct SpeedRange {
+  double lower = 0.0;   ///< [-] as a share of sqrt(g L)
+  double higher = 0.0;  ///< [-] ditto
+};
+
+/// How fast an island moves.
+/// \param island  the island
+/// \return see there
+[[nodiscard]] SpeedRange speed_range(const Island& island);
+
+/// Whether an island has at most tolerance::small_island bodies.
+/// \param island  the island
+/// \return true if so
+[[nodiscard]] bool is_small(const Island& island);
+
+/// Warm start: applies the impulses of the step before, and notes how fast points approach.
+/// \param island  `now` is `free` before
+void warm_start(const Island& island);
+
+/// Direction of a sweep.
+enum class SweepOrder : std::uint8_t {
+  down,  ///< from the top down, as weight goes
+  up     ///< from the ground up, as support goes
+};
+
+/// One Gauss-Seidel sweep: solve_patch() for all patches of an island.
+/// \param island            the island
+/// \param order             of the patches
+/// \param patch_iterations  of friction and pressure in turn within a patch
+/// \param residual          [m/s] at which a patch is skipped, see solve_patch()
+/// \param report            counts it
+/// \return [m/s] the largest change of a velocity
+double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
+             StepReport& report);
+
+/// Sets all impulses to 0.
+/// \param island  `now` is `free` again
+void discard_impulses(const Island& island);
+
+/// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
+/// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.
+/// \param island  impulses and velocities in and out
+/// \param report  counts it, if it had to
+void limit_energy(const Island& island, StepReport& report);
+
+}  // namespace tumble

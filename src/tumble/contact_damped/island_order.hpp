@@ -1,0 +1,59 @@
+/// \file
+/// \brief The islands of a step, and the order of sweeps over their patches (thesis 4.5, 6.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/contact/graph.hpp"
+#include "tumble/contact/islands.hpp"
+#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tumble {
+
+/// Islands of bodies that touch, each with its patches in the order from the ground up: by the level of the
+/// higher one of a patch's two bodies (ContactGraph).
+///
+/// Kept while the same bodies touch: normals that turn meanwhile do not change the order.
+class IslandOrder {
+ public:
+  /// Finds islands and order, if the pairs, the number of bodies or gravity have changed.
+  /// \param world    the bodies
+  /// \param patches  those of the step
+  /// \param pairs    indices of their bodies
+  void update(const World& world, std::span<const ContactPatch> patches,
+              std::span<const IndexPair> pairs);
+
+  /// Makes the next update() find them again.
+  void clear() { bodies_ = -1; }
+
+  /// The islands.
+  /// \return their "contacts" are places of patches
+  [[nodiscard]] const Islands& islands() const { return islands_; }
+
+  /// The patches of an island from the ground up.
+  /// \param island from 0
+  /// \return places of patches
+  [[nodiscard]] std::span<const int> upward(int island) const;
+
+ private:
+  void build(const World& world, std::span<const ContactPatch> patches);
+
+  Islands islands_;
+  ContactGraph graph_;
+  std::vector<SupportEdge> edges_;
+  std::vector<int> order_;  // places of patches, island by island
+  std::vector<int> start_;  // of an island in order_
+  // What they were found for.
+  int bodies_ = -1;
+  Vec3 gravity_w_ = Vec3::Zero();
+  std::vector<IndexPair> pairs_;
+  std::vector<std::pair<BodyId, BodyId>> ids_;
+  std::vector<std::pair<BodyId, BodyId>> new_ids_;  // storage of update()
+};
+
+}  // namespace tumble

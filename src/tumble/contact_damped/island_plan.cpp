@@ -1,0 +1,148 @@
+/// \file
+/// \brief The plan by which an island is solved.
+#include "tumble/contact_damped/island_plan.hpp"
+
+#include "tumble/base/index.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+int patch_iterations_of(const Island& island) {
+  return is_small(island) ? tolerance::small_patch_iterations : tolerance::patch_iterations;
+}
+
+// [m/s] Skipped residuals add up from step to step, and a small island can do without.
+double skipped_residual_of(const Island& island) {
+  return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
+}
+
+// By how much this step speeds up the fastest point of an island that hardly moves [m/s]; 0 if it does move.
+double speed_gained(const Island& island) {
+  if (speed_range(island).higher >= tolerance::quiet_speed) return 0.0;
+  double most = 0.0;
+  for (const int k : island.bodies) {
+    const MovingBody& before = island.start[at(k)];
+    const MovingBody& now = island.now[at(k)];
+    most = std::max(most, (now.velocity_w - before.velocity_w).norm() +
+                              0.5 * island.world.bodies()[at(k)].size.norm() *
+                                  (now.angular_velocity_w - before.angular_velocity_w).norm());
+  }
+  return most;
+}
+
+// Whether a patch slides so fast, before the step and with the impulses so far, that friction cannot stop it in a
+// few steps.
+bool has_sliding_patch(const Island& island, double unit_speed) {
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](int contact) {
+    const ContactPatch& patch = island.patches[at(contact)];
+    if (!(impulse_of(patch)[six::normal] > 0.0 && patch.friction > 0.0)) return false;
+    const double limit = tolerance::island_slides * patch.friction * unit_speed;
+    const auto slides = [&](std::span<const MovingBody> bodies) {
+      const Six u = motion_of(patch, bodies[at(patch.first)], bodies[at(patch.second)]);
+      return u[0] * u[0] + u[1] * u[1] > limit * limit;
+    };
+    return slides(island.start) && slides(island.now);
+  });
+}
+
+// The largest stiffness of springs in a small island. Where nothing determines impulses, as in wedged boxes, springs
+// leave rounding in them, enlarged by their stiffness; but that is a multiple of the mass of the two bodies that
+// a spring joins, and they may have to carry heavier ones.
+double stiffness_for_masses(const Island& island) {
+  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
+  for (const int k : island.bodies) {
+    lightest = std::min(lightest, island.world.bodies()[at(k)].mass);
+    heaviest = std::max(heaviest, island.world.bodies()[at(k)].mass);
+  }
+  return std::min(tolerance::island_stiffness * (heaviest / lightest), tolerance::island_hardness);
+}
+
+// A small island is solved to convergence.
+IslandLimits small_limits(const Island& island, int iterations) {
+  IslandLimits limits;
+  limits.residual = tolerance::solved_residual_exact * negligible_residual(island);
+  limits.max_iterations = tolerance::small_island_iterations * iterations;
+  limits.max_stiffness = stiffness_for_masses(island);
+  limits.max_newton_steps = tolerance::small_newton_steps;
+  return limits;
+}
+
+// A large island that hardly moves gets few ADMM iterations, which would not converge, and few Newton steps, which
+// do within some steps of time.
+IslandLimits quiet_limits(const Island& island, int iterations) {
+  IslandLimits limits;
+  limits.residual = tolerance::solved_residual_exact * negligible_residual(island);
+  limits.max_iterations = std::min(iterations, tolerance::quiet_iterations);
+  limits.max_newton_steps = tolerance::quiet_newton_steps;
+  limits.shift_tolerance = tolerance::contact_damped_slop * shortest_edge(island) / island.dt;
+  limits.max_shift_updates = tolerance::quiet_shift_updates;
+  return limits;
+}
+
+// A large island that moves gets ADMM only.
+IslandLimits large_limits(const Island& island, int iterations) {
+  IslandLimits limits;
+  limits.residual = tolerance::solved_residual * negligible_residual(island);
+  limits.max_iterations = iterations;
+  limits.max_newton_steps = 0;
+  return limits;
+}
+
+}  // namespace
+
+FirstSweeps sweep_first(const Island& island, bool solved_last_step, StepReport& report) {
+  const int patch_iterations = patch_iterations_of(island);
+  const double skipped = skipped_residual_of(island);
+  const double negligible = negligible_residual(island);
+  FirstSweeps first;
+  first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
+  // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
+  // solution they may change no velocity.
+  first.rebounds = first.down < negligible && solved_last_step &&
+                   speed_gained(island) > tolerance::solved_residual * negligible;
+  first.settled = first.down < negligible && !first.rebounds;
+  if (!first.settled) first.up = sweep(island, SweepOrder::up, patch_iterations, skipped, report);
+  return first;
+}
+
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations) {
+  IslandPlan plan;
+  if (first.settled) return plan;
+  const double negligible = negligible_residual(island);
+  const double unit_speed = negligible / tolerance::contact_settled;
+  const SpeedRange speed = speed_range(island);
+  const bool small = is_small(island);
+  const bool fast = speed.lower >= tolerance::calm_speed;
+  const bool quiet = !small && speed.higher < tolerance::quiet_speed;
+  const bool converging = !first.rebounds && first.up < tolerance::sweeps_converging * first.down;
+
+  // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
+  // others, and for small islands in any case.
+  const bool sweeps_first = fast || converging || has_sliding_patch(island, unit_speed);
+  const bool direct = iterations > 0 && (small || !fast);
+  plan.method = !direct        ? IslandMethod::sweep
+                : sweeps_first ? IslandMethod::sweep_then_solve
+                               : IslandMethod::solve;
+  plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
+
+  plan.max_sweeps = small ? std::max(sweeps, tolerance::small_island_sweeps) : sweeps;
+  plan.patch_iterations =
+      fast && !small ? tolerance::fast_patch_iterations : patch_iterations_of(island);
+  plan.skipped_residual = skipped_residual_of(island);
+  plan.residual = tolerance::solved_residual * negligible;
+  plan.fair_residual = tolerance::fair_residual * negligible;
+
+  plan.direct = small   ? small_limits(island, iterations)
+                : quiet ? quiet_limits(island, iterations)
+                        : large_limits(island, iterations);
+  plan.direct.unit_speed = unit_speed;
+  plan.direct.max_work = tolerance::island_work;
+  return plan;
+}
+
+}  // namespace tumble

@@ -1,0 +1,56 @@
+/// \file
+/// \brief The plan by which an island is solved: one of four methods, with its limits (thesis 6.3.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/contact_damped/island.hpp"
+#include "tumble/contact_damped/island_solver.hpp"
+
+namespace tumble {
+
+/// The outcome of the first sweeps over an island, by which its plan is chosen.
+struct FirstSweeps {
+  double down = 0.0;     ///< [m/s] largest change of a velocity in the sweep down
+  double up = 0.0;       ///< [m/s] the same in the sweep up; 0 if it was not needed
+  bool settled = false;  ///< the sweep down found nothing to change: the island is solved
+  bool rebounds =
+      false;  ///< it would be, but warm starting has set an island in motion that was just stopped
+};
+
+/// The method that solves an island after its first sweeps.
+enum class IslandMethod : std::uint8_t {
+  settled,           ///< nothing: it is solved
+  sweep,             ///< more sweeps
+  sweep_then_solve,  ///< more sweeps, then the direct solver if they were not enough
+  solve              ///< the direct solver, or more sweeps if it does not accept the island
+};
+
+/// The method for an island, with its limits.
+struct IslandPlan {
+  IslandMethod method = IslandMethod::settled;  ///< after the first sweeps
+  bool discard_warm_start = false;  ///< begin without impulses, as the first sweeps have diverged
+  int max_sweeps = 0;               ///< sweeps, the first two included
+  int patch_iterations = 1;         ///< of friction and pressure in turn, in each patch and sweep
+  double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
+  double residual = 0.0;            ///< [m/s] sweeps end below it
+  double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
+  IslandLimits direct;              ///< of the direct solver
+};
+
+/// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up.
+/// \param island              after warm_start()
+/// \param solved_last_step  whether the direct solver was used for it in the step before
+/// \param report              counts sweeps
+/// \return what they found
+FirstSweeps sweep_first(const Island& island, bool solved_last_step, StepReport& report);
+
+/// Chooses how an island is solved.
+/// \param island      after sweep_first()
+/// \param first       what that found
+/// \param sweeps      at most, for a large island
+/// \param iterations  of ADMM, at most, for a large island; 0: the direct solver is not used
+/// \return the plan
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations);
+
+}  // namespace tumble
