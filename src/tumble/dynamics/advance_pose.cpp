@@ -122,16 +122,6 @@ std::string_view name_of(RotationRule rule) {
   throw std::invalid_argument("tumble: not a rotation rule");
 }
 
-RotationRule rotation_rule_from(std::string_view name) {
-  std::string choices;
-  for (const RotationRule rule : kRules) {
-    if (name == name_of(rule)) return rule;
-    choices.append(choices.empty() ? "" : ", ").append(name_of(rule));
-  }
-  throw std::invalid_argument("tumble: rotation rule \"" + std::string(name) +
-                              "\": expected one of " + choices);
-}
-
 void advance_pose(const BodyProperties& body, BodyState& state, double dt, RotationRule rule) {
   if (dt == 0.0 || !body.movable()) return;
   state.position_w += dt * (body.inverse_mass * state.linear_momentum_w);

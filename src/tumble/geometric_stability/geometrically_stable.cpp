@@ -21,14 +21,6 @@ std::string coordinate(double value) { return rounded_text(value, 4); }
 
 }  // namespace
 
-StableRule stable_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 4> kNames{"off", "corners", "hull", "equilibrium"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  require::that(found != kNames.end(),
-                "stable_boxes = " + std::string(name) + ": " + expected_names(name, kNames));
-  return static_cast<StableRule>(found - kNames.begin());
-}
-
 void GeometricStability::run(const World& world, std::span<const Contact> contacts, StableRule rule,
                              double rising, std::vector<char>& stable,
                              std::span<const Outline> outlines, std::span<const char> moving) {

@@ -29,14 +29,6 @@ double normal_speed(const Contact& contact, std::span<const MovingBody> bodies) 
 
 }  // namespace
 
-Randomness randomness_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 4> kNames{"off", "fast", "slow", "all"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  require::that(found != kNames.end(),
-                "randomness = " + std::string(name) + ": " + expected_names(name, kNames));
-  return static_cast<Randomness>(found - kNames.begin());
-}
-
 // [S4.2]
 NoisyCollision vary(const Contact& contact, std::span<const MovingBody> bodies,
                     const NoiseOptions& options, const Random& random) {

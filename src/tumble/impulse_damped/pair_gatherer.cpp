@@ -17,16 +17,6 @@
 namespace tumble {
 namespace {
 
-// Index of a name in a list.
-template <std::size_t N>
-int place_of(std::string_view name, std::string_view what,
-             const std::array<std::string_view, N>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  require::that(found != names.end(), std::string(what) + " = " + std::string(name) + ": " +
-                                          expected_names(name, {names.begin(), names.end()}));
-  return static_cast<int>(found - names.begin());
-}
-
 // s(n) along a face axis, 0 to 5, with the normal from the first box to the second.
 Separation along_face(const Box& first, const Box& second, AxisIndex axis) {
   const Vec3 n_w = axis < 3 ? first.axes_w.col(axis) : second.axes_w.col(axis - 3);
@@ -84,17 +74,6 @@ void reduce_to_one(Contact& contact) {
 }
 
 }  // namespace
-
-NormalRule normal_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> kNames{"last_face", "separation",
-                                                          "signed_distance"};
-  return static_cast<NormalRule>(place_of(name, "normals", kNames));
-}
-
-PointRule point_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 2> kNames{"one", "area"};
-  return static_cast<PointRule>(place_of(name, "points", kNames));
-}
 
 Separation closest_face(const Box& first, const Box& second) {
   const double tie = tolerance::face_tie * std::min(first.half.minCoeff(), second.half.minCoeff());

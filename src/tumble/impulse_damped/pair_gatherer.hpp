@@ -27,18 +27,6 @@ enum class PointRule : std::uint8_t {
   area  ///< all points of the contact area
 };
 
-/// The rule that a user means.
-/// \param name "last_face", "separation" or "signed_distance"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-NormalRule normal_rule_from(std::string_view name);
-
-/// The rule that a user means.
-/// \param name "one" or "area"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-PointRule point_rule_from(std::string_view name);
-
 /// The face of two boxes that is closest to the other box.
 ///
 /// Along the normal n of a face the boxes are
