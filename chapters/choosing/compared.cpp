@@ -45,13 +45,13 @@ double work_of(const StepReport& report, double pivot) {
 RunResult run_compared(
     const Scene& scene, const PlayedTechnique& played, double dt, double duration,
     const std::function<void(const World&, const Metrics&, const StepReport&)>& after) {
-  const PlayedScene fresh(scene, played);  // for its technique, which has done no step
+  const auto technique = make_technique(played.name, played.settings);
   RunSettings settings;
   settings.dt = dt;
   settings.duration = duration;
   After observer(after);
   const std::array<RunObserver*, 1> observers = {&observer};
-  return run_scene(scene, *fresh.technique, settings, observers);
+  return run_scene(scene, *technique, settings, observers);
 }
 
 std::string number_name(const std::string& technique, const std::string& what) {

@@ -138,7 +138,7 @@ Result measure_adaptive_claim(const Parameters& settings) {
     const Scene scene =
         scene_with("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge"))}, chance);
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      SteppedRun run = settle_in_steps(scene, PlayedScene(scene, {"damped", {}}, chance).technique,
+      SteppedRun run = settle_in_steps(scene, make_technique("damped", {}, chance),
                                        k == kFixed ? fixed_steps(0) : adaptive,
                                        settings.number("settling"), settings.number("watched"));
       sides[k].resting.push_back(measure_resting(run.run));

@@ -31,9 +31,7 @@ struct Outcome {
 using Make = std::function<std::unique_ptr<Technique>(const Scene&, std::uint64_t seed)>;
 
 Make technique_called(const std::string& name, const std::vector<std::string>& set = {}) {
-  return [=](const Scene& scene, std::uint64_t seed) {
-    return PlayedScene(scene, {name, set}, seed).technique;
-  };
+  return [=](const Scene&, std::uint64_t seed) { return make_technique(name, set, seed); };
 }
 
 // `damped` with pushes of another size.

@@ -39,10 +39,9 @@ AdaptiveStepOptions fixed_steps(int halvings) {
 
 SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique> technique,
                            const AdaptiveStepOptions& options, double settling, double watched) {
-  PlayedScene played(scene, {"damped", {}});
   auto divided = std::make_unique<AdaptiveStep>(std::move(technique), options);
   const AdaptiveStep& steps = *divided;
-  played.technique = std::move(divided);
+  PlayedScene played(scene, std::move(divided));
   SteppedRun out;
   out.run = record_run(
       played, settling, watched,

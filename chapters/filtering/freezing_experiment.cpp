@@ -72,20 +72,20 @@ Story tell(const Parameters& settings, std::uint64_t seed, const PlayedTechnique
   std::vector<Corners> before;
   std::vector<char> slept;
   Story story;
-  World at_hit = played.world;
+  World at_hit = played.world();
   const auto note = [&] {
     before.clear();
     slept.clear();
-    for (std::size_t k = 0; k < played.world.states().size(); ++k) {
-      before.push_back(played.world.bodies()[k].movable() ? corners_now(played.world, k)
-                                                          : Corners());
-      slept.push_back(played.world.sleep_states()[k].asleep ? 1 : 0);
+    for (std::size_t k = 0; k < played.world().states().size(); ++k) {
+      before.push_back(played.world().bodies()[k].movable() ? corners_now(played.world(), k)
+                                                            : Corners());
+      slept.push_back(played.world().sleep_states()[k].asleep ? 1 : 0);
     }
   };
   note();
   played.advance(settling + settings.number("watched"), [&](const StepReport& report) {
-    const World& world = played.world;
-    mark_contacts(world, played.technique->contacts(), touches);
+    const World& world = played.world();
+    mark_contacts(world, played.technique().contacts(), touches);
     Look look;
     double asleep = 0.0;
     double movable = 0.0;

@@ -180,7 +180,7 @@ bool stays(const Structure& scene, std::string_view technique,
            const std::vector<std::string>& settings, double seconds) {
   constexpr double step = 1.0 / 60.0;  // [s]
   constexpr double moved = 0.01;       // [m]
-  const std::unique_ptr<Technique> runs = technique_with(technique, settings);
+  const std::unique_ptr<Technique> runs = make_technique(technique, settings);
   World world = scene.world;
   while (world.time() < seconds - 0.5 * step) {
     const StepReport report = runs->step(world, step);

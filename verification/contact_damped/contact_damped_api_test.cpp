@@ -162,7 +162,7 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
   World smooth = world_of("slide", {{"friction", "0"}});
   const std::unique_ptr<Technique> technique = awake(kTechnique);
   run(smooth, *technique, 2.0);
-  CHECK(velocity_of(smooth, "box").x() == near(3.0).margin(1e-12));
+  CHECK(smooth.body("box").velocity_w().x() == near(3.0).margin(1e-12));
   // 0.2 m/s is less than mu g h = 1.6 m/s, and too slow to tip the box.
   World rough = world_of("slide", {{"friction", "10"}, {"speed", "0.2"}});
   const World start = rough;
@@ -229,8 +229,8 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height, agai
   double highest = 0.0;
   while (bounces < 4 && world.time() < 5.0) {
     booked += technique->step(world, dt).energy.total();
-    const double v = velocity_of(world, "cube").y();
-    const double height = state_of(world, "cube").position_w.y() - 0.5;
+    const double v = world.body("cube").velocity_w().y();
+    const double height = world.body("cube").state().position_w.y() - 0.5;
     highest = std::max(highest, before > 0.0 ? height : 0.0);
     if (before > 0.0 && v <= 0.0) {
       // [m] v²/(2g): v is off by g h for the moment of the impact, twice.
@@ -247,7 +247,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height, agai
   CHECK(std::abs(energy_of(world).total() - energy - booked) < 1e-3 * kGravity);
   run(world, *technique, 3.0, dt);
   CHECK(fastest_of(world) < 1e-6);
-  CHECK(state_of(world, "cube").position_w.y() == near(0.5).margin(1e-4));
+  CHECK(world.body("cube").state().position_w.y() == near(0.5).margin(1e-4));
 }
 
 TEST_CASE(

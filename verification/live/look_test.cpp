@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a look at a session shows of bodies.
+/// \brief Bodies in a look at a session.
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
@@ -24,7 +24,7 @@ bool same_pose(const Vec3& position_w, const Quat& orientation_wb, const BodySta
   return position_w == state.position_w && orientation_wb.coeffs() == state.orientation_wb.coeffs();
 }
 
-// Who is stable, as the library's own search says.
+// Stable boxes by the library's own search.
 std::vector<char> stable_in(const World& world, StableRule rule) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
@@ -58,7 +58,7 @@ TEST_CASE("A look has each body but the ground with its poses now and before the
   World before = world;
   for (int k = 0; k < 8; ++k) {
     INFO("step " << k);
-    // Somebody who comes in before a step is there before it, with the pose that he comes in with.
+    // A box that enters before a step is there before it, with the pose of its entry.
     const bool enters = k == 4;
     if (!enters) before = world;
     step(session, 1);
@@ -77,7 +77,7 @@ TEST_CASE("A look has each body but the ground with its poses now and before the
     CHECK(seen[3].position_w.x() == near(9.0 + kDt).margin(1e-12));
   }
 
-  // Who was thrown since has not moved; the poses of others stay theirs when somebody goes.
+  // A box thrown since has not moved; the poses of others stay when one leaves.
   before = world;
   step(session, 1);
   session.throw_in(cube(Vec3(-5.0, 8.0, 0.0), Vec3(1.0, 2.0, 3.0)));
@@ -151,7 +151,7 @@ TEST_CASE("Stable boxes of a look are those of the library's own search", "[unit
   for (const SeenBody& body : bodies_of(session)) CHECK((body.kind & kStable) == 0);
 }
 
-TEST_CASE("Islands of a look are those of who touches whom in the last step", "[unit][live]") {
+TEST_CASE("Islands of a look are those of the contacts of the last step", "[unit][live]") {
   Session session(kTable);
   session.throw_in(cube(Vec3(20.0, 0.5, 0.0)));
   step(session, 10);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Requests: what their words make, and in which sentence a mistake is told.
+/// \brief Requests: their words, and the messages of mistakes.
 #include "tumble/record/run.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -86,8 +86,7 @@ TEST_CASE("All that follows the word toml is the scene file", "[unit][live]") {
   CHECK(setup.scene.boxes[0].name == "set");
 }
 
-TEST_CASE("A mistake in a request is told in a sentence that says what would be right",
-          "[unit][live]") {
+TEST_CASE("A mistake in a request is reported in a sentence with a remedy", "[unit][live]") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "unknown scene : expected one of: box_drop, bouncing_box"},
       {"technique basic\nseed 3", "unknown scene : expected one of: box_drop"},
@@ -127,13 +126,13 @@ TEST_CASE("A mistake in a request is told in a sentence that says what would be 
       {"toml\n" + kBox + kBox, "scene.toml:8: box[2].position = [0, 3, 0]: box2 and box1 overlap"},
       {"set scene.count=3\ntoml\n" + kBox, "unknown setting count: there are none"},
   };
-  for (const auto& [request, told] : cases) {
+  for (const auto& [request, message] : cases) {
     INFO(request);
     try {
       (void)make_setup(request);
       FAIL_CHECK("not refused");
     } catch (const std::invalid_argument& error) {
-      CHECK_THAT(std::string(message_of(error)), Catch::Matchers::StartsWith(told));
+      CHECK_THAT(std::string(message_of(error)), Catch::Matchers::StartsWith(message));
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
   }

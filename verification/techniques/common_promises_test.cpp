@@ -1,5 +1,5 @@
 /// \file
-/// \brief What every technique promises, whatever its method: those of the library and the one of the example.
+/// \brief Promises of every technique, of the library and of the example.
 #include "add_a_technique/penalty.hpp"
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
@@ -27,7 +27,7 @@ std::unique_ptr<Technique> without_chance(const TechniqueRecipe& recipe) {
   return recipe.make(options, 1);
 }
 
-// Who rests, who tumbles, who slides, who hits whom; short enough for every technique.
+// Rest, tumbling, sliding, collisions; short enough for every technique.
 std::vector<World> small_worlds() {
   return {world_of("stack", {{"count", "3"}}), world_of("box_drop"), world_of("slide"),
           world_of("two_boxes")};
@@ -99,7 +99,7 @@ TEST_CASE("Every technique goes through the same bits again, and from a copy on"
   }
 }
 
-TEST_CASE("Under every technique a box that meets nobody falls as gravity says",
+TEST_CASE("Under every technique a box without contact falls as gravity says",
           "[exact][technique]") {
   for (const TechniqueRecipe& recipe : all_techniques()) {
     World world;
