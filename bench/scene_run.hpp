@@ -24,7 +24,7 @@ struct Outcome {
   double median_ms = 0.0;       ///< [ms] of the steps after the first 10
   double p99_ms = 0.0;          ///< [ms] of the same, 99 % are faster
   double total_s = 0.0;         ///< [s] of all steps
-  double awake_ms = 0.0;        ///< [ms] median of the same while nobody sleeps; 0: there was none
+  double awake_ms = 0.0;        ///< [ms] median of the same while no body sleeps; 0: there was none
   double last_second_ms = 0.0;  ///< [ms] median over the last second
   int asleep = 0;               ///< bodies that sleep at the end
   bool finite = true;           ///< whether there is something to measure
@@ -65,7 +65,7 @@ class Run {
   std::unique_ptr<Engine> engine_;
   Recording recording_;
   std::vector<double> ms_;   // of each step
-  std::vector<char> awake_;  // of each step: whether nobody slept after it
+  std::vector<char> awake_;  // of each step: whether no body slept after it
   int wanted_;
   double entered_ = 0.0;  // [s] boxes that appear up to this time are in the world
   double total_ = 0.0;    // [s]

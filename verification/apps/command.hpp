@@ -45,7 +45,7 @@ inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
 }
 
-/// What is in a file.
+/// The content of a file.
 /// \param path the file
 /// \return its bytes; empty if there is none
 inline std::string content(const std::filesystem::path& path) {

@@ -115,7 +115,7 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
           "[unit][command]") {
   struct Case {
     std::string arguments;
-    std::string told;
+    std::string message;
   };
   const Folder folder("mistake");
   const Folder files("mistake_files");
@@ -188,7 +188,7 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
     const Outcome outcome = run_tumble(c.arguments + (writes ? " --out " + folder.text() : ""));
     INFO(outcome.text);
     CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(c.told) != std::string::npos);
+    CHECK(outcome.text.find(c.message) != std::string::npos);
     CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
     CHECK(!fs::exists(folder.path));
   }

@@ -112,7 +112,7 @@ TEST_CASE("A filter that there is not ends with code 2 and one line, before anyt
   const Folder folder("filter_mistake");
   struct Case {
     std::string arguments;
-    std::string told;
+    std::string message;
   };
   const std::vector<Case> cases = {
       {"--filter box:4", "box filter over 4 frames: expected an odd number"},
@@ -132,7 +132,7 @@ TEST_CASE("A filter that there is not ends with code 2 and one line, before anyt
         run_tumble("run dice --duration 1 --out " + folder.text() + " " + c.arguments);
     INFO(outcome.text);
     CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(c.told) != std::string::npos);
+    CHECK(outcome.text.find(c.message) != std::string::npos);
     CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
     CHECK(!fs::exists(folder.path));
   }
@@ -196,9 +196,9 @@ TEST_CASE("Filters are listed with the form in which they are written",
           "[unit][command][filtering]") {
   const Outcome outcome = run_tumble("filters");
   CHECK(outcome.code == 0);
-  for (const char* told :
+  for (const char* message :
        {"box:FRAMES[,causal]", "envelope:RADIUS,ANGLE", "soft_envelope:RADIUS", "one_euro:CUTOFF"})
-    CHECK(outcome.text.find(told) != std::string::npos);
+    CHECK(outcome.text.find(message) != std::string::npos);
   CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 4);
   CHECK(run_tumble("run --help").text.find("tumble filters") != std::string::npos);
   CHECK(run_tumble("filers").text.find("did you mean filters?") != std::string::npos);

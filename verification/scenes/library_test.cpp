@@ -113,14 +113,14 @@ TEST_CASE("Boxes come and go at their times, and one with no time in between is 
   CHECK(names(world) == "stays comes");
   come_and_go(scene, 1.0, 2.0, world);
   CHECK(names(world) == "stays comes between");
-  // Nobody has got the id of the one that was never there.
+  // No body has the id of the one that was never there.
   CHECK(number_of(world.ids().back()) == 3);
   come_and_go(scene, 2.0, 2.5, world);
   CHECK(names(world) == "stays comes");
   come_and_go(scene, 2.5, 99.0, world);
   CHECK(names(world) == "stays comes");
 
-  // All of it within one step: whoever goes does so before another one comes.
+  // All of it within one step: a box leaves before another one enters.
   World coarse = build_world(scene);
   come_and_go(scene, 0.0, 99.0, coarse);
   CHECK(names(coarse) == "stays comes");
@@ -183,7 +183,7 @@ TEST_CASE("Scenes can be built at random values of all parameters together", "[u
     for (int trial = 0; trial < 20; ++trial) {
       Parameters p = recipe.parameters();
       const Parameters standard = p;
-      std::string told(recipe.name);
+      std::string settings_text(recipe.name);
       for (const Parameter& parameter : standard.all()) {
         if (parameter.kind == ParameterKind::text) continue;
         const double high = parameter.kind == ParameterKind::whole ? std::min(parameter.high, 12.0)
@@ -198,9 +198,9 @@ TEST_CASE("Scenes can be built at random values of all parameters together", "[u
         if (recipe.name == "fig5_6" && parameter.key == "rows")
           text = shortest_text(2.0 * std::floor(0.5 * value) + 1.0);  // odd, or it is refused
         p.set(parameter.key, text);
-        told.append(" ").append(parameter.key).append("=").append(text);
+        settings_text.append(" ").append(parameter.key).append("=").append(text);
       }
-      INFO(told);
+      INFO(settings_text);
       CHECK_NOTHROW(build_world(recipe.build(p, random.fork(1))));
     }
   }
@@ -221,7 +221,7 @@ TEST_CASE("Cubes on a line stand where they are put, and what is no list of them
   }
 }
 
-TEST_CASE("A cradle in which nobody is left to be hit is refused", "[unit][scenes]") {
+TEST_CASE("A cradle without a cube to hit is refused", "[unit][scenes]") {
   CHECK_THROWS_WITH(built("cradle", {{"moving", "5"}}),
                     Catch::Matchers::Contains("fewer than count = 5"));
   CHECK(built("cradle", {{"moving", "4"}}).boxes.size() == 5);

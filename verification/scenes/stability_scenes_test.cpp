@@ -1,5 +1,5 @@
 /// \file
-/// \brief Scenes of geometric stability: names, numbers of boxes, what is over what, refusals.
+/// \brief Scenes of geometric stability: names, numbers of boxes, supports, refusals.
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/geometry/separation.hpp"
