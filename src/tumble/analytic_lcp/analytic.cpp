@@ -7,7 +7,6 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
-#include "tumble/lcp_solvers/lcp.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -29,13 +28,6 @@ ContactForceOptions force_options(const AnalyticOptions& options) {
 }
 
 }  // namespace
-
-std::vector<Word<std::string>> contact_solver_words() {
-  std::vector<Word<std::string>> words;
-  for (const LcpRecipe& recipe : lcp_solvers())
-    if (recipe.name != "enumeration") words.push_back({recipe.name, std::string(recipe.name)});
-  return words;
-}
 
 Analytic::Analytic(const AnalyticOptions& options)
     : options_(options),

@@ -42,10 +42,6 @@ struct AnalyticOptions {
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
 };
 
-/// The solvers that can be chosen: all but enumeration, which takes eight contacts at most.
-/// \return each with its name
-std::vector<Word<std::string>> contact_solver_words();
-
 /// Names the options to a visitor, see options.hpp.
 /// \param o  the options
 /// \param v  an OptionDeclarer or OptionReader
