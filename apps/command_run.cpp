@@ -1,6 +1,5 @@
 /// \file
 /// \brief `tumble run`: one scene, one technique, a folder of files.
-#include "tumble/lcp_solvers/lcp.hpp"
 
 #include "progress.hpp"
 #include "request.hpp"
@@ -61,10 +60,10 @@ int run(const Request& request) {
     if (const std::string why = files.filter_refusal(); !why.empty())
       std::fprintf(stderr, "trajectory_filtered.csv has only the frames before a bad one: %s\n",
                    why.c_str());
-    if (const LcpProblem* problem = r.simulation.technique().unsolved_problem()) {
-      files.write_unsolved(*problem);
-      std::fprintf(stderr, "a problem with %d unknowns was not solved: see %s and unsolved_b.mtx\n",
-                   problem->size(), (r.folder / "unsolved_A.mtx").c_str());
+    for (const Diagnostic& diagnostic : r.simulation.technique().diagnostics()) {
+      files.write_diagnostic(diagnostic);
+      std::fprintf(stderr, "see %s: %s\n", (r.folder / diagnostic.file).c_str(),
+                   std::string(diagnostic.comment).c_str());
     }
   } catch (const std::invalid_argument&) {
     files.discard();  // a scene that the technique refuses: the user's mistake leaves nothing

@@ -4,8 +4,10 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include "request.hpp"

@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/filtering/tolerances.hpp"
 #include "tumble/pictures/gif.hpp"
 #include "tumble/pictures/gltf.hpp"
 #include "tumble/record/table_file.hpp"

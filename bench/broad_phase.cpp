@@ -76,7 +76,7 @@ struct Found {
   std::int64_t tests = -1;  // -1: not known
 };
 
-// A broad phase of anybody's. Every number of bodies starts with a new one.
+// A broad phase, ours or an engine's. Every number of bodies starts with a new one.
 struct Contestant {
   std::string name;
   int most_bodies = 0;

@@ -14,8 +14,8 @@
 /// Run `lcp [largest n]`.
 #include "tumble/lcp_solvers/augmented_lagrangian.hpp"
 
-#include "analytic_lcp/pyramid_problem.hpp"
 #include "lcp_peers.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
 
 #include <Eigen/Cholesky>
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the routines of narrow_phase.cpp have in common, and those of the installed engines.
+/// \brief Common interface of the routines in narrow_phase.cpp, ours and those of the installed engines.
 #pragma once
 
 #include "tumble/geometry/box.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What an engine is to scenes.cpp, and the list of those that can be measured.
+/// \brief Interface of an engine for scenes.cpp, and the list of engines that can be measured.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"

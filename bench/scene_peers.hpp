@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the engines beside ours have in common, and how each is made.
+/// \brief Common part of the engines beside ours, and a factory for each.
 ///
 /// Friction of a contact is that of our bodies, sqrt(mu_1 mu_2), in every engine.
 #pragma once
@@ -26,7 +26,7 @@ struct Motion {
   }
 };
 
-/// What is the same for every engine beside ours: bodies in the world's order, read one by one.
+/// Common part of every engine beside ours: bodies in the world's order, read one by one.
 class Peer : public Engine {
  public:
   void take_in(const tumble::World& world) override {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How well an engine holds a scene: one measure for all, from poses alone.
+/// \brief One measure of how well an engine holds a scene, from poses alone.
 #pragma once
 
 #include "tumble/dynamics/world.hpp"

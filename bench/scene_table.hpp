@@ -1,5 +1,5 @@
 /// \file
-/// \brief What scenes.cpp prints.
+/// \brief The tables that scenes.cpp prints.
 #pragma once
 
 #include "scene_list.hpp"

@@ -1,13 +1,12 @@
 /// \file
-/// \brief Five things that a body may do, in one world and one run (thesis 3.3.1).
-#include "analytic_lcp/joined_experiments.hpp"
-
+/// \brief A bounce, a sticky collision, rest, sliding and toppling in one world and one run (thesis 3.3.1).
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/scene.hpp"
 
 #include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
+#include "driver/registry.hpp"
 #include "driver/settings.hpp"
 
 #include <algorithm>
@@ -15,9 +14,6 @@
 #include <stdexcept>
 
 namespace tumble::chapters {
-
-std::string setting_text(double value) { return full_text(value); }
-
 namespace {
 
 constexpr double kRestitution = 0.5;  // of the cube that bounces
@@ -99,14 +95,12 @@ double worst_impact_time(const std::vector<double>& impacts) {
   return worst;
 }
 
-}  // namespace
-
 Result measure_joined(const Parameters& settings) {
   const double dt = settings.number("step");
   World world = five_things();
   const World start = world;
   const auto technique =
-      make_technique("analytic", {"sticky=" + setting_text(kStickSpeed / std::sqrt(kGravity)),
+      make_technique("analytic", {"sticky=" + full_text(kStickSpeed / std::sqrt(kGravity)),
                                   "friction=coulomb", "resolution=1e-9"});
   Watcher watcher(world);
   technique->observe(&watcher);
@@ -127,9 +121,9 @@ Result measure_joined(const Parameters& settings) {
     for (int k = lowest; k <= highest; ++k)
       moved =
           std::max(moved, (state_of(world, k).position_w - state_of(start, k).position_w).norm());
-    table.rows.push_back({world.time(), state_of(world, bouncer).position_w.y() - 0.5,
-                          state_of(world, slider).position_w.x() - 3.0, moved, tilt_of(world),
-                          energy_of(world).total()});
+    table.add(world.time(), state_of(world, bouncer).position_w.y() - 0.5,
+              state_of(world, slider).position_w.x() - 3.0, moved, tilt_of(world),
+              energy_of(world).total());
     return moved;
   };
   double moved = row();
@@ -162,16 +156,20 @@ Result measure_joined(const Parameters& settings) {
   return {{table},
           {{"of five phases (bounce, sticky collision, rest, slide, topple), those that the joined "
             "simulator passes",
-            "-", static_cast<double>(passed)},
+            "-", passed},
            {"bounce: largest error of six impact times", "s", impact_error},
-           {"sticky collision: impacts until the cube rests", "-",
-            static_cast<double>(watcher.impacts.size())},
-           {"rest: largest way of a cube of the stack", "m", moved},
-           {"rest: largest speed of a body at the end", "m/s", fastest},
-           {"slide: relative error of the way", "-", way_error},
-           {"topple: angle of the post from lying flat", "deg", lying},
+           {"sticky collision: impacts until the cube rests", "-", watcher.impacts.size()},
            {"largest overlap", "m", overlap},
            {"largest gain of energy in a step that is not booked", "J", highest_gain}}};
 }
 
+const Registered claim_3_3_1d_joined_figure{
+    {.name = "claim_3_3_1d_joined",
+     .parameters = Parameters{}
+                       .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
+                       .add_number("duration", 5.0, 2.0, 60.0, "s", "length of the run"),
+     .quick = {"duration=3.5"},
+     .experiment = measure_joined}};
+
+}  // namespace
 }  // namespace tumble::chapters

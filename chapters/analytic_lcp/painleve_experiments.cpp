@@ -1,10 +1,10 @@
 /// \file
-/// \brief Where Coulomb's law has no answer, and what a time step does there (thesis 2.6.3).
+/// \brief Painlevé's rod where Coulomb's law has no answer, and its time steps there (thesis 2.6.3).
 #include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/elementary.hpp"
 
-#include "analytic_lcp/force_experiments.hpp"
 #include "analytic_lcp/painleve_rod.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double kLast = 88.0;
 constexpr double kMost = 3.0;         // [-] friction at the map's upper edge
 constexpr double kStandstill = 1e-9;  // [m/s] slower is rounding, where rods slide with 1 m/s
 
-// What the map tells.
+// What the map shows.
 enum class Answers { none, pushes, lifts, two };
 
 Answers answers_of(const PainleveRod& rod) {
@@ -48,7 +48,7 @@ Table count_answers(const std::string& suffix, double spin, int friction_steps) 
       const auto answers =
           static_cast<double>(answers_of({(left + 0.5) * kDegree, 0.5 * (low + high), spin}));
       if (k == 0 || table.rows.back().back() != answers)
-        table.rows.push_back({left, left + 1.0, low, high, answers});
+        table.add(left, left + 1.0, low, high, answers);
       table.rows.back()[3] = high;
     }
   }
@@ -71,7 +71,7 @@ Table boundary() {
       "boundary",
       {{"angle_deg", "deg", "of the rod"}, {"mu", "-", "friction at which pushing stops to help"}}};
   for (double angle = kFirst; angle <= kLast; angle += 0.5)
-    table.rows.push_back({angle, critical_friction(angle * kDegree)});
+    table.add(angle, critical_friction(angle * kDegree));
   return table;
 }
 
@@ -105,17 +105,10 @@ Table steps_over_map(double step) {
       const double friction = 0.1 + 0.2 * k;
       const RodStep after = solved_step({angle * kDegree, friction, 0.0}, step);
       const double state = after.lift > kStandstill ? 0.0 : -after.slip > kStandstill ? 1.0 : 2.0;
-      table.rows.push_back({1.0 * angle, friction, state, after.normal_impulse, after.slip});
+      table.add(1.0 * angle, friction, state, after.normal_impulse, after.slip);
     }
   }
   return table;
-}
-
-double count_of(const Table& table, std::size_t column, double value) {
-  double count = 0.0;
-  for (const std::vector<double>& row : table.rows)
-    if (row[column] == value) count += 1.0;
-  return count;
 }
 
 // The impulse of one step against its length, for rods at 60 degrees.
@@ -126,69 +119,42 @@ Table impulses() {
                {"jammed_n_s", "N s", "the same, friction 1.5"}}};
   for (int k = 0; k <= 16; ++k) {
     const double step = 0.1 * elementary::pow(10.0, -0.25 * k);
-    std::vector<double> row{step};
-    for (const double friction : {1.0, 1.5})
-      row.push_back(solved_step({60.0 * kDegree, friction, 0.0}, step).normal_impulse);
-    table.rows.push_back(row);
+    const auto impulse = [step](double friction) {
+      return solved_step({60.0 * kDegree, friction, 0.0}, step).normal_impulse;
+    };
+    table.add(step, impulse(1.0), impulse(1.5));
   }
   return table;
 }
 
-}  // namespace
-
 Result measure_painleve_map(const Parameters& settings) {
   const double spin = settings.number("spin");
-  const double step = settings.number("step");
   const int friction_steps = settings.count("friction_steps");
   const Table still = count_answers("still", 0.0, friction_steps);
   const Table spinning = count_answers("spinning", spin, friction_steps);
-  const Table steps = steps_over_map(step);
-  const Table lowest = least(spin);
+  const Table steps = steps_over_map(settings.number("step"));
+  const auto lifting = std::count_if(steps.rows.begin(), steps.rows.end(),
+                                     [](const std::vector<double>& row) { return row[2] == 0.0; });
 
-  std::vector<Quantity> list;
-  const auto add = [&list](const std::string& name, const char* unit, double value) {
-    list.push_back({name, unit, value});
-  };
-  for (const int angle : {30, 45, 60, 75})
-    add("critical friction at " + std::to_string(angle) + " degrees", "-",
-        critical_friction(angle * kDegree));
-  add("angle of the least critical friction", "deg", lowest.rows.front()[0]);
-  add("least critical friction", "-", lowest.rows.front()[1]);
-  add("largest distance of the map's edge from the closed form", "-", edge_error(still));
-
-  const PainleveRod slides{60.0 * kDegree, 1.0, 0.0};
   const PainleveRod jams{60.0 * kDegree, 1.5, 0.0};
-  const PainleveRod spins{60.0 * kDegree, 1.5, spin};
-  const std::vector<double> two = possible_forces(spins);
-  add("60 degrees, friction 1: push response p", "1/kg", push_response(slides));
-  add("60 degrees, friction 1: the force", "N", possible_forces(slides).front());
-  add("60 degrees, friction 1.5: push response p", "1/kg", push_response(jams));
-  add("60 degrees, friction 1.5: free acceleration b", "m/s²", free_acceleration(jams));
-  add("60 degrees, friction 1.5: forces that obey the laws", "-",
-      static_cast<double>(possible_forces(jams).size()));
-  add("60 degrees, friction 1.5, spinning: free acceleration b", "m/s²", free_acceleration(spins));
-  add("60 degrees, friction 1.5, spinning: forces that obey the laws", "-",
-      static_cast<double>(two.size()));
-  add("60 degrees, friction 1.5, spinning: the larger force", "N", two.empty() ? 0.0 : two.back());
-  add("60 degrees: spin at which b = 0", "rad/s",
-      std::sqrt(-free_acceleration(jams) / elementary::sin(jams.angle)));
-
-  const RodStep jammed = solved_step(jams, step);
-  add("step, friction 1.5: impulse away from the ground", "N s", jammed.normal_impulse);
-  add("step, friction 1.5: impulse of friction", "N s", jammed.friction_impulse);
-  add("step, friction 1.5: sliding speed left", "m/s", std::abs(jammed.slip));
-  add("step, friction 1.5: angular velocity after it", "rad/s", jammed.spin);
-  const RodStep limit = solved_step(jams, 1e-12);
-  add("step of 1e-12 s, friction 1.5: impulse away from the ground", "N s", limit.normal_impulse);
-  add("step of 1e-12 s, friction 1.5: impulse of friction", "N s", limit.friction_impulse);
-  const RodStep slid = solved_step(slides, step);
-  add("step, friction 1: impulse away from the ground", "N s", slid.normal_impulse);
-  add("step, friction 1: impulse of friction", "N s", slid.friction_impulse);
-  add("step, friction 1: velocity of sliding after it", "m/s", slid.slip);
-  add("steps tried", "-", static_cast<double>(steps.rows.size()));
-  add("of these, the end sticks", "-", count_of(steps, 2, 2.0));
-  add("of these, the end lifts off", "-", count_of(steps, 2, 0.0));
-  return {{steps, still, spinning, boundary(), lowest, impulses()}, list};
+  return {{steps, still, spinning, boundary(), least(spin), impulses()},
+          {{"critical friction at 60 degrees", "-", critical_friction(jams.angle)},
+           {"largest distance of the map's edge from the closed form", "-", edge_error(still)},
+           {"step of 1e-12 s, friction 1.5: impulse away from the ground", "N s",
+            solved_step(jams, 1e-12).normal_impulse},
+           {"steps tried", "-", steps.rows.size()},
+           {"of these, the end lifts off", "-", lifting}}};
 }
 
+const Registered painleve_map_figure{
+    {.name = "painleve_map",
+     .parameters =
+         Parameters{}
+             .add_number("spin", 5.0, 0.1, 100.0, "rad/s", "of the rods in the second map")
+             .add_number("step", 1.0 / 60.0, 1e-6, 1.0, "s", "time step of the dots")
+             .add_whole("friction_steps", 120, 10, 2000, "rows of the grid of either map"),
+     .quick = {"friction_steps=30"},
+     .experiment = measure_painleve_map}};
+
+}  // namespace
 }  // namespace tumble::chapters

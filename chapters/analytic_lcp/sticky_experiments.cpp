@@ -1,11 +1,13 @@
 /// \file
 /// \brief Dice that come to rest with and without sticky collisions (thesis 4.3).
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 #include "tumble/scenes/scene.hpp"
 
-#include "analytic_lcp/joined_experiments.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/csv.hpp"
+#include "driver/registry.hpp"
 #include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 
@@ -59,13 +61,12 @@ struct Fall {
   double work = 0.0;        // separations and integrations until rest
   double bounces = 0.0;     // times that it has left the ground
   double travel = 0.0;      // [m] of its centre, as the sum over steps from the first contact on
-  double duration = 0.0;    // [s] until rest
   Vec3 end_w = Vec3::Zero();
-  std::vector<std::vector<double>> path = {};  // time, height of the lowest corner
+  std::vector<double> heights = {};  // [m] of the lowest corner after each step
 };
 
 Fall drop(World world, double threshold) {
-  const auto technique = make_technique("analytic", {"sticky=" + setting_text(threshold)});
+  const auto technique = make_technique("analytic", {"sticky=" + full_text(threshold)});
   // It counts as off the ground above a thousandth of its edge for at least one frame.
   constexpr double off = 1e-3 * kEdge;
   Fall fall;
@@ -80,7 +81,7 @@ Fall drop(World world, double threshold) {
     collisions += static_cast<double>(report.events);
     work += static_cast<double>(report.pair_tests + report.integrations);
     const double height = height_of(world);
-    fall.path.push_back({world.time(), height});
+    fall.heights.push_back(height);
     landed = landed || report.events > 0;
     if (landed && height > off && !aloft) fall.bounces += 1.0;
     aloft = landed && height > off;
@@ -91,13 +92,38 @@ Fall drop(World world, double threshold) {
     if (resting) continue;
     fall.collisions = collisions;
     fall.work = work;
-    fall.duration = world.time();
   }
   fall.end_w = world.states()[kDie].position_w;
   return fall;
 }
 
-}  // namespace
+// Dice of all seeds.
+std::vector<Fall> drop_all(const Parameters& settings, double threshold) {
+  std::vector<Fall> falls;
+  for (int seed = 1; seed <= settings.count("seeds"); ++seed)
+    falls.push_back(drop(
+        die(settings.number("height"), settings.number("restitution"), seed, false), threshold));
+  return falls;
+}
+
+// A number of all dice together over the same number of others.
+Quantity ratio(const char* name, double Fall::*what, const std::vector<Fall>& these,
+               const std::vector<Fall>& others) {
+  const auto sum = [what](const std::vector<Fall>& falls, int left_out) {
+    std::vector<double> values;
+    for (const Fall& fall : falls) values.push_back(fall.*what);
+    return sum_without(values, left_out);
+  };
+  return over_seeds(name, "-", static_cast<int>(these.size()),
+                    [&](int left_out) { return sum(these, left_out) / sum(others, left_out); });
+}
+
+Parameters of_dice() {
+  return Parameters{}
+      .add_number("height", 2.0, 0.1, 100.0, "m", "free height of the die")
+      .add_number("restitution", 0.5, 0.1, 0.9, "-", "rebound speed over impact speed")
+      .add_whole("seeds", 20, 2, 1000, "dice");
+}
 
 Result measure_sticky(const Parameters& settings) {
   const double height = settings.number("height");
@@ -118,9 +144,7 @@ Result measure_sticky(const Parameters& settings) {
        {"moved_m", "m", "how far a die rests from where it rests at the lowest threshold"}}};
   std::vector<std::vector<Fall>> falls;
   for (const double threshold : thresholds) {
-    falls.emplace_back();
-    for (int seed = 1; seed <= seeds; ++seed)
-      falls.back().push_back(drop(die(height, restitution, seed, false), threshold));
+    falls.push_back(drop_all(settings, threshold));
     double collisions = 0.0;
     double work = 0.0;
     double moved = 0.0;
@@ -130,20 +154,8 @@ Result measure_sticky(const Parameters& settings) {
       work += fall.work;
       moved += (fall.end_w - falls.front()[k].end_w).norm();
     }
-    table.rows.push_back({threshold, collisions / seeds, work / seeds, moved / seeds});
+    table.add(threshold, collisions / seeds, work / seeds, moved / seeds);
   }
-
-  const auto ratio = [&](double Fall::*what, double threshold) {
-    const auto place = std::find(thresholds.begin(), thresholds.end(), threshold);
-    std::vector<double> with;
-    std::vector<double> without;
-    for (const Fall& fall : falls[static_cast<std::size_t>(place - thresholds.begin())])
-      with.push_back(fall.*what);
-    for (const Fall& fall : falls.front()) without.push_back(fall.*what);
-    return [with, without](int left_out) {
-      return sum_without(with, left_out) / sum_without(without, left_out);
-    };
-  };
 
   // A flat drop has a closed form: the speed before impact k is v e^(k-1), and the first one below
   // the threshold is the last, if it is a collision at all.
@@ -159,64 +171,63 @@ Result measure_sticky(const Parameters& settings) {
     for (; speed >= threshold && exact < 1000.0; speed *= restitution) exact += 1.0;
     if (speed > tolerance::resting_speed) exact += 1.0;  // it sticks; else it rests already
     wrong += fall.collisions == exact ? 0.0 : 1.0;
-    flat.rows.push_back({threshold, fall.collisions, exact});
+    flat.add(threshold, fall.collisions, exact);
   }
-  return {{table, flat},
-          {over_seeds("collisions until rest with sticky collisions over those without", "-", seeds,
-                      ratio(&Fall::collisions, usual)),
-           over_seeds("separations and integrations until rest, over those without", "-", seeds,
-                      ratio(&Fall::work, usual)),
-           {"thresholds at which a flat drop misses its closed form", "-", wrong},
-           over_seeds("the same collisions, half the threshold", "-", seeds,
-                      ratio(&Fall::collisions, 0.5 * usual)),
-           over_seeds("the same collisions, twice the threshold", "-", seeds,
-                      ratio(&Fall::collisions, 2.0 * usual))}};
+  const auto over_lowest = [&](const char* name, double Fall::*what, double threshold) {
+    const auto place = std::find(thresholds.begin(), thresholds.end(), threshold);
+    return ratio(name, what, falls[static_cast<std::size_t>(place - thresholds.begin())],
+                 falls.front());
+  };
+  return {
+      {table, flat},
+      {over_lowest("collisions until rest with sticky collisions over those without",
+                   &Fall::collisions, usual),
+       over_lowest("separations and integrations until rest, over those without", &Fall::work,
+                   usual),
+       {"thresholds at which a flat drop misses its closed form", "-", wrong},
+       over_lowest("the same collisions, half the threshold", &Fall::collisions, 0.5 * usual),
+       over_lowest("the same collisions, twice the threshold", &Fall::collisions, 2.0 * usual)}};
 }
 
+const Registered claim_4_3a_sticky_figure{{.name = "claim_4_3a_sticky",
+                                           .parameters = of_dice(),
+                                           .quick = {"seeds=3"},
+                                           .experiment = measure_sticky}};
+
 Result measure_all_sticky(const Parameters& settings) {
-  const double height = settings.number("height");
-  const double restitution = settings.number("restitution");
-  const int seeds = settings.count("seeds");
   constexpr double everything = 1e6;  // no collision is as fast as that
+  const std::vector<Fall> some = drop_all(settings, tolerance::sticky_speed);
+  const std::vector<Fall> all = drop_all(settings, everything);
   Table table{"",
               {{"seed", "-", "of the die"},
                {"bounces", "-", "times that it leaves the ground, slow collisions being sticky"},
                {"bounces_all", "-", "the same if every collision is"},
                {"travel_m", "m", "way of its centre from the first contact on"},
                {"travel_all_m", "m", "the same if every collision is sticky"}}};
+  for (std::size_t k = 0; k < some.size(); ++k)
+    table.add(k + 1, some[k].bounces, all[k].bounces, some[k].travel, all[k].travel);
   Table path{"path",
              {{"time_s", "s", "time"},
               {"height_m", "m", "of the lowest corner of the first die"},
               {"height_all_m", "m", "the same if every collision is sticky"}}};
-  std::vector<double> some, all, way, way_all;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const Fall usual = drop(die(height, restitution, seed, false), tolerance::sticky_speed);
-    const Fall dull = drop(die(height, restitution, seed, false), everything);
-    some.push_back(usual.bounces);
-    all.push_back(dull.bounces);
-    way.push_back(usual.travel);
-    way_all.push_back(dull.travel);
-    table.rows.push_back(
-        {static_cast<double>(seed), usual.bounces, dull.bounces, usual.travel, dull.travel});
-    if (seed > 1) continue;
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t k = 0; k < std::max(usual.path.size(), dull.path.size()); ++k) {
-      const auto lowest = [k, none](const Fall& fall) {
-        return k < fall.path.size() ? fall.path[k][1] : none;
-      };
-      path.rows.push_back({static_cast<double>(k + 1) * kStep, lowest(usual), lowest(dull)});
-    }
-  }
-  const auto ratio = [](const std::vector<double>& top, const std::vector<double>& bottom) {
-    return [&top, &bottom](int left_out) {
-      return sum_without(top, left_out) / sum_without(bottom, left_out);
-    };
+  const std::vector<double>& usual = some.front().heights;
+  const std::vector<double>& dull = all.front().heights;
+  const auto lowest = [](const std::vector<double>& heights, std::size_t k) {
+    return k < heights.size() ? heights[k] : std::numeric_limits<double>::quiet_NaN();
   };
+  for (std::size_t k = 0; k < std::max(usual.size(), dull.size()); ++k)
+    path.add(static_cast<double>(k + 1) * kStep, lowest(usual, k), lowest(dull, k));
   return {{table, path},
-          {over_seeds("bounces seen with every collision sticky over those seen without", "-",
-                      seeds, ratio(all, some)),
-           over_seeds("way from the first contact on, every collision sticky, over that without",
-                      "-", seeds, ratio(way_all, way))}};
+          {ratio("bounces seen with every collision sticky over those seen without", &Fall::bounces,
+                 all, some),
+           ratio("way from the first contact on, every collision sticky, over that without",
+                 &Fall::travel, all, some)}};
 }
 
+const Registered claim_4_3b_all_sticky_figure{{.name = "claim_4_3b_all_sticky",
+                                               .parameters = of_dice(),
+                                               .quick = {"seeds=3"},
+                                               .experiment = measure_all_sticky}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,13 +1,11 @@
 /// \file
 /// \brief Time stepping without events, and on random problems with friction.
-#include "analytic_lcp/time_stepping_experiments.hpp"
-
 #include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/base/random.hpp"
-#include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/gather.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +14,6 @@
 
 namespace tumble::chapters {
 namespace {
-
-// --- 2.6.3a ---------------------------------------------------------------------------------------
 
 // A stack of cubes of 1 m, and one of half a metre that flies into it, a little off its middle plane.
 World stack_and_projectile(int cubes, double speed, double height, double aside) {
@@ -31,44 +27,31 @@ World stack_and_projectile(int cubes, double speed, double height, double aside)
   return world;
 }
 
-struct Shot {
-  double speed = 0.0;
+struct Shots {
   int steps = 0;
   int unsolved = 0;
   int deep = 0;              // steps that left an overlap above 1 % of the smaller cube's edge
-  double deepest = 0.0;      // [-] of that edge
   double worst_error = 0.0;  // [-]
 };
 
-Shot shoot(int cubes, double speed, double height, double aside, double duration, Table* table) {
-  World world = stack_and_projectile(cubes, speed, height, aside);
+void shoot(World world, double duration, Shots& shots, Table* table) {
   TimeStepping technique;
-  Shot shot{.speed = speed};
   const double edge = 0.5;  // [m]
   const int steps = static_cast<int>(std::lround(duration / kStep));
   for (int k = 0; k < steps; ++k) {
     const StepReport report = technique.step(world, kStep);
-    ++shot.steps;
+    ++shots.steps;
     const double overlap = report.deepest_overlap / edge;
     const double error = technique.velocities().residual;
     if (report.status != StepStatus::done) {
-      ++shot.unsolved;
+      ++shots.unsolved;
       world.finish_step(kStep);
     }
-    if (overlap > 0.01) ++shot.deep;
-    shot.deepest = std::max(shot.deepest, overlap);
-    shot.worst_error = std::max(shot.worst_error, error);
-    if (table == nullptr) continue;
-    double fastest = 0.0;
-    for (std::size_t b = 1; b < world.bodies().size(); ++b)
-      fastest = std::max(fastest, velocity(world.bodies()[b], world.states()[b]).norm());
-    table->rows.push_back({world.time(), 100.0 * overlap, std::max(error, 1e-17), fastest,
-                           static_cast<double>(report.contacts)});
+    if (overlap > 0.01) ++shots.deep;
+    shots.worst_error = std::max(shots.worst_error, error);
+    if (table != nullptr) table->add(world.time(), 100.0 * overlap, std::max(error, 1e-17));
   }
-  return shot;
 }
-
-// --- 2.6.3b ---------------------------------------------------------------------------------------
 
 struct Instant {
   World world;
@@ -188,51 +171,40 @@ class Errors {
   std::array<int, kClasses> classes{};
 };
 
-}  // namespace
-
 Result measure_no_events(const Parameters& settings) {
-  Table run{.suffix = "",
-            .columns = {{"time_s", "s", "end of the step"},
-                        {"overlap_percent", "%", "deepest overlap over the smaller cube's edge"},
-                        {"error", "-", "of the velocities, over the fastest; 1e-17 for none"},
-                        {"fastest_m_s", "m/s", "fastest cube"},
-                        {"points", "-", "contact points"}}};
-  Table shots{.suffix = "shots",
-              .columns = {{"speed_m_s", "m/s", "of the projectile"},
-                          {"steps", "-", "steps"},
-                          {"unsolved", "-", "steps not solved"},
-                          {"deep", "-", "steps with an overlap above 1 %"},
-                          {"deepest_percent", "%", "deepest overlap over the smaller cube's edge"},
-                          {"error", "-", "largest error of the velocities"}}};
+  Table run{"",
+            {{"time_s", "s", "end of the step"},
+             {"overlap_percent", "%", "deepest overlap over the smaller cube's edge"},
+             {"error", "-", "of the velocities, over the fastest; 1e-17 for none"}}};
   Random random(263);
-  Shot all;
+  const int cubes = settings.count("cubes");
+  Shots all;
   for (int k = 0; k < settings.count("shots"); ++k) {
     const double speed = k == 0 ? 12.0 : random.uniform(5.0, 20.0);
-    const double height = k == 0 ? 1.3 : random.uniform(0.5, settings.count("cubes") - 1.0);
+    const double height = k == 0 ? 1.3 : random.uniform(0.5, cubes - 1.0);
     const double aside = k == 0 ? 0.1 : random.uniform(-0.5, 0.5);
-    const Shot shot = shoot(settings.count("cubes"), speed, height, aside,
-                            settings.number("duration"), k == 0 ? &run : nullptr);
-    shots.rows.push_back({shot.speed, static_cast<double>(shot.steps),
-                          static_cast<double>(shot.unsolved), static_cast<double>(shot.deep),
-                          100.0 * shot.deepest, shot.worst_error});
-    all.steps += shot.steps;
-    all.unsolved += shot.unsolved;
-    all.deep += shot.deep;
-    all.deepest = std::max(all.deepest, shot.deepest);
-    all.worst_error = std::max(all.worst_error, shot.worst_error);
+    shoot(stack_and_projectile(cubes, speed, height, aside), settings.number("duration"), all,
+          k == 0 ? &run : nullptr);
   }
   const double failed = static_cast<double>(all.unsolved + all.deep) / all.steps;
-  return Result{
-      .tables = {run, shots},
-      .quantities = {
-          {"steps that were not solved or left an overlap above 1 % of the size, over all steps",
-           "-", failed},
-          {"steps", "-", static_cast<double>(all.steps)},
-          {"steps not solved", "-", static_cast<double>(all.unsolved)},
-          {"steps with an overlap above 1 %", "-", static_cast<double>(all.deep)},
-          {"deepest overlap over the smaller cube's edge", "-", all.deepest},
-          {"largest error of the velocities", "-", all.worst_error}}};
+  return {{run},
+          {{"steps that were not solved or left an overlap above 1 % of the size, over all steps",
+            "-", failed},
+           {"steps", "-", all.steps},
+           {"steps not solved", "-", all.unsolved},
+           {"steps with an overlap above 1 %", "-", all.deep},
+           {"largest error of the velocities", "-", all.worst_error}}};
 }
+
+const Registered claim_2_6_3a_no_events_figure{
+    {.name = "claim_2_6_3a_no_events",
+     .parameters =
+         Parameters{}
+             .add_whole("cubes", 4, 2, 10, "in the stack")
+             .add_number("duration", 3.0, 0.1, 60.0, "s", "of each run")
+             .add_whole("shots", 10, 1, 1000, "the first one is drawn, the others are random"),
+     .quick = {"duration=1", "shots=2", "cubes=3"},
+     .experiment = measure_no_events}};
 
 Result measure_always_solved(const Parameters& settings) {
   Random random(static_cast<std::uint64_t>(settings.count("seed")));
@@ -243,45 +215,41 @@ Result measure_always_solved(const Parameters& settings) {
     (k % 2 == 0 ? points : bricks).add(step(instant));
   }
   Errors rods;
-  Table rod{.suffix = "rod",
-            .columns = {{"angle_deg", "degrees", "above the ground"},
-                        {"friction", "-", "coefficient"},
-                        {"spin_rad_s", "rad/s", "angular velocity"},
-                        {"solved", "-", "1 if so"},
-                        {"normal_impulse_N_s", "N s", "of the ground"},
-                        {"slip_m_s", "m/s", "of the lower end, after the step"}}};
   for (int degrees = 5; degrees <= 85; degrees += 5)
     for (int tenths = 0; tenths <= 30; tenths += 2)
       for (const double spin : {-5.0, 0.0, 2.0, 5.0}) {
         Instant instant = rod_on_end(degrees * std::numbers::pi / 180.0, 0.1 * tenths, spin);
-        const VelocityStepResult result = step(instant);
-        rods.add(result);
-        const Vec3 u = relative_velocity(instant.bodies[0], instant.bodies[1], Vec3::Zero());
-        rod.rows.push_back({static_cast<double>(degrees), 0.1 * tenths, spin,
-                            result.solved ? 1.0 : 0.0, instant.contacts[0].points[0].normal_impulse,
-                            u.x()});
+        rods.add(step(instant));
       }
 
-  Table errors{.suffix = "",
-               .columns = {{"power", "-", "errors up to ten to this power"},
-                           {"points_percent", "%", "share of the random points"},
-                           {"bricks_percent", "%", "share of the bricks"},
-                           {"rods_percent", "%", "share of the rods"}}};
+  Table errors{"",
+               {{"power", "-", "errors up to ten to this power"},
+                {"points_percent", "%", "share of the random points"},
+                {"bricks_percent", "%", "share of the bricks"},
+                {"rods_percent", "%", "share of the rods"}}};
   for (int k = 0; k < Errors::kClasses; ++k) {
     const auto share = [k](const Errors& e) {
       return 100.0 * e.classes[static_cast<std::size_t>(k)] / std::max(e.count, 1);
     };
-    errors.rows.push_back({k - 16.0, share(points), share(bricks), share(rods)});
+    errors.add(k - 16.0, share(points), share(bricks), share(rods));
   }
   const double all = points.count + bricks.count + rods.count;
   const double unsolved = points.unsolved + bricks.unsolved + rods.unsolved;
-  return Result{
-      .tables = {errors, rod},
-      .quantities = {{"problems that were not solved over all problems", "-", unsolved / all},
-                     {"problems", "-", all},
-                     {"random points not solved", "-", static_cast<double>(points.unsolved)},
-                     {"bricks not solved", "-", static_cast<double>(bricks.unsolved)},
-                     {"rods not solved", "-", static_cast<double>(rods.unsolved)}}};
+  return {{errors},
+          {{"problems that were not solved over all problems", "-", unsolved / all},
+           {"problems", "-", all},
+           {"random points not solved", "-", points.unsolved},
+           {"bricks not solved", "-", bricks.unsolved},
+           {"rods not solved", "-", rods.unsolved}}};
 }
 
+const Registered claim_2_6_3b_always_solved_figure{
+    {.name = "claim_2_6_3b_always_solved",
+     .parameters = Parameters{}
+                       .add_whole("problems", 10000, 2, 1000000, "random ones, half of each kind")
+                       .add_whole("seed", 2, 0, 1000000000, "of the random problems"),
+     .quick = {"problems=400"},
+     .experiment = measure_always_solved}};
+
+}  // namespace
 }  // namespace tumble::chapters

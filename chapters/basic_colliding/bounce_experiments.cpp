@@ -1,6 +1,7 @@
 /// \file
 /// \brief The basic technique on a cube that bounces, and on one that comes to rest (thesis 2.1).
 #include "tumble/basic_colliding/basic.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/scenes/library.hpp"
 

@@ -1,16 +1,16 @@
 /// \file
-/// \brief The errata of the search for impacts, S5 to S7: each adds its tables and numbers to the figure.
+/// \brief The errata of the search for impacts, T5 to T7: each adds its tables and numbers to the figure.
 #pragma once
 
 #include "driver/figure.hpp"
 
 namespace tumble::chapters {
 
-/// S5: only the end of a step is tested, and bodies pass through one another.
+/// T5: only the end of a step is tested, and bodies pass through one another.
 /// \param result  gets tables "pass_literal" and "pass_mended" and two numbers
 void add_pass_erratum(Result& result);
 
-/// S6 and S7: nothing says that a search gets any further than the one before.
+/// T6 and T7: nothing says that a search gets any further than the one before.
 /// \param cap     impacts in a step at which the literal reading is stopped
 /// \param result  gets tables "flights_..." and "side_...", literal and mended, and their numbers
 void add_progress_errata(int cap, Result& result);

@@ -1,6 +1,6 @@
 /// \file
 /// \brief What the text leaves open about searching impacts, taken literally and mended (thesis 3.2,
-///        3.3.1, A.1; errata S5 to S7).
+///        3.3.1, A.1; errata T5 to T7).
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/contact/collision_law.hpp"
 #include "tumble/math/bracket.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 const IndexPair kPair{0, 1};
 
-// --- S5: what is tested ---------------------------------------------------------------------
+// --- T5: what is tested ---------------------------------------------------------------------
 
 // Three cubes in a row, told where they are at each impact of one step.
 class RowWatcher : public Observer {
@@ -68,7 +68,7 @@ double third_minus_second(const Table& table) {
   return table.rows.back()[3] - table.rows.back()[2];
 }
 
-// --- S6 and S7: what a search leaves behind ---------------------------------------------------
+// --- T6 and T7: what a search leaves behind ---------------------------------------------------
 
 enum class Side { apart, overlapping };
 
@@ -174,10 +174,10 @@ void add_pass_erratum(Result& result) {
   const Table literal = three_cubes(SearchMethod::discrete, "pass_literal");
   const Table mended = three_cubes(SearchMethod::conservative, "pass_mended");
   result.tables.insert(result.tables.end(), {literal, mended});
-  result.quantities.push_back({"S5: third cube ahead of the second, end of the step tested", "m",
+  result.quantities.push_back({"T5: third cube ahead of the second, end of the step tested", "m",
                                third_minus_second(literal)});
   result.quantities.push_back(
-      {"S5: third cube ahead of the second, way there searched", "m", third_minus_second(mended)});
+      {"T5: third cube ahead of the second, way there searched", "m", third_minus_second(mended)});
 }
 
 void add_progress_errata(int cap, Result& result) {
@@ -185,7 +185,7 @@ void add_progress_errata(int cap, Result& result) {
     return static_cast<double>(all.size());
   };
 
-  // S6. Flights get shorter by half each time: without an end to them the step has none.
+  // T6. Flights get shorter by half each time: without an end to them the step has none.
   Literally how;
   const auto endless = impacts_in_step(slow_landing(), 1.0 / 60.0, Vec3::UnitY(), cap, how);
   how.shortest_flight = 1e-6;
@@ -193,13 +193,13 @@ void add_progress_errata(int cap, Result& result) {
   result.tables.push_back(count_table(endless, "flights_literal"));
   result.tables.push_back(count_table(ended, "flights_mended"));
   result.quantities.push_back(
-      {"S6: impacts in a step that nothing ends, until a cap", "-", count(endless)});
+      {"T6: impacts in a step that nothing ends, until a cap", "-", count(endless)});
   result.quantities.push_back(
-      {"S6: impacts in a step, a flight below 1 µs being the last", "-", count(ended)});
+      {"T6: impacts in a step, a flight below 1 µs being the last", "-", count(ended)});
   result.quantities.push_back(
-      {"S6: time from the first of them to the last", "s", ended.back().time - ended.front().time});
+      {"T6: time from the first of them to the last", "s", ended.back().time - ended.front().time});
 
-  // S7. The cubes stick together and fly on. Left overlapping, they are found again.
+  // T7. The cubes stick together and fly on. Left overlapping, they are found again.
   how = {.kept = Side::overlapping, .resolution = 1e-6, .restitution = 0.0};
   const auto inside = impacts_in_step(push_from_behind(), 1.0, Vec3::UnitX(), cap, how);
   how.kept = Side::apart;
@@ -207,8 +207,8 @@ void add_progress_errata(int cap, Result& result) {
   result.tables.push_back(gap_table(inside, "side_literal"));
   result.tables.push_back(gap_table(outside, "side_mended"));
   result.quantities.push_back(
-      {"S7: impacts, the overlapping end being kept, until a cap", "-", count(inside)});
-  result.quantities.push_back({"S7: impacts, the separated end being kept", "-", count(outside)});
+      {"T7: impacts, the overlapping end being kept, until a cap", "-", count(inside)});
+  result.quantities.push_back({"T7: impacts, the separated end being kept", "-", count(outside)});
 }
 
 }  // namespace tumble::chapters

@@ -1,6 +1,6 @@
 /// \file
 /// \brief What the text leaves open about the moment of impact, taken literally and mended (thesis 5.1,
-///        A.1; errata S8 and S9).
+///        A.1; errata T8 and T9).
 #include "tumble/contact/collision_law.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
@@ -22,7 +22,7 @@
 namespace tumble::chapters {
 namespace {
 
-// --- S8: what moves the bodies while a time is searched for -----------------------------------
+// --- T8: what moves the bodies while a time is searched for -----------------------------------
 
 using Mover = void (*)(const BodyProperties&, BodyState&, const Vec3&, double, RotationRule);
 
@@ -67,7 +67,7 @@ Table fall_table() {
   return table;
 }
 
-// --- S9: who comes first of those that come at once ---------------------------------------------
+// --- T9: who comes first of those that come at once ---------------------------------------------
 
 constexpr double kRestitution = 0.9;
 using Order = std::array<int, 4>;  // of the corners
@@ -126,22 +126,22 @@ std::array<double, 4> corner_heights(World world, double time) {
   return heights;
 }
 
-// S8: a step of Euler's method cut in two is not the step.
+// T8: a step of Euler's method cut in two is not the step.
 void add_flow_erratum(Result& result) {
   result.tables.push_back(fall_table());
-  result.quantities.push_back({"S8: height that cutting a step changes, forward Euler", "m",
+  result.quantities.push_back({"T8: height that cutting a step changes, forward Euler", "m",
                                change_by_cutting(step_forward_euler)});
-  result.quantities.push_back({"S8: height that cutting a step changes, semi-implicit Euler", "m",
+  result.quantities.push_back({"T8: height that cutting a step changes, semi-implicit Euler", "m",
                                change_by_cutting(step_semi_implicit)});
   result.quantities.push_back(
-      {"S8: height that cutting a step changes, flight", "m", change_by_cutting(fly)});
-  result.quantities.push_back({"S8: impact time, bisecting a semi-implicit Euler step", "s",
+      {"T8: height that cutting a step changes, flight", "m", change_by_cutting(fly)});
+  result.quantities.push_back({"T8: impact time, bisecting a semi-implicit Euler step", "s",
                                impact_by_bisection(step_semi_implicit)});
   result.quantities.push_back(
-      {"S8: impact time, bisecting a flight", "s", impact_by_bisection(fly)});
+      {"T8: impact time, bisecting a flight", "s", impact_by_bisection(fly)});
 }
 
-// S9: impacts at one time are resolved in the order in which a heap happens to hold them.
+// T9: impacts at one time are resolved in the order in which a heap happens to hold them.
 void add_tie_erratum(Result& result) {
   const Order forth = {0, 1, 2, 3};
   const World one = after_landing(&forth);
@@ -166,11 +166,11 @@ void add_tie_erratum(Result& result) {
   }
   result.tables.push_back(table);
   result.quantities.push_back(
-      {"S9: spin after a flat landing, corner by corner", "rad/s", spin_of(one)});
+      {"T9: spin after a flat landing, corner by corner", "rad/s", spin_of(one)});
   result.quantities.push_back(
-      {"S9: the same, most of all 24 orders of the corners", "rad/s", most});
+      {"T9: the same, most of all 24 orders of the corners", "rad/s", most});
   result.quantities.push_back(
-      {"S9: spin after a flat landing, all corners together", "rad/s", spin_of(together)});
+      {"T9: spin after a flat landing, all corners together", "rad/s", spin_of(together)});
 }
 
 Result measure_event_search_errata(const Parameters& settings) {

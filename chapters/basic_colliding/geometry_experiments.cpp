@@ -1,5 +1,6 @@
 /// \file
 /// \brief Experiments on where bodies touch (thesis 3.2).
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/manifold.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"

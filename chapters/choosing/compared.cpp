@@ -2,6 +2,8 @@
 /// \brief Every technique of the library, run for comparison, and how its work is counted.
 #include "choosing/compared.hpp"
 
+#include "driver/settings.hpp"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -11,15 +13,15 @@ namespace {
 
 class After : public RunObserver {
  public:
-  explicit After(const std::function<void(const World&, const Metrics&, const StepReport&)>& told)
-      : told_(told) {}
-  void on_step(const World& world, const Technique&, const StepReport& report,
+  explicit After(const std::function<void(const World&, const Metrics&)>& called)
+      : called_(called) {}
+  void on_step(const World& world, const Technique&, const StepReport&,
                const Metrics& metrics) override {
-    if (told_) told_(world, metrics, report);
+    if (called_) called_(world, metrics);
   }
 
  private:
-  const std::function<void(const World&, const Metrics&, const StepReport&)>& told_;
+  const std::function<void(const World&, const Metrics&)>& called_;
 };
 
 }  // namespace
@@ -42,22 +44,19 @@ double work_of(const StepReport& report, double pivot) {
   return static_cast<double>(others) + pivot * static_cast<double>(report.pivots);
 }
 
-RunResult run_compared(
-    const Scene& scene, const PlayedTechnique& played, double dt, double duration,
-    const std::function<void(const World&, const Metrics&, const StepReport&)>& after) {
-  const auto technique = make_technique(played.name, played.settings);
+RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,
+                       double duration,
+                       const std::function<void(const World&, const Metrics&)>& after) {
   RunSettings settings;
   settings.dt = dt;
   settings.duration = duration;
   After observer(after);
   const std::array<RunObserver*, 1> observers = {&observer};
-  return run_scene(scene, *technique, settings, observers);
+  return run_scene(scene, *make_technique(played.name, played.settings), settings, observers);
 }
 
 std::string number_name(const std::string& technique, const std::string& what) {
-  std::string name = technique;
-  name += ": ";
-  return name += what;
+  return technique + ": " + what;
 }
 
 void add_number(std::vector<Quantity>& list, std::string name, std::string unit, double value) {

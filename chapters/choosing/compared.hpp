@@ -20,7 +20,7 @@ namespace tumble::chapters {
 /// \return in the order of `tumble techniques`
 std::vector<PlayedTechnique> compared_techniques();
 
-/// What a technique did, without the clock: everything that its reports count as work.
+/// The work of a technique, without the clock: everything that its reports count.
 ///
 /// Sweeps, pivots, impulses, tests of pairs, bodies advanced and evaluations of searches, each as one.
 /// \param report  of one step, or of several added up
@@ -33,12 +33,12 @@ double work_of(const StepReport& report, double pivot = 1.0);
 /// \param played    the technique
 /// \param dt        [s] the step
 /// \param duration  [s] simulated time
-/// \param after     told of the world and the report after each step
+/// \param after     called after each step, if given
 /// \return what the run came to
 /// \throws std::invalid_argument if the technique refuses the scene
-RunResult run_compared(
-    const Scene& scene, const PlayedTechnique& played, double dt, double duration,
-    const std::function<void(const World&, const Metrics&, const StepReport&)>& after = {});
+RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,
+                       double duration,
+                       const std::function<void(const World&, const Metrics&)>& after = {});
 
 /// A cell that holds no number.
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();

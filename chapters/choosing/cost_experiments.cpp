@@ -1,8 +1,9 @@
 /// \file
-/// \brief What a step costs at 10, 100 and 1000 boxes, in counts.
+/// \brief The cost of a step at 10, 100 and 1000 boxes, in counts.
 #include "choosing/cost_experiments.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ struct Sized {
   Scene scene;
   int boxes = 0;
   bool large = false;
-  bool heap = false;  // all boxes hang together
+  bool pyramid = false;  // all boxes are in contact
 };
 
 std::vector<Sized> sized_scenes() {
@@ -28,28 +29,24 @@ std::vector<Sized> sized_scenes() {
           {"990 boxes in a pyramid", scene_with("pyramid", {"rows=44"}), 990, true, true}};
 }
 
-// Whoever takes a second or more for a step: only the patient run them.
+// Whether a step takes a second or more: these are run on demand.
 bool takes_long(const std::string& technique, const Sized& sized) {
-  if (technique == "basic") return sized.large || (sized.heap && sized.boxes > 10);
-  if (technique == "time_stepping") return sized.heap && sized.boxes > 10;
+  if (technique == "basic") return sized.large || (sized.pyramid && sized.boxes > 10);
+  if (technique == "time_stepping") return sized.pyramid && sized.boxes > 10;
   const bool sweeps =
       technique == "contact_damped" || technique == "damped" || technique == "impulse";
-  return sized.large && sized.heap && !sweeps;
+  return sized.large && sized.pyramid && !sweeps;
 }
 
 }  // namespace
 
-StepCost step_cost(const Scene& scene, const PlayedTechnique& played, int steps) {
-  StepCost cost;
+double step_cost(const Scene& scene, const PlayedTechnique& played, int steps) {
   try {
     const RunResult run = run_compared(scene, played, kStep, steps * kStep);
-    cost.work = work_of(run.totals) / steps;
-    cost.pivots = static_cast<double>(run.totals.pivots) / steps;
-    cost.refused = run.end != RunEnd::complete;
+    return run.end == RunEnd::complete ? work_of(run.totals) / steps : kNoNumber;
   } catch (const std::invalid_argument&) {
-    cost.refused = true;
+    return kNoNumber;
   }
-  return cost;
 }
 
 Scene separate_stacks(int boxes) {
@@ -70,33 +67,39 @@ Scene separate_stacks(int boxes) {
   return scene;
 }
 
+namespace {
+
+// Work of a step in separate stacks and in one pyramid, by technique and number of boxes.
 Result measure_cost(const Parameters& settings) {
   Table table{"",
               {{"technique", "-", "its row, from 0"},
                {"scene", "-", "0: stacks of five, 1: one pyramid"},
                {"boxes", "-", "in the scene"},
-               {"run", "-", "0: left out, a step takes a second or more; -1: refused"},
-               {"work", "-", "of a step: everything that its report counts"},
-               {"pivots", "-", "of these"}}};
+               {"work", "-", "of a step: everything that its report counts"}}};
   Result result;
   const std::vector<Sized> scenes = sized_scenes();
   const std::vector<PlayedTechnique> techniques = compared_techniques();
-  for (std::size_t t = 0; t < techniques.size(); ++t) {
+  for (std::size_t t = 0; t < techniques.size(); ++t)
     for (const Sized& sized : scenes) {
       const bool left_out = takes_long(techniques[t].name, sized) && !settings.flag("patient");
-      StepCost cost{true, kNoNumber, kNoNumber};
-      if (!left_out) cost = step_cost(sized.scene, techniques[t], settings.count("steps"));
-      const double work = cost.refused ? kNoNumber : cost.work;
-      table.rows.push_back({static_cast<double>(t), sized.heap ? 1.0 : 0.0,
-                            static_cast<double>(sized.boxes),
-                            left_out ? 0.0 : (cost.refused ? -1.0 : 1.0), work,
-                            cost.refused ? kNoNumber : cost.pivots});
+      const double work =
+          left_out ? kNoNumber : step_cost(sized.scene, techniques[t], settings.count("steps"));
+      table.add(t, sized.pyramid ? 1 : 0, sized.boxes, work);
       add_number(result.quantities,
                  number_name(techniques[t].name, "work of a step, " + sized.words), "-", work);
     }
-  }
   result.tables = {table};
   return result;
 }
 
+const Registered choose_cost_figure{
+    {.name = "choose_cost",
+     .parameters =
+         Parameters{}
+             .add_whole("steps", 4, 1, 1000, "of 1/60 s, over which the work is averaged")
+             .add_flag("patient", false, "run what takes a second or more for a step too"),
+     .quick = {"steps=1"},
+     .experiment = measure_cost}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -84,7 +84,7 @@ Attempt attempt(const Problem& problem, const PlayedTechnique& played, int per_f
   Attempt out;
   double worst = 0.0;
   int steps = 0;
-  const auto look = [&](const World& world, const Metrics&, const StepReport&) {
+  const auto look = [&](const World& world, const Metrics&) {
     if (++steps % per_frame != 0) return;
     const double time = kFrame * (steps / per_frame);
     worst = std::max(worst, std::abs(problem.value(world) - problem.exact(time)));

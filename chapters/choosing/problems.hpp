@@ -13,10 +13,10 @@ namespace tumble::chapters {
 /// A motion whose path is known.
 struct Problem {
   std::string name;                             ///< in a word
-  Scene scene;                                  ///< what is simulated
+  Scene scene;                                  ///< start of the simulation
   int frames = 0;                               ///< how long, in frames of kFrame
   double scale = 1.0;                           ///< errors are over it [as value]
-  std::function<double(const World&)> value{};  ///< what is looked at: a height, a way, an angle
+  std::function<double(const World&)> value{};  ///< the compared value: a height, a way, an angle
   std::function<double(double)> exact{};        ///< the same at a time [s]
 };
 

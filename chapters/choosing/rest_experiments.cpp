@@ -1,8 +1,9 @@
 /// \file
-/// \brief What a technique does with boxes that should rest, and with one that should tip.
+/// \brief Boxes that should rest, and one that should tip, under each technique.
 #include "choosing/rest_experiments.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ bool tips(const PlayedTechnique& played, double angle) {
   const Scene scene =
       scene_with("slope", {setting("angle", angle), "width=0.5", "height=1", "friction=2"});
   double most = 0.0;
-  const auto look = [&](const World& world, const Metrics&, const StepReport&) {
+  const auto look = [&](const World& world, const Metrics&) {
     const Vec3 up = world.states()[1].orientation_wb * Vec3::UnitY();
     const Vec3 normal = world.states()[0].orientation_wb * Vec3::UnitY();
     most = std::max(most, std::acos(std::clamp(up.dot(normal), -1.0, 1.0)));
@@ -69,7 +70,7 @@ PileRun stack_of(const Parameters& p, int count, const std::string& top,
 PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double duration) {
   PileRun run;
   double speed = 0.0, moved = 0.0;
-  const auto look = [&](const World& world, const Metrics& metrics, const StepReport&) {
+  const auto look = [&](const World& world, const Metrics& metrics) {
     if (world.time() > duration - kWatched) speed = std::max(speed, metrics.fastest);
     const std::size_t ground = world.states().size() - scene.boxes.size();
     for (std::size_t k = 0; k < scene.boxes.size(); ++k)
@@ -96,6 +97,10 @@ double tipping_angle(const PlayedTechnique& played, int halves) {
   return 0.5 * (low + high);
 }
 
+namespace {
+
+// Residual speed, overlap, chatter, mass ratios and the angle of tipping of each technique; a pile that
+// fell has none.
 Result measure_rest_and_tip(const Parameters& settings) {
   Table table{"",
               {{"technique", "-", "its row, from 0"},
@@ -111,10 +116,10 @@ Result measure_rest_and_tip(const Parameters& settings) {
   const std::vector<PlayedTechnique> techniques = compared_techniques();
   for (std::size_t t = 0; t < techniques.size(); ++t) {
     const PlayedTechnique& played = techniques[t];
-    std::vector<double> row = {static_cast<double>(t)};
+    std::vector<double> cells;
     const auto add = [&](const std::string& what, const std::string& unit, double value,
                          double scale) {
-      row.push_back(value);
+      cells.push_back(value);
       add_number(result.quantities, number_name(played.name, what), unit, scale * value);
     };
     const PileRun box = pile_run(scene_with("bouncing_box", {"height=0.01", "restitution=0"}),
@@ -129,7 +134,7 @@ Result measure_rest_and_tip(const Parameters& settings) {
           stack_of(settings, 2, kMassNames[m], played).overlap, 1e3);
     const double angle = tipping_angle(played, settings.count("halves"));
     add("slope from which a box tips", "deg", std::isinf(angle) ? kNoNumber : angle, 1.0);
-    table.rows.push_back(row);
+    table.add(t, cells);
   }
   result.quantities.push_back({"slope from which a box tips, closed form", "deg",
                                std::atan(0.5) * 180.0 / std::numbers::pi});
@@ -137,4 +142,18 @@ Result measure_rest_and_tip(const Parameters& settings) {
   return result;
 }
 
+const Registered choose_rest_figure{
+    {.name = "choose_rest",
+     .parameters =
+         Parameters{}
+             .add_whole("boxes", 10, 1, 20, "of the stack")
+             .add_whole("seeds", 3, 1, 100, "starts of each pile, of which the worst counts")
+             .add_number("scatter", 0.01, 0.0, 0.1, "m",
+                         "how far boxes of piles are off their places")
+             .add_number("duration", 2.0, 0.5, 60.0, "s", "simulated time of each pile")
+             .add_whole("halves", 9, 1, 30, "of the interval of slopes from 2 to 60 degrees"),
+     .quick = {"boxes=2", "seeds=1", "duration=0.6", "halves=2"},
+     .experiment = measure_rest_and_tip}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,18 +1,12 @@
 /// \file
-/// \brief What a technique does with boxes that should rest, and with one that should tip.
+/// \brief Boxes that should rest, and one that should tip, under each technique.
 #pragma once
 
 #include "choosing/compared.hpp"
 
-#include <vector>
-
 namespace tumble::chapters {
 
-/// The figure "choose_rest".
-/// \return it
-std::vector<Figure> rest_and_tip_figures();
-
-/// What became of a pile. Whoever does not stand has no other numbers but the overlap.
+/// What became of a pile. One that does not stand has no other numbers but the overlap.
 struct PileRun {
   bool stands = false;         ///< no box ends half an edge from its start, or at 1 m/s or more
   double speed = kNoNumber;    ///< [m/s] fastest centre in the last half second
@@ -35,10 +29,5 @@ PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double durat
 /// \param halves  how often the interval from 2 to 60 degrees is halved
 /// \return [deg] the middle of the last interval; 0 if it tips at 2 degrees, infinity if it does not at 60
 double tipping_angle(const PlayedTechnique& played, int halves);
-
-/// Residual speed, overlap, chatter, mass ratios and the angle of tipping of each technique.
-/// \param settings  boxes, seeds, scatter, duration, halves
-/// \return table "" (by technique) and the same as numbers; a pile that fell has none
-Result measure_rest_and_tip(const Parameters& settings);
 
 }  // namespace tumble::chapters

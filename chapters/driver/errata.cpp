@@ -29,9 +29,9 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path) {
   std::vector<Erratum> errata;
   for (Record& record : read_records(path, kForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    if (texts["kind"] != "slip" && texts["kind"] != "choice") {
+    if (texts["kind"] != "misprint" && texts["kind"] != "choice") {
       throw std::invalid_argument(record.place + "kind '" + texts["kind"] +
-                                  "': give slip or choice");
+                                  "': give misprint or choice");
     }
     Erratum erratum;
     erratum.id = texts["id"];

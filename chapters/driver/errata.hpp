@@ -15,7 +15,7 @@ struct Erratum {
   std::string id;  ///< short name, as `repaired=` takes it where a technique can read as printed
   std::string section;  ///< of the thesis
   std::string chapter;  ///< the folder of the chapter
-  std::string kind;     ///< "slip": contradicts the thesis itself; "choice": the author meant it
+  std::string kind;  ///< "misprint": contradicts the thesis itself; "choice": the author meant it
   std::string printed;  ///< what the thesis says, retold
   std::string reading;  ///< what we do instead
   std::string scene;    ///< where it shows
@@ -31,7 +31,7 @@ struct Erratum {
 /// \param path  the `errata.toml`; the chapter is the folder it lies in
 /// \return the errata in the order of the file
 /// \throws FileError, or std::invalid_argument naming file, line and id: see read_records(); also
-///         for a kind other than slip and choice
+///         for a kind other than misprint and choice
 std::vector<Erratum> read_errata(const std::filesystem::path& path);
 
 /// An erratum with its numbers; a value is NaN if it is not measured.

@@ -53,14 +53,14 @@ std::string finding(const CheckedNumber& number) {
 
 std::string erratum_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
-  const bool slip = erratum.kind == "slip";
+  const bool misprint = erratum.kind == "misprint";
   return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
          erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
          row_html("Printed", html_text(erratum.printed)) +
          row_html("Read as", html_text(erratum.reading)) +
          row_html("Shown by", html_text(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
-         row_html(slip ? "Mended" : "Otherwise", finding(entry.mended)) +
+         row_html(misprint ? "Mended" : "Otherwise", finding(entry.mended)) +
          row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
                                 html_text(erratum.figure) + "</a>") +
          row_html("Test", html_text(erratum.test)) +
@@ -133,7 +133,7 @@ The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endh
 std::string errata_page(const Findings& findings) {
   std::string text = R"(# Errata of the thesis {#errata}
 
-A *slip* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
+A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
 techniques mend it. A *choice* was meant by the author: the techniques of the thesis keep it, and
 cures are in our own. Each has a scene in which it shows and two numbers: the text taken literally,
 and what we do.
@@ -156,7 +156,7 @@ std::string tolerances_page(const std::vector<Tolerance>& tolerances) {
   std::string text =
       "# Small numbers {#tolerances}\n\nEvery tolerance and threshold of the library, " +
       std::to_string(tolerances.size()) + R"( of them, as
-tumble/base/tolerance.hpp defines them. Those without a unit are ratios and hold for boxes of any
+the tolerances.hpp of each folder in src/tumble defines them. Those without a unit are ratios and hold for boxes of any
 size and mass. "The same" refers to the number before; `0x1p-27` is 2 to the power of -27.
 
 )";

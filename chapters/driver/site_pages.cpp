@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path library = argv[3];
     const std::filesystem::path chapters = argv[4];
     const Findings findings = read_findings(argv[2], {argv + 5, argv + argc});
-    const std::vector<Tolerance> tolerances = read_all_tolerances(library / "base");
+    const std::vector<Tolerance> tolerances = read_all_tolerances(library);
     const std::vector<AppendixListing> appendix =
         read_appendix(chapters / "appendix_a.toml", sources_in(library));
     const std::vector<ThesisSection> map = read_thesis_map(chapters / "thesis_map.toml");

@@ -1,16 +1,18 @@
 /// \file
-/// \brief The small numbers of the library, read out of their header.
+/// \brief The small numbers of the library, read from their headers.
 #include "driver/tolerances.hpp"
 
 #include "driver/csv.hpp"
 
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
 
+const char* const kFile = "tolerances.hpp";
 const std::string kBegin = "namespace tumble::tolerance {";
 const std::string kEnd = "}  // namespace tumble::tolerance";
 
@@ -87,11 +89,15 @@ std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
   return reader.found;
 }
 
-std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& folder) {
-  std::vector<Tolerance> all = read_tolerances(folder / "tolerance.hpp");
-  for (const char* name : {"chapter_tolerance.hpp", "stability_tolerance.hpp",
-                           "filtering_tolerance.hpp", "rotation_tolerance.hpp"}) {
-    const std::vector<Tolerance> more = read_tolerances(folder / name);
+std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& library) {
+  std::vector<Tolerance> all = read_tolerances(library / "base" / kFile);
+  std::set<std::filesystem::path> others;  // a directory has no order
+  for (const auto& folder : std::filesystem::directory_iterator(library)) {
+    if (folder.path().filename() != "base" && std::filesystem::exists(folder.path() / kFile))
+      others.insert(folder.path() / kFile);
+  }
+  for (const std::filesystem::path& path : others) {
+    const std::vector<Tolerance> more = read_tolerances(path);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

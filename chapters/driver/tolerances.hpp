@@ -1,5 +1,5 @@
 /// \file
-/// \brief The small numbers of the library, read out of their header.
+/// \brief The small numbers of the library, read from their headers.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace tumble::chapters {
 
-/// One constant of a `tolerance.hpp` in `src/tumble/base`.
+/// One constant of a `tolerances.hpp`.
 struct Tolerance {
   std::string layer;    ///< of the library
   std::string name;     ///< of the constant
@@ -30,10 +30,10 @@ struct Tolerance {
 ///         what is not of this form
 std::vector<Tolerance> read_tolerances(const std::filesystem::path& path);
 
-/// Reads all constants of the library, `tolerance.hpp` and those of chapters beside it.
-/// \param folder  `src/tumble/base`
-/// \return those of the layers, then those of the chapters
+/// Reads all constants of the library, of the `tolerances.hpp` in each of its folders.
+/// \param library  `src/tumble`
+/// \return those of `base`, then those of the other folders in alphabetical order
 /// \throws FileError and std::invalid_argument as read_tolerances() does
-std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& folder);
+std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& library);
 
 }  // namespace tumble::chapters

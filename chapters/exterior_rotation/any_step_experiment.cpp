@@ -2,10 +2,10 @@
 /// \brief Groups moved by one twist for each body, at any step: gaps and orders (thesis 6.2).
 #include "tumble/math/rotation.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
-#include "exterior_rotation/cure_figures.hpp"
-#include "exterior_rotation/cure_runs.hpp"
 #include "exterior_rotation/falling_column.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +17,10 @@ namespace {
 
 constexpr double kJudge = 1e-13;           // [-] accuracy of the solution in three dimensions
 constexpr double kJudgeStep = 1.0 / 60.0;  // [s] at most
-constexpr double kFitted = 0.021;          // [s] steps up to this long show the order
-constexpr int kBase = 60;                  // steps a second of which gaps are told
+constexpr double kLongestFitted = 0.021;   // [s] steps up to this long show the order
+constexpr int kBase = 60;                  // steps a second of the numbers
 
-GluedOptions twist(GluedScheme scheme) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = PoseUpdate::exponential;
-  return options;
-}
+GluedOptions twist(GluedScheme scheme) { return glued_options(scheme, PoseUpdate::exponential); }
 
 // One step length, all runs.
 struct Row {
@@ -66,19 +61,13 @@ void fly(int steps, double dt, Row& row) {
   row.flight_gap = run.gap;
 }
 
-}  // namespace
-
 Result measure_any_step(const Parameters& settings) {
   const double angle = settings.number("angle");
   const double duration = settings.number("duration");
-  const int coarsest = settings.count("coarsest");
-  const int finest = settings.count("finest");
-  const int count = settings.count("steps");
   const World ball = column_on_corner(angle, settings.number("spin"));
   const auto lowest = [](const World& world) { return world.states()[1].orientation_wb; };
-  GluedOptions judge;
-  judge.scheme = GluedScheme::dormand_prince;
-  judge.accuracy = kJudge;
+  const GluedOptions judge =
+      glued_options(GluedScheme::dormand_prince, PoseUpdate::separate, kJudge);
   const int judge_steps = static_cast<int>(std::ceil(duration / kJudgeStep));
   const Quat truth_wb = lowest(run_glued(ball, judge, duration / judge_steps, judge_steps).world);
 
@@ -86,9 +75,9 @@ Result measure_any_step(const Parameters& settings) {
     Row row;
     const int steps = std::max(1, static_cast<int>(std::lround(duration * rate)));
     row.dt = duration / steps;  // all runs end at the same time
-    GluedOptions apart;
-    apart.scheme = GluedScheme::semi_implicit;
-    row.separate = run_glued(column_world(angle), apart, row.dt, steps).gap;
+    row.separate =
+        run_glued(column_world(angle), glued_options(GluedScheme::semi_implicit), row.dt, steps)
+            .gap;
     for (std::size_t k = 0; k < kPlanar.size(); ++k) {
       const GluedRun run = run_glued(column_world(angle), twist(kPlanar[k]), row.dt, steps);
       row.gap[k] = run.gap;
@@ -103,11 +92,9 @@ Result measure_any_step(const Parameters& settings) {
   };
 
   std::vector<Row> rows;
-  for (int k = 0; k < count; ++k) {  // rates evenly spread in the logarithm
-    const double share = static_cast<double>(k) / (count - 1);
-    rows.push_back(measured(static_cast<int>(std::lround(
-        coarsest * std::exp(share * std::log(static_cast<double>(finest) / coarsest))))));
-  }
+  for (const double rate :
+       log_spaced(settings.count("coarsest"), settings.count("finest"), settings.count("steps")))
+    rows.push_back(measured(static_cast<int>(std::lround(rate))));
   const Row base = measured(kBase);
 
   Table table{"",
@@ -127,16 +114,15 @@ Result measure_any_step(const Parameters& settings) {
   std::vector<double> fitted_dt;
   std::array<std::vector<double>, 4> fitted;
   for (const Row& row : rows) {
-    table.rows.push_back({row.dt, row.separate, row.gap[0], row.gap[1], row.gap[2], row.ball_gap,
-                          row.flight_gap, row.error[0], row.error[1], row.error[2], row.ball_error,
-                          row.flight_path});
+    table.add(row.dt, row.separate, row.gap, row.ball_gap, row.flight_gap, row.error,
+              row.ball_error, row.flight_path);
     for (std::size_t k = 0; k < kPlanar.size(); ++k)
       most.gap[k] = std::max(most.gap[k], row.gap[k]);
     most.ball_apart = std::max(most.ball_apart, row.ball_apart);
     most.flight_gap = std::max(most.flight_gap, row.flight_gap);
     most.flight_path = std::max(most.flight_path, row.flight_path);
     most.flight_momentum = std::max(most.flight_momentum, row.flight_momentum);
-    if (row.dt > kFitted) continue;
+    if (row.dt > kLongestFitted) continue;
     fitted_dt.push_back(row.dt);
     for (std::size_t k = 0; k < kPlanar.size(); ++k) fitted[k].push_back(row.error[k]);
     fitted[3].push_back(row.ball_error);
@@ -154,16 +140,29 @@ Result measure_any_step(const Parameters& settings) {
       {"order of the angle's error, leapfrog", "-", fitted_order(fitted_dt, fitted[2])},
       {"order of the orientation's error on a ball joint, leapfrog", "-",
        fitted_order(fitted_dt, fitted[3])},
-      {"error of the orientation on a ball joint at 60 steps a second, leapfrog", "rad",
-       base.ball_error},
       {"in flight, the centre's largest distance from free fall at any step", "m",
        most.flight_path},
       {"in flight, the largest error of the centre's velocity at any step", "m/s",
        most.flight_momentum},
       {"in flight, the largest change of angular momentum over all of it, 60 steps a second", "-",
        base.flight_angular}};
-  result.tables = {std::move(table)};
+  result.tables = {table};
   return result;
 }
 
+const Registered twist_any_step_figure{
+    {.name = "twist_any_step",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.3, 0.01, 1.0, "rad", "of the column's centre at the start")
+             .add_number("spin", 2.0, -20.0, 20.0, "rad/s",
+                         "about its long axis, on the ball joint")
+             .add_number("duration", 1.0, 0.1, 1.5, "s", "of each run")
+             .add_whole("coarsest", 5, 2, 50, "steps a second")
+             .add_whole("finest", 1000, 60, 10000, "steps a second")
+             .add_whole("steps", 16, 4, 100, "lengths of a step between them"),
+     .quick = {"finest=240", "steps=8"},
+     .experiment = measure_any_step}};
+
+}  // namespace
 }  // namespace tumble::chapters

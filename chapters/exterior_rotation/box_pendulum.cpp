@@ -6,6 +6,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
 
@@ -18,14 +19,7 @@ namespace {
 
 Quat about_z(double angle) { return rotation_from_vector(Vec3(0.0, 0.0, angle)); }
 
-GluedOptions adaptive(double accuracy) {
-  GluedOptions options;
-  options.scheme = GluedScheme::dormand_prince;
-  options.accuracy = accuracy;
-  return options;
-}
-
-// How long after the start the box hangs straight down; it does so within a step.
+// [s] from the start until the box hangs straight down, which it does within a step.
 double passage_within_step(const HungBox& start) {
   double low = 0.0;
   double high = kStep;
@@ -76,7 +70,8 @@ double HungBox::angle() const {
 double HungBox::energy() const { return energy_of(world).total(); }
 
 MeasuredSwing measure_swing(double width, double height, double amplitude, double accuracy) {
-  HungBox box(width, height, amplitude, adaptive(accuracy));
+  HungBox box(width, height, amplitude,
+              glued_options(GluedScheme::dormand_prince, PoseUpdate::separate, accuracy));
   std::array<double, 2> passages{};  // [s]
   for (double& passage : passages) {
     for (;;) {
@@ -90,7 +85,6 @@ MeasuredSwing measure_swing(double width, double height, double amplitude, doubl
   MeasuredSwing found;
   found.period = 2.0 * (passages[1] - passages[0]);
   found.apart = gap_of(box.glued.joints(), box.world.states()).apart;
-  found.solves = box.glued.solves();
   return found;
 }
 

@@ -41,7 +41,6 @@ struct HungBox {
 struct MeasuredSwing {
   double period = 0.0;  ///< [s] twice the time from one passage straight below to the next
   double apart = 0.0;   ///< [m] how far the edge has come apart then
-  int solves = 0;  ///< systems of joint forces solved up to then, without the search for passages
 };
 
 /// Lets a box swing until it has hung straight down for the second time, each passage found by halving

@@ -1,6 +1,8 @@
 /// \file
-/// \brief Runs of the glued column of figure 6.1, and how far each is off in the end.
+/// \brief Runs of the glued column of figure 6.1, and their errors at the end.
 #include "exterior_rotation/column_runs.hpp"
+
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,26 +12,18 @@
 namespace tumble::chapters {
 namespace {
 
-GluedOptions options_of(const ColumnScheme& scheme) {
-  GluedOptions options;
-  options.scheme = scheme.scheme;
-  options.pose = scheme.pose;
-  options.accuracy = 1.0;  // no step is refused
-  return options;
-}
-
-ColumnRun run(Glued& glued, int steps, const ColumnFall& fall) {
-  World world = column_world(fall.phi0, 0.0, fall.count);
+ColumnRun run(GluedScheme scheme, PoseUpdate pose, double accuracy, int steps,
+              const ColumnFall& fall) {
   ColumnRun found;
-  for (int k = 0; k < steps; ++k) {
-    glued.step(world, fall.time / steps);
-    found.largest_gap = std::max(found.largest_gap, std::abs(column_gap(world)));
-    found.largest_apart =
-        std::max(found.largest_apart, gap_of(glued.joints(), world.states()).apart);
-  }
-  found.angle_error = centre_angle(world) - column_angle(fall.time, fall.phi0, fall.count);
-  found.gap = column_gap(world);
-  found.solves = glued.solves();
+  const GluedRun end =
+      run_glued(column_world(fall.phi0, 0.0, fall.count), glued_options(scheme, pose, accuracy),
+                fall.time / steps, steps, [&](const World& world, const JointGap&) {
+                  found.gap = column_gap(world);
+                  found.largest_gap = std::max(found.largest_gap, std::abs(found.gap));
+                });
+  found.largest_apart = end.apart;
+  found.angle_error = centre_angle(end.world) - column_angle(fall.time, fall.phi0, fall.count);
+  found.solves = end.solves;
   return found;
 }
 
@@ -70,17 +64,19 @@ const ColumnScheme& column_scheme(std::string_view column) {
   throw std::invalid_argument("no scheme " + std::string(column));
 }
 
+Parameters fall_parameters(double time) {
+  return Parameters{}
+      .add_number("phi0", 0.3, 0.01, 0.5, "rad",
+                  "of the column's centre at the start, from the vertical")
+      .add_number("time", time, 0.1, 3.0, "s", "that it falls");
+}
+
 ColumnRun run_column(const ColumnScheme& scheme, int steps, const ColumnFall& fall) {
-  Glued glued(options_of(scheme));
-  return run(glued, steps, fall);
+  return run(scheme.scheme, scheme.pose, 1.0, steps, fall);  // with 1.0 no step is refused
 }
 
 ColumnRun run_column_accurately(double accuracy, const ColumnFall& fall) {
-  GluedOptions options;
-  options.scheme = GluedScheme::dormand_prince;
-  options.accuracy = accuracy;
-  Glued glued(options);
-  return run(glued, 1, fall);
+  return run(GluedScheme::dormand_prince, PoseUpdate::separate, accuracy, 1, fall);
 }
 
 }  // namespace tumble::chapters

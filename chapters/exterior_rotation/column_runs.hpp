@@ -1,7 +1,8 @@
 /// \file
-/// \brief Runs of the glued column of figure 6.1, and how far each is off in the end (thesis 6.2).
+/// \brief Runs of the glued column of figure 6.1, and their errors at the end (thesis 6.2).
 #pragma once
 
+#include "tumble/base/parameters.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include "exterior_rotation/falling_column.hpp"
@@ -44,27 +45,31 @@ struct ColumnFall {
   int count = 4;      ///< cubes
 };
 
-/// How a run ended.
+/// Settings of a figure for a fall.
+/// \param time  [s] that it falls
+/// \return phi0 and time
+Parameters fall_parameters(double time);
+
+/// The end of a run.
 struct ColumnRun {
-  double angle_error = 0.0;  ///< [rad] of the centre at the end, less that of the closed form
-  double gap = 0.0;          ///< [m] column_gap() at the end
-  double largest_gap = 0.0;  ///< [m] largest magnitude of column_gap() after any step
-  double largest_apart =
-      0.0;         ///< [m] largest distance of any glued point, the pivot's too, from itself
-  int solves = 0;  ///< systems of joint forces solved: the work
+  double angle_error = 0.0;    ///< [rad] of the centre at the end, less that of the closed form
+  double gap = 0.0;            ///< [m] column_gap() at the end
+  double largest_gap = 0.0;    ///< [m] largest magnitude of column_gap() after any step
+  double largest_apart = 0.0;  ///< [m] largest distance of any glued point from itself
+  int solves = 0;              ///< systems of joint forces solved: the work
 };
 
 /// Lets the column fall in equal steps, its joints held.
 /// \param scheme  how; dormand_prince takes each step whole
 /// \param steps   how many
 /// \param fall    from where and how long
-/// \return how it ended
+/// \return its end
 ColumnRun run_column(const ColumnScheme& scheme, int steps, const ColumnFall& fall = {});
 
 /// Lets the column fall in steps as long as an accuracy allows, by dormand_prince.
 /// \param accuracy  [-] error allowed in a step
 /// \param fall      from where and how long
-/// \return how it ended; largest_gap and largest_apart are those at the end
+/// \return its end; largest_gap and largest_apart are those at the end
 ColumnRun run_column_accurately(double accuracy, const ColumnFall& fall = {});
 
 }  // namespace tumble::chapters

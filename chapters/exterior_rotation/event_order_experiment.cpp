@@ -1,9 +1,9 @@
 /// \file
 /// \brief The order of a fall before openings of joints and across them, and of the moment of an opening.
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
-#include "exterior_rotation/cure_runs.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/footnote_experiments.hpp"
+#include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kFinest = 1e-13;    // [-] accuracy of the reference
-constexpr double kRounding = 3e-12;  // [m], [s] smaller errors are not fitted
+constexpr double kReferenceAccuracy = 1e-13;  // [-] accuracy of the reference
+constexpr double kRounding = 3e-12;           // [m], [s] smaller errors are not fitted
 
 // A scheme with openings located, or noticed at the end of a step.
-struct Way {
+struct EventWay {
   std::string column;
   GluedScheme scheme;
   GluedEvents events;
 };
 
-const std::vector<Way>& ways() {
-  static const std::vector<Way> list = {
+const std::vector<EventWay>& ways() {
+  static const std::vector<EventWay> list = {
       {"rk4_located", GluedScheme::rk4, GluedEvents::located},
       {"rk4_step_end", GluedScheme::rk4, GluedEvents::step_end},
       {"midpoint_located", GluedScheme::midpoint, GluedEvents::located},
@@ -47,7 +47,6 @@ struct Errors {
 
 // An end of the fall.
 struct End {
-  std::string name;
   double time = 0.0;
   UnilateralRun reference;
   std::vector<Errors> errors;
@@ -70,13 +69,14 @@ double lateness(const UnilateralRun& run, const UnilateralRun& reference) {
 }
 
 End measure(const std::string& name, const Parameters& settings) {
-  End end{name, settings.number(name), {}, {}};
+  End end{settings.number(name), {}, {}};
   const World start = column_world(settings.number("angle"));
   end.reference = run_unilateral(
-      start, unilateral(GluedScheme::dormand_prince, GluedEvents::located, kFinest), end.time, 100);
+      start, unilateral(GluedScheme::dormand_prince, GluedEvents::located, kReferenceAccuracy),
+      end.time, 100);
   for (const int steps : step_counts(settings)) {
     Errors errors{end.time / steps, {}, {}};
-    for (const Way& way : ways()) {
+    for (const EventWay& way : ways()) {
       const UnilateralRun run =
           run_unilateral(start, unilateral(way.scheme, way.events), end.time, steps);
       errors.pose.push_back(farthest_corner(run.world, end.reference.world));
@@ -106,25 +106,20 @@ double moment_of(const Errors& errors, std::size_t way) { return std::abs(errors
 
 // By how much accelerations jump as a joint changes: of the centre that jumps most.
 double jump_at(const UnilateralRun& run, std::size_t event) {
-  const World& world = run.moments[event].world;
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  JointForces forces;
-  std::vector<Wrench> after;
-  forces.hold(world, moving, run.moments[event].joints, after);
-  // What was held before: what the last change of this joint left, or its whole area.
-  std::vector<Joint> joints = run.moments[event].joints;
+  const World& world = run.events[event].after.world;
+  // The hold before: that after the last change of this joint, or its whole area.
+  std::vector<Joint> joints = run.events[event].after.joints;
   const int changed = run.events[event].joint;
   Joint& joint = joints[static_cast<std::size_t>(changed)];
   joint.hold = joint.is_area() ? JointHold::area : JointHold::edge;
   for (std::size_t k = 0; k < event; ++k) {
     if (run.events[k].joint != changed) continue;
-    joint = run.moments[k].joints[static_cast<std::size_t>(changed)];
+    joint = run.events[k].after.joints[static_cast<std::size_t>(changed)];
   }
-  std::vector<Wrench> before;
-  forces.hold(world, moving, joints, before);
+  const std::vector<Wrench> after = HeldInstant(world, run.events[event].after.joints).rates;
+  const std::vector<Wrench> before = HeldInstant(world, joints).rates;
   double largest = 0.0;
-  for (std::size_t b = 0; b < moving.size(); ++b) {
+  for (std::size_t b = 0; b < before.size(); ++b) {
     const BodyProperties& body = world.bodies()[b];
     if (body.movable())
       largest =
@@ -144,26 +139,23 @@ Table pose_table(const std::vector<End>& ends) {
   Table table{"",
               {{"end", "-", "0: before any opening, 1: after one, 2: after several"},
                {"step_s", "s", "length of a step"}}};
-  for (const Way& way : ways())
+  for (const EventWay& way : ways())
     table.columns.push_back(
         {way.column + "_m", "m", "largest distance of a corner from where it should be"});
   for (std::size_t e = 0; e < ends.size(); ++e) {
-    for (const Errors& errors : ends[e].errors) {
-      table.rows.push_back({static_cast<double>(e), errors.dt});
-      table.rows.back().insert(table.rows.back().end(), errors.pose.begin(), errors.pose.end());
-    }
+    for (const Errors& errors : ends[e].errors) table.add(e, errors.dt, errors.pose);
   }
   return table;
 }
 
 Table moment_table(const End& end) {
   Table table{"moment", {{"step_s", "s", "length of a step"}}};
-  for (const Way& way : ways())
+  for (const EventWay& way : ways())
     table.columns.push_back({way.column + "_s", "s", "error of the moment of the first opening"});
   for (const Errors& errors : end.errors) {
-    table.rows.push_back({errors.dt});
-    for (std::size_t way = 0; way < ways().size(); ++way)
-      table.rows.back().push_back(moment_of(errors, way));
+    std::vector<double> moments;
+    for (std::size_t way = 0; way < ways().size(); ++way) moments.push_back(moment_of(errors, way));
+    table.add(errors.dt, moments);
   }
   return table;
 }
@@ -180,18 +172,18 @@ Table adaptive_table(const Parameters& settings, const End& end) {
   const World start = column_world(settings.number("angle"));
   for (int n = 8; n <= 24; ++n) {
     const double accuracy = std::pow(10.0, -0.5 * n);
-    table.rows.push_back({accuracy});
-    std::vector<double> solves;
+    std::vector<double> errors;
+    std::vector<int> solves;
     for (const GluedEvents events : {GluedEvents::located, GluedEvents::step_end}) {
       const UnilateralRun run = run_unilateral(
           start, unilateral(GluedScheme::dormand_prince, events, accuracy), end.time, 1);
-      table.rows.back().push_back(farthest_corner(run.world, end.reference.world));
-      solves.push_back(run.solves.front());
+      errors.push_back(farthest_corner(run.world, end.reference.world));
+      solves.push_back(run.solves);
     }
     GluedOptions glued = unilateral(GluedScheme::dormand_prince, GluedEvents::located, accuracy);
     glued.joints = GluedJoints::bilateral;
-    solves.push_back(run_unilateral(start, glued, end.time, 1).solves.front());
-    table.rows.back().insert(table.rows.back().end(), solves.begin(), solves.end());
+    solves.push_back(run_unilateral(start, glued, end.time, 1).solves);
+    table.add(accuracy, errors, solves);
   }
   return table;
 }
@@ -200,8 +192,6 @@ double sum_of(const Table& table, std::size_t column) {
   return std::accumulate(table.rows.begin(), table.rows.end(), 0.0,
                          [&](double sum, const auto& row) { return sum + row[column]; });
 }
-
-}  // namespace
 
 Result measure_event_order(const Parameters& settings) {
   const std::vector<End> ends = {measure("before", settings), measure("after", settings),
@@ -215,30 +205,46 @@ Result measure_event_order(const Parameters& settings) {
   const Table adaptive = adaptive_table(settings, ends[1]);
   result.tables = {pose_table(ends), moment_table(ends[2]), adaptive};
 
-  std::vector<Quantity>& out = result.quantities;
-  const auto order = [&](const std::string& name, const End& end, std::size_t way) {
-    out.push_back({name, "-", order_of(end, way, step_of, pose_of)});
+  const auto order = [&](const End& end, std::size_t way) {
+    return order_of(end, way, step_of, pose_of);
   };
-  order("order before any joint opens, classical Runge-Kutta", ends[0], kLocated);
-  order("order across one opening, located", ends[1], kLocated);
-  order("order across several openings, located", ends[2], kLocated);
-  order("the same, midpoint", ends[2], 2);
-  order("order across several openings, noticed at the end of a step", ends[2], kStepEnd);
-  out.push_back({"order of what an opening costs against how late it is noticed", "-",
-                 order_of(ends[1], kStepEnd, moment_of, pose_of)});
-  out.push_back({"order of the first opening's moment, located", "-",
-                 order_of(ends[2], kLocated, step_of, moment_of)});
   const UnilateralRun& longest = ends[2].reference;
-  out.push_back({"jump of an acceleration as the first joint opens", "m/s²",
-                 jump_at(longest, first_event(longest, JointHold::edge))});
-  out.push_back({"jump of an acceleration as the first box comes apart", "m/s²",
-                 jump_at(longest, first_event(longest, JointHold::nothing))});
-  out.push_back({"error after one opening, error-controlled at 1e-12, located", "m",
-                 adaptive.rows.back()[1]});
-  out.push_back({"the same, noticed at the end of a step", "m", adaptive.rows.back()[2]});
-  out.push_back({"force solves of the latter over those with glue, sums over accuracies", "-",
-                 sum_of(adaptive, 4) / sum_of(adaptive, 5)});
+  result.quantities = {
+      {"order before any joint opens, classical Runge-Kutta", "-", order(ends[0], kLocated)},
+      {"order across one opening, located", "-", order(ends[1], kLocated)},
+      {"order across several openings, located", "-", order(ends[2], kLocated)},
+      {"the same, midpoint", "-", order(ends[2], 2)},
+      {"order across several openings, noticed at the end of a step", "-",
+       order(ends[2], kStepEnd)},
+      {"order of what an opening costs against how late it is noticed", "-",
+       order_of(ends[1], kStepEnd, moment_of, pose_of)},
+      {"order of the first opening's moment, located", "-",
+       order_of(ends[2], kLocated, step_of, moment_of)},
+      {"jump of an acceleration as the first joint opens", "m/s²",
+       jump_at(longest, first_event(longest, JointHold::edge))},
+      {"jump of an acceleration as the first box comes apart", "m/s²",
+       jump_at(longest, first_event(longest, JointHold::nothing))},
+      {"error after one opening, error-controlled at 1e-12, located", "m", adaptive.rows.back()[1]},
+      {"the same, noticed at the end of a step", "m", adaptive.rows.back()[2]},
+      {"force solves of the latter over those with glue, sums over accuracies", "-",
+       sum_of(adaptive, 4) / sum_of(adaptive, 5)}};
   return result;
 }
 
+const Registered event_order_figure{
+    {.name = "event_order",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.3, 0.05, 0.5, "rad", "of the column's centre, at the start")
+             .add_number("before", 0.8, 0.1, 10.0, "s", "end of a fall before any opening")
+             .add_number("after", 0.86, 0.1, 10.0, "s", "end of a fall after one opening")
+             .add_number("late", 1.15, 0.1, 10.0, "s",
+                         "end of a fall after several changes of joints")
+             .add_whole("fewest", 24, 4, 1000, "steps of a fall")
+             .add_whole("most", 768, 8, 100000, "steps of a fall")
+             .add_whole("per_doubling", 4, 1, 100, "numbers of steps between one and its double"),
+     .quick = {"most=192", "per_doubling=2"},
+     .experiment = measure_event_order}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,12 +1,16 @@
 /// \file
 /// \brief A column, or one box, falls over the edge of a larger one (figures 6.1 and 6.2).
+#include "tumble/pictures/film.hpp"
+#include "tumble/pictures/gif.hpp"
+#include "tumble/pictures/world_picture.hpp"
+
 #include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/film_schemes.hpp"
-#include "exterior_rotation/problem_experiments.hpp"
+#include "exterior_rotation/glued_runs.hpp"
+#include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/side_view.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,10 +18,9 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr int kFrames = 4;
 constexpr double kMostAngle = 1.0;  // [rad] that a scene can begin with
 
-// What was asked for, and the runs.
+// The settings, and the runs.
 struct Fall {
   int boxes = 4;
   double angle = 0.3;  // [rad]
@@ -55,19 +58,18 @@ Table gaps_over_time(const Fall& fall) {
         {scheme.column + "_apart_m", "m", "largest distance of a corner from itself, same scheme"});
   }
   for (std::size_t k = 0; k < fall.runs[0].frames.size(); ++k) {
-    table.rows.push_back({fall.runs[0].frames[k].time});
-    for (const HeldRun& run : fall.runs) {
-      table.rows.back().push_back(1e3 * gap(fall, run, run.frames[k]));
-      table.rows.back().push_back(farthest_apart(run.frames[k]));
-    }
+    std::vector<double> row;
+    for (const HeldRun& run : fall.runs)
+      row.insert(row.end(), {1e3 * gap(fall, run, run.frames[k]), farthest_apart(run.frames[k])});
+    table.add(fall.runs[0].frames[k].time, row);
   }
   return table;
 }
 
-// From which point to which the line goes along which a joint comes apart.
-double spacing(const Fall& fall) { return fall.boxes > 1 ? 1.0 : std::sqrt(0.5); }
+// [m] Length of the line along which a joint comes apart.
+double joint_line(const Fall& fall) { return fall.boxes > 1 ? 1.0 : std::sqrt(0.5); }
 
-// What one step makes of an exact state, by schemes whose error can be seen.
+// The gap that one step makes of an exact state, by schemes whose error can be seen.
 Table gaps_of_steps(const Fall& fall) {
   Table table{"steps",
               {{"time_s", "s", "of the exact state that the step starts from"},
@@ -80,9 +82,10 @@ Table gaps_of_steps(const Fall& fall) {
     if (angle > kMostAngle) break;
     const double rate = column_rate(frame.time, fall.angle, fall.boxes);
     const World exact = world_at(fall.boxes, angle, rate);
-    table.rows.push_back({frame.time, 1e3 * 0.5 * rate * rate * fall.dt * fall.dt * spacing(fall)});
+    std::vector<double> gaps;
     for (std::size_t s = 0; s < kSeenSchemes; ++s)
-      table.rows.back().push_back(1e3 * gap_of_step(exact, options_of(film_schemes()[s]), fall.dt));
+      gaps.push_back(1e3 * gap_of_step(exact, options_of(film_schemes()[s]), fall.dt));
+    table.add(frame.time, 1e3 * 0.5 * rate * rate * fall.dt * fall.dt * joint_line(fall), gaps);
   }
   return table;
 }
@@ -101,9 +104,7 @@ FilmLayout layout_of(const Fall& fall, const Parameters& settings) {
     layout.high = Vec2(1.35, top + 1.65);
     layout.bar = 0.005;
   }
-  const double inset = layout.inset / layout.scale();
-  const double margin = 2.0 / layout.scale();
-  layout.inset_low = Vec2(layout.low.x() + margin, layout.high.y() - inset - margin);
+  layout.put_inset_above();
   return layout;
 }
 
@@ -111,32 +112,27 @@ void draw(const Fall& fall, const Parameters& settings, Result& result) {
   const FilmLayout layout = layout_of(fall, settings);
   const HeldRun& shown = fall.runs.front();
   const HeldRun& exact = fall.runs.back();
-  const Vec2 pivot(column_pivot().x(), column_pivot().y());
-  Table times{"frames",
-              {{"time_s", "s", "of the frame"}, {"gap_mm", "mm", "gap in it, forward Euler"}}};
-  for (int k = 1; k <= kFrames; ++k) {
-    const double time = settings.number(std::string("t").append(std::to_string(k)));
-    const HeldFrame& frame = shown.at(time);
+  const Vec2 pivot = column_pivot().head<2>();
+  Table times{"frames", {{"time_s", "s", "of the frame"}}};
+  for (int k = 1; k <= kFilmFrames; ++k) {
+    const HeldFrame& frame = shown.at(film_time(settings, k));
     const Joint& joint = shown.joints.back();
-    // What is magnified is the end of the joint on the pivot's side, or the pivot.
+    // The inset shows the end of the joint on the pivot's side, or the pivot.
     Vec3 middle_w = held_point(joint, frame.states).first_w;
     if (joint.hold == JointHold::area) {
       const double inside = 0.3 * layout.seen();  // [m] from that end
       middle_w += frame.states[static_cast<std::size_t>(joint.first)].orientation_wb *
                   Vec3(0.5 - inside, 0.0, 0.0);
     }
-    const FilmFrame film{
-        frame.states, exact.at(time).states, {pivot}, Vec2(middle_w.x(), middle_w.y())};
-    SideView view = film_view(shown.start, layout, film);
+    FilmFrame film{
+        frame.states, exact.at(film_time(settings, k)).states, {pivot}, middle_w.head<2>()};
     for (int n = 0; n < fall.boxes; ++n) {
       const bool highest = n + 1 == fall.boxes;
-      view.circle(pivot, std::hypot(0.5, n + 0.5),
-                  {film_colour::pivot, highest ? 1.8 : 0.8, false});
+      film.circles.push_back(
+          {pivot, std::hypot(0.5, n + 0.5), {film_colour::pivot, highest ? 1.8 : 0.8, false}});
     }
-    result.drawings.push_back({"frame" + std::to_string(k), view.commands()});
-    result.drawings.push_back(
-        {"inset" + std::to_string(k), film_inset(shown.start, layout, film).commands()});
-    times.rows.push_back({frame.time, 1e3 * gap(fall, shown, frame)});
+    add_film_frame(shown.start, layout, film, k, result);
+    times.add(frame.time);
   }
   result.drawings.push_back(layout.drawing());
   result.tables.push_back(times);
@@ -158,30 +154,33 @@ double gap_after_turn(const Fall& fall, double turn) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
 Result measure_fall(const Parameters& settings) {
   const Fall fall = fall_of(settings);
   Result result;
   result.tables = {gaps_over_time(fall), gaps_of_steps(fall)};
   draw(fall, settings, result);
 
-  const auto end = [&](std::size_t s) { return fall.runs[s].frames.back(); };
-  for (std::size_t s = 0; s < kSeenSchemes; ++s)
+  const bool column = fall.boxes > 1;
+  const HeldFrame& end = fall.runs[5].frames.back();  // of the reference
+  for (std::size_t s = 0; s < (column ? kSeenSchemes : 2); ++s)
     result.quantities.push_back({"gap at the end, " + film_schemes()[s].words, "mm",
-                                 1e3 * gap(fall, fall.runs[s], end(s))});
+                                 1e3 * gap(fall, fall.runs[s], fall.runs[s].frames.back())});
   result.quantities.push_back(
-      {"largest distance of a corner from itself at the end, rk4", "m", farthest_apart(end(4))});
-  double largest = 0.0;
-  for (const HeldFrame& frame : fall.runs[5].frames)
-    largest = std::max(largest, farthest_apart(frame));
-  result.quantities.push_back(
-      {"largest distance of a corner from itself, reference", "m", largest});
-  const auto angle = [&](std::size_t s) { return centre_angle(fall.runs[s].world(end(s))); };
-  const double exact = column_angle(end(0).time, fall.angle, fall.boxes);
-  result.quantities.push_back(
-      {"angle at the end less that of the closed form, reference", "rad", angle(5) - exact});
-  result.quantities.push_back({"the same, forward Euler", "rad", angle(0) - exact});
+      {"angle at the end less that of the closed form, reference", "rad",
+       centre_angle(fall.runs[5].world(end)) - column_angle(end.time, fall.angle, fall.boxes)});
+  if (!column) {
+    Fall four = fall;
+    four.boxes = 4;
+    four.runs = {run_held(column_world(fall.angle), options_of(film_schemes()[0]), fall.dt,
+                          static_cast<int>(std::lround(1.0 / fall.dt)))};
+    constexpr double kTurn = 0.3;  // [rad] that both have turned
+    result.quantities.push_back(
+        {"farthest apart after turning by 0.3 rad, forward Euler, over that of the column of four",
+         "-", gap_after_turn(fall, kTurn) / gap_after_turn(four, kTurn)});
+    return result;
+  }
+  result.quantities.push_back({"largest distance of a corner from itself at the end, rk4", "m",
+                               farthest_apart(fall.runs[4].frames.back())});
   result.quantities.push_back(
       {"largest relative acceleration in a joint at the start of a step, over g, forward Euler",
        "-", fall.runs[0].acceleration / fall.runs[0].start.gravity_w.norm()});
@@ -191,17 +190,78 @@ Result measure_fall(const Parameters& settings) {
         {"gap that the last step makes over half the square of the turn times the spacing, " +
              film_schemes()[s].words,
          "-", last[2 + s] / last[1]});
-  if (fall.boxes == 1) {
-    Fall column = fall;
-    column.boxes = 4;
-    column.runs = {run_held(column_world(fall.angle), options_of(film_schemes()[0]), fall.dt,
-                            static_cast<int>(std::lround(1.0 / fall.dt)))};
-    constexpr double kTurn = 0.3;  // [rad] that both have turned
-    result.quantities.push_back(
-        {"farthest apart after turning by 0.3 rad, forward Euler, over that of the column of four",
-         "-", gap_after_turn(fall, kTurn) / gap_after_turn(column, kTurn)});
-  }
   return result;
 }
 
+// The film: forward Euler with long steps, each body moved apart and by its twist.
+constexpr double kCoarseStep = 0.1;  // [s] at 1/60 s a gap is too small to be seen
+constexpr int kSteps = 11;
+constexpr double kSpeed = 0.25;  // [-] of the film
+constexpr int kSize = 320;       // [px] of each side
+
+HeldRun coarse_fall(const World& start, PoseUpdate pose) {
+  return run_held(start, glued_options(GluedScheme::forward_euler, pose), kCoarseStep, kSteps);
+}
+
+Film film_of(const HeldRun& run, const Camera& camera) {
+  Film film;
+  film.camera = camera;
+  film.floor = has_ground(run.start);
+  for (const HeldFrame& frame : run.frames)
+    film.frames.push_back({frame.time, picture_boxes(run.world(frame))});
+  return film;
+}
+
+// As close as it can be with all of the column in the picture: of what it falls off a part is enough.
+Camera camera_of(const HeldRun& run) {
+  std::vector<Vec3> corners_w;
+  for (const HeldFrame& frame : run.frames) {
+    for (std::size_t k = 0; k < frame.states.size(); ++k) {
+      const BodyProperties& body = run.start.bodies()[k];
+      if (!body.movable()) continue;
+      for (const Vec3& corner_w : corners_of(box_of(body, frame.states[k])))
+        corners_w.push_back(corner_w);
+    }
+  }
+  const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which it falls, and a little above
+  return camera_for(corners_w, direction_w, kSize, kSize);
+}
+
+std::string column_film(const Parameters& settings) {
+  const World start = column_world(settings.number("angle"), 0.0, settings.count("boxes"));
+  const HeldRun apart = coarse_fall(start, PoseUpdate::separate);
+  const Camera camera = camera_of(apart);
+  const Film left = film_of(apart, camera);
+  const Film right = film_of(coarse_fall(start, PoseUpdate::exponential), camera);
+  const FilmPainter first(left);
+  const FilmPainter second(right);
+  return to_gif(film_delays(left, kSpeed / kCoarseStep),
+                [&](int frame) { return beside(first.painted(frame), second.painted(frame)); });
+}
+
+const Registered fig6_1_column_figure{
+    {.name = "fig6_1_column",
+     .parameters = film_parameters(
+         Parameters{}
+             .add_whole("boxes", 4, 2, 8, "cubes in the column")
+             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start"),
+         1.0, {0.0, 0.4, 0.8, 1.0}),
+     .quick = {"rate=30"},
+     .experiment = [](const Parameters& settings) {
+       Result result = measure_fall(settings);
+       result.film = [settings] { return column_film(settings); };
+       return result;
+     }}};
+
+const Registered fig6_2_one_box_figure{
+    {.name = "fig6_2_one_box",
+     .parameters = film_parameters(
+         Parameters{}
+             .add_whole("boxes", 1, 1, 1, "one")
+             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the box's centre at the start"),
+         0.45, {0.0, 0.2, 0.35, 0.45}),
+     .quick = {"rate=30"},
+     .experiment = measure_fall}};
+
+}  // namespace
 }  // namespace tumble::chapters

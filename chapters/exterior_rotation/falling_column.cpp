@@ -33,7 +33,7 @@ Elliptic elliptic(double time, double phi0, int count) {
   return e;
 }
 
-// What the fall has gained in units of g R, but for a factor.
+// Energy gained in the fall, in units of g R but for a factor.
 double fallen(double angle, double phi0) {
   return 2.0 * std::sin(0.5 * (angle + phi0)) * std::sin(0.5 * (angle - phi0));
 }

@@ -17,7 +17,7 @@ double column_radius(int count = 4);
 /// \return [1/s]
 double column_frequency(int count = 4);
 
-/// How far a column leans more than its centre: \f$\alpha = \arctan(1/n)\f$.
+/// Lean of a column less that of its centre: \f$\alpha = \arctan(1/n)\f$.
 /// \param count  n, cubes, 1 or more
 /// \return [rad] tilt of the column's axis less the angle of its centre from the vertical
 double column_tilt(int count = 4);
@@ -33,14 +33,14 @@ double column_tilt(int count = 4);
 /// \return [rad] as seen from the pivot, from the vertical, falling
 double column_angle(double time, double phi0, int count = 4);
 
-/// How fast that angle grows.
+/// Rate of that angle.
 /// \param time   [s] since it was released
 /// \param phi0   [rad] at the start, above 0 and below pi
 /// \param count  cubes
 /// \return [rad/s]
 double column_rate(double time, double phi0, int count = 4);
 
-/// How fast a column turns when it has fallen to an angle: \f$\sqrt{2p^2(\cos\phi_0 - \cos\phi)}\f$.
+/// Rate of a column that has fallen to an angle: \f$\sqrt{2p^2(\cos\phi_0 - \cos\phi)}\f$.
 /// \param angle  [rad] phi, phi0 to pi
 /// \param phi0   [rad] at the start
 /// \param count  cubes
@@ -54,7 +54,7 @@ double column_rate_at(double angle, double phi0, int count = 4);
 /// \return [s] since it was released
 double column_time(double angle, double phi0, int count = 4);
 
-/// What the larger box exerts on a column at the pivot.
+/// Force of the larger box on a column at the pivot.
 struct PivotForce {
   double normal = 0.0;      ///< [N] upwards
   double tangential = 0.0;  ///< [N] horizontal, in the direction of the fall
@@ -70,7 +70,7 @@ struct PivotForce {
 /// \return as it is just then
 PivotForce pivot_force(double angle, double phi0, int count = 4);
 
-/// What holds the upper part of a column on its lower part, as the lower one exerts it.
+/// Force of the lower part of a column on its upper part.
 struct GlueForce {
   double shear = 0.0;      ///< [N] across the column, towards the side that is above (backwards)
   double normal = 0.0;     ///< [N] along the column, above 0 if pressed

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Why the gaps of figure 6.1 differ from technique to technique.
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/technique_experiments.hpp"
 
@@ -11,56 +12,46 @@ namespace tumble::chapters {
 namespace {
 
 constexpr double kRate = 60.0;  // [1/s]
-constexpr double kPhi0 = 0.3;   // [rad] of the scenes
 
 struct Line {
-  const char* name;   // of the column
-  const char* words;  // for readers
-  PlayedTechnique played;
+  const char* name;       // of the column
+  std::size_t technique;  // of techniques_with_pose()
 };
-
-const std::array<Line, 5>& lines() {
-  static const std::array<Line, 5> list{{
-      {"glued", "glued with impulses", {"glued", {"scheme=impulse"}}},
-      {"impulse", "impulse with 100 passes", {"impulse", {"contact_passes=100"}}},
-      {"stepping", "time_stepping", {"time_stepping"}},
-      {"damped", "contact_damped", {"contact_damped"}},
-      {"analytic", "analytic", {"analytic"}},
-  }};
-  return list;
-}
+constexpr std::array kLines = {Line{"glued", 5}, Line{"impulse", 4}, Line{"stepping", 2},
+                               Line{"damped", 0}, Line{"analytic", 1}};
 
 // [m] ½ g sin(tilt) h² of each frame, added up.
 double creep(double time) {
   double sum = 0.0;
   const auto frames = static_cast<int>(std::lround(time * kRate));
-  for (int k = 0; k < frames; ++k) sum += std::sin(column_angle(k / kRate, kPhi0) + column_tilt());
+  for (int k = 0; k < frames; ++k)
+    sum += std::sin(column_angle(k / kRate, kSceneAngle) + column_tilt());
   return 0.5 * kGravity * sum / (kRate * kRate);
 }
-
-}  // namespace
 
 Result measure_gap_reasons(const Parameters& settings) {
   const ComparedScene scene{"fig6_1", settings.number("time")};
   const ComparedScene& one_box = compared_scenes()[1];
   Result result;
   Table table{"", {{"step_s", "s", "step"}, {"one_step_m", "m", "what one step makes at the end"}}};
-  for (const Line& line : lines())
-    table.columns.push_back(
-        {std::string(line.name) + "_m", "m", std::string("gap, ") + line.words});
-  const double turning = column_rate(scene.time, kPhi0);
+  for (const Line& line : kLines)
+    table.columns.push_back({std::string(line.name) + "_m", "m",
+                             "gap, " + techniques_with_pose()[line.technique].words});
+  const double turning = column_rate(scene.time, kSceneAngle);
   for (int k = 0; k <= settings.count("halvings"); ++k) {
     const double rate = 0.5 * kRate * (1 << k);
-    table.rows.push_back({1.0 / rate, 0.5 * turning * turning / (rate * rate)});
-    for (const Line& line : lines())
-      table.rows.back().push_back(run_technique(scene, line.played, rate).gap());
+    std::vector<double> gaps;
+    for (const Line& line : kLines)
+      gaps.push_back(
+          run_technique(scene, techniques_with_pose()[line.technique].played, rate).gap());
+    table.add(1.0 / rate, 0.5 * turning * turning / (rate * rate), gaps);
   }
-  // Orders are told from the last two steps, so that the coarsest one does not spoil them.
+  // Orders are fitted to the last two steps: the coarsest one would spoil them.
   const std::vector<double>& coarse = table.rows[table.rows.size() - 2];
   const std::vector<double>& fine = table.rows.back();
-  for (std::size_t k = 0; k < lines().size(); ++k)
+  for (std::size_t k = 0; k < kLines.size(); ++k)
     result.quantities.push_back(
-        {std::string("order of the gap, ") + lines()[k].words, "-",
+        {"order of the gap, " + techniques_with_pose()[kLines[k].technique].words, "-",
          std::log(coarse[k + 2] / fine[k + 2]) / std::log(coarse[0] / fine[0])});
   const auto add = [&](const char* words, const char* unit, double value) {
     result.quantities.push_back({words, unit, value});
@@ -85,4 +76,13 @@ Result measure_gap_reasons(const Parameters& settings) {
   return result;
 }
 
+const Registered technique_gap_orders_figure{
+    {.name = "technique_gap_orders",
+     .parameters = Parameters{}
+                       .add_number("time", 0.8, 0.1, 0.8, "s", "from the start")
+                       .add_whole("halvings", 2, 1, 4, "of the step of 1/30 s"),
+     .quick = {"time=0.4", "halvings=1"},
+     .experiment = measure_gap_reasons}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -4,11 +4,12 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <utility>
 
 namespace tumble::chapters {
@@ -85,7 +86,7 @@ std::vector<ContactSet> GeometricContacts::look(const World& world) const {
 void GeometricContacts::step(World& world, double dt) {
   require::positive(dt, "dt");
   if (joints_.empty()) find(world);
-  // Who touches, and who touches again.
+  // Joints that touch, and those that touch again.
   const std::vector<ContactSet> now = look(world);
   bool back = false;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -125,7 +126,7 @@ void GeometricContacts::release(const World& world, bool impulses) {
     } else {
       forces_.hold(world, moving_, joints_, wrenches_);
     }
-    // That a joint closes is told by geometry here: such answers are passed over.
+    // Here geometry decides that a joint closes: such answers are passed over.
     std::vector<Joint> asked = joints_;
     JointChange change;
     double margin = joint_margin(asked, world, moving_, forces_, change);
@@ -137,6 +138,44 @@ void GeometricContacts::release(const World& world, bool impulses) {
     joints_[at(change.joint)].hold = change.hold;
     joints_[at(change.joint)].side = change.side;
   }
+}
+
+std::vector<ContactChange> changes_of(const std::vector<std::vector<ContactSet>>& looks) {
+  std::vector<ContactChange> changes;
+  for (std::size_t n = 1; n < looks.size(); ++n) {
+    for (std::size_t j = 0; j < looks[n].size(); ++j) {
+      const ContactSet& before = looks[n - 1][j];
+      const ContactSet& now = looks[n][j];
+      ContactChange change{static_cast<int>(n), static_cast<int>(j)};
+      if (now.touching != before.touching) {
+        change.kind = (now.touching & ~before.touching) != 0 ? ChangeKind::found : ChangeKind::lost;
+        change.touching = now.touching;
+        changes.push_back(change);
+      }
+      if (now.overlapped == before.overlapped) continue;
+      change.kind = now.overlapped ? ChangeKind::overlap : ChangeKind::cleared;
+      change.touching = 0;
+      changes.push_back(change);
+    }
+  }
+  return changes;
+}
+
+std::vector<ContactChange> changes_not_in(const std::vector<ContactChange>& changes,
+                                          const std::vector<ContactChange>& other, int within) {
+  std::vector<char> used(other.size(), 0);
+  std::vector<ContactChange> left;
+  for (const ContactChange& change : changes) {
+    std::size_t k = 0;
+    while (k < other.size() && (used[k] != 0 || !change.same(other[k]) ||
+                                std::abs(change.step - other[k].step) > within))
+      ++k;
+    if (k == other.size())
+      left.push_back(change);
+    else
+      used[k] = 1;
+  }
+  return left;
 }
 
 }  // namespace tumble::chapters

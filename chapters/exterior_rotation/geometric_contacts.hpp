@@ -12,7 +12,7 @@
 
 namespace tumble::chapters {
 
-/// What is seen of a joint.
+/// The contact of a joint, by geometry.
 struct ContactSet {
   int touching = 0;         ///< bit k: corner k of the area touches the other body
   bool overlapped = false;  ///< a test for collisions would find the bodies in each other
@@ -33,7 +33,7 @@ struct ContactSet {
 /// \return what is seen
 ContactSet contact_set_of(const Joint& joint, std::span<const BodyState> states, double tolerance);
 
-/// What corners that touch can hold.
+/// The hold of corners that touch.
 /// \param seen   what is seen of the joint
 /// \param joint  gets what is held: all corners its area, two of a side this side, one a corner, none
 ///               nothing. Three, or two across the area, count as all
@@ -52,7 +52,7 @@ struct ContactScheme {
 ///         semi-implicit, impulse, leapfrog
 const std::vector<ContactScheme>& contact_schemes();
 
-/// Bodies whose contacts are told by geometry in every step.
+/// Bodies whose contacts are found by geometry in every step.
 ///
 /// `Glued` remembers which joints hold, and opens one when its force says so. A simulator has no such
 /// memory: it looks where bodies are, and takes what touches for a contact. Each step
@@ -104,5 +104,44 @@ class GeometricContacts {
   RungeKutta runge_kutta_;
   SimpleSteps simple_;
 };
+
+/// Kinds of changes of a joint.
+enum class ChangeKind : std::uint8_t {
+  lost,     ///< corners touch no longer
+  found,    ///< corners touch again; also if others were lost in the same step
+  overlap,  ///< the bodies are found in each other
+  cleared   ///< they are no longer
+};
+
+/// A joint is seen otherwise than in the step before.
+struct ContactChange {
+  int step = 0;                        ///< after which it is first seen, from 1
+  int joint = 0;                       ///< its place
+  ChangeKind kind = ChangeKind::lost;  ///< what it is
+  int touching = 0;                    ///< of a change of touching: the corners that do now
+
+  /// Whether two are the same, but for the step.
+  /// \param other the other one
+  /// \return true if joint, kind and corners are equal
+  [[nodiscard]] bool same(const ContactChange& other) const {
+    return joint == other.joint && kind == other.kind && touching == other.touching;
+  }
+};
+
+/// The changes of contact of a run.
+/// \param looks  at all joints, by step; the first one is at the start
+/// \return in the order of steps. What touches and what is overlapped change one by one: a step can
+///         have both for a joint
+std::vector<ContactChange> changes_of(const std::vector<std::vector<ContactSet>>& looks);
+
+/// The changes that another run does not have.
+///
+/// Each change of the other run answers for one change at most, the first one that is within reach.
+/// \param changes  of the run that is judged
+/// \param other    of the run that judges
+/// \param within   steps that the same change may be earlier or later, from 0
+/// \return those that nothing answers for
+std::vector<ContactChange> changes_not_in(const std::vector<ContactChange>& changes,
+                                          const std::vector<ContactChange>& other, int within);
 
 }  // namespace tumble::chapters

@@ -4,7 +4,10 @@
 
 #include "tumble/base/index.hpp"
 
+#include "exterior_rotation/glued_runs.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -29,6 +32,11 @@ Vec3 acceleration_of(const BodyProperties& body, const BodyState& state, const W
   const Vec3 lever_w = point_w - state.position_w;
   return body.inverse_mass * rate.force_w + alpha_w.cross(lever_w) +
          omega_w.cross(omega_w.cross(lever_w));
+}
+
+// [m] The opening, or below 0 the overlap, whichever is larger.
+double signed_gap(const JointGap& gap) {
+  return gap.opening >= gap.overlap ? gap.opening : -gap.overlap;
 }
 
 }  // namespace
@@ -63,10 +71,6 @@ HeldRun run_held(const World& start, const GluedOptions& options, double dt, int
   return run;
 }
 
-double signed_gap(const JointGap& gap) {
-  return gap.opening >= gap.overlap ? gap.opening : -gap.overlap;
-}
-
 double widest(const HeldRun& run, const HeldFrame& frame, JointHold hold) {
   double widest = 0.0;
   for (std::size_t j = 0; j < run.joints.size(); ++j) {
@@ -83,12 +87,13 @@ double farthest_apart(const HeldFrame& frame) {
   return farthest;
 }
 
-double relative_acceleration(const World& world, std::span<const Joint> joints) {
-  JointForces forces;
-  std::vector<MovingBody> moving;
-  std::vector<Wrench> rates;
+HeldInstant::HeldInstant(const World& world, std::span<const Joint> joints) {
   load_moving_bodies(world, moving);
   forces.hold(world, moving, joints, rates);
+}
+
+double relative_acceleration(const World& world, std::span<const Joint> joints) {
+  const std::vector<Wrench> rates = HeldInstant(world, joints).rates;
   double largest = 0.0;
   for (const Joint& joint : joints) {
     const JointPoint held = held_point(joint, world.states());
@@ -100,6 +105,36 @@ double relative_acceleration(const World& world, std::span<const Joint> joints) 
     largest = std::max(largest, apart_w.norm());
   }
   return largest;
+}
+
+std::span<const FilmScheme> film_schemes() {
+  static const std::array<FilmScheme, 6> kSchemes = {{
+      {"forward_euler", "forward Euler", GluedScheme::forward_euler},
+      {"semi_implicit", "semi-implicit", GluedScheme::semi_implicit},
+      {"impulse", "impulses", GluedScheme::impulse},
+      {"midpoint", "midpoint", GluedScheme::midpoint},
+      {"rk4", "rk4", GluedScheme::rk4},
+      {"reference", "reference", GluedScheme::dormand_prince},
+  }};
+  return kSchemes;
+}
+
+GluedOptions options_of(const FilmScheme& scheme, PoseUpdate pose) {
+  return glued_options(scheme.scheme, pose, 1e-12);
+}
+
+double gap_of_step(const World& world, const GluedOptions& options, double dt) {
+  World moved = world;
+  Glued glued(options);
+  glued.find(moved);
+  glued.step(moved, dt);
+  const Joint& joint = glued.joints().back();
+  const auto centre = [&](int body) { return moved.states()[at(body)].position_w; };
+  // The larger box's centre does not turn: its pivot stands for it.
+  const bool edge = joint.hold == JointHold::edge;
+  const JointPoint held = held_point(joint, moved.states());
+  const Vec3 from_w = edge ? held.first_w : centre(joint.first);
+  return (centre(joint.second) - from_w).normalized().dot(held.second_w - held.first_w);
 }
 
 }  // namespace tumble::chapters

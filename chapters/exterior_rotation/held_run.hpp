@@ -1,10 +1,12 @@
 /// \file
-/// \brief A group of bodies that stick, step by step: states, and how far each joint has come apart
-///        (thesis 6.2).
+/// \brief A group of bodies that stick, step by step: states, gaps of its joints, and the schemes of the film
+///        strips (thesis 6.2).
 #pragma once
 
 #include "tumble/exterior_rotation/glued.hpp"
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace tumble::chapters {
@@ -42,28 +44,63 @@ struct HeldRun {
 /// \throws std::runtime_error if a state is not finite
 HeldRun run_held(const World& start, const GluedOptions& options, double dt, int steps);
 
-/// A gap as one number.
-/// \param gap as measured
-/// \return [m] the opening, or less than 0 the overlap, whichever is larger
-double signed_gap(const JointGap& gap);
-
 /// The gap of one kind of joint, the one with the largest magnitude.
 /// \param run    a run
 /// \param frame  of it
 /// \param hold   which joints: those of a group's glue are areas, those that it turns about edges
-/// \return [m] as signed_gap()
+/// \return [m] the opening, or below 0 the overlap, whichever is larger
 double widest(const HeldRun& run, const HeldFrame& frame, JointHold hold);
 
-/// How far corners are from where they should be, the largest of all joints.
+/// Largest distance of a corner from its place, over all joints.
 /// \param frame of a run
 /// \return [m] JointGap::apart
 double farthest_apart(const HeldFrame& frame);
 
-/// How fast the two sides of each held point accelerate away from one another, with the forces that were
-/// found for this instant.
+/// The forces that hold joints at an instant.
+struct HeldInstant {
+  std::vector<MovingBody> moving;  ///< the bodies, by index
+  std::vector<Wrench> rates;       ///< of change of their momenta, gravity included
+  JointForces forces;              ///< has solved for them
+
+  /// Solves for the forces.
+  /// \param world   the bodies
+  /// \param joints  what is held
+  HeldInstant(const World& world, std::span<const Joint> joints);
+};
+
+/// Relative acceleration of the two sides of each held point, with the forces that were found for this
+/// instant.
 /// \param world   the bodies
 /// \param joints  what is held
 /// \return [m/s²] the largest of all joints
 double relative_acceleration(const World& world, std::span<const Joint> joints);
+
+/// A scheme with its names in figures.
+struct FilmScheme {
+  std::string column;  ///< of tables
+  std::string words;   ///< for readers
+  GluedScheme scheme;  ///< how the motion is integrated
+};
+
+/// The three schemes of order 1, the midpoint rule, the classical method, and the reference.
+/// \return in this order, the thesis's first
+std::span<const FilmScheme> film_schemes();
+
+/// Number of film_schemes() that the eye distinguishes: all but the classical method and the reference.
+inline constexpr std::size_t kSeenSchemes = 4;
+
+/// The options of `glued` for a scheme, centres and orientations apart.
+/// \param scheme  one of film_schemes()
+/// \param pose    how bodies are moved
+/// \return the reference with an accuracy of 1e-12
+GluedOptions options_of(const FilmScheme& scheme, PoseUpdate pose = PoseUpdate::separate);
+
+/// By how far one step from an exact state of the column pulls its highest joint apart, along the line
+/// from the centre of rotation of the one to that of the other.
+/// \param world    falling_column's; with one box the joint is the edge, and the line that from pivot to centre
+/// \param options  of the step
+/// \param dt       [s] above 0
+/// \return [m] above 0 a gap, below 0 overlap
+double gap_of_step(const World& world, const GluedOptions& options, double dt);
 
 }  // namespace tumble::chapters

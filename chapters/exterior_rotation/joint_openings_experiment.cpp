@@ -5,8 +5,9 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/footnote_experiments.hpp"
+#include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/side_view.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
 
@@ -23,9 +24,7 @@ namespace {
 constexpr int kJoints = 3;  // areas between four cubes; joint 0 is the pivot
 constexpr int kTop = 3;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr std::uint32_t kHeld = 0x303030;   // an area that holds
-constexpr std::uint32_t kHinge = 0xd55e00;  // an edge that a box turns about
-const Vec2 kLow = Vec2(-1.3, 1.0);          // [m] what a frame shows
+const Vec2 kLow = Vec2(-1.3, 1.0);  // [m] what a frame shows
 const Vec2 kHigh = Vec2(5.0, 6.2);
 
 // How far a body has turned, falling.
@@ -34,7 +33,7 @@ double tilt_of(const BodyState& state) {
   return elementary::atan2(up_w.x(), up_w.y());
 }
 
-// What a moment of the fall tells.
+// A moment of the fall.
 struct Look {
   double time = 0.0;
   std::array<double, kJoints> pressed{};  // [m] NaN if the area is not held
@@ -44,15 +43,11 @@ struct Look {
 Look look_at(const World& world, std::span<const Joint> joints) {
   Look look;
   look.time = world.time();
-  std::vector<MovingBody> moving;
-  std::vector<Wrench> rates;
-  JointForces forces;
-  load_moving_bodies(world, moving);
-  forces.hold(world, moving, joints, rates);
+  const HeldInstant held(world, joints);
   for (int k = 0; k < kJoints; ++k) {
     const Joint& joint = joints[at(k + 1)];
     look.pressed[at(k)] = joint.hold == JointHold::area
-                              ? pressed_at(joint, forces.on_second(k + 1), world.states())
+                              ? pressed_at(joint, held.forces.on_second(k + 1), world.states())
                               : std::nan("");
     look.hinge[at(k)] =
         tilt_of(world.states()[at(joint.first)]) - tilt_of(world.states()[at(joint.second)]);
@@ -60,14 +55,14 @@ Look look_at(const World& world, std::span<const Joint> joints) {
   return look;
 }
 
-struct Fall {
+struct DryFall {
   UnilateralRun run;
   std::vector<Look> looks;
   JointMoment start;
 };
 
-Fall let_fall(double angle, double seconds, double rate) {
-  Fall fall;
+DryFall let_fall(double angle, double seconds, double rate) {
+  DryFall fall;
   fall.run = run_unilateral(
       column_world(angle), unilateral(GluedScheme::dormand_prince, GluedEvents::located), seconds,
       static_cast<int>(std::lround(seconds * rate)), [&](const World& world, const Glued& glued) {
@@ -79,7 +74,7 @@ Fall let_fall(double angle, double seconds, double rate) {
 }
 
 // The first event of a kind.
-const JointEvent& event_of(const Fall& fall, int joint, JointHold hold) {
+const JointEvent& event_of(const DryFall& fall, int joint, JointHold hold) {
   for (const JointEvent& event : fall.run.events)
     if (event.joint == joint && event.hold == hold) return event;
   throw std::runtime_error("seconds: the fall is too short, joint " + std::to_string(joint) +
@@ -96,23 +91,24 @@ Drawing drawing_of(const JointMoment& moment, int number) {
     if (bodies[b].shape != Shape::box) continue;
     const Polygon side = side_of(bodies[b], states[b]);
     view.fill(side, moves ? film_colour::body : film_colour::supporter);
-    view.outline(side, {moves ? film_colour::edge : 0x808080, 1.0});
+    view.outline(side, {moves ? film_colour::edge : film_colour::supporter_edge, 1.0});
   }
   const auto corner = [&](const Joint& joint, int k) -> Vec2 {
     return corner_of(joint, k, states).first_w.head<2>();
   };
   constexpr double radius = 0.11;  // [m] of a dot
   for (const Joint& joint : moment.joints) {
-    if (joint.hold == JointHold::edge) view.dot(corner(joint, joint.side), radius, kHinge);
+    if (joint.hold == JointHold::edge)
+      view.dot(corner(joint, joint.side), radius, film_colour::pivot);
     if (joint.hold != JointHold::area) continue;
     // Seen from the side, two neighbouring corners of the area are one point, the next two another.
     const bool ahead = (corner(joint, 0) - corner(joint, 1)).norm() > radius;
-    view.line(corner(joint, 0), corner(joint, ahead ? 1 : 2), {kHeld, 4.0});
+    view.line(corner(joint, 0), corner(joint, ahead ? 1 : 2), {film_colour::dark, 4.0});
   }
   return {"frame" + std::to_string(number), view.commands()};
 }
 
-Table looks_table(const Fall& fall, double angle) {
+Table looks_table(const DryFall& fall, double angle) {
   Table table{"",
               {{"time_s", "s", "since the column was let go"},
                {"glued_deg", "deg", "closed form: angle of the glued column's centre"}}};
@@ -130,31 +126,28 @@ Table looks_table(const Fall& fall, double angle) {
   for (int k = 0; k < kJoints; ++k) opens_at[at(k)] = opening_angle(k + 1, angle);
   for (const Look& look : fall.looks) {
     const double phi = column_angle(look.time, angle);
-    table.rows.push_back({look.time, kDegrees * phi});
-    std::vector<double>& row = table.rows.back();
     std::array<double, kJoints> glued{};
-    for (int k = 0; k < kJoints; ++k)
-      glued[at(k)] =
-          phi <= opens_at[at(k)] ? glue_force(k + 1, phi, angle).from_edge : std::nan("");
-    row.insert(row.end(), look.pressed.begin(), look.pressed.end());
-    row.insert(row.end(), glued.begin(), glued.end());
-    for (int k = 0; k < kJoints; ++k)
-      row.push_back(look.time < opens ? std::abs(look.pressed[at(k)] - glued[at(k)])
-                                      : std::nan(""));
-    for (const double hinge : look.hinge) row.push_back(kDegrees * hinge);
+    std::array<double, kJoints> errors{};
+    std::array<double, kJoints> hinges{};
+    for (std::size_t k = 0; k < kJoints; ++k) {
+      const int joint = static_cast<int>(k) + 1;
+      glued[k] = phi <= opens_at[k] ? glue_force(joint, phi, angle).from_edge : std::nan("");
+      errors[k] = look.time < opens ? std::abs(look.pressed[k] - glued[k]) : std::nan("");
+      hinges[k] = kDegrees * look.hinge[k];
+    }
+    table.add(look.time, kDegrees * phi, look.pressed, glued, errors, hinges);
   }
   return table;
 }
 
-Table events_table(const Fall& fall) {
+Table events_table(const DryFall& fall) {
   Table table{"events",
               {{"time_s", "s", "since the column was let go"},
                {"joint", "-", "0: pivot; from 1 areas, the lowest first"},
                {"hold", "-", "0: area, 1: edge, 3: nothing, from now on"},
                {"angle_rad", "rad", "of the centre of all cubes"}}};
   for (const JointEvent& event : fall.run.events)
-    table.rows.push_back({event.time, static_cast<double>(event.joint),
-                          static_cast<double>(event.hold), event.angle});
+    table.add(event.time, event.joint, static_cast<int>(event.hold), event.angle);
   return table;
 }
 
@@ -166,34 +159,32 @@ double largest_error(const Table& looks) {
   return largest;
 }
 
-}  // namespace
-
 Result measure_joint_openings(const Parameters& settings) {
   const double angle = settings.number("angle");
-  const Fall fall = let_fall(angle, settings.number("seconds"), settings.number("rate"));
+  const DryFall fall = let_fall(angle, settings.number("seconds"), settings.number("rate"));
   const JointEvent& first = event_of(fall, kTop, JointHold::edge);
   const JointEvent& second = event_of(fall, kTop - 1, JointHold::edge);
   const JointEvent& apart = event_of(fall, kTop, JointHold::nothing);
   const JointEvent& leaves = event_of(fall, 0, JointHold::nothing);
   const auto [steeper, enough] = std::array<double, 2>{0.3, 0.9};  // another fall: [rad], [s]
-  const Fall other = let_fall(steeper, enough, 60.0);
+  const DryFall other = let_fall(steeper, enough, 60.0);
 
   Result result;
   result.tables = {looks_table(fall, angle), events_table(fall)};
   // The start, the first opening, and each time that a box has come apart.
   Table frames{"frames", {{"time_s", "s", "of the drawing with this place"}}};
   const auto draw = [&](double time, const JointMoment& moment) {
-    frames.rows.push_back({time});
+    frames.add(time);
     result.drawings.push_back(drawing_of(moment, static_cast<int>(frames.rows.size())));
   };
   draw(0.0, fall.start);
   for (std::size_t k = 0; k < fall.run.events.size(); ++k)
     if (k == 0 || fall.run.events[k].hold == JointHold::nothing)
-      draw(fall.run.events[k].time, fall.run.moments[k]);
+      draw(fall.run.events[k].time, fall.run.events[k].after);
   result.tables.push_back(frames);
 
   const double opening = opening_angle(kTop, angle);
-  const BodyState& lowest = fall.run.moments.front().world.states()[at(fall.start.joints[1].first)];
+  const BodyState& lowest = first.after.world.states()[at(fall.start.joints[1].first)];
   result.quantities = {
       {"angle of the column's centre at the first opening", "rad", first.angle},
       {"the same, closed form", "rad", opening},
@@ -208,9 +199,19 @@ Result measure_joint_openings(const Parameters& settings) {
       {"angle at the second opening if the first joint held, closed form", "rad",
        opening_angle(kTop - 1, angle)},
       {"moment at which the top box comes apart", "s", apart.time},
-      {"moment at which the lowest box leaves the edge", "s", leaves.time},
-      {"changes of joints until then", "-", static_cast<double>(fall.run.events.size())}};
+      {"moment at which the lowest box leaves the edge", "s", leaves.time}};
   return result;
 }
 
+const Registered joint_openings_figure{
+    {.name = "joint_openings",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.1, 0.01, 0.5, "rad", "of the column's centre, at the start")
+             .add_number("seconds", 1.9, 0.1, 10.0, "s", "length of the fall")
+             .add_number("rate", 480.0, 10.0, 1e4, "1/s", "looks a second"),
+     .quick = {"rate=30"},
+     .experiment = measure_joint_openings}};
+
+}  // namespace
 }  // namespace tumble::chapters

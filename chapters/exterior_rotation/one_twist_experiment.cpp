@@ -1,8 +1,8 @@
 /// \file
 /// \brief The column of figure 6.1, each body moved by one twist (claim 6.2d).
-#include "exterior_rotation/cure_figures.hpp"
-#include "exterior_rotation/cure_runs.hpp"
-#include "exterior_rotation/falling_column.hpp"
+#include "driver/registry.hpp"
+#include "exterior_rotation/column_runs.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,39 +17,27 @@ namespace {
 // corners of a joint, apart or into each other, whichever is larger, over all joints, that at the
 // larger box included, and over all steps. Edges are 1 m. The distance of corners in any direction is
 // a quantity of its own.
-constexpr std::array kSchemes = {GluedScheme::forward_euler, GluedScheme::semi_implicit,
-                                 GluedScheme::impulse, GluedScheme::leapfrog};
-constexpr std::array<const char*, kSchemes.size()> kNames = {"forward Euler", "semi-implicit Euler",
-                                                             "impulses", "leapfrog"};
-constexpr std::size_t kSemiImplicit = 1;
-constexpr std::size_t kLeapfrog = 3;
+constexpr std::array<std::size_t, 4> kSchemes = {0, 1, 2, 4};  // of separate_schemes()
 
-GluedOptions options_of(GluedScheme scheme, PoseUpdate pose) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = pose;
-  return options;
-}
-
-struct Way {
+struct TwistRun {
   std::vector<double> gaps;  // [m] after each step, from the start
   GluedRun run;
   double error = 0.0;  // [rad] of the angle at the end
 };
 
-Way fall(GluedScheme scheme, PoseUpdate pose, double angle, double dt, int steps) {
-  Way way;
-  way.gaps.push_back(0.0);
-  way.run = run_glued(column_world(angle), options_of(scheme, pose), dt, steps,
-                      [&](const World&, const JointGap& gap) {
-                        way.gaps.push_back(std::max(gap.opening, gap.overlap));
-                      });
-  way.error = centre_angle(way.run.world) - column_angle(steps * dt, angle);
-  return way;
+TwistRun twist_run(GluedScheme scheme, PoseUpdate pose, double angle, double dt, int steps) {
+  TwistRun found;
+  found.gaps.push_back(0.0);
+  found.run = run_glued(column_world(angle), glued_options(scheme, pose), dt, steps,
+                        [&](const World&, const JointGap& gap) {
+                          found.gaps.push_back(std::max(gap.opening, gap.overlap));
+                        });
+  found.error = centre_angle(found.run.world) - column_angle(steps * dt, angle);
+  return found;
 }
 
 // The distance of neighbouring numbers at the largest coordinate of the column.
-double spacing(const World& world) {
+double spacing_of_numbers(const World& world) {
   double largest = 0.0;
   for (std::size_t k = 0; k < world.states().size(); ++k)
     if (world.bodies()[k].movable())
@@ -57,14 +45,12 @@ double spacing(const World& world) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-}  // namespace
-
 Result measure_one_twist(const Parameters& settings) {
   const double angle = settings.number("angle");
   const double dt = 1.0 / settings.number("rate");
   const int steps = static_cast<int>(std::lround(settings.number("duration") / dt));
-  std::array<Way, kSchemes.size()> separate;
-  std::array<Way, kSchemes.size()> exponential;
+  std::array<TwistRun, kSchemes.size()> separate;
+  std::array<TwistRun, kSchemes.size()> exponential;
   Table angles{
       "angles",
       {{"scheme", "-", "forward Euler, semi-implicit Euler, impulses, leapfrog"},
@@ -72,12 +58,13 @@ Result measure_one_twist(const Parameters& settings) {
        {"exponential_rad", "rad", "error of the column's angle, one twist for each body"}}};
   Result result;
   for (std::size_t k = 0; k < kSchemes.size(); ++k) {
-    separate[k] = fall(kSchemes[k], PoseUpdate::separate, angle, dt, steps);
-    exponential[k] = fall(kSchemes[k], PoseUpdate::exponential, angle, dt, steps);
-    angles.rows.push_back({static_cast<double>(k + 1), separate[k].error, exponential[k].error});
+    const GluedScheme scheme = separate_schemes()[kSchemes[k]].scheme;
+    separate[k] = twist_run(scheme, PoseUpdate::separate, angle, dt, steps);
+    exponential[k] = twist_run(scheme, PoseUpdate::exponential, angle, dt, steps);
+    angles.add(k + 1, separate[k].error, exponential[k].error);
   }
 
-  const double rounding = spacing(column_world(angle));
+  const double rounding = spacing_of_numbers(column_world(angle));
   Table gaps{"",
              {{"time_s", "s", "since the column was released"},
               {"separate_m", "m", "gap, semi-implicit, centre and orientation apart"},
@@ -86,27 +73,34 @@ Result measure_one_twist(const Parameters& settings) {
               {"leapfrog_exponential_m", "m", "gap, leapfrog, one twist for each body"},
               {"rounding_m", "m", "distance of neighbouring numbers at the column's coordinates"}}};
   for (std::size_t n = 0; n < separate[0].gaps.size(); ++n)
-    gaps.rows.push_back({static_cast<double>(n) * dt, separate[kSemiImplicit].gaps[n],
-                         exponential[kSemiImplicit].gaps[n], separate[kLeapfrog].gaps[n],
-                         exponential[kLeapfrog].gaps[n], rounding});
+    gaps.add(static_cast<double>(n) * dt, separate[1].gaps[n], exponential[1].gaps[n],
+             separate[3].gaps[n], exponential[3].gaps[n], rounding);
 
-  const Way& claim = exponential[kSemiImplicit];
+  const TwistRun& claim = exponential[1];
   result.quantities = {
       {"largest gap or overlap of figure 6.1's column in a second of its fall at 60 steps a "
        "second, "
        "each body moved by the exponential of its own twist with the same forces, over an edge",
        "-", claim.run.gap},
       {"the same in any direction, not only along the normal", "m", claim.run.apart},
-      {"largest gap or overlap, centre and orientation apart", "m",
-       separate[kSemiImplicit].run.gap},
-      {"distance of neighbouring numbers at the column's coordinates", "m", rounding}};
+      {"largest gap or overlap, centre and orientation apart", "m", separate[1].run.gap}};
   for (std::size_t k = 0; k < kSchemes.size(); ++k) {
-    const std::string name = std::string("error of the angle, ") + kNames[k];
+    const std::string name = "error of the angle, " + separate_schemes()[kSchemes[k]].words;
     result.quantities.push_back({name + ", apart", "rad", separate[k].error});
     result.quantities.push_back({name + ", one twist", "rad", exponential[k].error});
   }
-  result.tables = {std::move(gaps), std::move(angles)};
+  result.tables = {gaps, angles};
   return result;
 }
 
+const Registered claim_6_2d_one_twist_figure{
+    {.name = "claim_6_2d_one_twist",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.3, 0.01, 1.0, "rad", "of the column's centre at the start")
+             .add_number("rate", 60.0, 5.0, 1e4, "1/s", "steps a second")
+             .add_number("duration", 1.0, 0.1, 1.5, "s", "of the fall"),
+     .experiment = measure_one_twist}};
+
+}  // namespace
 }  // namespace tumble::chapters

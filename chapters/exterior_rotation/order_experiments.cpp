@@ -1,10 +1,10 @@
 /// \file
-/// \brief Orders of the glued column's integration, and the gap of one step.
-#include "exterior_rotation/order_experiments.hpp"
-
+/// \brief Orders of the glued column's integration, and the gap of one step (claim 6.2b).
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@ namespace tumble::chapters {
 namespace {
 
 constexpr int kFirstSteps = 5;  // in the whole fall: the coarsest
-constexpr int kFitted = 4;      // steps that an order is told from
+constexpr int kFitted = 4;      // steps that an order is fitted to
 
-// What of a scheme was measured at one step.
+// Errors of a scheme with one length of step.
 struct Error {
   double step = 0.0;   // [s]
   double angle = 0.0;  // [rad] magnitude
@@ -29,11 +29,10 @@ struct Error {
 struct Orders {
   double angle = 0.0;
   double gap = 0.0;
-  double longest = 0.0;   // [s] step of the range
-  double shortest = 0.0;  // [s]
 };
 
-// Of the shortest steps that are not yet disturbed by rounding.
+// Slopes of straight lines, by least squares in logarithms, through the four shortest steps at which both
+// errors are above `floor`: twenty times what rounding leaves.
 Orders orders_of(const std::vector<Error>& errors, double floor) {
   std::vector<double> step;
   std::vector<double> angle;
@@ -45,7 +44,7 @@ Orders orders_of(const std::vector<Error>& errors, double floor) {
     gap.push_back(error->gap);
   }
   if (step.size() < 2) throw std::runtime_error("no two errors are above the floor");
-  return {fitted_order(step, angle), fitted_order(step, gap), step.back(), step.front()};
+  return {fitted_order(step, angle), fitted_order(step, gap)};
 }
 
 std::vector<Column> error_columns() {
@@ -62,12 +61,8 @@ Table order_table(const std::vector<Orders>& orders) {
   Table table{"orders",
               {{"scheme", "-", "its place in the other table, from 0"},
                {"angle_order", "-", "slope of the angle's error"},
-               {"gap_order", "-", "slope of the gap"},
-               {"longest_s", "s", "longest step of the fit"},
-               {"shortest_s", "s", "shortest step of the fit"}}};
-  for (std::size_t k = 0; k < orders.size(); ++k)
-    table.rows.push_back({static_cast<double>(k), orders[k].angle, orders[k].gap, orders[k].longest,
-                          orders[k].shortest});
+               {"gap_order", "-", "slope of the gap"}}};
+  for (std::size_t k = 0; k < orders.size(); ++k) table.add(k, orders[k].angle, orders[k].gap);
   return table;
 }
 
@@ -91,17 +86,15 @@ Table constants_table(const std::vector<Tendency>& tendencies, const std::vector
     table.columns.push_back({tendency.column + "_exact", "1/s", "its limit by quadrature"});
   }
   for (std::size_t k = 0; k <= steps.size(); ++k) {
-    table.rows.push_back({k < steps.size() ? steps[k] : 0.0});
-    for (const Tendency& tendency : tendencies) {
-      table.rows.back().push_back(k < steps.size() ? tendency.measured[k]
-                                                   : tendency.extrapolated());
-      table.rows.back().push_back(tendency.predicted);
-    }
+    const bool limit = k == steps.size();
+    std::vector<double> row;
+    for (const Tendency& tendency : tendencies)
+      row.insert(row.end(),
+                 {limit ? tendency.extrapolated() : tendency.measured[k], tendency.predicted});
+    table.add(limit ? 0.0 : steps[k], row);
   }
   return table;
 }
-
-}  // namespace
 
 Result measure_glued_order(const Parameters& settings) {
   const ColumnFall fall{settings.number("phi0"), settings.number("time")};
@@ -117,15 +110,15 @@ Result measure_glued_order(const Parameters& settings) {
     const int count = kFirstSteps << k;
     const double step = fall.time / count;
     steps.push_back(step);
-    table.rows.push_back({static_cast<double>(count), step});
+    std::vector<double> row;
     for (std::size_t s = 0; s < schemes.size(); ++s) {
       const ColumnRun run = run_column(schemes[s], count, fall);
       errors[s].push_back({step, std::abs(run.angle_error), run.largest_gap});
-      table.rows.back().push_back(errors[s].back().angle);
-      table.rows.back().push_back(errors[s].back().gap);
+      row.insert(row.end(), {errors[s].back().angle, errors[s].back().gap});
       for (Tendency& tendency : tendencies)
         if (tendency.column == schemes[s].column) tendency.measured.push_back(run.gap / step);
     }
+    table.add(count, step, row);
   }
 
   std::vector<Orders> orders;
@@ -134,24 +127,17 @@ Result measure_glued_order(const Parameters& settings) {
     orders.push_back(orders_of(errors[s], settings.number("floor")));
     worst = std::max(worst, std::abs(orders.back().angle - schemes[s].order));
   }
-  const auto order_of = [&](std::string_view column) {
-    for (std::size_t s = 0; s < schemes.size(); ++s)
-      if (schemes[s].column == column) return orders[s];
-    return Orders{};
-  };
+  const Orders& classical = orders[5];
+  const Orders& dormand_prince = orders[6];
 
   Result result;
   std::vector<Quantity>& out = result.quantities;
-  out.push_back(
-      {"order of the gap in figure 6.1's column against the step, for the classical "
-       "method of Runge and Kutta with forces solved at each stage, joints held",
-       "-", order_of("rk4").gap});
-  for (const ColumnScheme& scheme : schemes)
-    if (scheme.column != "rk4")
-      out.push_back({"order of the gap, " + scheme.words, "-", order_of(scheme.column).gap});
-  out.push_back(
-      {"order of the angle's error, Dormand-Prince 5", "-", order_of("dormand_prince").angle});
-  out.push_back({"largest difference of an angle's order from 1, 1, 1, 2, 2, 4, 5", "-", worst});
+  out = {{"order of the gap in figure 6.1's column against the step, for the classical method of "
+          "Runge and Kutta with forces solved at each stage, joints held",
+          "-", classical.gap},
+         {"order of the gap, Dormand-Prince 5", "-", dormand_prince.gap},
+         {"order of the angle's error, Dormand-Prince 5", "-", dormand_prince.angle},
+         {"largest difference of an angle's order from 1, 1, 1, 2, 2, 4, 5", "-", worst}};
   for (const Tendency& tendency : tendencies)
     out.push_back(
         {"limit of gap over step, over its integral, " + column_scheme(tendency.column).words, "-",
@@ -159,6 +145,15 @@ Result measure_glued_order(const Parameters& settings) {
   result.tables = {table, order_table(orders), constants_table(tendencies, steps)};
   return result;
 }
+
+const Registered claim_6_2b_order_figure{
+    {.name = "claim_6_2b_order",
+     .parameters =
+         fall_parameters(1.0)
+             .add_whole("doublings", 9, 4, 12, "of 5 steps in the whole fall")
+             .add_number("floor", 2e-13, 1e-14, 1e-6, "m or rad", "errors below it are not fitted"),
+     .quick = {"doublings=6"},
+     .experiment = measure_glued_order}};
 
 Result measure_one_step_gap(const Parameters& settings) {
   const double spin = settings.number("spin");
@@ -168,44 +163,47 @@ Result measure_one_step_gap(const Parameters& settings) {
                {"predicted", "m", "half of the square of the angle turned, times a metre"}}};
   for (const ColumnScheme& scheme : schemes)
     table.columns.push_back({scheme.column, "m", "gap after the step, " + scheme.words});
-  const auto row_of = [&](double step) {
-    std::vector<double> row{step, 0.5 * spin * spin * step * step};
+  // Around 1/60 s by factors of two; orders are fitted to the four about it, the shortest 1/120 s.
+  for (int k = -2; k <= settings.count("doublings"); ++k) {
+    const double step = std::ldexp(1.0 / 60.0, -k);
+    std::vector<double> gaps;
     for (const ColumnScheme& scheme : schemes) {
       World world = column_world(settings.number("angle"), spin);
-      GluedOptions options;
-      options.scheme = scheme.scheme;
-      options.accuracy = 1.0;
-      Glued(options).step(world, step);
-      row.push_back(column_gap(world));
+      Glued(glued_options(scheme.scheme, PoseUpdate::separate, 1.0)).step(world, step);
+      gaps.push_back(column_gap(world));
     }
-    return row;
-  };
-  // Around 1/60 s by factors of two; orders are told from the four about it, the shortest 1/120 s.
-  for (int k = -2; k <= settings.count("doublings"); ++k)
-    table.rows.push_back(row_of(std::ldexp(1.0 / 60.0, -k)));
+    table.add(step, 0.5 * spin * spin * step * step, gaps);
+  }
 
   Result result;
   std::vector<Quantity>& out = result.quantities;
   const std::vector<double>& usual = table.rows[2];
-  const auto order_of = [&](std::size_t column) {
+  out.push_back({"half of the square of the angle turned in 1/60 s, times a metre", "m", usual[1]});
+  for (std::size_t s = 0; s < schemes.size(); ++s)
+    if (schemes[s].column != "dormand_prince" && schemes[s].column != "leapfrog")
+      out.push_back({"gap after 1/60 s, " + schemes[s].words, "m", usual[2 + s]});
+  for (const std::size_t s : {0, 3, 5}) {  // of orders 1, 2 and 4
     std::vector<double> step;
     std::vector<double> gap;
     for (std::size_t k = 0; k < kFitted; ++k) {
       step.push_back(table.rows[k][0]);
-      gap.push_back(std::abs(table.rows[k][column]));
+      gap.push_back(std::abs(table.rows[k][2 + s]));
     }
-    return fitted_order(step, gap);
-  };
-  out.push_back({"half of the square of the angle turned in 1/60 s, times a metre", "m", usual[1]});
-  for (std::size_t s = 0; s < schemes.size(); ++s)
-    if (schemes[s].column != "dormand_prince")
-      out.push_back({"gap after 1/60 s, " + schemes[s].words, "m", usual[2 + s]});
-  for (std::size_t s = 0; s < schemes.size(); ++s)
-    if (schemes[s].column == "forward_euler" || schemes[s].column == "midpoint" ||
-        schemes[s].column == "rk4")
-      out.push_back({"order of the gap of one step, " + schemes[s].words, "-", order_of(2 + s)});
+    out.push_back(
+        {"order of the gap of one step, " + schemes[s].words, "-", fitted_order(step, gap)});
+  }
   result.tables = {table};
   return result;
 }
 
+const Registered one_step_gap_figure{
+    {.name = "one_step_gap",
+     .parameters = Parameters{}
+                       .add_number("angle", 0.6, 0.0, 1.0, "rad", "of the column's centre")
+                       .add_number("spin", 2.0, 0.1, 10.0, "rad/s", "falling")
+                       .add_whole("doublings", 5, 1, 10, "of 60 steps a second"),
+     .quick = {"doublings=2"},
+     .experiment = measure_one_step_gap}};
+
+}  // namespace
 }  // namespace tumble::chapters

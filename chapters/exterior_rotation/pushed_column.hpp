@@ -12,9 +12,9 @@ namespace tumble::chapters {
 /// \return the lowest first, each standing on the one before
 World lone_column(int boxes);
 
-/// What a push did.
+/// The effect of a push.
 struct PushedRun {
-  double gap = 0.0;    ///< [m] largest magnitude of signed_gap() of all joints after any step
+  double gap = 0.0;    ///< [m] largest opening or overlap of any joint after any step
   double way = 0.0;    ///< [m] of the first cube
   double force = 0.0;  ///< [N] largest in the glue
   std::vector<double>

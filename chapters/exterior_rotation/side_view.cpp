@@ -150,6 +150,14 @@ Drawing FilmLayout::drawing() const {
   return {"layout", text};
 }
 
+void FilmLayout::put_inset_above() {
+  const double edge = inset / scale();
+  const double margin = 2.0 / scale();
+  inset_low = Vec2(low.x() + margin, high.y() - edge - margin);
+}
+
+namespace {
+
 SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame& frame) {
   SideView view(layout.low, layout.high);
   const double point = 1.0 / layout.scale();  // [m]
@@ -171,6 +179,8 @@ SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame
   const Vec2 way = (corner - frame.magnified).normalized();
   view.circle(frame.magnified, 6.0 * point, {film_colour::dark, 1.2});
   view.line(frame.magnified + 6.0 * point * way, corner, {film_colour::dark, 0.8});
+  for (const FilmCircle& circle : frame.circles)
+    view.circle(circle.centre, circle.radius, circle.look);
   return view;
 }
 
@@ -189,6 +199,31 @@ SideView film_inset(const World& world, const FilmLayout& layout, const FilmFram
   view.write(number_text(1e3 * layout.bar) + " mm", foot + Vec2(0.0, 13.0 * point));
   view.frame({film_colour::dark, 1.4});
   return view;
+}
+
+}  // namespace
+
+Parameters film_parameters(Parameters first, double duration,
+                           const std::array<double, kFilmFrames>& times) {
+  first.add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
+      .add_number("duration", duration, 0.1, 1.2, "s", "of the motion")
+      .add_number("magnification", 50.0, 2.0, 1e3, "-", "of the insets over the frames");
+  for (std::size_t k = 0; k < times.size(); ++k)
+    first.add_number(std::string("t").append(std::to_string(k + 1)), times[k], 0.0, 1.2, "s",
+                     "of a frame");
+  return first;
+}
+
+double film_time(const Parameters& settings, int number) {
+  return settings.number(std::string("t").append(std::to_string(number)));
+}
+
+void add_film_frame(const World& world, const FilmLayout& layout, const FilmFrame& frame,
+                    int number, Result& result) {
+  result.drawings.push_back(
+      {"frame" + std::to_string(number), film_view(world, layout, frame).commands()});
+  result.drawings.push_back(
+      {"inset" + std::to_string(number), film_inset(world, layout, frame).commands()});
 }
 
 }  // namespace tumble::chapters

@@ -7,6 +7,7 @@
 
 #include "driver/figure.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -15,7 +16,7 @@
 
 namespace tumble::chapters {
 
-/// How a line of a side view looks.
+/// Style of a line of a side view.
 struct LineLook {
   std::uint32_t colour = 0x404040;  ///< 0xRRGGBB
   double width = 1.0;               ///< [pt]
@@ -91,24 +92,34 @@ struct FilmLayout {
   double inset = 96.0;            ///< [pt] its edge
   double bar = 0.01;              ///< [m] of the scale bar in the inset
 
-  /// How long a metre of a frame is.
+  /// Length of a metre of a frame.
   /// \return [pt/m]
   [[nodiscard]] double scale() const { return width / (high.x() - low.x()); }
-  /// How much of the world the inset shows.
+  /// Part of the world that the inset shows.
   /// \return [m] its edge
   [[nodiscard]] double seen() const { return inset / (scale() * magnification); }
-  /// What a script must know to give frames and insets their places.
+  /// Puts the inset into the upper left corner, with its own size.
+  void put_inset_above();
+  /// The places of frames and insets, for a script.
   /// \return variables of gnuplot: frame_wide, frame_tall, inset_left, inset_foot and inset_edge in points,
   ///         and magnification
   [[nodiscard]] Drawing drawing() const;
 };
 
-/// What a frame shows beside the bodies themselves.
+/// A circle of a frame.
+struct FilmCircle {
+  Vec2 centre;    ///< [m]
+  double radius;  ///< [m]
+  LineLook look;  ///< of the line
+};
+
+/// A frame: bodies, and marks beside them.
 struct FilmFrame {
-  std::span<const BodyState> states;  ///< of the bodies that are filled, by index
-  std::span<const BodyState> exact;   ///< the same, as they should be: dashed; may be empty
-  std::vector<Vec2> pivots;           ///< [m] marked
-  Vec2 magnified = Vec2::Zero();      ///< [m] the middle of the inset
+  std::span<const BodyState> states;     ///< of the bodies that are filled, by index
+  std::span<const BodyState> exact;      ///< the same, as they should be: dashed; may be empty
+  std::vector<Vec2> pivots;              ///< [m] marked
+  Vec2 magnified = Vec2::Zero();         ///< [m] the middle of the inset
+  std::vector<FilmCircle> circles = {};  ///< in front of the bodies
 };
 
 /// The colours of the film strips.
@@ -121,18 +132,30 @@ inline constexpr std::uint32_t dark = 0x303030;            ///< what should be, 
 inline constexpr std::uint32_t pivot = 0xd55e00;           ///< pivots, and circles about them
 }  // namespace film_colour
 
-/// Draws a frame without circles.
-/// \param world   the constant parts
-/// \param layout  of the film
-/// \param frame   what to draw
-/// \return the view, to which circles may be added
-SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame& frame);
+/// Number of frames of a strip.
+inline constexpr int kFilmFrames = 4;
 
-/// Draws the magnified place.
+/// Adds the settings of a strip.
+/// \param first     settings that come before
+/// \param duration  [s] of the motion
+/// \param times     [s] of the frames
+/// \return all of them
+Parameters film_parameters(Parameters first, double duration,
+                           const std::array<double, kFilmFrames>& times);
+
+/// The time of a frame.
+/// \param settings  with those of a strip
+/// \param number    of the frame, from 1
+/// \return [s]
+double film_time(const Parameters& settings, int number);
+
+/// Draws a frame and its magnified place.
 /// \param world   the constant parts
 /// \param layout  of the film
-/// \param frame   of the same
-/// \return the view with its scale bar
-SideView film_inset(const World& world, const FilmLayout& layout, const FilmFrame& frame);
+/// \param frame   the bodies and marks
+/// \param number  of the frame, from 1
+/// \param result  gets both drawings
+void add_film_frame(const World& world, const FilmLayout& layout, const FilmFrame& frame,
+                    int number, Result& result);
 
 }  // namespace tumble::chapters

@@ -2,9 +2,10 @@
 /// \brief Figures 6.1 to 6.3 under every technique of the library.
 #include "exterior_rotation/technique_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
+#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
 
@@ -16,8 +17,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kPhi0 = 0.3;  // [rad] of the scenes fig6_1 and fig6_2
-
 // Signed, of the angle that is further off.
 double angle_error(const ComparedScene& scene, const World& start, const World& end, double time) {
   if (scene.name == "fig6_3") {
@@ -27,48 +26,7 @@ double angle_error(const ComparedScene& scene, const World& start, const World& 
     const double upper = found.upper - judged.upper;
     return std::abs(lower) > std::abs(upper) ? lower : upper;
   }
-  return centre_angle(end) - column_angle(time, kPhi0, scene.name == "fig6_1" ? 4 : 1);
-}
-
-Column column(const std::string& name, const std::string& unit, const std::string& meaning) {
-  return {name, unit, meaning};
-}
-
-void add_columns(const std::string& prefix, const std::string& how, Table& table) {
-  table.columns.push_back(column(prefix + "gap_m", "m", "opening or overlap, the larger" + how));
-  table.columns.push_back(column(prefix + "opening_m", "m", "largest opening" + how));
-  table.columns.push_back(column(prefix + "overlap_m", "m", "largest overlap" + how));
-  table.columns.push_back(column(prefix + "pivot_m", "m", "way of the pivot edge" + how));
-  table.columns.push_back(column(prefix + "slide_m", "m", "way of bodies on each other" + how));
-  table.columns.push_back(column(prefix + "angle_rad", "rad", "error of the angle" + how));
-  table.columns.push_back(column(prefix + "capped", "-", "steps that met the event cap" + how));
-}
-
-void add_cells(const TechniqueGaps& gaps, std::vector<double>& row) {
-  for (const double value : {gaps.gap(), gaps.opening, gaps.overlap, gaps.pivot, gaps.slide,
-                             gaps.angle_error, static_cast<double>(gaps.capped)})
-    row.push_back(value);
-}
-
-Result measure_with_pose(const std::string& name, const Parameters& settings) {
-  const ComparedScene scene{name, settings.number("time")};
-  Result result;
-  Table table{"", {{"technique", "-", "its place in the list, from 0"}}};
-  add_columns("separate_", "", table);
-  add_columns("exponential_", ", exponential", table);
-  for (const ComparedTechnique& technique : techniques_with_pose()) {
-    table.rows.push_back({static_cast<double>(table.rows.size())});
-    const double rate = settings.number("rate");
-    const TechniqueGaps apart = run_technique(scene, technique.played, rate);
-    const TechniqueGaps together = run_technique(scene, exponential(technique), rate);
-    add_cells(apart, table.rows.back());
-    add_cells(together, table.rows.back());
-    result.quantities.push_back({"gap, " + technique.words, "mm", 1e3 * apart.gap()});
-    result.quantities.push_back(
-        {"gap, " + technique.words + ", exponential", "mm", 1e3 * together.gap()});
-  }
-  result.tables.push_back(table);
-  return result;
+  return centre_angle(end) - column_angle(time, kSceneAngle, scene.name == "fig6_1" ? 4 : 1);
 }
 
 }  // namespace
@@ -138,47 +96,85 @@ TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& p
   return found;
 }
 
-Result measure_column_gaps(const Parameters& settings) {
-  return measure_with_pose("fig6_1", settings);
-}
+namespace {
 
-Result measure_one_box_gaps(const Parameters& settings) {
-  return measure_with_pose("fig6_2", settings);
-}
-
-Result measure_nested_gaps(const Parameters& settings) {
-  return measure_with_pose("fig6_3", settings);
-}
-
-Result measure_other_gaps(const Parameters& settings) {
-  const std::array<std::string, 3> prefixes{"fig6_1_", "fig6_2_", "fig6_3_"};
-  const std::array<std::string, 3> words{"figure 6.1", "figure 6.2", "figure 6.3"};
+// A scene under techniques_with_pose(), both ways to move bodies.
+Result measure_with_pose(const std::string& scene_name, const Parameters& settings) {
+  const ComparedScene scene{scene_name, settings.number("time")};
+  const double rate = settings.number("rate");
   Result result;
-  Table table{"", {{"technique", "-", "its place in the list, from 0"}}};
-  for (std::size_t k = 0; k < prefixes.size(); ++k)
-    add_columns(prefixes[k], ", " + words[k], table);
-  while (table.rows.size() < techniques_without_pose().size())
-    table.rows.push_back({static_cast<double>(table.rows.size())});
-  for (std::size_t k = 0; k < prefixes.size(); ++k) {
-    ComparedScene scene = compared_scenes()[k];
-    scene.time *= settings.number("share");
-    double timewarps = 0.0;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      const ComparedTechnique& technique = techniques_without_pose()[row];
-      const TechniqueGaps gaps = run_technique(scene, technique.played, settings.number("rate"));
-      add_cells(gaps, table.rows[row]);
-      const bool timewarp = technique.words.find("timewarp") == 0;
-      if (timewarp) timewarps = std::max(timewarps, gaps.gap());
-      if (k == 0 || !timewarp)
-        result.quantities.push_back(
-            {"gap, " + words[k] + ", " + technique.words, "mm", 1e3 * gaps.gap()});
-    }
-    if (k > 0)
-      result.quantities.push_back(
-          {"largest gap, " + words[k] + ", four timewarps", "mm", 1e3 * timewarps});
+  Table table{"",
+              {{"technique", "-", "its place in the list, from 0"},
+               {"separate_gap_m", "m", "opening or overlap, the larger"},
+               {"exponential_gap_m", "m", "opening or overlap, the larger, exponential"}}};
+  for (const ComparedTechnique& technique : techniques_with_pose()) {
+    const double apart = run_technique(scene, technique.played, rate).gap();
+    const double together = run_technique(scene, exponential(technique), rate).gap();
+    table.add(table.rows.size(), apart, together);
+    result.quantities.push_back({"gap, " + technique.words, "mm", 1e3 * apart});
+    result.quantities.push_back(
+        {"gap, " + technique.words + ", exponential", "mm", 1e3 * together});
   }
   result.tables.push_back(table);
   return result;
 }
 
+Figure with_pose(const std::string& figure, const ComparedScene& scene) {
+  return {.name = figure,
+          .parameters = Parameters{}
+                            .add_number("time", scene.time, 0.1, scene.time, "s", "from the start")
+                            .add_number("rate", 60.0, 10.0, 1000.0, "1/s", "steps a second"),
+          .quick = {"time=0.2"},
+          .experiment = [name = scene.name](const Parameters& settings) {
+            return measure_with_pose(name, settings);
+          }};
+}
+
+std::vector<Figure> figures_with_pose() {
+  return {with_pose("technique_gaps", compared_scenes()[0]),
+          with_pose("technique_gaps_one_box", compared_scenes()[1]),
+          with_pose("technique_gaps_nested", compared_scenes()[2])};
+}
+
+const Registered technique_gaps_figures(figures_with_pose);
+
+// The three scenes under techniques_without_pose().
+Result measure_other_gaps(const Parameters& settings) {
+  Result result;
+  Table table{"", {{"technique", "-", "its place in the list, from 0"}}};
+  std::vector<std::vector<double>> rows(techniques_without_pose().size());
+  for (std::size_t k = 0; k < compared_scenes().size(); ++k) {
+    ComparedScene scene = compared_scenes()[k];
+    const std::string words = "figure 6." + std::to_string(k + 1);
+    table.columns.push_back(
+        {scene.name + "_gap_m", "m", "opening or overlap, the larger, " + words});
+    scene.time *= settings.number("share");
+    double timewarps = 0.0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const ComparedTechnique& technique = techniques_without_pose()[row];
+      const double gap = run_technique(scene, technique.played, settings.number("rate")).gap();
+      rows[row].push_back(gap);
+      const bool timewarp = technique.words.find("timewarp") == 0;
+      if (timewarp) timewarps = std::max(timewarps, gap);
+      if (k == 0 || !timewarp)
+        result.quantities.push_back({"gap, " + words + ", " + technique.words, "mm", 1e3 * gap});
+    }
+    if (k > 0)
+      result.quantities.push_back(
+          {"largest gap, " + words + ", four timewarps", "mm", 1e3 * timewarps});
+  }
+  for (const std::vector<double>& row : rows) table.add(table.rows.size(), row);
+  result.tables.push_back(table);
+  return result;
+}
+
+const Registered technique_gaps_other_figure{
+    {.name = "technique_gaps_other",
+     .parameters = Parameters{}
+                       .add_number("rate", 60.0, 10.0, 1000.0, "1/s", "steps a second")
+                       .add_number("share", 1.0, 0.1, 1.0, "-", "of 0.8 s, 0.45 s and 0.4 s"),
+     .quick = {"share=0.5"},
+     .experiment = measure_other_gaps}};
+
+}  // namespace
 }  // namespace tumble::chapters

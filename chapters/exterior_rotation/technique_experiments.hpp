@@ -3,14 +3,16 @@
 ///        together comes apart (thesis 6.2).
 #pragma once
 
-#include "driver/figure.hpp"
 #include "driver/played_scene.hpp"
 
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace tumble::chapters {
+
+/// The angle at which the column and the box of the scenes fig6_1 and fig6_2 start, [rad] from the vertical.
+inline constexpr double kSceneAngle = 0.3;
 
 /// A technique as it is compared.
 struct ComparedTechnique {
@@ -31,7 +33,7 @@ std::span<const ComparedTechnique> techniques_without_pose();
 /// \return with pose=exponential
 PlayedTechnique exponential(const ComparedTechnique& technique);
 
-/// A motion that is compared: it ends before any of its contacts would open without glue.
+/// A motion to compare: it ends before any of its contacts would open without glue.
 struct ComparedScene {
   std::string name;   ///< of the scene
   double time = 0.0;  ///< [s] from its start
@@ -41,19 +43,19 @@ struct ComparedScene {
 /// \return three, with 0.8 s, 0.45 s and 0.4 s
 std::span<const ComparedScene> compared_scenes();
 
-/// How a technique did. All lengths are the largest after any step; they are told from the places that
-/// touched at the start.
+/// The result of a run. All lengths are the largest after any step, measured at the places that touched at
+/// the start.
 struct TechniqueGaps {
   double opening = 0.0;  ///< [m] along the normal, 0 or above
   double overlap = 0.0;  ///< [m] along the normal, 0 or above
   double pivot = 0.0;    ///< [m] of the edge on the larger box from where it was, in any direction
   double slide = 0.0;    ///< [m] of places between movable bodies from themselves, in any direction
-  double angle_error =
-      0.0;         ///< [rad] at the end, less the closed form; figure 6.3: the angle of the
-                   ///< two that is further off GSL's double pendulum
+  /// [rad] at the end, less the closed form; figure 6.3: that angle of the two with the larger error
+  /// against GSL's double pendulum
+  double angle_error = 0.0;
   int capped = 0;  ///< steps that met the cap on events
 
-  /// What is called the gap here.
+  /// The gap.
   /// \return [m] opening or overlap, whichever is larger
   [[nodiscard]] double gap() const;
 };
@@ -63,34 +65,9 @@ struct TechniqueGaps {
 /// \param played    the technique
 /// \param rate      [1/s] steps
 /// \param settings  of the scene, each as key=value
-/// \return how it did
+/// \return its gaps
 /// \throws std::runtime_error for a step that was not solved or a state that is not finite
 TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& played,
                             double rate = 60.0, const std::vector<std::string>& settings = {});
-
-/// Figure 6.1 under techniques_with_pose(), both ways to move bodies.
-/// \param settings  time and rate
-/// \return a row for each technique
-Result measure_column_gaps(const Parameters& settings);
-
-/// Figure 6.2, in the same way.
-/// \param settings  time and rate
-/// \return a row for each technique
-Result measure_one_box_gaps(const Parameters& settings);
-
-/// Figure 6.3, in the same way.
-/// \param settings  time and rate
-/// \return a row for each technique
-Result measure_nested_gaps(const Parameters& settings);
-
-/// All three figures under techniques_without_pose().
-/// \param settings  rate, and the share of the usual times that is simulated
-/// \return a row for each technique
-Result measure_other_gaps(const Parameters& settings);
-
-/// Why the gaps of figure 6.1 differ: how they depend on the step, and what takes them away.
-/// \param settings  time, and how often the step is halved
-/// \return a row for each step
-Result measure_gap_reasons(const Parameters& settings);
 
 }  // namespace tumble::chapters

@@ -1,15 +1,14 @@
 /// \file
 /// \brief The column turns, and is pushed along without turning (claim 6.2a).
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/film_schemes.hpp"
-#include "exterior_rotation/problem_experiments.hpp"
+#include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/pushed_column.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 
@@ -22,18 +21,16 @@ constexpr int kBoxes = 4;
 constexpr double kRounded = 1e-13;
 constexpr std::size_t kSloped = 5;  // of film_schemes(): all but the reference
 
-double largest(const HeldRun& run, const std::function<double(const HeldFrame&)>& of) {
+// [m] In the glue; or, with JointHold::edge, at the edge about which the column turns.
+double largest_in_run(const HeldRun& run, JointHold hold = JointHold::area) {
   double largest = 0.0;
-  for (const HeldFrame& frame : run.frames) largest = std::max(largest, std::abs(of(frame)));
+  for (const HeldFrame& frame : run.frames)
+    largest = std::max(largest, std::abs(widest(run, frame, hold)));
   return largest;
 }
 
-double largest_glue_gap(const HeldRun& run) {
-  return largest(run, [&](const HeldFrame& f) { return widest(run, f, JointHold::area); });
-}
-
-// Of the claim's two sayings those that hold, from the gaps of the column that turns and of the one that
-// is pushed.
+// How many of the claim's two statements hold, given the gap of the column that turns and that of the
+// column that is pushed.
 double holding(double turned, double pushed) {
   return (turned >= kSmall ? 1.0 : 0.0) + (pushed < 0.1 * kSmall ? 1.0 : 0.0);
 }
@@ -55,15 +52,15 @@ Table single_steps(const Parameters& settings, Result& result) {
   const int sizes = settings.count("sizes");
   for (int k = 0; k < sizes; ++k) {
     const double dt = 0.1 * std::pow(0.1, static_cast<double>(k) / (sizes - 1));
-    table.rows.push_back({dt, 0.5 * rate * rate * dt * dt});
+    std::vector<double> gaps;
     for (std::size_t s = 0; s < kSloped; ++s) {
-      const double gap = std::abs(gap_of_step(exact, options_of(film_schemes()[s]), dt));
-      table.rows.back().push_back(gap);
+      gaps.push_back(std::abs(gap_of_step(exact, options_of(film_schemes()[s]), dt)));
       // The shorter half of the steps, where the leading term leads.
-      if (gap <= kRounded || 2 * k < sizes - 1) continue;
+      if (gaps.back() <= kRounded || 2 * k < sizes - 1) continue;
       fitted_dt[s].push_back(dt);
-      fitted_gap[s].push_back(gap);
+      fitted_gap[s].push_back(gaps.back());
     }
+    table.add(dt, 0.5 * rate * rate * dt * dt, gaps);
   }
   for (std::size_t s = 0; s < kSloped; ++s)
     result.quantities.push_back(
@@ -71,8 +68,6 @@ Table single_steps(const Parameters& settings, Result& result) {
          fitted_order(fitted_dt[s], fitted_gap[s])});
   return table;
 }
-
-}  // namespace
 
 Result measure_turning(const Parameters& settings) {
   const double dt = 1.0 / settings.number("rate");
@@ -82,7 +77,7 @@ Result measure_turning(const Parameters& settings) {
   const HeldRun other = run_held(start, options_of(film_schemes()[1]), dt, steps);
   const double weight = kBoxes * start.gravity_w.norm();  // [N] of cubes of 1 kg
   const PushedRun pushed = push_column(kBoxes, settings.number("push") * weight, dt, steps);
-  // The same without a push, falling, by the technique itself.
+  // Without a push, in free fall, by the technique itself.
   World falling = lone_column(kBoxes);
   falling.gravity_w = start.gravity_w;
   const HeldRun free = run_held(falling, options_of(film_schemes()[0]), dt, steps);
@@ -92,14 +87,10 @@ Result measure_turning(const Parameters& settings) {
                {"turning_m", "m", "gap or overlap of the column that falls over the edge"},
                {"pushed_m", "m", "the same of the column that is pushed along"}}};
   for (std::size_t k = 0; k < turning.frames.size(); ++k)
-    table.rows.push_back({turning.frames[k].time,
-                          std::abs(widest(turning, turning.frames[k], JointHold::area)),
-                          pushed.gaps[k]});
+    table.add(turning.frames[k].time, std::abs(widest(turning, turning.frames[k], JointHold::area)),
+              pushed.gaps[k]);
 
-  const double turned = largest_glue_gap(turning);
-  const double semi = largest_glue_gap(other);
-  const double edge =
-      largest(turning, [&](const HeldFrame& f) { return widest(turning, f, JointHold::edge); });
+  const double turned = largest_in_run(turning);
   Result result;
   result.quantities = {
       {"of two sayings those that hold: the column of figure 6.1 opens or overlaps by a thousandth "
@@ -107,17 +98,17 @@ Result measure_turning(const Parameters& settings) {
        "pushed along without turning by less than a tenth of that",
        "-", holding(turned, pushed.gap)},
       {"largest gap or overlap of the column that turns, over an edge", "-", turned},
-      {"the same, semi-implicit", "-", semi},
-      {"the same, of the edge about which it turns", "-", edge},
+      {"the same, semi-implicit", "-", largest_in_run(other)},
+      {"the same, of the edge about which it turns", "-", largest_in_run(turning, JointHold::edge)},
       {"largest gap or overlap of the column that is pushed, over an edge", "-", pushed.gap},
-      {"the same, falling freely under the technique glued", "-", largest_glue_gap(free)},
+      {"the same, falling freely under the technique glued", "-", largest_in_run(free)},
       {"largest force in the glue of the column that is pushed, over its weight", "-",
        pushed.force / weight}};
   // The angle is ours. The column that is pushed has none.
   for (const auto& [factor, words] : {std::pair(0.5, "half"), std::pair(2.0, "twice")}) {
     const World other_start = column_world(factor * settings.number("angle"));
     const double gap =
-        largest_glue_gap(run_held(other_start, options_of(film_schemes()[0]), dt, steps));
+        largest_in_run(run_held(other_start, options_of(film_schemes()[0]), dt, steps));
     const std::string angle = std::string(words) + " the angle at the start";
     result.quantities.push_back({"the same sayings, " + angle, "-", holding(gap, pushed.gap)});
     result.quantities.push_back(
@@ -128,4 +119,18 @@ Result measure_turning(const Parameters& settings) {
   return result;
 }
 
+const Registered claim_6_2a_turning_figure{
+    {.name = "claim_6_2a_turning",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start")
+             .add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
+             .add_number("duration", 1.0, 0.1, 1.0, "s", "of both motions")
+             .add_number("push", 1.0, 0.0, 100.0, "-",
+                         "on the column that does not turn, over its weight")
+             .add_whole("sizes", 21, 3, 200, "single steps, from 0.1 s to 0.01 s"),
+     .quick = {"sizes=7"},
+     .experiment = measure_turning}};
+
+}  // namespace
 }  // namespace tumble::chapters

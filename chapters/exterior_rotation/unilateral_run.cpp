@@ -5,6 +5,7 @@
 #include "tumble/geometry/box.hpp"
 
 #include "exterior_rotation/falling_column.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,13 +24,15 @@ class EventNotes : public Observer {
       const bool it = event.first == world_.ids()[static_cast<std::size_t>(joints[j].first)] &&
                       event.second == world_.ids()[static_cast<std::size_t>(joints[j].second)];
       if (!it) continue;
-      notes.push_back({event.time, static_cast<int>(j), joints[j].hold, centre_angle(world_)});
-      moments.push_back({world_, {joints.begin(), joints.end()}});
+      notes.push_back({event.time,
+                       static_cast<int>(j),
+                       joints[j].hold,
+                       centre_angle(world_),
+                       {world_, {joints.begin(), joints.end()}}});
     }
   }
 
   std::vector<JointEvent> notes;
-  std::vector<JointMoment> moments;
 
  private:
   const World& world_;
@@ -39,11 +42,9 @@ class EventNotes : public Observer {
 }  // namespace
 
 GluedOptions unilateral(GluedScheme scheme, GluedEvents events, double accuracy) {
-  GluedOptions options;
-  options.scheme = scheme;
+  GluedOptions options = glued_options(scheme, PoseUpdate::separate, accuracy);
   options.joints = GluedJoints::unilateral;
   options.events = events;
-  options.accuracy = accuracy;
   return options;
 }
 
@@ -57,14 +58,12 @@ UnilateralRun run_unilateral(World world, const GluedOptions& options, double en
   technique.find(run.world);
   if (after) after(run.world, technique);
   for (int n = 0; n < steps; ++n) {
-    const int before = technique.solves();
     technique.step(run.world, end / steps);
-    run.solves.push_back(technique.solves() - before);
     if (after) after(run.world, technique);
   }
   run.joints.assign(technique.joints().begin(), technique.joints().end());
   run.events = notes.notes;
-  run.moments = notes.moments;
+  run.solves = technique.solves();
   return run;
 }
 

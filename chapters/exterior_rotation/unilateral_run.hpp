@@ -10,27 +10,27 @@
 
 namespace tumble::chapters {
 
-/// A joint changes.
-struct JointEvent {
-  double time = 0.0;  ///< [s] since the start
-  int joint = 0;      ///< its place; of a column 0 is the pivot, 1 the lowest area
-  JointHold hold = JointHold::nothing;  ///< what is held from now on
-  double angle = 0.0;                   ///< [rad] centre_angle() of all that moves, then
-};
-
 /// A moment of a fall.
 struct JointMoment {
   World world;                ///< the bodies
   std::vector<Joint> joints;  ///< and what is held
 };
 
+/// A change of a joint.
+struct JointEvent {
+  double time = 0.0;  ///< [s] since the start
+  int joint = 0;      ///< its place; of a column 0 is the pivot, 1 the lowest area
+  JointHold hold = JointHold::nothing;  ///< what is held from now on
+  double angle = 0.0;                   ///< [rad] centre_angle() of all that moves, then
+  JointMoment after;                    ///< just after it
+};
+
 /// A fall with joints that push only.
 struct UnilateralRun {
-  World world;                       ///< at the end
-  std::vector<Joint> joints;         ///< at the end
-  std::vector<JointEvent> events;    ///< in the order of time
-  std::vector<JointMoment> moments;  ///< just after each event
-  std::vector<int> solves;           ///< [-] systems of joint forces that were solved, by step
+  World world;                     ///< at the end
+  std::vector<Joint> joints;       ///< at the end
+  std::vector<JointEvent> events;  ///< in the order of time
+  int solves = 0;                  ///< systems of joint forces that were solved
 };
 
 /// Options of a fall without glue.
@@ -50,7 +50,7 @@ GluedOptions unilateral(GluedScheme scheme, GluedEvents events, double accuracy 
 UnilateralRun run_unilateral(World world, const GluedOptions& options, double end, int steps,
                              const std::function<void(const World&, const Glued&)>& after = {});
 
-/// How far two worlds with the same bodies are apart.
+/// Distance of two worlds with the same bodies.
 /// \param world  the one
 /// \param other  the other one
 /// \return [m] largest distance of a corner of a movable box in the one from itself in the other

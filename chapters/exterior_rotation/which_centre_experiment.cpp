@@ -3,7 +3,8 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
-#include "exterior_rotation/cure_figures.hpp"
+#include "driver/registry.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/group_moves.hpp"
 
 #include <algorithm>
@@ -14,17 +15,9 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kCoarsest = 1.0 / 5.0;   // [s]
-constexpr double kFinest = 1.0 / 1000.0;  // [s]
-constexpr double kBase = 1.0 / 60.0;      // [s] of which numbers are told
-
 enum Situation { sticks, slides, flies };
-enum Way {
-  own_centre,
-  touching_point,
-  resting,
-  put_back
-};  // put_back: own centre, then onto the floor
+// put_back: about its own centre, and then put onto the floor.
+enum Turning { own_centre, touching_point, resting, put_back };
 
 // A cube of 1 m above the floor y = 0, turned by a tilt; the middle of its lowest edge is what touches.
 struct Cube {
@@ -49,7 +42,7 @@ Cube cube_that(Situation situation, double spin, double speed, double tilt) {
   return cube;
 }
 
-// What is wrong after a step.
+// Errors after a step.
 struct Wrong {
   double gap = 0.0;   // [m] the touching point off what it touches
   double bend = 0.0;  // [m] the centre off a straight way, as far as no force can bend it
@@ -57,13 +50,13 @@ struct Wrong {
   [[nodiscard]] double most() const { return std::max(gap, bend); }
 };
 
-Vec3 centre_of(const Cube& cube, Way way) {
+Vec3 centre_of(const Cube& cube, Turning way) {
   if (way == touching_point) return cube.touch_w;
   if (way == resting) return resting_point(cube.x_w, cube.v_w, cube.omega_w);
   return cube.x_w;
 }
 
-Wrong after_step(const Cube& cube, Way way, double dt) {
+Wrong after_step(const Cube& cube, Turning way, double dt) {
   Vec3 x_w = moved_about(cube.x_w, cube.v_w, cube.omega_w, centre_of(cube, way), dt);
   const Vec3 lever_w = rotation_from_vector(dt * cube.omega_w) * (cube.touch_w - cube.x_w);
   if (way == put_back) x_w.y() -= (x_w + lever_w).y();
@@ -75,7 +68,7 @@ Wrong after_step(const Cube& cube, Way way, double dt) {
 }
 
 // The same to second order: the way of a point r from the centre c bends by h² ω × (ω × r) / 2.
-Wrong predicted(const Cube& cube, Way way, double dt) {
+Wrong predicted(const Cube& cube, Turning way, double dt) {
   const Vec3 c_w = centre_of(cube, way);
   const auto bend = [&](const Vec3& point_w) -> Vec3 {
     return 0.5 * dt * dt * cube.omega_w.cross(cube.omega_w.cross(point_w - c_w));
@@ -90,17 +83,15 @@ Wrong predicted(const Cube& cube, Way way, double dt) {
 
 struct Case {
   Situation situation;
-  Way way;
+  Turning way;
 };
 constexpr std::array kCases = {Case{sticks, own_centre}, Case{sticks, touching_point},
                                Case{slides, own_centre}, Case{slides, touching_point},
                                Case{slides, resting},    Case{slides, put_back},
                                Case{flies, own_centre},  Case{flies, resting}};
 
-}  // namespace
-
 Result measure_which_centre(const Parameters& settings) {
-  const int steps = settings.count("steps");
+  const std::vector<double> dts = log_spaced(1.0 / 1000.0, 1.0 / 5.0, settings.count("steps"));
   Table table{
       "",
       {{"situation", "-", "1 sticks, 2 slides, 3 flies"},
@@ -116,17 +107,15 @@ Result measure_which_centre(const Parameters& settings) {
   for (const Case& c : kCases) {
     const Cube cube = cube_that(c.situation, settings.number("spin"), settings.number("speed"),
                                 settings.number("tilt"));
-    base.push_back(after_step(cube, c.way, kBase));
-    for (int k = 0; k < steps; ++k) {
-      const double share = static_cast<double>(k) / (steps - 1);
-      const double dt = kFinest * std::exp(share * std::log(kCoarsest / kFinest));
+    base.push_back(after_step(cube, c.way, kStep));
+    for (const double dt : dts) {
       const Wrong wrong = after_step(cube, c.way, dt);
       const double expected = predicted(cube, c.way, dt).most();
       const bool right = expected < kNearNothing;
-      table.rows.push_back({static_cast<double>(c.situation + 1), static_cast<double>(c.way + 1),
-                            dt, wrong.gap, wrong.bend, std::max(wrong.most(), kNearNothing),
-                            right ? std::numeric_limits<double>::quiet_NaN() : expected});
-      if (k == 0 && !right)
+      table.add(c.situation + 1, c.way + 1, dt, wrong.gap, wrong.bend,
+                std::max(wrong.most(), kNearNothing),
+                right ? std::numeric_limits<double>::quiet_NaN() : expected);
+      if (dt == dts.front() && !right)
         worst_at_finest = std::max(worst_at_finest, std::abs(wrong.most() / expected - 1.0));
     }
   }
@@ -143,8 +132,19 @@ Result measure_which_centre(const Parameters& settings) {
       {"flies, turned about its own centre: bend", "m", base[6].bend},
       {"flies, turned about what is at rest: bend", "m", base[7].bend},
       {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}};
-  result.tables = {std::move(table)};
+  result.tables = {table};
   return result;
 }
 
+const Registered which_centre_figure{
+    {.name = "which_centre",
+     .parameters = Parameters{}
+                       .add_number("spin", 2.0, 0.1, 20.0, "rad/s", "of the cube")
+                       .add_number("speed", 1.0, 0.1, 10.0, "m/s",
+                                   "of sliding, and of flight along each axis")
+                       .add_number("tilt", 0.3, 0.01, 0.7, "rad", "of the cube that touches")
+                       .add_whole("steps", 12, 2, 100, "lengths of a step"),
+     .experiment = measure_which_centre}};
+
+}  // namespace
 }  // namespace tumble::chapters

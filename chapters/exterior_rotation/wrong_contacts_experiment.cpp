@@ -1,10 +1,10 @@
 /// \file
 /// \brief Claim 6.2f: changes of contact that the right motion does not have.
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
-#include "exterior_rotation/contact_changes.hpp"
+#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/footnote_experiments.hpp"
+#include "exterior_rotation/geometric_contacts.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr std::array<std::size_t, 5> kSwept = {0, kSemiImplicit, 3, kClassical, 
 
 using Looks = std::vector<std::vector<ContactSet>>;
 
-// What was chosen before the first run. Contact is told by geometry: a corner of a joint's area touches if
+// Chosen before the first run. Contact is found by geometry: a corner of a joint's area touches if
 // its bodies are at most tolerance::contact_gap of an edge apart, which is what `analytic` asks; deeper
 // than that, a test for collisions finds an overlap, and that is a change, too. What touches holds, but
 // for what would have to pull. The same corners of the right motion are looked at in the same way. A
@@ -93,15 +93,9 @@ struct Verdict {
   std::vector<ContactChange> wrong;   // the right motion lacks them
   std::vector<ContactChange> missed;  // the scheme lacks them
 
-  [[nodiscard]] double count(ChangeKind kind) const {
-    return static_cast<double>(
-        std::count_if(wrong.begin(), wrong.end(),
-                      [&](const ContactChange& change) { return change.kind == kind; }));
-  }
-  [[nodiscard]] double wrong_before(int step) const {
-    return static_cast<double>(
-        std::count_if(wrong.begin(), wrong.end(),
-                      [&](const ContactChange& change) { return change.step < step; }));
+  [[nodiscard]] auto wrong_before(int step) const {
+    return std::count_if(wrong.begin(), wrong.end(),
+                         [&](const ContactChange& change) { return change.step < step; });
   }
 };
 
@@ -118,16 +112,16 @@ Verdict judge(const std::vector<ContactChange>& changes, const std::vector<Conta
   return verdict;
 }
 
-// Whatever the joint comes to, and whether it is touching or overlap: a milder judge.
-double wrong_joints(std::vector<ContactChange> changes, std::vector<ContactChange> right,
-                    const Question& question) {
+// Wrong changes if any change of the same joint, of touching or of overlap, counts as its counterpart.
+std::size_t wrong_joints(std::vector<ContactChange> changes, std::vector<ContactChange> right,
+                         const Question& question) {
   for (std::vector<ContactChange>* list : {&changes, &right}) {
     for (ContactChange& change : *list) {
       change.kind = ChangeKind::lost;
       change.touching = 0;
     }
   }
-  return static_cast<double>(judge(changes, right, question).wrong.size());
+  return judge(changes, right, question).wrong.size();
 }
 
 Table changes_table(const std::vector<Verdict>& verdicts, const std::vector<ContactChange>& right,
@@ -139,9 +133,8 @@ Table changes_table(const std::vector<Verdict>& verdicts, const std::vector<Cont
                {"kind", "-", "0: lost, 1: found, 2: overlap, 3: cleared"},
                {"wrong", "-", "1: the right motion does not have it; 0: it does"}}};
   const auto add = [&](const ContactChange& change, std::size_t scheme, bool wrong) {
-    table.rows.push_back({change.step * question.dt, static_cast<double>(scheme),
-                          static_cast<double>(change.joint), static_cast<double>(change.kind),
-                          wrong ? 1.0 : 0.0});
+    table.add(change.step * question.dt, scheme, change.joint, static_cast<int>(change.kind),
+              wrong);
   };
   for (const ContactChange& change : right)
     if (change.step <= question.steps) add(change, 0, false);
@@ -158,26 +151,17 @@ Table changes_table(const std::vector<Verdict>& verdicts, const std::vector<Cont
   return table;
 }
 
-Table schemes_table(const std::vector<Verdict>& verdicts, const std::vector<ContactChange>& right,
-                    const Question& question) {
+Table schemes_table(const std::vector<Verdict>& verdicts) {
   Table table{"",
               {{"scheme", "-",
                 "1: forward Euler, 2: semi-implicit, 3: impulse, 4: midpoint, 5: rk4, 6 to 8: the "
                 "first three by the exponential, 9: leapfrog by the exponential"},
                {"changes", "-", "of contact in the time that is asked for"},
                {"wrong", "-", "of them the right motion does not have"},
-               {"wrong_lost", "-", "of the wrong ones: corners that touch no longer"},
-               {"wrong_found", "-", "corners that touch again"},
-               {"wrong_overlap", "-", "bodies found in each other, and no longer"},
-               {"missed", "-", "changes of the right motion that the scheme lacks"},
-               {"wrong_joints", "-", "wrong ones if any change of the same joint answers"}}};
+               {"missed", "-", "changes of the right motion that the scheme lacks"}}};
   for (std::size_t s = 0; s < verdicts.size(); ++s) {
     const Verdict& v = verdicts[s];
-    table.rows.push_back(
-        {static_cast<double>(s + 1), static_cast<double>(v.all.size()),
-         static_cast<double>(v.wrong.size()), v.count(ChangeKind::lost), v.count(ChangeKind::found),
-         v.count(ChangeKind::overlap) + v.count(ChangeKind::cleared),
-         static_cast<double>(v.missed.size()), wrong_joints(v.all, right, question)});
+    table.add(s + 1, v.all.size(), v.wrong.size(), v.missed.size());
   }
   return table;
 }
@@ -186,25 +170,20 @@ Table sweep_table(const Parameters& settings, const Question& question,
                   const Reference& reference) {
   Table table{"sweep", {{"tolerance", "-", "distance up to which corners touch, over an edge"}}};
   for (const std::size_t s : kSwept)
-    for (const std::string what : {"wrong", "missed"})
-      table.columns.push_back({what + "_" + std::to_string(s + 1), "-",
-                               what + " changes, " + contact_schemes()[s].name});
+    table.columns.push_back(
+        {"wrong_" + std::to_string(s + 1), "-", "wrong changes, " + contact_schemes()[s].name});
   const int per_decade = settings.count("per_decade");
   for (int n = -9 * per_decade; n <= -per_decade; ++n) {
     const double tolerance = std::pow(10.0, static_cast<double>(n) / per_decade);
     const std::vector<ContactChange> right = changes_of(reference, tolerance);
-    table.rows.push_back({tolerance});
-    for (const std::size_t s : kSwept) {
-      const Verdict v =
-          judge(changes_of(contact_schemes()[s], question, tolerance), right, question);
-      table.rows.back().push_back(static_cast<double>(v.wrong.size()));
-      table.rows.back().push_back(static_cast<double>(v.missed.size()));
-    }
+    std::vector<std::size_t> counts;
+    for (const std::size_t s : kSwept)
+      counts.push_back(judge(changes_of(contact_schemes()[s], question, tolerance), right, question)
+                           .wrong.size());
+    table.add(tolerance, counts);
   }
   return table;
 }
-
-}  // namespace
 
 Result measure_wrong_contacts(const Parameters& settings) {
   const Question question = question_of(settings);
@@ -217,41 +196,48 @@ Result measure_wrong_contacts(const Parameters& settings) {
 
   Result result;
   const Table sweep = sweep_table(settings, question, reference);
-  result.tables = {schemes_table(verdicts, right, question),
-                   changes_table(verdicts, right, question), sweep};
+  result.tables = {schemes_table(verdicts), changes_table(verdicts, right, question), sweep};
   const Verdict& simple = verdicts[kSemiImplicit];
-  const auto wrong = [&](std::size_t s) { return static_cast<double>(verdicts[s].wrong.size()); };
+  const auto wrong = [&](std::size_t s) { return verdicts[s].wrong.size(); };
   const int opening = static_cast<int>(std::ceil(reference.first_opening / question.dt));
   double none_from = std::nan("");
-  for (std::size_t n = sweep.rows.size(); n > 0 && sweep.rows[n - 1][3] == 0.0; --n)
+  for (std::size_t n = sweep.rows.size(); n > 0 && sweep.rows[n - 1][2] == 0.0; --n)
     none_from = sweep.rows[n - 1][0];
-  std::vector<Quantity>& out = result.quantities;
-  out.push_back(
+  result.quantities = {
       {"changes of contact in a second of the fall of figure 6.1's column, its joints without glue "
        "and with very high friction, semi-implicit Euler at 60 steps a second, that the "
        "reference solution does not have within two steps",
-       "-", wrong(kSemiImplicit)});
-  out.push_back({"of them before the first joint opens", "-", simple.wrong_before(opening)});
-  out.push_back({"of them bodies found in each other, or no longer", "-",
-                 simple.count(ChangeKind::overlap) + simple.count(ChangeKind::cleared)});
-  out.push_back({"wrong changes if any change of the same joint answers", "-",
-                 wrong_joints(simple.all, right, question)});
-  out.push_back({"wrong changes if what touches holds even if it has to pull", "-",
-                 static_cast<double>(
-                     judge(changes_of(contact_schemes()[kSemiImplicit], question, tolerance, true),
-                           right, question)
-                         .wrong.size())});
-  out.push_back({"tolerance from which semi-implicit Euler has no wrong change", "-", none_from});
-  out.push_back({"changes that the reference solution has", "-",
-                 static_cast<double>(judge(right, right, question).all.size())});
-  out.push_back(
-      {"of these semi-implicit Euler misses", "-", static_cast<double>(simple.missed.size())});
-  out.push_back({"wrong changes, forward Euler", "-", wrong(0)});
-  out.push_back({"wrong changes, classical Runge-Kutta", "-", wrong(kClassical)});
-  out.push_back({"wrong changes, semi-implicit by the exponential", "-", wrong(kExponential)});
-  out.push_back(
-      {"of these before the first joint opens", "-", verdicts[kExponential].wrong_before(opening)});
+       "-", wrong(kSemiImplicit)},
+      {"of them before the first joint opens", "-", simple.wrong_before(opening)},
+      {"wrong changes if any change of the same joint answers", "-",
+       wrong_joints(simple.all, right, question)},
+      {"wrong changes if what touches holds even if it has to pull", "-",
+       judge(changes_of(contact_schemes()[kSemiImplicit], question, tolerance, true), right,
+             question)
+           .wrong.size()},
+      {"tolerance from which semi-implicit Euler has no wrong change", "-", none_from},
+      {"changes that the reference solution has", "-", judge(right, right, question).all.size()},
+      {"of these semi-implicit Euler misses", "-", simple.missed.size()},
+      {"wrong changes, forward Euler", "-", wrong(0)},
+      {"wrong changes, classical Runge-Kutta", "-", wrong(kClassical)},
+      {"wrong changes, semi-implicit by the exponential", "-", wrong(kExponential)},
+      {"of these before the first joint opens", "-", verdicts[kExponential].wrong_before(opening)}};
   return result;
 }
 
+const Registered claim_6_2f_wrong_contacts_figure{
+    {.name = "claim_6_2f_wrong_contacts",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 0.3, 0.01, 0.5, "rad", "of the column's centre, at the start")
+             .add_number("seconds", 1.0, 0.1, 10.0, "s", "of the fall")
+             .add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
+             .add_number("tolerance", tolerance::contact_gap, 1e-12, 1.0, "-",
+                         "distance up to which corners touch, over an edge")
+             .add_whole("within", 2, 0, 100, "steps that a change may be early or late")
+             .add_whole("per_decade", 5, 1, 100, "tolerances of the sweep"),
+     .quick = {"per_decade=1"},
+     .experiment = measure_wrong_contacts}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,11 +1,12 @@
 /// \file
-/// \brief Runs with fixed and adaptive sub-steps, and when their bodies come to rest.
+/// \brief Runs with fixed and adaptive sub-steps, and throws at a thin plank.
 #include "filtering/adaptive_runs.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/chatter.hpp"
 
+#include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -24,11 +25,20 @@ double time_of_rest(const SettledRun& run, std::size_t index) {
   };
   constexpr int kWay = ChatterMeter::kWindow - 1;  // steps in half a second
   for (int end = run.frames.count() - 1; end >= kWay; --end)
-    if (!(largest_way(corners(end - kWay), corners(end)) < limit)) return end * run.interval;
+    if (!(largest_way(corners(end - kWay), corners(end)) < limit)) return end * kStep;
   return 0.0;
 }
 
 }  // namespace
+
+Parameters adaptive_parameters(int seeds, int per_edge, int halvings) {
+  return Parameters{}
+      .add_whole("seeds", seeds, 2, 1000, "clumps")
+      .add_whole("per_edge", per_edge, 1, 10, "cubes along each edge of the grid at the start")
+      .add_number("settling", 4.0, 0.5, 1000.0, "s", "before bodies should rest")
+      .add_number("watched", 2.0, 0.5, 1000.0, "s", "after that, a multiple of half a second")
+      .add_whole("halvings", halvings, 0, 10, "of a step, at most");
+}
 
 AdaptiveStepOptions fixed_steps(int halvings) {
   AdaptiveStepOptions options;
@@ -61,10 +71,8 @@ RestingMeasures measure_resting(const SettledRun& run) {
   RestingMeasures out;
   for (std::size_t k = 0; k < run.world.bodies().size(); ++k)
     if (run.world.bodies()[k].movable()) out.times.push_back(time_of_rest(run, k));
-  const double gravity = run.world.gravity_w.norm();
   for (const std::size_t k : resting_bodies(run))
-    out.amplitudes.push_back(
-        shake_of(settled_path(run, run.frames, k), gravity, run.interval).amplitude);
+    out.amplitudes.push_back(settled_shake(run, k).amplitude);
   std::sort(out.times.begin(), out.times.end());
   std::sort(out.amplitudes.begin(), out.amplitudes.end());
   return out;
@@ -87,6 +95,25 @@ double share_moving(const RestingMeasures& measured, double time) {
   const auto moving =
       measured.times.end() - std::lower_bound(measured.times.begin(), measured.times.end(), time);
   return static_cast<double>(moving) / static_cast<double>(measured.times.size());
+}
+
+double share_through(double speed, int throws, const AdaptiveStepOptions& options) {
+  int through = 0;
+  for (int k = 0; k < throws; ++k) {
+    World world;
+    world.add(fixed_box_properties(Vec3(0.05, 20.0, 20.0)), BodyState{});
+    const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0);
+    const double distance = 0.5 + speed * kStep * (k + 0.5) / throws;  // [m] of the centres
+    const BodyId id = world.add(
+        cube, make_state(cube, Vec3(-distance, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    AdaptiveStep technique(make_technique("damped", {}, 1), options);
+    // Until it would be half a metre behind it, and some frames.
+    const double end = (distance + 0.5) / speed + 4.0 * kStep;
+    while (world.time() < end) technique.step(world, kStep);
+    const auto index = static_cast<std::size_t>(world.index_of(id));
+    through += world.states()[index].position_w.x() > 0.0 ? 1 : 0;
+  }
+  return static_cast<double>(through) / throws;
 }
 
 }  // namespace tumble::chapters

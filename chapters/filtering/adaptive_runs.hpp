@@ -1,15 +1,24 @@
 /// \file
-/// \brief Runs with fixed and adaptive sub-steps, and when their bodies come to rest (thesis 6.3.1).
+/// \brief Runs with fixed and adaptive sub-steps, when their bodies come to rest, and cubes thrown at a
+///        thin plank (thesis 6.3.1).
 #pragma once
 
 #include "tumble/filtering/adaptive_step.hpp"
 
+#include "driver/figure.hpp"
 #include "filtering/settled_run.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace tumble::chapters {
+
+/// The settings of a figure on adaptive steps.
+/// \param seeds     clumps
+/// \param per_edge  cubes along each edge of the grid at the start
+/// \param halvings  of a step, at most
+/// \return them, with how long a run settles and is watched
+Parameters adaptive_parameters(int seeds, int per_edge, int halvings);
 
 /// A run at 60 frames a second whose steps were divided, and what it took.
 struct SteppedRun {
@@ -39,7 +48,7 @@ AdaptiveStepOptions fixed_steps(int halvings);
 /// A body has come to rest when no corner of it ends a half second farther than a hundredth of the
 /// shortest edge from where it began it: this is what resting means to ChatterMeter, so that chatter
 /// does not keep a body from resting and creeping does. Its time of rest is the end of the last half
-/// second in which that was not so; who never rests has the end of the run. The time to rest of a
+/// second in which that was not so; a body that never rests has the end of the run. The time to rest of a
 /// run is when nine tenths of its bodies have come to rest: the last few of a clump may roll for
 /// long, and half of one lies on the ground soon.
 struct RestingMeasures {
@@ -68,5 +77,13 @@ RestingMeasures measure_resting(const SettledRun& run);
 /// \param time      [s] of the frame
 /// \return [-] 0 to 1
 double share_moving(const RestingMeasures& measured, double time);
+
+/// Throws cubes of 0.2 m at a fixed plank of 0.05 m, from distances that differ by less than the way
+/// in a step, under `damped` at 60 steps a second.
+/// \param speed    [m/s] of the cube, above 0
+/// \param throws   how many, at least 1
+/// \param options  when steps are divided
+/// \return [-] share of them that end behind the plank
+double share_through(double speed, int throws, const AdaptiveStepOptions& options);
 
 }  // namespace tumble::chapters

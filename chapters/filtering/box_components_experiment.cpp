@@ -5,7 +5,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
-#include "filtering/box_experiments.hpp"
+#include "driver/registry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr int kWindow = 5;   // frames, the thesis's
+constexpr int kMeanOf = 5;   // frames, the thesis's
 constexpr int kLength = 21;  // frames of a motion, its event in the middle
 constexpr double kToDegrees = 180.0 / std::numbers::pi;
 const Vec3 kAbout = Vec3(6.0, 2.0, -3.0) / 7.0;
@@ -55,19 +55,19 @@ Turning stopped(double speed, double rate) {
 Eigen::Vector4d component_mean(const Trajectory& run, int middle, bool aligned) {
   const Eigen::Vector4d centre = run.frame(middle).states[0].orientation_wb.coeffs();
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-  for (int n = middle - kWindow / 2; n <= middle + kWindow / 2; ++n) {
+  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n) {
     const Eigen::Vector4d q = run.frame(n).states[0].orientation_wb.coeffs();
     sum += aligned && q.dot(centre) < 0.0 ? Eigen::Vector4d(-q) : q;
   }
-  return sum / kWindow;
+  return sum / kMeanOf;
 }
 
 // About a fixed axis a mean orientation is that of the mean angle.
 double mean_angle(const Turning& motion, int middle) {
   double sum = 0.0;
-  for (int n = middle - kWindow / 2; n <= middle + kWindow / 2; ++n)
+  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n)
     sum += motion.angle[static_cast<std::size_t>(n)];
-  return sum / kWindow;
+  return sum / kMeanOf;
 }
 
 // How wrong means are at worst, over all whole windows of a motion.
@@ -79,9 +79,9 @@ struct Errors {
 };
 
 Errors errors_of(const Turning& motion) {
-  const Trajectory shown = filtered(motion.run, BoxFilter(kWindow));
+  const Trajectory shown = filtered(motion.run, BoxFilter(kMeanOf));
   Errors worst;
-  for (int n = kWindow / 2; n < kLength - kWindow / 2; ++n) {
+  for (int n = kMeanOf / 2; n < kLength - kMeanOf / 2; ++n) {
     const Quat exact = rotation_from_vector(mean_angle(motion, n) * kAbout);
     const auto error = [&](const Eigen::Vector4d& mean) {
       return angle_between(normalised(Quat(mean)), exact);
@@ -103,20 +103,17 @@ Table flip_table(const Turning& motion) {
                {"computed_deg", "deg", "angle turned by, computed"},
                {"components_deg", "deg", "mean of the components as stored"},
                {"tangent_deg", "deg", "mean of rotation vectors"}}};
-  const Trajectory shown = filtered(motion.run, BoxFilter(kWindow));
+  const Trajectory shown = filtered(motion.run, BoxFilter(kMeanOf));
   const Quat middle = rotation_from_vector(motion.angle[kLength / 2] * kAbout);
   const auto degrees = [&](const Quat& q) {
     return kToDegrees * rotation_vector(q * middle.conjugate()).dot(kAbout);
   };
-  for (int n = kWindow / 2; n < kLength - kWindow / 2; ++n)
-    table.rows.push_back({static_cast<double>(n - kLength / 2),
-                          degrees(motion.run.frame(n).states[0].orientation_wb),
-                          degrees(normalised(Quat(component_mean(motion.run, n, false)))),
-                          degrees(shown.frame(n).states[0].orientation_wb)});
+  for (int n = kMeanOf / 2; n < kLength - kMeanOf / 2; ++n)
+    table.add(n - kLength / 2, degrees(motion.run.frame(n).states[0].orientation_wb),
+              degrees(normalised(Quat(component_mean(motion.run, n, false)))),
+              degrees(shown.frame(n).states[0].orientation_wb));
   return table;
 }
-
-}  // namespace
 
 Result measure_component_means(const Parameters& settings) {
   const double rate = settings.number("rate");
@@ -134,8 +131,8 @@ Result measure_component_means(const Parameters& settings) {
         slowest * elementary::pow(fastest / slowest, static_cast<double>(k) / speeds);
     const Errors on = errors_of(steady(speed, rate));
     const Errors off = errors_of(stopped(speed, rate));
-    table.rows.push_back({speed, on.components, std::max(off.aligned, kNearNothing), off.shrunk,
-                          std::max({on.tangent, off.tangent, kNearNothing})});
+    table.add(speed, on.components, std::max(off.aligned, kNearNothing), off.shrunk,
+              std::max({on.tangent, off.tangent, kNearNothing}));
   }
 
   const double shown_speed = settings.number("speed");
@@ -158,4 +155,14 @@ Result measure_component_means(const Parameters& settings) {
   return result;
 }
 
+const Registered errata_filtering_figure{
+    {.name = "errata_filtering",
+     .parameters = Parameters{}
+                       .add_number("speed", 5.0, 0.01, 60.0, "rad/s", "of the body above")
+                       .add_whole("speeds", 40, 2, 10000, "in the sweep, less one")
+                       .add_number("fastest", 60.0, 1.0, 90.0, "rad/s", "of the sweep")
+                       .add_number("rate", 60.0, 60.0, 1e4, "1/s", "frames a second"),
+     .experiment = measure_component_means}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -5,7 +5,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
-#include "filtering/box_experiments.hpp"
+#include "driver/registry.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -25,7 +25,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kFrames = 96;     // of a recorded motion
 constexpr double kPhase = 0.3;  // [rad] at its first frame: no sample of any frequency is all 0
 constexpr double kSwing = 0.5;  // [m] and [rad] its amplitude
-constexpr double kSlow = 0.05;  // [1/frame] of the motion whose delay is measured
+constexpr double kSlowMotion = 0.05;  // [1/frame] of the motion whose delay is measured
 const Vec3 kAlong = Vec3(2.0, -1.0, 2.0) / 3.0;
 const Vec3 kSwingAbout = Vec3(6.0, 2.0, -3.0) / 7.0;
 
@@ -35,7 +35,7 @@ struct Swing {
   std::vector<double> angle;  // [rad] of the cosine in each frame
 };
 
-Swing swing_of(double frequency, double interval) {
+Swing swing_of(double frequency) {
   Swing swing;
   const std::vector<BodyId> ids = {BodyId{1}};
   std::vector<BodyState> states(1);
@@ -44,7 +44,7 @@ Swing swing_of(double frequency, double interval) {
     const double now = kSwing * elementary::cos(swing.angle.back());
     states[0].position_w = now * kAlong;
     states[0].orientation_wb = rotation_from_vector(now * kSwingAbout);
-    swing.run.record(Frame{n * interval, n, ids, states});
+    swing.run.record(Frame{n * kStep, n, ids, states});
   }
   return swing;
 }
@@ -132,8 +132,6 @@ double slope(int frames, double frequency) {
   return sum / frames;
 }
 
-}  // namespace
-
 Result measure_box_response(const Parameters& settings) {
   const int frames = settings.count("frames");
   const int half = frames / 2;
@@ -154,16 +152,15 @@ Result measure_box_response(const Parameters& settings) {
   const int count = settings.count("frequencies");
   for (int k = 0; k <= count; ++k) {
     const double f = 0.5 * k / count;
-    const Swing swing = swing_of(f, 1.0 / rate);
+    const Swing swing = swing_of(f);
     const Trajectory shown = filtered(swing.run, filter);
     const int end = kFrames - 1 - half;
     const double exact = BoxFilter::response(frames, f);
     const double move = largest_error(swing, way_of, shown, half, end, exact);
     const double turn = largest_error(swing, turn_of, shown, half, end, exact);
     last_gain = gain_of(swing, way_of, shown, half, end).in_phase;
-    table.rows.push_back({f, f * rate, exact, last_gain,
-                          gain_of(swing, turn_of, shown, half, end).in_phase,
-                          std::max(move, kNearNothing), std::max(turn, kNearNothing)});
+    table.add(f, f * rate, exact, last_gain, gain_of(swing, turn_of, shown, half, end).in_phase,
+              std::max(move, kNearNothing), std::max(turn, kNearNothing));
     worst_move = std::max(worst_move, move);
     worst_turn = std::max(worst_turn, turn);
   }
@@ -180,15 +177,15 @@ Result measure_box_response(const Parameters& settings) {
               {{"kind", "-", "0: zero, 1: minimum, 2: -3 dB"},
                {"frequency", "1/frame", "where"},
                {"gain", "-", "the response there"}}};
-  for (const double zero : zeros) marks.rows.push_back({0.0, zero, response(zero)});
-  marks.rows.push_back({1.0, lowest, response(lowest)});
-  marks.rows.push_back({2.0, third, response(third)});
+  for (const double zero : zeros) marks.add(0.0, zero, response(zero));
+  marks.add(1.0, lowest, response(lowest));
+  marks.add(2.0, third, response(third));
 
   // The causal form shows a slow motion unchanged but for its size, and late.
-  const Swing slow = swing_of(kSlow, 1.0 / rate);
+  const Swing slow = swing_of(kSlowMotion);
   const Gain late = gain_of(slow, way_of, filtered(slow.run, BoxFilter(frames, BoxWindow::causal)),
                             2 * half, kFrames - 1);
-  const double delay = elementary::atan2(late.behind, late.in_phase) / (kTurn * kSlow);
+  const double delay = elementary::atan2(late.behind, late.in_phase) / (kTurn * kSlowMotion);
 
   Result result;
   result.tables = {table, marks};
@@ -206,4 +203,15 @@ Result measure_box_response(const Parameters& settings) {
   return result;
 }
 
+const Registered box_response_figure{
+    {.name = "box_response",
+     .parameters =
+         Parameters{}
+             .add_whole("frames", 5, 3, 15, "in the window, odd")
+             .add_whole("frequencies", 200, 2, 10000, "from 0 to half a cycle a frame, less one")
+             .add_number("rate", 60.0, 1.0, 1e4, "1/s", "frames a second"),
+     .quick = {"frequencies=40"},
+     .experiment = measure_box_response}};
+
+}  // namespace
 }  // namespace tumble::chapters

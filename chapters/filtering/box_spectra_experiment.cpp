@@ -2,14 +2,13 @@
 /// \brief Claim 5.5a: the settled clump before and after filters, in amplitude, squirm and spectrum.
 #include "tumble/filtering/filters.hpp"
 
-#include "driver/statistics.hpp"
-#include "filtering/box_experiments.hpp"
+#include "driver/registry.hpp"
+#include "filtering/seed_numbers.hpp"
 #include "filtering/shown_clump.hpp"
 #include "filtering/spectrum.hpp"
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace tumble::chapters {
@@ -25,7 +24,7 @@ constexpr std::array<ShownBy, 5> kShown = {{{"raw", ""},
                                             {"one_euro", "one_euro"},
                                             {"envelope", "envelope"}}};
 constexpr std::size_t kUnfiltered = 0;
-constexpr std::size_t kBox = 1;
+constexpr std::size_t kBoxOfFive = 1;
 constexpr double kHalf = 0.5;  // what the claim's two sayings compare with
 
 // What one seed gives for one filter: medians over the bodies that chatter.
@@ -39,13 +38,13 @@ struct SeedMeasures {
 using Lines = std::vector<double>;
 
 // Adds the squares of a body: the mean over its corners, the sum over the three coordinates.
-void add_spectrum(const std::vector<Corners>& path, double interval, Lines& squares,
+void add_spectrum(const std::vector<Corners>& path, Lines& squares,
                   std::vector<double>& frequency) {
   std::vector<double> signal(path.size() - 1);  // a whole number of half seconds
   for (std::size_t corner = 0; corner < 8; ++corner)
     for (int axis = 0; axis < 3; ++axis) {
       for (std::size_t n = 0; n < signal.size(); ++n) signal[n] = path[n][corner][axis];
-      const Spectrum lines = spectrum_of(signal, interval, SpectrumWindow::hann);
+      const Spectrum lines = spectrum_of(signal, kStep, SpectrumWindow::hann);
       frequency = lines.frequency;
       squares.resize(frequency.size(), 0.0);
       for (std::size_t k = 0; k < frequency.size(); ++k)
@@ -70,18 +69,10 @@ struct Measured {
   std::vector<double> frequency;  // [Hz]
   int bodies = 0;                 // that chatter
 
-  // The mean over the seeds of a number of each.
-  [[nodiscard]] Quantity mean(const std::string& name, const std::string& unit,
-                              const std::function<double(const SeedOfAll&)>& number) const {
-    std::vector<double> values;
-    for (const SeedOfAll& seed : seeds) values.push_back(number(seed));
-    return mean_over_seeds(name, unit, values);
-  }
-
-  // The same for the median of a measure, shown over computed.
+  // The median of a measure, shown over computed; the mean over the seeds.
   [[nodiscard]] Quantity ratio(const std::string& name, std::size_t filter,
                                double Shake::*number) const {
-    return mean(name, "-", [&](const SeedOfAll& seed) {
+    return mean_of(name, "-", seeds, [&](const SeedOfAll& seed) {
       return seed[filter].median.*number / seed[kUnfiltered].median.*number;
     });
   }
@@ -98,7 +89,7 @@ void measure(const ChatteringClump& clump, Measured& all) {
     seed[f] = {median_shake(shakes), median_ratio(shakes, raw, &Shake::amplitude),
                median_ratio(shakes, raw, &Shake::squirm)};
     for (const std::size_t body : clump.bodies)
-      add_spectrum(clump.path(shown, body), clump.run.interval, all.lines[f], all.frequency);
+      add_spectrum(clump.path(shown, body), all.lines[f], all.frequency);
   }
   all.seeds.push_back(seed);
   all.bodies += static_cast<int>(clump.bodies.size());
@@ -110,9 +101,9 @@ Table spectra(const Measured& all) {
     table.columns.push_back({std::string(shown.name) + "_m", "m",
                              std::string("root mean square amplitude of a corner, ") + shown.name});
   for (std::size_t k = 1; k < all.frequency.size(); ++k) {
-    table.rows.push_back({all.frequency[k]});
-    for (const Lines& lines : all.lines)
-      table.rows.back().push_back(std::sqrt(lines[k] / all.bodies));
+    std::vector<double> cells;
+    for (const Lines& lines : all.lines) cells.push_back(std::sqrt(lines[k] / all.bodies));
+    table.add(all.frequency[k], cells);
   }
   return table;
 }
@@ -120,63 +111,46 @@ Table spectra(const Measured& all) {
 Table bars(const Measured& all) {
   Table table{"measures",
               {{"filter", "-", "0 raw, 1 box, 2 soft envelope, 3 one-euro, 4 envelope"}}};
-  for (const std::string number : {"amplitude", "squirm"})
-    for (const std::string end : {"", "_low", "_high"})
-      table.columns.push_back({number + end, "-", "over that computed, mean over the seeds"});
-  for (std::size_t f = 0; f < kShown.size(); ++f) {
-    table.rows.push_back({static_cast<double>(f)});
-    for (double Shake::*number : {&Shake::amplitude, &Shake::squirm}) {
-      const Quantity q = all.ratio("", f, number);
-      for (const double value : {q.value, q.low, q.high}) table.rows.back().push_back(value);
-    }
-  }
+  for (const char* number : {"amplitude", "squirm"})
+    add_interval_columns(number, "-", "over that computed, mean over the seeds", table);
+  for (std::size_t f = 0; f < kShown.size(); ++f)
+    table.add(f, with_interval(all.ratio("", f, &Shake::amplitude)),
+              with_interval(all.ratio("", f, &Shake::squirm)));
   return table;
 }
-
-// The claim's two sayings.
-double sayings_held(double amplitude, double squirm) {
-  return (amplitude <= kHalf ? 1.0 : 0.0) + (squirm >= kHalf ? 1.0 : 0.0);
-}
-
-}  // namespace
 
 Result measure_box_spectra(const Parameters& settings) {
   Measured all;
   for (int seed = 1; seed <= settings.count("seeds"); ++seed)
-    measure(chattering_clump(clump_request(settings, seed)), all);
+    measure(chattering_clump(settings, seed), all);
 
   const Quantity amplitude =
-      all.ratio("amplitude after a box of five over before", kBox, &Shake::amplitude);
-  const Quantity squirm = all.ratio("squirm after a box of five over before", kBox, &Shake::squirm);
-  int both = 0;
-  for (const SeedOfAll& seed : all.seeds) {
-    const Shake& raw = seed[kUnfiltered].median;
-    const Shake& box = seed[kBox].median;
-    if (sayings_held(box.amplitude / raw.amplitude, box.squirm / raw.squirm) == 2.0) ++both;
-  }
-
-  Result result;
-  result.tables = {spectra(all), bars(all)};
-  result.quantities = {
-      {"of two sayings about a box filter of five frames those that hold: amplitude falls to a "
-       "half or less, squirm stays at a half or more",
-       "-", sayings_held(amplitude.value, squirm.value)},
-      amplitude,
-      squirm,
-      all.mean("the same for amplitude, median of each body's own ratio", "-",
-               [](const SeedOfAll& seed) { return seed[kBox].own_amplitude; }),
-      all.mean("the same for squirm, median of each body's own ratio", "-",
-               [](const SeedOfAll& seed) { return seed[kBox].own_squirm; }),
-      all.ratio("acceleration after a box of five over before", kBox, &Shake::acceleration),
-      all.mean("amplitude before", "m",
+      all.ratio("amplitude after a box of five over before", kBoxOfFive, &Shake::amplitude);
+  const Quantity squirm =
+      all.ratio("squirm after a box of five over before", kBoxOfFive, &Shake::squirm);
+  return {
+      {spectra(all), bars(all)},
+      {{"of two sayings about a box filter of five frames those that hold: amplitude falls to a "
+        "half or less, squirm stays at a half or more",
+        "-", (amplitude.value <= kHalf ? 1 : 0) + (squirm.value >= kHalf ? 1 : 0)},
+       amplitude,
+       squirm,
+       mean_of("the same for amplitude, median of each body's own ratio", "-", all.seeds,
+               [](const SeedOfAll& seed) { return seed[kBoxOfFive].own_amplitude; }),
+       mean_of("the same for squirm, median of each body's own ratio", "-", all.seeds,
+               [](const SeedOfAll& seed) { return seed[kBoxOfFive].own_squirm; }),
+       all.ratio("acceleration after a box of five over before", kBoxOfFive, &Shake::acceleration),
+       mean_of("amplitude before", "m", all.seeds,
                [](const SeedOfAll& seed) { return seed[kUnfiltered].median.amplitude; }),
-      all.mean("squirm before", "m/s",
-               [](const SeedOfAll& seed) { return seed[kUnfiltered].median.squirm; }),
-      squirm_of_white_noise("squirm after over before if chatter were white noise", 5, 1),
-      share_of_trials("share of the seeds in which both sayings hold", both,
-                      static_cast<std::int64_t>(all.seeds.size())),
-      {"bodies that chatter, all seeds", "-", static_cast<double>(all.bodies)}};
-  return result;
+       squirm_of_white_noise("squirm after over before if chatter were white noise", 5, 1),
+       {"bodies that chatter, all seeds", "-", all.bodies}}};
 }
 
+const Registered claim_5_5a_spectra_figure{
+    {.name = "claim_5_5a_spectra",
+     .parameters = chattering_clump_parameters(),
+     .quick = {"seeds=2", "per_edge=4", "settling=6", "watched=2"},
+     .experiment = measure_box_spectra}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -3,14 +3,13 @@
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/statistics.hpp"
-#include "filtering/box_experiments.hpp"
+#include "driver/registry.hpp"
+#include "filtering/seed_numbers.hpp"
 #include "filtering/shown_clump.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace tumble::chapters {
@@ -66,13 +65,13 @@ ByWidth<Trajectory> shown_by_width(const SettledRun& run) {
 Clumps watch_clumps(const Parameters& settings) {
   const double flying = settings.number("flying");
   Clumps all;
+  const int frames = static_cast<int>(std::lround(flying / kStep));
   const auto look_for_overlap = [&](const SettledRun& run, const ByWidth<Trajectory>& shown) {
-    const int frames = static_cast<int>(std::lround(flying / run.interval));
     if (static_cast<int>(all.overlaps.size()) < settings.count("piles"))
       all.overlaps.push_back(overlaps_of(run, shown, frames));
   };
   for (int seed = 1; seed <= settings.count("seeds"); ++seed) {
-    const ChatteringClump clump = chattering_clump(clump_request(settings, seed));
+    const ChatteringClump clump = chattering_clump(settings, seed);
     const ByWidth<Trajectory> shown = shown_by_width(clump.run);
     all.medians.emplace_back();
     for (std::size_t w = 0; w < kWidths.size(); ++w)
@@ -80,10 +79,10 @@ Clumps watch_clumps(const Parameters& settings) {
     look_for_overlap(clump.run, shown);
   }
   for (int seed = settings.count("seeds") + 1; seed <= settings.count("piles"); ++seed) {
-    SettledRequest request = clump_request(settings, seed);
-    request.settling = flying;
-    request.watched = 0.5;  // so that no window is cut before
-    const SettledRun run = settle_clump(request);
+    const auto chance = static_cast<std::uint64_t>(seed);
+    const SettledRun run =
+        settle_scene(clump_scene(settings.count("per_edge"), chance), {"damped", {}}, flying, 0.5,
+                     chance);  // longer by half a second, so that no window is cut before
     look_for_overlap(run, shown_by_width(run));
   }
   return all;
@@ -105,7 +104,7 @@ struct Landing {
     for (int n = 2; n < frames(); ++n)
       largest = std::max(largest, std::abs((height(width, n) - height(width, n - 1)) -
                                            (height(width, n - 1) - height(width, n - 2))));
-    return largest / run.interval;
+    return largest / kStep;
   }
 };
 
@@ -115,8 +114,7 @@ Landing landing_under(const char* technique, const char* restitution) {
       scene_with("bouncing_box",
                  {setting("height", kFall), std::string("restitution=") + restitution}),
       {technique, {}}, 0.0, 2.0);
-  for (std::size_t k = 0; k < landing.run.world.bodies().size(); ++k)
-    if (landing.run.world.bodies()[k].movable()) landing.cube = k;
+  landing.cube = first_movable(landing.run.world);
   landing.shown = shown_by_width(landing.run);
   return landing;
 }
@@ -127,40 +125,33 @@ Table impact_table(const Landing& landing) {
     table.columns.push_back({"height_" + std::to_string(kWidths[w]) + "_m", "m",
                              "of the lower face over the ground, this many frames averaged"});
   for (int n = 0; n < landing.frames(); ++n) {
-    table.rows.push_back({landing.run.frames.frame(n).time});
-    for (const std::size_t w : kDrawn) table.rows.back().push_back(landing.height(w, n) - 0.5);
+    std::vector<double> heights;
+    for (const std::size_t w : kDrawn) heights.push_back(landing.height(w, n) - 0.5);
+    table.add(landing.run.frames.frame(n).time, heights);
   }
   return table;
 }
 
-// A number over the seeds.
-template <class T>
-Quantity mean_of(const std::string& name, const std::string& unit, const std::vector<T>& seeds,
-                 const std::function<double(const T&)>& number) {
-  std::vector<double> values;
-  for (const T& seed : seeds) values.push_back(number(seed));
-  return mean_over_seeds(name, unit, values);
-}
-
+// The ratio of the medians of two widths.
 Quantity shake_ratio(const std::string& name, const Clumps& clumps, std::size_t width,
                      std::size_t before, double Shake::*number) {
-  return mean_of<ByWidth<Shake>>(name, "-", clumps.medians, [&](const ByWidth<Shake>& seed) {
+  return mean_of(name, "-", clumps.medians, [&](const ByWidth<Shake>& seed) {
     return seed[width].*number / seed[before].*number;
   });
 }
 
 // Deepest overlap in the whole run, shown less computed. It decides, as was chosen before the first run:
-// what is added in the worst frame cannot be below 0. Four clumps left its sign open, so there are 24.
+// the overlap added in the worst frame cannot be below 0. Four clumps left its sign open, so there are 24.
 Quantity made_overlap(const std::string& name, const Clumps& clumps, std::size_t width) {
-  return mean_of<ByWidth<Overlap>>(name, "m", clumps.overlaps, [&](const ByWidth<Overlap>& seed) {
+  return mean_of(name, "m", clumps.overlaps, [&](const ByWidth<Overlap>& seed) {
     return seed[width].deepest - seed[kRaw].deepest;
   });
 }
 
 // Most that a frame has above what is computed in that frame.
 Quantity added_overlap(const std::string& name, const Clumps& clumps, std::size_t width) {
-  return mean_of<ByWidth<Overlap>>(name, "m", clumps.overlaps,
-                                   [&](const ByWidth<Overlap>& seed) { return seed[width].added; });
+  return mean_of(name, "m", clumps.overlaps,
+                 [&](const ByWidth<Overlap>& seed) { return seed[width].added; });
 }
 
 Table width_table(const Clumps& clumps, const Landing& landing) {
@@ -168,26 +159,20 @@ Table width_table(const Clumps& clumps, const Landing& landing) {
               {{"frames", "-", "width of the box filter"},
                {"sharpness", "-", "of an impact, over that computed"},
                {"white", "-", "squirm over that computed, of white noise"}}};
-  for (const auto& [name, unit, meaning] :
-       {std::array<const char*, 3>{"amplitude", "-", "over that computed"},
-        {"squirm", "-", "over that computed"},
-        {"overlap_m", "m", "deepest overlap while a clump settles, shown less computed"},
-        {"added_m", "m", "most that is added to the overlap of a frame"}})
-    for (const char* end : {"", "_low", "_high"})
-      table.columns.push_back({std::string(name) + end, unit, meaning});
-  for (std::size_t w = 0; w < kWidths.size(); ++w) {
-    table.rows.push_back({static_cast<double>(kWidths[w]),
-                          landing.sharpness(w) / landing.sharpness(kRaw),
-                          squirm_of_white_noise("", kWidths[w], 1).value});
-    for (const Quantity& q : {shake_ratio("", clumps, w, kRaw, &Shake::amplitude),
-                              shake_ratio("", clumps, w, kRaw, &Shake::squirm),
-                              made_overlap("", clumps, w), added_overlap("", clumps, w)})
-      for (const double value : {q.value, q.low, q.high}) table.rows.back().push_back(value);
-  }
+  add_interval_columns("amplitude", "-", "over that computed", table);
+  add_interval_columns("squirm", "-", "over that computed", table);
+  add_interval_columns("overlap_m", "m",
+                       "deepest overlap while a clump settles, shown less computed", table);
+  add_interval_columns("added_m", "m", "most that is added to the overlap of a frame", table);
+  for (std::size_t w = 0; w < kWidths.size(); ++w)
+    table.add(kWidths[w], landing.sharpness(w) / landing.sharpness(kRaw),
+              squirm_of_white_noise("", kWidths[w], 1).value,
+              with_interval(shake_ratio("", clumps, w, kRaw, &Shake::amplitude)),
+              with_interval(shake_ratio("", clumps, w, kRaw, &Shake::squirm)),
+              with_interval(made_overlap("", clumps, w)),
+              with_interval(added_overlap("", clumps, w)));
   return table;
 }
-
-}  // namespace
 
 Result measure_box_widths(const Parameters& settings) {
   const Clumps clumps = watch_clumps(settings);
@@ -228,8 +213,6 @@ Result measure_box_widths(const Parameters& settings) {
                     kWidest),
       share_of_trials("share of the clumps in which the deepest overlap is deeper as shown", deeper,
                       static_cast<std::int64_t>(clumps.overlaps.size())),
-      shake_ratio("amplitude at 15 frames over that computed", clumps, kWidest, kRaw,
-                  &Shake::amplitude),
       squirm_of_white_noise("squirm at 15 frames over that at 5 if chatter were white noise",
                             kWidths[kWidest], kWidths[kFive]),
       {"sharpness of a bounce at 15 frames over that at 5", "-",
@@ -240,4 +223,14 @@ Result measure_box_widths(const Parameters& settings) {
   return result;
 }
 
+const Registered claim_5_5b_width_figure{
+    {.name = "claim_5_5b_width",
+     .parameters =
+         chattering_clump_parameters()
+             .add_number("flying", 3.0, 0.1, 1000.0, "s", "in which overlap is looked for")
+             .add_whole("piles", 24, 2, 1000, "clumps in which overlap is looked for"),
+     .quick = {"seeds=2", "per_edge=4", "settling=6", "watched=2", "piles=2"},
+     .experiment = measure_box_widths}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -12,7 +12,7 @@
 namespace tumble::chapters {
 namespace {
 
-// Sums of those who rest in both; lists in the order of ids.
+// Sums over the bodies that rest in both; lists in the order of ids.
 std::vector<BodyChatter> resting_in_both(const std::vector<BodyChatter>& sums,
                                          const std::vector<BodyChatter>& more) {
   std::vector<BodyChatter> both;
@@ -59,7 +59,6 @@ ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double 
       if (run.steps == first) look();
       const StepReport report = now.step();
       ++run.steps;
-      run.collisions += report.events;
       if (report.status == StepStatus::event_cap) ++run.capped;
       if (run.steps <= first) continue;
       run.last_collisions += report.events;

@@ -3,7 +3,7 @@
 #include "tumble/filtering/filters.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "filtering/envelope_experiments.hpp"
+#include "driver/registry.hpp"
 #include "filtering/shown_clump.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -95,15 +95,8 @@ std::string picture_of(const SettledRun& run, std::size_t chosen) {
   return to_gnuplot(draw_boxes(boxes, camera_for(boxes, direction_w, 600.0, 300.0, true)));
 }
 
-}  // namespace
-
 Result draw_corner_path(const Parameters& settings) {
-  SettledRequest request;
-  request.per_edge = settings.count("per_edge");
-  request.seed = static_cast<std::uint64_t>(settings.count("seed"));
-  request.settling = settings.number("settling");
-  request.watched = settings.number("watched");
-  const ChatteringClump clump = chattering_clump(request);
+  const ChatteringClump clump = chattering_clump(settings, settings.count("seed"));
   const SettledRun& run = clump.run;
   const std::size_t cube = chosen_cube(clump);
 
@@ -120,13 +113,14 @@ Result draw_corner_path(const Parameters& settings) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   for (std::size_t f = 0; f < paths[0].size(); ++f) {
-    table.rows.push_back({static_cast<double>(f) * run.interval});
+    std::vector<double> places;
     for (const std::vector<Corners>& path : paths) {
       const Vec2 place = plane(path[f][corner]);
       low = low.cwiseMin(place);
       high = high.cwiseMax(place);
-      for (const double value : {place.x(), place.y()}) table.rows.back().push_back(value);
+      places.insert(places.end(), {place.x(), place.y()});
     }
+    table.add(static_cast<double>(f) * kStep, places);
   }
   const Vec2 first = plane(paths[3][0][corner]);
   const Table frame{"frame",
@@ -139,21 +133,32 @@ Result draw_corner_path(const Parameters& settings) {
                      {"radius_mm", "mm", "of the envelope"}},
                     {{low.x(), high.x(), low.y(), high.y(), first.x(), first.y(), 10.0}}};
 
-  const Shake shake = shake_of(paths[0], run.world.gravity_w.norm(), run.interval);
+  const Shake shake = shake_of(paths[0], run.world.gravity_w.norm());
   const Pops hard = pops(paths[3], paths[0], 0.01);
   const Pops gentle = pops(paths[4], paths[0], 0.01);
-  const auto squirm_of = [&](std::size_t path) { return 1e3 * squirm(paths[path], run.interval); };
+  const auto squirm_of = [&](std::size_t path) { return 1e3 * squirm(paths[path], kStep); };
   return {{table, frame},
           {{"amplitude of the cube", "mm", 1e3 * shake.amplitude},
            {"squirm of the cube, computed", "mm/s", 1e3 * shake.squirm},
            {"squirm of the cube, box filter over 5 frames", "mm/s", squirm_of(1)},
            {"squirm of the cube, box filter over 15 frames", "mm/s", squirm_of(2)},
-           {"squirm of the cube, soft envelope", "mm/s", squirm_of(4)},
-           {"squirm of the cube, one-euro filter", "mm/s", squirm_of(5)},
-           {"pops of the cube, envelope", "-", static_cast<double>(hard.count)},
-           {"pops of the cube, soft envelope", "-", static_cast<double>(gentle.count)},
+           {"pops of the cube, envelope", "-", hard.count},
+           {"pops of the cube, soft envelope", "-", gentle.count},
            {"largest pop of the cube, envelope", "mm", 1e3 * hard.largest}},
           {{"clump", picture_of(run, cube)}}};
 }
+
+const Registered corner_path_figure{
+    {.name = "corner_path",
+     .parameters =
+         Parameters{}
+             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
+             .add_whole("seed", 1, 1, 1000, "of their orientations")
+             .add_number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest")
+             .add_number("watched", 2.0, 0.5, 60.0, "s", "of the path"),
+     .quick = {"per_edge=4", "settling=6", "watched=1"},
+     .experiment = draw_corner_path}};
+
+}  // namespace
 
 }  // namespace tumble::chapters

@@ -76,10 +76,8 @@ Scene rocking(Random chance) {
 
 MotionCorpus corpus_of(std::uint64_t seed, int per_edge, int boxes) {
   MotionCorpus corpus;
-  SettledRequest request;
-  request.per_edge = per_edge;
-  request.seed = seed;
-  add_run(settle_clump(request), kSparse, Doing::creeps, corpus);
+  add_run(settle_scene(clump_scene(per_edge, seed), {"damped", {}}, 10.0, 4.0, seed), kSparse,
+          Doing::creeps, corpus);
 
   const Random chance(seed);
   std::uint64_t name = 0;

@@ -1,8 +1,8 @@
 /// \file
 /// \brief Claim 6.1b: the chatter that is left in the settled clump.
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "filtering/settled_run.hpp"
-#include "filtering/technique_chatter_experiments.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,29 +43,21 @@ struct Left {
 };
 
 Left left_in(const Parameters& p, const PlayedTechnique& technique, int seed) {
-  SettledRequest request;
-  request.per_edge = p.count("per_edge");
-  request.seed = static_cast<std::uint64_t>(seed);
-  request.settling = p.number("settling");
-  request.watched = p.number("watched");
-  request.technique = technique;
-  const SettledRun run = settle_clump(request);
+  const SettledRun run = settle_clump(p, seed, technique);
   Left left;
-  const double gravity = run.world.gravity_w.norm();
   for (const BodyProperties& body : run.world.bodies())
     if (body.movable()) left.bodies += 1.0;
-  for (const std::size_t k : resting_bodies(run)) {
-    const Shake shake = shake_of(settled_path(run, run.frames, k), gravity, run.interval);
-    left.amplitudes.push_back(shake.amplitude / run.world.bodies()[k].size.minCoeff());
-  }
+  for (const std::size_t k : resting_bodies(run))
+    left.amplitudes.push_back(settled_shake(run, k).amplitude /
+                              run.world.bodies()[k].size.minCoeff());
   return left;
 }
 
 // The claim counts all bodies of the clump, those too that do not rest and so cannot chatter; the same
-// among those that rest is told beside it. The interval is over seeds, since bodies of a
-// clump shake together. The line is ours, so half and twice of it are told too.
-Quantity share(std::string name, const std::vector<Left>& clumps, bool of_resting,
-               double line = kChatters) {
+// among those that rest stands beside it. The interval is over seeds, since bodies of a clump shake
+// together. The line is ours, so half and twice of it are tried too.
+Quantity share_of_bodies(std::string name, const std::vector<Left>& clumps, bool of_resting,
+                         double line = kChatters) {
   return over_seeds(std::move(name), "-", static_cast<int>(clumps.size()), [&](int left_out) {
     double chattering = 0.0;
     double all = 0.0;
@@ -78,8 +70,6 @@ Quantity share(std::string name, const std::vector<Left>& clumps, bool of_restin
   });
 }
 
-}  // namespace
-
 Result measure_left_chatter(const Parameters& settings) {
   Table sorted{"",
                {{"share", "-", "of all bodies, those that move less; half of this one"},
@@ -90,7 +80,6 @@ Result measure_left_chatter(const Parameters& settings) {
               {{"bodies", "-", "in all clumps"},
                {"restless", "-", "of these do not rest"},
                {"still", "-", "rest and do not move at all, up to rounding"},
-               {"quiet", "-", "rest and move by less than the claim's thousandth"},
                {"chattering", "-", "rest and move by that or more"}}};
   Table shares{"shares",
                {{"variant", "-",
@@ -113,9 +102,8 @@ Result measure_left_chatter(const Parameters& settings) {
     const std::string words = v == 0 ? "share of the bodies of the settled clump that chatter by a "
                                        "thousandth of an edge or more"
                                      : "the same share" + variants()[v].words;
-    const Quantity found = share(words, clumps, false);
-    shares.rows.push_back(
-        {static_cast<double>(v), found.value, found.low, found.high, 1.0 - resting / bodies});
+    const Quantity found = share_of_bodies(words, clumps, false);
+    shares.add(v, found.value, found.low, found.high, 1.0 - resting / bodies);
     result.quantities.push_back(found);
     if (v > 0) continue;
 
@@ -129,22 +117,31 @@ Result measure_left_chatter(const Parameters& settings) {
     std::sort(moving.begin(), moving.end());
     const double count = static_cast<double>(moving.size());
     for (std::size_t k = 0; k < moving.size(); ++k)
-      sorted.rows.push_back({(resting - count + static_cast<double>(k) + 0.5) / bodies, moving[k]});
-    still.rows.push_back(
-        {bodies, bodies - resting, resting - count, count - chattering, chattering});
-    result.quantities.push_back(share("the same share of those that rest", clumps, true));
+      sorted.add((resting - count + static_cast<double>(k) + 0.5) / bodies, moving[k]);
+    still.add(bodies, bodies - resting, resting - count, chattering);
+    result.quantities.push_back(share_of_bodies("the same share of those that rest", clumps, true));
     result.quantities.push_back(
         {"share of bodies that rest and do not move at all", "-", (resting - count) / bodies});
-    result.quantities.push_back({"share of bodies that do not rest", "-", 1.0 - resting / bodies});
-    result.quantities.push_back(
-        {"largest amplitude of a body that rests", "-", moving.empty() ? 0.0 : moving.back()});
-    result.quantities.push_back(
-        share("the same share, chatter from half a thousandth on", clumps, false, 0.5 * kChatters));
-    result.quantities.push_back(
-        share("the same share, chatter from two thousandths on", clumps, false, 2.0 * kChatters));
+    result.quantities.push_back(share_of_bodies("the same share, chatter from half a thousandth on",
+                                                clumps, false, 0.5 * kChatters));
+    result.quantities.push_back(share_of_bodies("the same share, chatter from two thousandths on",
+                                                clumps, false, 2.0 * kChatters));
   }
   result.tables = {sorted, shares, still};
   return result;
 }
 
+const Registered claim_6_1b_chatter_figure{
+    {.name = "claim_6_1b_chatter",
+     .parameters =
+         Parameters{}
+             .add_whole("seeds", 20, 1, 100, "clumps")
+             .add_whole("varied", 3, 1, 100, "of these, with other constants")
+             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
+             .add_number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest")
+             .add_number("watched", 4.0, 0.5, 60.0, "s", "after that"),
+     .quick = {"seeds=2", "varied=2", "per_edge=3", "settling=5", "watched=1"},
+     .experiment = measure_left_chatter}};
+
+}  // namespace
 }  // namespace tumble::chapters

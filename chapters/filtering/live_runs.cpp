@@ -1,14 +1,12 @@
 /// \file
-/// \brief Running filters live, and telling bits and frames apart.
+/// \brief Running filters live, and comparing frames bit by bit.
 #include "filtering/live_runs.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/filtering/filters.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 namespace tumble::chapters {
@@ -100,20 +98,6 @@ LiveRun play_live(PlayedScene& played, const std::vector<std::unique_ptr<PoseFil
   return run;
 }
 
-Trajectory filtered_in_pieces(const Trajectory& run, const PoseFilter& filter, std::uint64_t seed) {
-  Trajectory shown;
-  const FrameSink show = [&](const Frame& frame) { shown.record(frame); };
-  Random chance(seed);
-  std::unique_ptr<PoseFilter> own = filter.clone();
-  for (int k = 0; k < run.count();) {
-    own = own->clone();
-    const int end = std::min(run.count(), k + 1 + static_cast<int>(chance.below(10)));
-    for (; k < end; ++k) own->add(run.frame(k), show);
-  }
-  own->finish(show);
-  return shown;
-}
-
 std::vector<BodyState> seen_live(const Trajectory& run, const PoseFilter& filter) {
   std::vector<BodyState> seen;
   BodyState newest = run.frame(0).states.front();
@@ -160,13 +144,6 @@ int later_frames_needed(const PoseFilter& filter) {
   for (int k = 0; k < kMoved; ++k)
     if (!(shown.frame(k).states[0] == shown_moved.frame(k).states[0])) return kMoved - k;
   return 0;
-}
-
-int landing_frame(const std::vector<BodyState>& seen, double rest, double within) {
-  const auto landed = std::find_if(seen.begin(), seen.end(), [&](const BodyState& state) {
-    return std::abs(state.position_w.y() - rest) <= within;
-  });
-  return static_cast<int>(landed - seen.begin());
 }
 
 }  // namespace tumble::chapters

@@ -52,15 +52,7 @@ struct LiveRun {
 LiveRun play_live(PlayedScene& played, const std::vector<std::unique_ptr<PoseFilter>>& filters,
                   double duration, double removal);
 
-/// Filters a run piece by piece. At each cut the filter goes on as a copy of itself, as a program does
-/// that saves its state.
-/// \param run     frames
-/// \param filter  how
-/// \param seed    of the lengths of the pieces, 1 to 10 frames
-/// \return as many frames
-Trajectory filtered_in_pieces(const Trajectory& run, const PoseFilter& filter, std::uint64_t seed);
-
-/// What a live viewer sees of the one body of a run.
+/// The poses of the one body of a run as a live viewer sees them.
 /// \param run     frames that all have the same body, at least one
 /// \param filter  how
 /// \return for each frame the newest pose that the filter has shown by then; while there is none, the
@@ -86,12 +78,5 @@ double steady_delay(double speed, int frames, const PoseFilter& filter);
 /// \param filter how
 /// \return frames
 int later_frames_needed(const PoseFilter& filter);
-
-/// The first frame in which a body is near the height at which it comes to rest.
-/// \param seen    its poses
-/// \param rest    [m] the height of its centre at rest
-/// \param within  [m] what is near
-/// \return the place of the frame; the number of frames if there is none
-int landing_frame(const std::vector<BodyState>& seen, double rest, double within);
 
 }  // namespace tumble::chapters

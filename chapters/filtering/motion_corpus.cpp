@@ -2,7 +2,7 @@
 /// \brief Labels that look at the whole of a run, and rules that look at its past.
 #include "filtering/motion_corpus.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/filtering/freezing.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/math/rotation.hpp"
@@ -172,7 +172,7 @@ void add_run(const SettledRun& run, int every, Doing scene, MotionCorpus& corpus
       moment.doing = track.doing(frame, scene);
       if (moment.doing == Doing::nothing) continue;
       const ChatterDetector& detector = calm.detector();
-      moment.told = detector.motion(id);
+      moment.verdict = detector.motion(id);
       moment.clearness = detector.clearness(id);
       moment.path_over_way = path_over_way(detector, id, body.size.minCoeff(),
                                            clock.gravity_w.norm(), run.touches[frame][k] != 0);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Moments of runs with what is happening in them, for rules that have to tell it (thesis
+/// \brief Moments of runs, labelled with the motion of a body, to test rules that classify it (thesis
 ///        6.3.1).
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace tumble::chapters {
 
-/// What a body does, as half a second before a frame and the time after it show.
+/// The motion of a body, as half a second before a frame and the time after it show.
 enum class Doing : std::uint8_t {
   /// of a clump: rests half a second before and two after, and shakes by a thousandth of its edge in
   /// the half seconds on both sides
@@ -35,12 +35,12 @@ inline constexpr std::array<int, 8> kWindows = {8, 12, 16, 20, 24, 30, 45, 60};
 
 /// A frame of a body, and what rules can know of it by then.
 struct Moment {
-  Doing doing = Doing::nothing;  ///< what its whole run says that the body does
-  Motion told = Motion::moves;   ///< what the rule says, with its standard numbers
-  double clearness = 0.0;        ///< [-] ChatterDetector::clearness()
-  double path_over_way = 0.0;    ///< [-] P/D; 0: too fast or not in contact
-  double fastest = 0.0;          ///< [-] over half a second, as the sleeping rule has it
-  bool small = false;            ///< all momenta below ε5 and ε7 for half a second
+  Doing doing = Doing::nothing;    ///< what its whole run says that the body does
+  Motion verdict = Motion::moves;  ///< of the rule, with its standard numbers
+  double clearness = 0.0;          ///< [-] ChatterDetector::clearness()
+  double path_over_way = 0.0;      ///< [-] P/D; 0: too fast or not in contact
+  double fastest = 0.0;            ///< [-] over half a second, as the sleeping rule has it
+  bool small = false;              ///< all momenta below ε5 and ε7 for half a second
   std::array<Motion, kWindows.size()> others;  ///< what the rule says with other windows
 };
 
@@ -51,7 +51,7 @@ struct MotionCorpus {
   int false_freezes = 0;        ///< how often one was calm for half a second while moving
 };
 
-/// Labels a run and lets the rules tell it.
+/// Labels a run and applies the rules to it.
 /// \param run    at 60 frames a second; its labels are made from here on of all frames
 /// \param every  [frame] between two moments of a body
 /// \param scene  Doing::rocks: its bodies rock; Doing::creeps: a clump, in which what slides creeps, and

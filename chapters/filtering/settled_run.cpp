@@ -1,13 +1,14 @@
 /// \file
-/// \brief Recording bodies until they rest, and telling which of them do.
+/// \brief Recording bodies until they rest, and which of them do.
 #include "filtering/settled_run.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/record/chatter.hpp"
 
 #include <cmath>
 #include <span>
+#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -28,7 +29,6 @@ SettledRun record_run(PlayedScene& played, double settling, double watched,
                       const MarkTouches& touches,
                       const std::function<void(const StepReport&)>& after) {
   SettledRun run;
-  run.interval = kStep;
   const auto record = [&] {
     run.frames.record(played.world());
     touches(played.world(), run.touches.emplace_back());
@@ -38,7 +38,7 @@ SettledRun record_run(PlayedScene& played, double settling, double watched,
     record();
     if (after) after(report);
   });
-  run.first = static_cast<int>(std::lround(settling / run.interval));
+  run.first = static_cast<int>(std::lround(settling / kStep));
   run.world = played.world();
   return run;
 }
@@ -51,10 +51,21 @@ SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, doubl
   });
 }
 
-SettledRun settle_clump(const SettledRequest& request) {
-  return settle_scene(
-      scene_with("fig6_7", {"per_edge=" + std::to_string(request.per_edge)}, request.seed),
-      request.technique, request.settling, request.watched, request.seed);
+Scene clump_scene(int per_edge, std::uint64_t seed) {
+  return scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
+}
+
+SettledRun settle_clump(const Parameters& settings, int seed, const PlayedTechnique& technique,
+                        double afterwards) {
+  const auto chance = static_cast<std::uint64_t>(seed);
+  return settle_scene(clump_scene(settings.count("per_edge"), chance), technique,
+                      settings.number("settling"), settings.number("watched") + afterwards, chance);
+}
+
+std::size_t first_movable(const World& world) {
+  std::size_t index = 0;
+  while (!world.bodies()[index].movable()) ++index;
+  return index;
 }
 
 std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
@@ -65,18 +76,22 @@ std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frame
   return path;
 }
 
-Shake shake_of(const std::vector<Corners>& path, double gravity, double interval) {
+Shake shake_of(const std::vector<Corners>& path, double gravity) {
   Shake shake;
   const auto parts = half_seconds(path);
   for (const std::span<const Corners> part : parts) {
     shake.amplitude += largest_excursion(part);
-    shake.acceleration += rms_second_difference(part) / (gravity * interval * interval);
+    shake.acceleration += rms_second_difference(part) / (gravity * kStep * kStep);
   }
   const double count = static_cast<double>(parts.size());
   shake.amplitude /= count;
   shake.acceleration /= count;
-  shake.squirm = squirm(path, interval);
+  shake.squirm = squirm(path, kStep);
   return shake;
+}
+
+Shake settled_shake(const SettledRun& run, std::size_t index) {
+  return shake_of(settled_path(run, run.frames, index), run.world.gravity_w.norm());
 }
 
 bool same_pose(const BodyState& a, const BodyState& b) {
@@ -102,12 +117,9 @@ std::vector<std::size_t> resting_bodies(const SettledRun& run) {
 
 std::vector<std::size_t> chattering_bodies(const SettledRun& run) {
   std::vector<std::size_t> chattering;
-  const double gravity = run.world.gravity_w.norm();
-  for (const std::size_t k : resting_bodies(run)) {
-    const Shake shake = shake_of(settled_path(run, run.frames, k), gravity, run.interval);
-    if (shake.amplitude >= kChatters * run.world.bodies()[k].size.minCoeff())
+  for (const std::size_t k : resting_bodies(run))
+    if (settled_shake(run, k).amplitude >= kChatters * run.world.bodies()[k].size.minCoeff())
       chattering.push_back(k);
-  }
   return chattering;
 }
 

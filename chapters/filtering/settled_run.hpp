@@ -1,10 +1,11 @@
 /// \file
-/// \brief The settled clump of figure 6.7: what is filtered, detected and measured here (thesis 5.5).
+/// \brief The settled clump of figure 6.7, recorded and measured (thesis 5.5).
 #pragma once
 
 #include "tumble/dynamics/trajectory.hpp"
 #include "tumble/filtering/corner_motion.hpp"
 
+#include "driver/figure.hpp"
 #include "driver/played_scene.hpp"
 
 #include <cstdint>
@@ -19,24 +20,9 @@ struct SettledRun {
   Trajectory frames;                       ///< all of them
   std::vector<std::vector<char>> touches;  ///< by frame and index: whether the body is in contact
   int first = 0;                           ///< the first frame in which bodies should rest
-  double interval = 1.0 / 60.0;            ///< [s] between frames
 };
 
-/// What is made of a run, and how long it is watched.
-struct SettledRequest {
-  int per_edge = 5;                            ///< cubes along each edge of the grid at the start
-  std::uint64_t seed = 1;                      ///< of their orientations
-  double settling = 10.0;                      ///< [s] before bodies should rest
-  double watched = 4.0;                        ///< [s] after that, a multiple of half a second
-  PlayedTechnique technique = {"damped", {}};  ///< the thesis's, as meant
-};
-
-/// Lets the cubes of figure 6.7 fly together and settle, and records them.
-/// \param request what to run
-/// \return the run
-SettledRun settle_clump(const SettledRequest& request);
-
-/// Marks who is in contact, by index.
+/// Marks the bodies in contact, by index.
 using MarkTouches = std::function<void(const World& world, std::vector<char>& touches)>;
 
 /// Plays a scene on and records it.
@@ -44,21 +30,41 @@ using MarkTouches = std::function<void(const World& world, std::vector<char>& to
 /// \param settling  [s] before bodies should rest
 /// \param watched   [s] after that
 /// \param touches   asked for each frame
-/// \param after     told after each step, if there is somebody
+/// \param after     called after each step, if given
 /// \return the run
 SettledRun record_run(PlayedScene& played, double settling, double watched,
                       const MarkTouches& touches,
                       const std::function<void(const StepReport&)>& after = {});
 
-/// Any other scene of 60 steps a second, recorded in the same way.
+/// Plays a scene of 60 steps a second and records it.
 /// \param scene     where it starts
 /// \param played    the technique
 /// \param settling  [s] before bodies should rest
-/// \param watched   [s] after that
+/// \param watched   [s] after that, a multiple of half a second
 /// \param seed      of chance in the technique
 /// \return the run
 SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
                         double watched, std::uint64_t seed = 1);
+
+/// The cubes of figure 6.7 at their start.
+/// \param per_edge  cubes along each edge of the grid
+/// \param seed      of their orientations
+/// \return the scene
+Scene clump_scene(int per_edge, std::uint64_t seed = 1);
+
+/// Lets the cubes of figure 6.7 fly together and settle, and records them.
+/// \param settings    per_edge, settling, watched
+/// \param seed        of their orientations, and of chance in the technique
+/// \param technique   the thesis's, as meant, if not another
+/// \param afterwards  [s] for which the run goes on
+/// \return the run
+SettledRun settle_clump(const Parameters& settings, int seed,
+                        const PlayedTechnique& technique = {"damped", {}}, double afterwards = 0.0);
+
+/// Finds the one body that moves, of worlds with one.
+/// \param world  with a movable body
+/// \return the index of the first
+std::size_t first_movable(const World& world);
 
 /// The corners of a body in the part of a run in which it should rest.
 /// \param run     for its bodies, and which part it is
@@ -76,11 +82,16 @@ struct Shake {
 };
 
 /// Measures a path, half second by half second (ChatterMeter::kWindow frames, ends shared).
-/// \param path      at least one half second
-/// \param gravity   [m/s²] that accelerations are divided by
-/// \param interval  [s] between frames
+/// \param path     at least one half second
+/// \param gravity  [m/s²] that accelerations are divided by
 /// \return means over the half seconds; the squirm of all of it
-Shake shake_of(const std::vector<Corners>& path, double gravity, double interval);
+Shake shake_of(const std::vector<Corners>& path, double gravity);
+
+/// Measures how a body shakes, as computed, in the part of a run in which it should rest.
+/// \param run    the run
+/// \param index  the body
+/// \return see shake_of()
+Shake settled_shake(const SettledRun& run, std::size_t index);
 
 /// Whether two poses are the same, bit by bit.
 /// \param a  one

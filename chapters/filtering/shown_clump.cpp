@@ -2,7 +2,7 @@
 /// \brief Measuring a settled clump as it is shown.
 #include "filtering/shown_clump.hpp"
 
-#include "driver/statistics.hpp"
+#include "filtering/seed_numbers.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -38,43 +38,32 @@ std::vector<Corners> ChatteringClump::path(const Trajectory& frames, std::size_t
 std::vector<Shake> ChatteringClump::shakes(const Trajectory& frames) const {
   const double gravity = run.world.gravity_w.norm();
   std::vector<Shake> out;
-  for (const std::size_t index : bodies)
-    out.push_back(shake_of(path(frames, index), gravity, run.interval));
+  for (const std::size_t index : bodies) out.push_back(shake_of(path(frames, index), gravity));
   return out;
 }
 
-ChatteringClump chattering_clump(SettledRequest request) {
+ChatteringClump chattering_clump(const Parameters& settings, int seed) {
   ChatteringClump clump;
-  const double watched = request.watched;
-  request.watched += kAfterwards;
-  clump.run = settle_clump(request);
-  clump.watched = static_cast<std::size_t>(std::lround(watched / clump.run.interval)) + 1;
+  clump.run = settle_clump(settings, seed, {"damped", {}}, kAfterwards);
+  clump.watched = static_cast<std::size_t>(std::lround(settings.number("watched") / kStep)) + 1;
   clump.bodies = chattering_bodies(clump.run);
   if (clump.bodies.empty())
-    throw std::runtime_error("nothing chatters in the clump of seed " +
-                             std::to_string(request.seed) + ", so there is nothing to filter");
+    throw std::runtime_error("nothing chatters in the clump of seed " + std::to_string(seed) +
+                             ", so there is nothing to filter");
   return clump;
 }
 
-SettledRequest clump_request(const Parameters& settings, int seed) {
-  SettledRequest request;
-  request.per_edge = settings.count("per_edge");
-  request.seed = static_cast<std::uint64_t>(seed);
-  request.settling = settings.number("settling");
-  request.watched = settings.number("watched");
-  return request;
+Parameters chattering_clump_parameters() {
+  return Parameters{}
+      .add_whole("seeds", 8, 2, 1000, "clumps")
+      .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
+      .add_number("settling", 10.0, 1.0, 1000.0, "s", "before bodies should rest")
+      .add_number("watched", 4.0, 0.5, 1000.0, "s", "after that, a multiple of 0.5");
 }
 
 Shake median_shake(const std::vector<Shake>& shakes) {
-  std::vector<double> amplitudes;
-  std::vector<double> accelerations;
-  std::vector<double> squirms;
-  for (const Shake& shake : shakes) {
-    amplitudes.push_back(shake.amplitude);
-    accelerations.push_back(shake.acceleration);
-    squirms.push_back(shake.squirm);
-  }
-  return {median_of(amplitudes), median_of(accelerations), median_of(squirms)};
+  const auto median = [&](double Shake::*number) { return median_of(numbers_of(shakes, number)); };
+  return {median(&Shake::amplitude), median(&Shake::acceleration), median(&Shake::squirm)};
 }
 
 Quantity squirm_of_white_noise(std::string name, int frames, int before) {

@@ -9,8 +9,6 @@
 #include "driver/figure.hpp"
 #include "filtering/settled_run.hpp"
 
-#include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,21 +36,20 @@ struct ChatteringClump {
 };
 
 /// Lets a clump settle and looks for what chatters.
-/// \param request what to run; `watched` is that of the measured part
-/// \return the clump
-/// \throws std::runtime_error if nothing chatters
-ChatteringClump chattering_clump(SettledRequest request);
-
-/// What the figures on the box filter run.
 /// \param settings  per_edge, settling, watched
 /// \param seed      of the clump
-/// \return the request
-SettledRequest clump_request(const Parameters& settings, int seed);
+/// \return the clump
+/// \throws std::runtime_error if nothing chatters
+ChatteringClump chattering_clump(const Parameters& settings, int seed);
 
 /// The median of each number of some bodies.
 /// \param shakes at least one
 /// \return medians
 Shake median_shake(const std::vector<Shake>& shakes);
+
+/// The settings of a figure on box filters.
+/// \return clumps, cubes of each, how long it settles and is watched
+Parameters chattering_clump_parameters();
 
 /// By what boxes of two widths change the squirm of noise that is the same at all frequencies.
 ///

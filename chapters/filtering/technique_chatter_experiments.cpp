@@ -1,10 +1,9 @@
 /// \file
 /// \brief Chatter of every technique, as a table.
-#include "filtering/technique_chatter_experiments.hpp"
-
 #include "tumble/math/elementary.hpp"
 #include "tumble/pictures/lighting.hpp"
 
+#include "driver/registry.hpp"
 #include "filtering/chatter_ranks.hpp"
 #include "filtering/chatter_run.hpp"
 
@@ -24,6 +23,9 @@ constexpr double kLoud = 1e-2;  // [m] where the colours end
 constexpr double kFell = 0.5;   // [m] half an edge: what gets farther from its place in a pile fell
 constexpr std::size_t kScenes = 4;
 constexpr std::size_t kDamped = 1;  // a technique that is never left out
+// The cells that the text compares, by scene and technique.
+constexpr std::array<std::array<std::size_t, 2>, 4> kCompared = {
+    {{1, 0}, {1, kDamped}, {1, 3}, {2, 0}}};
 
 struct Rested {
   std::string words;
@@ -70,7 +72,7 @@ std::array<Start, kScenes> starts_of(const Parameters& p) {
           Start{"fig6_7", {whole("large", "per_edge")}, flying, false}};
 }
 
-// What a technique did with one scene, over seeds.
+// One technique with one scene, over seeds.
 struct Cell {
   MedianRange amplitude = median_range({});  // [m] of the worst body; NaN until there is one
   double acceleration = kNone;               // [-] of the worst body, median
@@ -112,9 +114,8 @@ Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTec
       amplitudes.push_back(run.amplitude());
       accelerations.push_back(run.acceleration());
     }
-    seeds.rows.push_back({technique_number, scene_number, static_cast<double>(seed),
-                          run.amplitude(), run.acceleration(), static_cast<double>(run.restless()),
-                          static_cast<double>(run.capped), run.displaced});
+    seeds.add(technique_number, scene_number, seed, run.amplitude(), run.acceleration(),
+              run.restless(), run.capped, run.displaced);
   }
   cell.amplitude = median_range(amplitudes);
   cell.acceleration = median_range(accelerations).median;
@@ -146,13 +147,6 @@ void rank(std::vector<Cell>& cells) {
   }
 }
 
-Quantity quantity_from(const std::string& name, const Cell& cell) {
-  const MedianRange& found = cell.amplitude;
-  Quantity out{name, "mm", 1e3 * found.median, 1e3 * found.low, 1e3 * found.high};
-  out.seeds = static_cast<int>(cell.seeds);
-  return out;
-}
-
 Table techniques_without(const Parameters& p, const Start& start, Table& seeds) {
   Table table{"without",
               {{"technique", "-", "0: basic, then timewarp simple, safer, swept, full"},
@@ -166,9 +160,9 @@ Table techniques_without(const Parameters& p, const Start& start, Table& seeds) 
   for (std::size_t k = 0; k < kRestless.size(); ++k) {
     const double number = static_cast<double>(k) + 100.0;
     const Cell cell = cell_of(p, p.count("others"), start, {kRestless[k]}, number, 0.0, seeds);
-    table.rows.push_back({static_cast<double>(k), cell.amplitude.median, cell.acceleration,
-                          cell.restless / (cell.cubes * cell.seeds), cell.fell, cell.seeds,
-                          cell.capped, cell.collisions});
+    table.add(k, cell.amplitude.median, cell.acceleration,
+              cell.restless / (cell.cubes * cell.seeds), cell.fell, cell.seeds, cell.capped,
+              cell.collisions);
   }
   return table;
 }
@@ -180,13 +174,13 @@ Table shades() {
   for (int k = 0; k <= steps; ++k) {
     const double amplitude =
         kQuiet * elementary::pow(kLoud / kQuiet, static_cast<double>(k) / steps);
-    bar.rows.push_back({amplitude, static_cast<double>(colour_of(amplitude))});
+    bar.add(amplitude, colour_of(amplitude));
   }
   return bar;
 }
 
-}  // namespace
-
+// Chatter of every technique on a stack, a pyramid and two clumps, with ranks: by the medians over seeds of
+// the amplitude of the body that shakes most; what fell, or never rested, has no rank.
 Result tabulate_chatter(const Parameters& settings) {
   const std::vector<Rested> rested = techniques_at_rest();
   const std::array<Start, kScenes> starts = starts_of(settings);
@@ -229,19 +223,42 @@ Result tabulate_chatter(const Parameters& settings) {
     const double cubes = cells[kDamped].cubes;
     for (std::size_t t = 0; t < rested.size(); ++t) {
       const Cell& cell = cells[t];
-      table.rows.push_back(
-          {static_cast<double>(t), static_cast<double>(s), cubes, cell.seeds > 0.0 ? 1.0 : 0.0,
-           cell.amplitude.median, cell.amplitude.low, cell.amplitude.high, cell.acceleration,
-           cell.restless, cell.cubes * cell.seeds, cell.fell, cell.unsolved,
-           cell.rank > 0 ? cell.rank : kNone, cell.tied ? 1.0 : 0.0,
-           static_cast<double>(cell.rank > 0 ? colour_of(cell.amplitude.median) : 0xeeeeee)});
-      if (cell.rank > 0 && (s == 1 || s == 2))
-        result.quantities.push_back(
-            quantity_from(words[s] + ": amplitude of " + rested[t].words, cell));
+      table.add(t, s, cubes, cell.seeds > 0.0 ? 1.0 : 0.0, cell.amplitude.median,
+                cell.amplitude.low, cell.amplitude.high, cell.acceleration, cell.restless,
+                cell.cubes * cell.seeds, cell.fell, cell.unsolved,
+                cell.rank > 0 ? cell.rank : kNone, cell.tied ? 1.0 : 0.0,
+                cell.rank > 0 ? colour_of(cell.amplitude.median) : 0xeeeeee);
+      if (cell.rank > 0 &&
+          std::count(kCompared.begin(), kCompared.end(), std::array<std::size_t, 2>{s, t}) > 0)
+        result.quantities.push_back({words[s] + ": amplitude of " + rested[t].words, "mm",
+                                     1e3 * cell.amplitude.median, 1e3 * cell.amplitude.low,
+                                     1e3 * cell.amplitude.high, static_cast<int>(cell.seeds)});
     }
   }
   result.tables = {table, techniques_without(settings, starts[0], seeds), seeds, shades()};
   return result;
 }
 
+const Registered chatter_table_figure{
+    {.name = "chatter_table",
+     .parameters =
+         Parameters{}
+             .add_whole("seeds", 8, 1, 100, "random starts")
+             .add_whole("others", 4, 1, 100, "of these, for techniques without resting contact")
+             .add_whole("boxes", 5, 1, 20, "of the stack")
+             .add_whole("rows", 5, 1, 10, "of the pyramid")
+             .add_whole("small", 2, 2, 3, "cubes along each edge of the small clump's grid")
+             .add_whole("large", 3, 2, 6, "cubes along each edge of the large clump's grid")
+             .add_number("scatter", 0.01, 0.0, 0.1, "m",
+                         "how far boxes of piles are off their places")
+             .add_number("scatter_angle", 0.0, 0.0, 10.0, "deg", "and by how much they are turned")
+             .add_number("settling", 2.0, 0.0, 60.0, "s", "before boxes of piles should rest")
+             .add_number("flying", 5.0, 0.0, 60.0, "s", "before cubes of clumps should rest")
+             .add_number("watched", 1.0, 0.5, 60.0, "s", "after that")
+             .add_flag("patient", false, "run what takes minutes too"),
+     .quick = {"seeds=1", "boxes=3", "rows=2", "large=2", "settling=1", "flying=1.5",
+               "watched=0.5"},
+     .experiment = tabulate_chatter}};
+
+}  // namespace
 }  // namespace tumble::chapters

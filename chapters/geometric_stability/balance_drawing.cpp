@@ -4,6 +4,8 @@
 
 #include "tumble/math/elementary.hpp"
 
+#include "geometric_stability/pile_forces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +20,7 @@ double fastest_body(const World& world, std::span<const Acceleration> motion) {
   double fastest = 0.0;
   for (std::size_t b = 0; b < motion.size(); ++b)
     if (world.bodies()[b].movable())
-      fastest = std::max(fastest, fastest_corner(world.bodies()[b], motion[b]));
+      fastest = std::max(fastest, fastest_of(world.bodies()[b], motion[b]));
   return fastest;
 }
 
@@ -41,10 +43,10 @@ void add_boxes(const World& world, double view, std::span<const Acceleration> mo
     const BodyProperties& body = world.bodies()[b];
     if (body.shape != Shape::box) continue;
     double role = body.movable() ? 1.0 : 0.0;
-    if (!motion.empty() && body.movable() && fastest_corner(body, motion[b]) > kStays * fastest)
+    if (!motion.empty() && body.movable() && fastest_of(body, motion[b]) > kStays * fastest)
       role = 2.0;
     const Vec3& p = world.states()[b].position_w;
-    table.rows.push_back({view, p.x(), p.y(), body.size.x(), body.size.y(), role});
+    table.add(view, p.x(), p.y(), body.size.x(), body.size.y(), role);
   }
 }
 
@@ -67,12 +69,11 @@ StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> 
   const double half_square = way / fastest;  // [s²] t²/2
   for (std::size_t b = 0; b < motion.size(); ++b) {
     const BodyProperties& body = world.bodies()[b];
-    if (!body.movable() || fastest_corner(body, motion[b]) <= kStays * fastest) continue;
+    if (!body.movable() || fastest_of(body, motion[b]) <= kStays * fastest) continue;
     const Vec3 centre_w = world.states()[b].position_w;
     const Vec3 moved_w = half_square * motion[b].linear_w;
     const double turn = half_square * motion[b].angular_w.z();
-    start.arrows.rows.push_back(
-        {centre_w.x(), centre_w.y(), longer * moved_w.x(), longer * moved_w.y()});
+    start.arrows.add(centre_w.x(), centre_w.y(), longer * moved_w.x(), longer * moved_w.y());
     const double cosine = elementary::cos(turn);
     const double sine = elementary::sin(turn);
     std::array<Vec2, 4> corners;
@@ -85,14 +86,10 @@ StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> 
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const Vec2 edge = corners[(k + 1) % 4] - corners[k];
-      start.outlines.rows.push_back({corners[k].x(), corners[k].y(), edge.x(), edge.y()});
+      start.outlines.add(corners[k].x(), corners[k].y(), edge.x(), edge.y());
     }
   }
   return start;
-}
-
-double fastest_corner(const BodyProperties& body, const Acceleration& motion) {
-  return motion.linear_w.norm() + 0.5 * body.size.norm() * motion.angular_w.norm();
 }
 
 }  // namespace tumble::chapters

@@ -22,7 +22,7 @@ Table boxes_table();
 /// \param table   from boxes_table(); gets a row for each box
 void add_boxes(const World& world, double view, std::span<const Acceleration> motion, Table& table);
 
-/// How boxes start to move, seen along z.
+/// Start of a motion of boxes, seen along z.
 struct StartOfMotion {
   Table outlines;     ///< "outlines": edges of the boxes a moment later, as vectors
   Table arrows;       ///< "arrows": from each centre that moves, along its way, longer
@@ -35,11 +35,5 @@ struct StartOfMotion {
 /// \param way     [m] of the fastest corner until the moment that is drawn
 /// \return outlines and arrows of the boxes that move
 StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> motion, double way);
-
-/// How fast the fastest corner of a box starts to move.
-/// \param body    its size
-/// \param motion  its acceleration
-/// \return [m/s²] at most, for any direction of the box
-double fastest_corner(const BodyProperties& body, const Acceleration& motion);
 
 }  // namespace tumble::chapters

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Structures at rest, and what tests of their balance say.
+/// \brief Structures at rest, and the verdicts of tests of their balance.
 #include "geometric_stability/balance_probe.hpp"
 
 #include "tumble/analytic_lcp/assembly.hpp"
@@ -8,9 +8,8 @@
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "driver/csv.hpp"
+#include "driver/common_numbers.hpp"
 #include "driver/settings.hpp"
 #include "geometric_stability/pile_builder.hpp"
 
@@ -27,18 +26,16 @@ namespace tumble::chapters {
 namespace {
 
 // The contacts below a body.
-std::vector<int> supports_of(const Structure& structure, int body) {
+std::vector<int> supports_of(const RestingPile& structure, int body) {
   std::vector<int> list;
   for (int c = 0; c < static_cast<int>(structure.contacts.size()); ++c) {
-    const Contact& contact = structure.contacts[at(c)];
-    const int top = contact.normal_w.y() > 0.0 ? contact.second : contact.first;
-    if (top == body) list.push_back(c);
+    if (upper_body(structure.contacts[at(c)]) == body) list.push_back(c);
   }
   return list;
 }
 
 // Whether a place is above the hull of contacts, up to rounding.
-bool above(const Structure& structure, const std::vector<int>& contacts, const Vec3& place_w) {
+bool above(const RestingPile& structure, const std::vector<int>& contacts, const Vec3& place_w) {
   std::vector<Vec2> points;
   std::vector<Vec2> hull;
   for (const int c : contacts)
@@ -59,35 +56,20 @@ Vec3 middle_of(const Contact& contact) {
 
 }  // namespace
 
-Structure structure_of(World world) {
-  ContactList contacts = touching(world);
-  return {std::move(world), std::move(contacts)};
-}
-
-Structure structure_of(std::string_view scene, const std::vector<std::string>& settings) {
-  const SceneRecipe& recipe = scene_recipe(scene);
-  Parameters parameters = recipe.parameters();
-  set_all(parameters, settings);
-  return structure_of(build_world(recipe.build(parameters, Random(1))));
-}
-
-std::string set_to(std::string_view key, double value) {
-  return std::string(key) + '=' + full_text(value);
-}
-
-BalanceTask weights_of(const Structure& structure, int friction_edges) {
+BalanceTask weights_of(const RestingPile& structure, int friction_edges) {
   BalanceTask task;
   task.contacts = structure.contacts;
   task.friction_edges = friction_edges;
   return task;
 }
 
-bool balanced(const Structure& structure, int friction_edges) {
-  StaticEquilibrium equilibrium;
-  return equilibrium.solve(structure.world, weights_of(structure, friction_edges)).balanced;
+bool balanced(const RestingPile& structure, int friction_edges) {
+  return StaticEquilibrium().solve(structure.world, weights_of(structure, friction_edges)).balanced;
 }
 
-bool towers_stand(const Structure& structure) {
+bool whole_stands(const RestingPile& structure) { return balanced(structure); }
+
+bool towers_stand(const RestingPile& structure) {
   Towers towers;
   towers.run(structure.world, structure.contacts, {});
   for (int b = 0; b < structure.world.count(); ++b)
@@ -96,7 +78,7 @@ bool towers_stand(const Structure& structure) {
   return true;
 }
 
-bool own_centres_stand(const Structure& structure) {
+bool own_centres_stand(const RestingPile& structure) {
   for (int b = 0; b < structure.world.count(); ++b)
     if (structure.world.bodies()[at(b)].movable() &&
         !above(structure, supports_of(structure, b), structure.world.states()[at(b)].position_w))
@@ -104,7 +86,7 @@ bool own_centres_stand(const Structure& structure) {
   return true;
 }
 
-bool middles_stand(const Structure& structure) {
+bool middles_stand(const RestingPile& structure) {
   const World& world = structure.world;
   std::vector<int> order(at(world.count()));
   std::iota(order.begin(), order.end(), 0);
@@ -150,13 +132,11 @@ double threshold(const std::function<bool(double)>& stands, double falls, double
   }
 }
 
-BalanceWork work_of(const Structure& structure) {
+BalanceWork work_of(const RestingPile& structure) {
   BalanceWork work;
-  StaticEquilibrium equilibrium;
-  work.equilibrium = equilibrium.solve(structure.world, weights_of(structure));
+  work.equilibrium = StaticEquilibrium().solve(structure.world, weights_of(structure));
 
-  std::vector<MovingBody> moving;
-  load_moving_bodies(structure.world, moving);
+  const std::vector<MovingBody>& moving = structure.bodies;
   std::vector<Acceleration> accelerations;
   free_accelerations(structure.world, moving, accelerations);
   ContactProblem problem;
@@ -176,14 +156,13 @@ BalanceWork work_of(const Structure& structure) {
   return work;
 }
 
-bool stays(const Structure& scene, std::string_view technique,
+bool stays(const RestingPile& scene, std::string_view technique,
            const std::vector<std::string>& settings, double seconds) {
-  constexpr double step = 1.0 / 60.0;  // [s]
-  constexpr double moved = 0.01;       // [m]
+  constexpr double moved = 0.01;  // [m]
   const std::unique_ptr<Technique> runs = make_technique(technique, settings);
   World world = scene.world;
-  while (world.time() < seconds - 0.5 * step) {
-    const StepReport report = runs->step(world, step);
+  while (world.time() < seconds - 0.5 * kStep) {
+    const StepReport report = runs->step(world, kStep);
     if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
       throw std::runtime_error("a step of " + std::string(technique) + " failed");
     for (std::size_t b = 0; b < world.states().size(); ++b)

@@ -1,10 +1,10 @@
 /// \file
-/// \brief Structures at rest, and what tests of their balance say (thesis 5.4, 6.3.1).
+/// \brief Structures at rest, and the verdicts of tests of their balance (thesis 5.4, 6.3.1).
 #pragma once
 
-#include "tumble/contact/contact.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
-#include "tumble/scenes/scene.hpp"
+
+#include "geometric_stability/resting_pile.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -14,60 +14,40 @@
 
 namespace tumble::chapters {
 
-/// Bodies at rest, and where they touch.
-struct Structure {
-  World world;           ///< the bodies
-  ContactList contacts;  ///< all points that touch, up to rounding
-};
-
-/// Finds the contacts of a world.
-/// \param world  bodies that touch exactly where they are to touch
-/// \return the world with its contacts
-Structure structure_of(World world);
-
-/// A scene of the library at its start, with its contacts.
-/// \param scene     its name
-/// \param settings  each as key=value
-/// \return the structure
-/// \throws std::invalid_argument for a name, a key or a value that there is not
-Structure structure_of(std::string_view scene, const std::vector<std::string>& settings);
-
-/// A setting as a command line has it.
-/// \param key    its name
-/// \param value  any finite number
-/// \return key=value with 17 significant digits
-std::string set_to(std::string_view key, double value);
-
-/// What is to be balanced: the weights.
+/// The task of balancing the weights.
 /// \param structure       the bodies; has to outlive the task
 /// \param friction_edges  0: no friction; else edges of the pyramid of friction
 /// \return the task
-BalanceTask weights_of(const Structure& structure, int friction_edges = 0);
+BalanceTask weights_of(const RestingPile& structure, int friction_edges = 0);
 
 /// Whether contact forces can hold a structure under its weight, by StaticEquilibrium.
 /// \param structure       the bodies
 /// \param friction_edges  0: no friction; else edges of the pyramid of friction
 /// \return true if so
-bool balanced(const Structure& structure, int friction_edges = 0);
+bool balanced(const RestingPile& structure, int friction_edges = 0);
+
+/// The same without friction, as a test beside the next ones.
+/// \param structure  the bodies
+/// \return true if so
+bool whole_stands(const RestingPile& structure);
 
 /// Whether a structure is all towers, and none of them tips, by Towers.
 /// \param structure  the bodies
 /// \return true if so
-bool towers_stand(const Structure& structure);
+bool towers_stand(const RestingPile& structure);
 
-/// The first thing that comes to mind: whether each body's own centre is above what is under it,
-/// whatever lies on it.
+/// The simplest rule: whether each body's own centre is above its supports, whatever lies on it.
 /// \param structure  bodies with vertical normals
 /// \return true if so for each movable body
-bool own_centres_stand(const Structure& structure);
+bool own_centres_stand(const RestingPile& structure);
 
-/// The next thing: from the top down each body hands on what it carries at the middle of the area
-/// in which it touches the body below, or by the law of the lever at the middles of two areas. The
-/// centre of a body with what was put on it has to be above what is under it.
+/// The next simplest rule: from the top down each body hands its load on at the middle of the area in which
+/// it touches the body below, or by the law of the lever at the middles of two areas. The centre of a body
+/// with its load has to be above its supports.
 /// \param structure  bodies with vertical normals in a row along x, each on one or two others
 /// \return true if so for each movable body
 /// \throws std::invalid_argument for a body with three or more contacts below
-bool middles_stand(const Structure& structure);
+bool middles_stand(const RestingPile& structure);
 
 /// Where a verdict changes, by bisection until the two sides are neighbouring numbers.
 /// \param stands  the verdict for a value
@@ -88,16 +68,16 @@ struct BalanceWork {
 /// \param structure  the bodies, without friction
 /// \return the work of each
 /// \throws std::runtime_error if Baraff's method finds no answer
-BalanceWork work_of(const Structure& structure);
+BalanceWork work_of(const RestingPile& structure);
 
-/// Runs a scene and watches whether it stays.
+/// Whether a scene stays as it is when it runs.
 /// \param scene      as it begins
 /// \param technique  its name
 /// \param settings   of the technique, each as key=value
 /// \param seconds    [s] for how long, in steps of 1/60 s; ends early if something has moved
 /// \return whether no centre has moved by more than 1 cm
 /// \throws std::runtime_error if a step is not solved
-bool stays(const Structure& scene, std::string_view technique,
+bool stays(const RestingPile& scene, std::string_view technique,
            const std::vector<std::string>& settings, double seconds);
 
 }  // namespace tumble::chapters

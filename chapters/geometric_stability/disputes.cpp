@@ -3,6 +3,8 @@
 #include "geometric_stability/disputes.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -20,10 +22,6 @@ namespace tumble::chapters {
 namespace {
 
 constexpr StabilityTolerances kExact{tolerance::exact_vertical, tolerance::exact_corner};
-
-bool second_is_top(const Contact& contact) { return contact.normal_w.y() > 0.0; }
-int top_of_pair(const Contact& c) { return second_is_top(c) ? c.second : c.first; }
-int bottom_of_pair(const Contact& c) { return second_is_top(c) ? c.first : c.second; }
 
 // Asks both rules about one body, and loads it.
 void judge(const StabilityTolerances& tolerances, Trial& trial) {
@@ -49,8 +47,8 @@ std::vector<char> called_stable_by_text(const World& world, std::span<const Cont
   for (bool found = true; found;) {
     found = false;
     for (const Contact& c : contacts) {
-      const int top = top_of_pair(c);
-      const bool holds = stable[at(bottom_of_pair(c))] != 0 && stable[at(top)] == 0;
+      const int top = upper_body(c);
+      const bool holds = stable[at(lower_body(c))] != 0 && stable[at(top)] == 0;
       if (!holds || from_the_side[at(top)] != 0) continue;
       const BodyProperties& body = world.bodies()[at(top)];
       const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[at(top)]));

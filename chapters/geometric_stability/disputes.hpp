@@ -12,7 +12,7 @@
 
 namespace tumble::chapters {
 
-/// Who is stable by the two bullets of 5.4 alone: all normals vertical, and each of the four lower corners
+/// The bodies that are stable by the two bullets of 5.4 alone: all normals vertical, and each of the four lower corners
 /// at a contact point with a stable body. Whether other bodies below are stable is not asked, as the
 /// footnote does, and with it GeometricStability (erratum G6).
 /// \param world       the bodies
@@ -22,7 +22,7 @@ namespace tumble::chapters {
 std::vector<char> called_stable_by_text(const World& world, std::span<const Contact> contacts,
                                         const StabilityTolerances& tolerances);
 
-/// A body on which both rules were tried, and what is true.
+/// A body on which both rules were tried, and whether it moves.
 struct Trial {
   World world;                                        ///< the bodies, at rest
   ContactList contacts;                               ///< all that touch
@@ -33,7 +33,7 @@ struct Trial {
   bool moves = false;             ///< accelerates under some load, see moves_under_loads()
   std::vector<char> stable = {};  ///< by body index, by the footnote
 
-  /// Whether the rules say different things.
+  /// Whether the rules differ.
   /// \return true if so
   [[nodiscard]] bool differ() const { return text != hull; }
   /// Whether the footnote is right.
@@ -64,8 +64,8 @@ Trial prism_trial(int sides, Random& random);
 /// \return one trial for each
 std::vector<Trial> pile_disputes(std::uint64_t seed);
 
-/// What a trial looks like from above: what is below the body, the body's outline, the points that
-/// stable bodies hold it by, and their hull.
+/// A trial from above: the bodies below, the body's outline, the points that stable bodies hold it by, and
+/// their hull.
 /// \param trial   what to draw
 /// \param suffix  of the drawing's file
 /// \return objects of gnuplot in metres, x to the right and z down, with the body in the middle
@@ -78,10 +78,9 @@ Drawing plan_of(const Trial& trial, const std::string& suffix);
 /// \return objects of gnuplot, as those of plan_of()
 Drawing enlarged_corner_of(const Trial& trial, const std::string& suffix);
 
-/// How far what concerns the unstable supports of a trial reaches, for choosing one to draw.
+/// Reach of the unstable supports of a trial and their neighbours, for choosing one to draw.
 /// \param trial  the trial
-/// \return [m] from the middle of the body to the farthest corner of them and of what they touch; 0 if
-///         there are none
+/// \return [m] from the middle of the body to the farthest corner of them; 0 if there are none
 double spread_of(const Trial& trial);
 
 }  // namespace tumble::chapters

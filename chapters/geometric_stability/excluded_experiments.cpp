@@ -1,11 +1,10 @@
 /// \file
-/// \brief What it saves to leave stable boxes out of the contact forces (thesis 5.4).
-#include "geometric_stability/excluded_experiments.hpp"
-
+/// \brief Work saved if stable boxes are left out of the contact forces (thesis 5.4).
 #include "tumble/base/random.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
-#include "geometric_stability/pyramid_run.hpp"
+#include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ namespace {
 
 const char* const kOurSolver = "augmented_lagrangian";
 
-// What a solver has to do with all boxes and without the stable ones.
+// The work of a solver with all boxes and without the stable ones.
 struct Work {
   RestingForces all;
   RestingForces left;
@@ -38,24 +37,23 @@ struct Size {
   Work baraff;
   Work ours;
   ForceChange change;
-  double boxes = 0.0;
+  int boxes = 0;
 };
 
 // Whether Baraff's pivoting has ended at its cap, so that BaraffSolver went on with the factors.
-double gave_up(const RestingForces& forces) {
+bool gave_up(const RestingForces& forces) {
   constexpr int kCap = 50;  // pivots for each contact, and as many more
-  return forces.report.pivots > kCap * (forces.report.unknowns + 1) ? 1.0 : 0.0;
+  return forces.report.pivots > kCap * (forces.report.unknowns + 1);
 }
 
 Size measure_size(int rows, double gap) {
-  const RestingPile pile = pile_of(pyramid_without_middle(rows, gap));
-  Size size{work_of(pile, "baraff"), work_of(pile, kOurSolver), {}, 0.0};
+  const RestingPile pile = pyramid_without_middle(rows, gap);
+  Size size{work_of(pile, "baraff"), work_of(pile, kOurSolver), {}, pile.world.count() - 1};
   for (const Work* work : {&size.baraff, &size.ours}) {
     const ForceChange change = change_of(pile, work->all, work->left);
     size.change.acceleration = std::max(size.change.acceleration, change.acceleration);
     size.change.wrench = std::max(size.change.wrench, change.wrench);
   }
-  size.boxes = pile.world.count() - 1.0;
   return size;
 }
 
@@ -80,26 +78,22 @@ Table size_table(const std::map<int, Size>& sizes) {
   for (const auto& [rows, size] : sizes) {
     const ForceReport& all = size.baraff.all.report;
     const ForceReport& left = size.baraff.left.report;
-    const auto number = [](auto count) { return static_cast<double>(count); };
-    table.rows.push_back({number(rows), size.boxes, number(left.stable), number(all.unknowns),
-                          number(left.unknowns), number(all.pivots), number(left.pivots),
-                          gave_up(size.baraff.all), gave_up(size.baraff.left),
-                          number(all.multiplications), number(left.multiplications),
-                          size.baraff.saved(), number(size.ours.all.report.multiplications),
-                          number(size.ours.left.report.multiplications), size.ours.saved()});
+    table.add(rows, size.boxes, left.stable, all.unknowns, left.unknowns, all.pivots, left.pivots,
+              gave_up(size.baraff.all), gave_up(size.baraff.left), all.multiplications,
+              left.multiplications, size.baraff.saved(), size.ours.all.report.multiplications,
+              size.ours.left.report.multiplications, size.ours.saved());
   }
   return table;
 }
 
-// How much the order in which contacts are listed matters to Baraff's method.
+// Influence of the order of contacts on Baraff's method.
 Quantity saved_in_any_order(int rows, double gap, int orders) {
   std::vector<double> all;
   std::vector<double> left;
   for (int order = 1; order <= orders; ++order) {
-    RestingPile pile = pile_of(pyramid_without_middle(rows, gap));
+    RestingPile pile = pyramid_without_middle(rows, gap);
     Random random(static_cast<std::uint64_t>(order));
-    for (std::size_t k = pile.contacts.size(); k > 1; --k)
-      std::swap(pile.contacts[k - 1], pile.contacts[random.below(static_cast<std::uint32_t>(k))]);
+    shuffle(pile.contacts, random);
     const Work work = work_of(pile, "baraff");
     all.push_back(static_cast<double>(work.all.report.multiplications));
     left.push_back(static_cast<double>(work.left.report.multiplications));
@@ -111,7 +105,7 @@ Quantity saved_in_any_order(int rows, double gap, int orders) {
 
 double sum(const std::vector<double>& values) { return sum_without(values, -1); }
 
-// How the gain lasts while the pyramid is simulated: at rest, knocked, and one that falls.
+// The gain while the pyramid is simulated: at rest, knocked, and one that falls.
 void measure_runs(const Parameters& settings, Result& result) {
   const int steps = settings.count("steps");
   const int seeds = settings.count("seeds");
@@ -140,12 +134,10 @@ void measure_runs(const Parameters& settings, Result& result) {
                {"knocked", "-", "ditto: knocked, all seeds together"},
                {"falls", "-", "ditto: three rows, which fall"}}};
   for (std::size_t k = 0; k < all.size(); ++k)
-    table.rows.push_back({static_cast<double>(k) / 60.0, rests.all[k] / rests.left[k],
-                          all[k] / left[k], falls.all[k] / falls.left[k]});
+    table.add(static_cast<double>(k) / 60.0, rests.all[k] / rests.left[k], all[k] / left[k],
+              falls.all[k] / falls.left[k]);
   result.tables.push_back(table);
-  const std::string which =
-      "unknowns of a run, all boxes over those that are not "
-      "stable, ";
+  const std::string which = "unknowns of a run, all boxes over those that are not stable, ";
   result.quantities.push_back({which + "at rest", "-", sum(rests.all) / sum(rests.left)});
   result.quantities.push_back(over_seeds(which + "knocked", "-", seeds, [&](int without) {
     return sum_without(all_of, without) / sum_without(left_of, without);
@@ -153,8 +145,6 @@ void measure_runs(const Parameters& settings, Result& result) {
   result.quantities.push_back(
       {which + "three rows that fall", "-", sum(falls.all) / sum(falls.left)});
 }
-
-}  // namespace
 
 Result measure_excluded(const Parameters& settings) {
   const int rows = settings.count("rows");
@@ -164,11 +154,11 @@ Result measure_excluded(const Parameters& settings) {
     sizes.emplace(size, measure_size(size, gap));
   if (sizes.find(rows) == sizes.end()) sizes.emplace(rows, measure_size(rows, gap));
   ForceChange change;
-  double solved = 0.0;  // rows of the largest pyramid that pivoting alone solves
+  int solved = 0;  // rows of the largest pyramid that pivoting alone solves
   for (const auto& [count, size] : sizes) {
     change.acceleration = std::max(change.acceleration, size.change.acceleration);
     change.wrench = std::max(change.wrench, size.change.wrench);
-    if (gave_up(size.baraff.all) == 0.0) solved = count;
+    if (!gave_up(size.baraff.all)) solved = count;
   }
   const Work& baraff = sizes.at(rows).baraff;
   const Work& ours = sizes.at(rows).ours;
@@ -196,4 +186,21 @@ Result measure_excluded(const Parameters& settings) {
   return result;
 }
 
+const Registered claim_5_4b_excluded_figure{
+    {.name = "claim_5_4b_excluded",
+     .parameters =
+         Parameters{}
+             .add_whole("rows", 11, 3, 21, "of the pyramid that decides; an odd number")
+             .add_whole("largest", 13, 3, 21, "rows of the largest pyramid")
+             .add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours, in edges")
+             .add_whole("shuffled_rows", 7, 3, 11, "of the one whose contacts are shuffled; odd")
+             .add_whole("knocked_rows", 5, 3, 11, "of the pyramid that is knocked; an odd number")
+             .add_number("knock", 0.2, 0.0, 2.0, "m/s",
+                         "largest component of a velocity at the start")
+             .add_whole("seeds", 20, 2, 1000, "knocks, and orders of contacts")
+             .add_whole("steps", 60, 1, 6000, "of 1/60 s"),
+     .quick = {"rows=7", "largest=7", "shuffled_rows=5", "seeds=2", "steps=20"},
+     .experiment = measure_excluded}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -2,6 +2,8 @@
 /// \brief A heavy block that keeps two others from tipping: forces, thresholds, runs.
 #include "geometric_stability/heavy_top_experiments.hpp"
 
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "geometric_stability/balance_drawing.hpp"
 
 #include <algorithm>
@@ -12,13 +14,44 @@
 #include <vector>
 
 namespace tumble::chapters {
+
+RestingPile heavy_top(double mass_ratio, double offset, double friction) {
+  return pile_of(build_world(
+      scene_with("fig6_5", {setting("mass_ratio", mass_ratio), setting("offset", offset),
+                            setting("friction", friction)})));
+}
+
+// Lengths in metres, forces in weights of a lower block, x = 0 between the pedestals, o >= 0. The lower
+// blocks have their centres at ±2, their pedestals are under ±[1, 1.75]. The top block, M at o, rests
+// on the left one at a in [o - 1.25, -1] with A and on the right one at b in [1, o + 1.25] with B:
+//   A + B = M,   A a + B b = M o.                                                              (1)
+// Friction across these contacts pulls at the top block's lower face to both sides. It is the same,
+// T, on both, or the top block would slide; and it holds the lower blocks back, with a lever of 1 about
+// the outer edges of the pedestals.
+// Left, about -1.75:   A (a + 1.75) + T >= 0.25.                                               (2)
+// Right, about 1.75:   B (1.75 - b) + T >= 0.25.                                               (3)
+// With (1) in (3):     M (1.75 - o) >= 0.25 - T + 1.75 A - A a.                                (4)
+// a <= -1 makes the right of (4) at least 0.25 - T + 2.75 A, and A at least (0.25 - T) / 0.75 by (2).
+// T is at most mu A, so that A >= 0.25 / (0.75 + mu), and
+//   M (1.75 - o) >= 0.25 + (2.75 - mu) A >= (0.25 (0.75 + mu) + 0.25 (2.75 - mu)) / (0.75 + mu)
+//                 = 0.875 / (0.75 + mu).
+// It is reached with a = -1, T = mu A, and then b = (M o + A) / (M - A), which is in [1, o + 1.25] for
+// o up to 0.25. The pedestals' reactions are inside of them, since what acts is between -1.75 and -1.
+double mass_ratio_by_hand(double offset, double friction) {
+  return 14.0 / ((3.0 + 4.0 * friction) * (7.0 - 4.0 * std::abs(offset)));
+}
+
+double mass_ratio_by_balance(double offset, double friction, int friction_edges) {
+  return threshold(
+      [&](double mass) { return balanced(heavy_top(mass, offset, friction), friction_edges); },
+      0.01, 100.0);
+}
+
 namespace {
 
-constexpr int kEdges = 8;         // of the pyramid of friction: two of them along x
-constexpr double kLight = 0.01;   // [-] mass ratio that never stands
-constexpr double kHeavy = 100.0;  // [-] mass ratio that always does
+constexpr int kEdges = 8;  // of the pyramid of friction: two of them along x
 
-// A technique that can tell the same by what happens.
+// A technique whose runs show the same.
 struct Runs {
   std::string words;                  // for the quantity
   std::string technique;              // its name
@@ -47,7 +80,7 @@ std::vector<Runs> all_runs() {
 
 // The forces of an answer, the points of a contact at the same x taken together: from below, on
 // the upper body.
-Table force_table(const Structure& structure, const StaticEquilibrium& equilibrium) {
+Table force_table(const RestingPile& structure, const StaticEquilibrium& equilibrium) {
   Table table{"forces",
               {{"x_m", "m", "where it acts"},
                {"y_m", "m", "where it acts"},
@@ -62,7 +95,7 @@ Table force_table(const Structure& structure, const StaticEquilibrium& equilibri
       auto row = table.rows.begin() + static_cast<std::ptrdiff_t>(first);
       while (row != table.rows.end() && std::abs((*row)[0] - point_w.x()) > 1e-6) ++row;
       if (row == table.rows.end())
-        table.rows.push_back({point_w.x(), point_w.y(), share});
+        table.add(point_w.x(), point_w.y(), share);
       else
         (*row)[2] += share;
     }
@@ -78,7 +111,7 @@ Table run_table(double friction, double seconds) {
                {"kind", "-",
                 "0: contact_damped, no friction; 1: analytic, no friction; 2: contact_damped with "
                 "friction"}}};
-  double kind = 0.0;
+  int kind = 0;
   for (const Runs& runs : all_runs()) {
     const double mu = runs.rough ? friction : 0.0;
     for (const double offset : runs.offsets) {
@@ -86,15 +119,15 @@ Table run_table(double friction, double seconds) {
         const double mass = factor * mass_ratio_by_hand(offset, mu);
         const bool stands =
             stays(heavy_top(mass, offset, mu), runs.technique, runs.settings, seconds);
-        table.rows.push_back({offset, mass, stands ? 1.0 : 0.0, kind});
+        table.add(offset, mass, stands, kind);
       }
     }
-    kind += 1.0;
+    ++kind;
   }
   return table;
 }
 
-// How far off by hand the mass ratio is from which runs stand, at worst over offsets.
+// The error of the closed form against the mass ratio from which runs stand, at worst over offsets.
 double error_of_runs(const Runs& runs, const Parameters& settings) {
   const double friction = settings.number("friction");
   const double seconds = settings.number("seconds");
@@ -123,53 +156,14 @@ Table threshold_table(double friction, int steps) {
                {"by_hand", "-", "mass ratio from which it stands, closed form"},
                {"by_balance", "-", "the same, bisection on the test of balance"},
                {"rough_by_hand", "-", "with friction, closed form"},
-               {"rough_by_balance", "-", "with friction, bisection"},
-               {"error", "-", "relative, without friction"},
-               {"rough_error", "-", "relative, with friction"}}};
+               {"rough_by_balance", "-", "with friction, bisection"}}};
   for (int k = 0; k <= steps; ++k) {
     const double offset = 0.24 * (2.0 * k / steps - 1.0);
-    const double hand = mass_ratio_by_hand(offset);
-    const double balance = mass_ratio_by_balance(offset);
-    const double rough_hand = mass_ratio_by_hand(offset, friction);
-    const double rough_balance = mass_ratio_by_balance(offset, friction, kEdges);
-    table.rows.push_back({offset, hand, balance, rough_hand, rough_balance,
-                          std::abs(balance / hand - 1.0),
-                          std::abs(rough_balance / rough_hand - 1.0)});
+    table.add(offset, mass_ratio_by_hand(offset), mass_ratio_by_balance(offset),
+              mass_ratio_by_hand(offset, friction),
+              mass_ratio_by_balance(offset, friction, kEdges));
   }
   return table;
-}
-
-}  // namespace
-
-Structure heavy_top(double mass_ratio, double offset, double friction) {
-  return structure_of("fig6_5", {set_to("mass_ratio", mass_ratio), set_to("offset", offset),
-                                 set_to("friction", friction)});
-}
-
-// Lengths in metres, forces in weights of a lower block, x = 0 between the pedestals, o >= 0. The lower
-// blocks have their centres at ±2, their pedestals are under ±[1, 1.75]. The top block, M at o, rests
-// on the left one at a in [o - 1.25, -1] with A and on the right one at b in [1, o + 1.25] with B:
-//   A + B = M,   A a + B b = M o.                                                              (1)
-// Friction across these contacts pulls at the top block's lower face to both sides. It is the same,
-// T, on both, or the top block would slide; and it holds the lower blocks back, with a lever of 1 about
-// the outer edges of the pedestals.
-// Left, about -1.75:   A (a + 1.75) + T >= 0.25.                                               (2)
-// Right, about 1.75:   B (1.75 - b) + T >= 0.25.                                               (3)
-// With (1) in (3):     M (1.75 - o) >= 0.25 - T + 1.75 A - A a.                                (4)
-// a <= -1 makes the right of (4) at least 0.25 - T + 2.75 A, and A at least (0.25 - T) / 0.75 by (2).
-// T is at most mu A, so that A >= 0.25 / (0.75 + mu), and
-//   M (1.75 - o) >= 0.25 + (2.75 - mu) A >= (0.25 (0.75 + mu) + 0.25 (2.75 - mu)) / (0.75 + mu)
-//                 = 0.875 / (0.75 + mu).
-// It is reached with a = -1, T = mu A, and then b = (M o + A) / (M - A), which is in [1, o + 1.25] for
-// o up to 0.25. The pedestals' reactions are inside of them, since what acts is between -1.75 and -1.
-double mass_ratio_by_hand(double offset, double friction) {
-  return 14.0 / ((3.0 + 4.0 * friction) * (7.0 - 4.0 * std::abs(offset)));
-}
-
-double mass_ratio_by_balance(double offset, double friction, int friction_edges) {
-  return threshold(
-      [&](double mass) { return balanced(heavy_top(mass, offset, friction), friction_edges); },
-      kLight, kHeavy);
 }
 
 Result measure_heavy_top(const Parameters& settings) {
@@ -178,14 +172,14 @@ Result measure_heavy_top(const Parameters& settings) {
   const double seconds = settings.number("seconds");
 
   StaticEquilibrium equilibrium;
-  const Structure heavy = heavy_top(settings.number("mass_ratio"), offset);
+  const RestingPile heavy = heavy_top(settings.number("mass_ratio"), offset);
   if (!equilibrium.solve(heavy.world, weights_of(heavy)).balanced)
     throw std::runtime_error("the first configuration does not stand: give a larger mass_ratio");
   Table boxes = boxes_table();
   add_boxes(heavy.world, 0.0, {}, boxes);
   const Table forces = force_table(heavy, equilibrium);
 
-  const Structure light = heavy_top(settings.number("too_light"), offset);
+  const RestingPile light = heavy_top(settings.number("too_light"), offset);
   if (equilibrium.solve(light.world, weights_of(light)).balanced)
     throw std::runtime_error("the second configuration stands: give less for too_light");
   add_boxes(light.world, 1.0, equilibrium.motion(), boxes);
@@ -194,7 +188,7 @@ Result measure_heavy_top(const Parameters& settings) {
   const double tips = equilibrium.motion()[left].angular_w.z();
 
   // At the threshold the forces are the only ones.
-  const Structure limit = heavy_top(mass_ratio_by_balance(0.2), 0.2);
+  const RestingPile limit = heavy_top(mass_ratio_by_balance(0.2), 0.2);
   equilibrium.solve(limit.world, weights_of(limit));
   double on_left = 0.0;
   double on_right = 0.0;
@@ -222,4 +216,19 @@ Result measure_heavy_top(const Parameters& settings) {
           quantities};
 }
 
+const Registered fig6_5_heavy_top_figure{
+    {.name = "fig6_5_heavy_top",
+     .parameters = Parameters{}
+                       .add_number("mass_ratio", 1.0, 1e-3, 1e3, "-", "of the top that stands")
+                       .add_number("too_light", 0.5, 1e-3, 1e3, "-", "of the top that does not")
+                       .add_number("offset", 0.2, -0.24, 0.24, "m", "of the top in both")
+                       .add_number("friction", 0.5, 0.01, 2.0, "-", "of the runs with friction")
+                       .add_number("seconds", 5.0, 0.1, 100.0, "s", "of each run")
+                       .add_number("resolution", 1e-5, 1e-9, 0.1, "-",
+                                   "of the limit of runs, as a share of it")
+                       .add_whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m"),
+     .quick = {"steps=2", "seconds=2", "resolution=0.01"},
+     .experiment = measure_heavy_top}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -2,7 +2,6 @@
 /// \brief A heavy block that keeps two others from tipping (thesis 6.3.1, figure 6.5).
 #pragma once
 
-#include "driver/figure.hpp"
 #include "geometric_stability/balance_probe.hpp"
 
 namespace tumble::chapters {
@@ -12,7 +11,7 @@ namespace tumble::chapters {
 /// \param offset      [m] of the top block, to the right
 /// \param friction    [-] Coulomb's coefficient of everything
 /// \return two pedestals, two blocks that overhang outwards, and the one on top
-Structure heavy_top(double mass_ratio, double offset, double friction = 0.0);
+RestingPile heavy_top(double mass_ratio, double offset, double friction = 0.0);
 
 /// The mass ratio from which figure 6.5 can stand, by hand:
 /// \f[ \frac{M}{m} = \frac{14}{(3 + 4\mu)\,(7 - 4|o|)} . \f]
@@ -29,11 +28,5 @@ double mass_ratio_by_hand(double offset, double friction = 0.0);
 /// \param friction_edges  of the pyramid of friction
 /// \return [-]
 double mass_ratio_by_balance(double offset, double friction = 0.0, int friction_edges = 0);
-
-/// Figure 6.5: forces, the motion that starts, and who stands.
-/// \param settings  mass_ratio, too_light, offset, friction, seconds, resolution, steps
-/// \return tables "" (thresholds against the offset), "runs", "boxes", "forces", "outlines", "arrows";
-///         thresholds by balance, by hand and by simulation
-Result measure_heavy_top(const Parameters& settings);
 
 }  // namespace tumble::chapters

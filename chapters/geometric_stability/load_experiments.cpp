@@ -1,9 +1,7 @@
 /// \file
 /// \brief Loads on the tops of random piles.
-#include "geometric_stability/load_experiments.hpp"
-
+#include "driver/registry.hpp"
 #include "geometric_stability/pile_builder.hpp"
-#include "geometric_stability/pile_experiments.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
 #include "geometric_stability/pile_loads.hpp"
@@ -19,15 +17,15 @@ namespace {
 constexpr double kMovesByLoad =
     1e-6;  // [-] of what the load alone gives; as the claim's rule has it
 
-// What became of one movable box.
+// Results for one movable box.
 struct LoadedBox {
   std::size_t pile = 0;
   bool corners = false;     // called stable by the thesis's rule, as meant
   bool load_proof = false;  // called load-proof
   bool printed = false;     // called stable by the listing as printed
-  bool mended = false;      // ditto, with its vetoes mended
+  bool mended = false;      // the same with its vetoes mended
   double ratio = 0.0;       // largest acceleration over that by its load alone, of all loads
-  double rough = 0.0;       // ditto, by the method of multipliers
+  double rough = 0.0;       // the same by the method of multipliers
 
   [[nodiscard]] bool moves() const { return ratio > kMovesByLoad; }
 };
@@ -83,12 +81,9 @@ Table shares_of(const std::string& suffix, const std::vector<LoadedBox>& boxes,
               {{"ratio", "-", "largest acceleration over that by the load alone; 1e-17: or none"},
                {"share", "-", "of the boxes, with at most this"}}};
   for (std::size_t k = 0; k < ratios.size(); ++k)
-    table.rows.push_back(
-        {ratios[k], static_cast<double>(k + 1) / static_cast<double>(ratios.size())});
+    table.add(ratios[k], static_cast<double>(k + 1) / static_cast<double>(ratios.size()));
   return table;
 }
-
-}  // namespace
 
 Result measure_any_load(const Parameters& settings) {
   const auto piles = static_cast<std::size_t>(settings.count("piles"));
@@ -138,4 +133,13 @@ Result measure_any_load(const Parameters& settings) {
        share_moving("share of the boxes that are not load-proof that move", not_proof)}};
 }
 
+const Registered claim_5_4a_any_load_figure{
+    {.name = "claim_5_4a_any_load",
+     .parameters = Parameters{}
+                       .add_whole("piles", 300, 2, 100000, "random piles")
+                       .add_whole("loads", 20, 1, 10000, "loads on all tops of each pile"),
+     .quick = {"piles=30", "loads=5"},
+     .experiment = measure_any_load}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -16,7 +16,7 @@
 namespace tumble::chapters {
 namespace {
 
-// What is exact has no more than rounding; what is not is at least so far off.
+// Exact distances have no more than rounding; all others are at least so large.
 constexpr double kRounding = 1e-10;  // [m] clipping to a face widens it by 1e-12 of itself
 constexpr double kGap = 5e-3;        // [m]
 constexpr double kCorner = 0.02;     // [-] of the shortest edge
@@ -149,6 +149,14 @@ World reordered(const World& world, Random& random) {
 void shuffle(ContactList& contacts, Random& random) {
   for (std::size_t i = contacts.size(); i > 1; --i)
     std::swap(contacts[i - 1], contacts[random.below(static_cast<std::uint32_t>(i))]);
+}
+
+int upper_body(const Contact& contact) {
+  return contact.normal_w.y() > 0.0 ? contact.second : contact.first;
+}
+
+int lower_body(const Contact& contact) {
+  return contact.normal_w.y() > 0.0 ? contact.first : contact.second;
 }
 
 }  // namespace tumble::chapters

@@ -61,4 +61,14 @@ World reordered(const World& world, Random& random);
 /// \param random    of the order
 void shuffle(ContactList& contacts, Random& random);
 
+/// The body on which a contact presses from above.
+/// \param contact  with a vertical normal
+/// \return the index of the upper body
+int upper_body(const Contact& contact);
+
+/// The other body of a contact.
+/// \param contact  with a vertical normal
+/// \return the index of the lower body
+int lower_body(const Contact& contact);
+
 }  // namespace tumble::chapters

@@ -1,9 +1,8 @@
 /// \file
-/// \brief What each way calls stable, and what rests.
-#include "geometric_stability/pile_experiments.hpp"
-
+/// \brief Boxes that each way calls stable, and boxes that rest.
 #include "tumble/pictures/picture.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
@@ -29,7 +28,7 @@ struct Cells {
   double other_moves = 0.0;
 };
 
-// What was found about one pile.
+// Counts of one pile.
 struct PileCount {
   std::array<Cells, kLevels> cells;
   double rules_differ = 0.0;     // boxes on which corners and hull do
@@ -37,7 +36,7 @@ struct PileCount {
   double least_moving = 1e300;   // [m/s²] of boxes that move, by any solver
 };
 
-// How all bodies begin to move.
+// Accelerations of all bodies.
 std::vector<Acceleration> accelerations(const char* solver, const World& world,
                                         const ContactList& contacts) {
   PileForces forces(solver);
@@ -46,7 +45,7 @@ std::vector<Acceleration> accelerations(const char* solver, const World& world,
   return {forces.accelerations().begin(), forces.accelerations().end()};
 }
 
-// Who moves, and by how much the least and the most.
+// The bodies that move, with the least and the largest acceleration.
 std::vector<char> truth_of(const World& world, const ContactList& contacts, PileCount& count) {
   std::vector<char> moves;
   for (const char* solver : {"least_constraint", "augmented_lagrangian", "baraff"}) {
@@ -64,7 +63,7 @@ std::vector<char> truth_of(const World& world, const ContactList& contacts, Pile
   return moves;
 }
 
-PileCount judge(std::uint64_t seed) {
+PileCount judged(std::uint64_t seed) {
   const World world = random_pile(seed);
   const ContactList contacts = touching(world);
   PileCount count;
@@ -87,7 +86,7 @@ PileCount judge(std::uint64_t seed) {
   return count;
 }
 
-// A pile with the colour of what is known of each box.
+// A pile, its boxes coloured by their state.
 Drawing picture_of(std::uint64_t seed) {
   const World world = random_pile(seed, {.scaffolds = false});
   const ContactList contacts = touching(world);
@@ -97,7 +96,7 @@ Drawing picture_of(std::uint64_t seed) {
   std::vector<PictureBox> boxes;
   for (std::size_t b = 1; b < world.bodies().size(); ++b) {
     const BodyProperties& body = world.bodies()[b];
-    std::uint32_t colour = 0xf0e442;  // rests, and no way tells
+    std::uint32_t colour = 0xf0e442;  // rests, and is not called stable
     if (!body.movable())
       colour = 0x9a9a9a;
     else if (firm[b] != 0)
@@ -112,19 +111,10 @@ Drawing picture_of(std::uint64_t seed) {
   return {"pile", to_gnuplot(draw_boxes(boxes, camera))};
 }
 
-}  // namespace
-
-Quantity share_over_piles(std::string name, const std::vector<double>& hits,
-                          const std::vector<double>& trials) {
-  return over_seeds(std::move(name), "-", static_cast<int>(hits.size()), [&](int left_out) {
-    return sum_without(hits, left_out) / sum_without(trials, left_out);
-  });
-}
-
 Result measure_confusion(const Parameters& settings) {
   std::vector<PileCount> piles;
   for (std::int64_t k = 1; k <= settings.count("piles"); ++k)
-    piles.push_back(judge(static_cast<std::uint64_t>(k)));
+    piles.push_back(judged(static_cast<std::uint64_t>(k)));
   const auto each = [&](const auto& number) {
     std::vector<double> values;
     for (const PileCount& pile : piles) values.push_back(number(pile));
@@ -167,10 +157,9 @@ Result measure_confusion(const Parameters& settings) {
     const Quantity share =
         share_over_piles("share of the resting boxes missed by " + name_of(kStabilityLevels[level]),
                          missed, resting);
-    table.rows.push_back({static_cast<double>(level), sum(&Cells::stable_rests) / count,
-                          sum(&Cells::other_rests) / count, sum(&Cells::other_moves) / count,
-                          sum(&Cells::stable_moves) / count, share.value});
-    // Hull and corners are one: the next number but one says so.
+    table.add(level, sum(&Cells::stable_rests) / count, sum(&Cells::other_rests) / count,
+              sum(&Cells::other_moves) / count, sum(&Cells::stable_moves) / count, share.value);
+    // Hull and corners agree, as the next number but one shows.
     if (kStabilityLevels[level] != StabilityLevel::hull) result.quantities.push_back(share);
     wrong += sum(&Cells::stable_moves);
   }
@@ -188,4 +177,13 @@ Result measure_confusion(const Parameters& settings) {
   return result;
 }
 
+const Registered stable_confusion_figure{
+    {.name = "stable_confusion",
+     .parameters = Parameters{}
+                       .add_whole("piles", 400, 2, 100000, "random piles")
+                       .add_whole("shown", 28, 1, 100000, "the pile that is drawn"),
+     .quick = {"piles=40"},
+     .experiment = measure_confusion}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -2,7 +2,7 @@
 /// \brief The whole complementarity problem of a pile.
 #include "geometric_stability/pile_forces.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/analytic_lcp/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -28,7 +28,6 @@ bool PileForces::solve(const World& world, std::span<const Contact> contacts,
   islands_.build(world.bodies(), contacts);
   wrenches_.assign(bodies_.size(), Wrench{});
   residual_ = 0.0;
-  most_rows_ = 0;
   for (int i = 0; i < islands_.count(); ++i) {
     island_.clear();
     for (const int c : islands_.contacts(i))
@@ -39,7 +38,6 @@ bool PileForces::solve(const World& world, std::span<const Contact> contacts,
     if (result_.status != LcpStatus::solved || !(result_.residual <= tolerance::force_residual))
       return false;
     residual_ = std::max(residual_, result_.residual);
-    most_rows_ = std::max(most_rows_, problem_.lcp().size());
     problem_.add_wrenches(result_.f, wrenches_);
   }
   accelerate(bodies_, wrenches_, accelerations_);

@@ -12,7 +12,7 @@
 
 namespace tumble::chapters {
 
-/// How fast a body gets, wherever on it: of its centre, and of its rim as it turns.
+/// A bound of the acceleration of all points of a body: of its centre, and of its rim as it turns.
 /// \param body          its size
 /// \param acceleration  of it
 /// \return [m/s²] at least 0
@@ -22,13 +22,13 @@ double fastest_of(const BodyProperties& body, const Acceleration& acceleration);
 /// \param state    where the body is
 /// \param point_w  [m] where the force acts, world frame
 /// \param force    [N] downwards
-/// \return what it does at the centre of mass
+/// \return its force and torque at the centre of mass
 Wrench weight_at(const BodyState& state, const Vec3& point_w, double force);
 
-/// How bodies at rest begin to move, by the complementarity problem with all contacts and no friction.
+/// Accelerations of bodies at rest, by the complementarity problem with all contacts and no friction.
 ///
-/// Nobody is left out and no rule is asked: this is what rules are judged by. Island by island; loads
-/// come in as what bodies would do without contacts.
+/// No body is left out and no rule is asked, so that rules can be judged by it. Island by island; loads
+/// come in as accelerations without contacts.
 class PileForces {
  public:
   /// \param solver  of the problems, by name
@@ -42,17 +42,13 @@ class PileForces {
   bool solve(const World& world, std::span<const Contact> contacts,
              std::span<const Wrench> loads = {});
 
-  /// How bodies accelerate under weights, loads and contact forces.
+  /// Accelerations under weights, loads and contact forces.
   /// \return one for each body index
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return accelerations_; }
 
   /// The largest residual of an island's answer.
   /// \return [-] see lcp_residual()
   [[nodiscard]] double residual() const { return residual_; }
-
-  /// The largest problem.
-  /// \return its rows
-  [[nodiscard]] int most_rows() const { return most_rows_; }
 
  private:
   std::unique_ptr<LcpSolver> solver_;
@@ -64,7 +60,6 @@ class PileForces {
   ContactProblem problem_;
   LcpResult result_;
   double residual_ = 0.0;
-  int most_rows_ = 0;
 };
 
 }  // namespace tumble::chapters

@@ -1,25 +1,27 @@
 /// \file
-/// \brief Every way to tell who stands firm.
+/// \brief All ways to classify boxes as stable.
 #include "geometric_stability/pile_levels.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/towers.hpp"
+
+#include "driver/statistics.hpp"
+
+#include <utility>
 
 namespace tumble::chapters {
 namespace {
 
 std::vector<char> by_rule(StableRule rule, const World& world, std::span<const Contact> contacts) {
-  GeometricStability rules({tolerance::exact_vertical, tolerance::exact_corner});
-  std::vector<char> stable;
-  rules.run(world, contacts, rule, tolerance::resting_speed, stable);
-  return stable;
+  return verdict_of(rule, world, contacts, 0).all;
 }
 
-// Whoever is carried, over others, by a body that is stable.
+// Stable bodies, and those that they carry, directly or over others.
 std::vector<char> with_towers(const World& world, std::span<const Contact> contacts) {
   const std::vector<char> firm = by_rule(StableRule::hull, world, contacts);
   Towers towers;
@@ -35,6 +37,16 @@ std::vector<char> with_towers(const World& world, std::span<const Contact> conta
 }
 
 }  // namespace
+
+RuleVerdict verdict_of(StableRule rule, const World& world, std::span<const Contact> contacts,
+                       int body) {
+  GeometricStability rules({tolerance::exact_vertical, tolerance::exact_corner});
+  RuleVerdict verdict;
+  rules.run(world, contacts, rule, tolerance::resting_speed, verdict.all);
+  verdict.stable = verdict.all[static_cast<std::size_t>(body)] != 0;
+  verdict.reason = told(world, contacts, rules.verdict(world, body));
+  return verdict;
+}
 
 std::string name_of(StabilityLevel level) {
   switch (level) {
@@ -93,6 +105,13 @@ std::vector<char> called_stable_as_printed(const World& world, std::span<const C
   std::vector<char> stable;
   for (const PrintedStability& body : bodies) stable.push_back(body.stable ? 1 : 0);
   return stable;
+}
+
+Quantity share_over_piles(std::string name, const std::vector<double>& hits,
+                          const std::vector<double>& trials) {
+  return over_seeds(std::move(name), "-", static_cast<int>(hits.size()), [&](int left_out) {
+    return sum_without(hits, left_out) / sum_without(trials, left_out);
+  });
 }
 
 }  // namespace tumble::chapters

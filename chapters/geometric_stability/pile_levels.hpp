@@ -1,9 +1,12 @@
 /// \file
-/// \brief Every way to tell who stands firm, from the thesis's rule to balance (thesis 5.4, 6.3.1).
+/// \brief All ways to classify boxes as stable, from the thesis's rule to balance (thesis 5.4, 6.3.1).
 #pragma once
 
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/geometric_stability/geometrically_stable.hpp"
+
+#include "driver/figure.hpp"
 
 #include <array>
 #include <span>
@@ -12,7 +15,7 @@
 
 namespace tumble::chapters {
 
-/// A way to tell who stands firm. All with exact supports.
+/// A way to classify boxes as stable. All with exact supports.
 enum class StabilityLevel : std::uint8_t {
   corners,     ///< four corners on stable bodies: GeometricStability
   hull,        ///< the hull of the supports covers the outline: GeometricStability
@@ -32,7 +35,23 @@ inline constexpr std::array<StabilityLevel, 6> kStabilityLevels{
 /// \return for example "towers on top"
 std::string name_of(StabilityLevel level);
 
-/// Who stands firm.
+/// The verdict of a rule on one body.
+struct RuleVerdict {
+  bool stable = false;    ///< whether it is geometrically stable
+  std::string reason;     ///< in words
+  std::vector<char> all;  ///< by body index: whether that body is stable
+};
+
+/// Asks a rule, with exact supports.
+/// \param rule      `corners` or `hull`
+/// \param world     bodies at rest
+/// \param contacts  what touches, in any order
+/// \param body      index of the body
+/// \return its verdict
+RuleVerdict verdict_of(StableRule rule, const World& world, std::span<const Contact> contacts,
+                       int body);
+
+/// The bodies that a way calls stable.
 /// \param level     by which way
 /// \param world     bodies at rest
 /// \param contacts  what touches, in any order
@@ -40,16 +59,24 @@ std::string name_of(StabilityLevel level);
 std::vector<char> called_stable(StabilityLevel level, const World& world,
                                 std::span<const Contact> contacts);
 
-/// Who stands firm by the listing SETGEOMETRICALLYSTABLE as it is printed.
+/// The bodies that the listing SETGEOMETRICALLYSTABLE calls stable as it is printed.
 ///
 /// Its comparisons get the tolerances of `damped`, without which boxes that are turned have no corner
 /// anywhere.
 /// \param world     bodies at rest
 /// \param contacts  what touches; their order matters
-/// \param vetoes    whether what speaks against a body counts for both bodies of a contact, never for
+/// \param vetoes    whether a reason against a body counts for both bodies of a contact, never for
 ///                  immovable ones, and cannot be overruled later: errata G2, G3 and G4 mended
 /// \return one for each body index
 std::vector<char> called_stable_as_printed(const World& world, std::span<const Contact> contacts,
                                            bool vetoes = false);
+
+/// A share of cases that are counted in each pile, with its interval over the piles.
+/// \param name    of the quantity
+/// \param hits    by pile
+/// \param trials  by pile
+/// \return the sum of hits over that of trials
+Quantity share_over_piles(std::string name, const std::vector<double>& hits,
+                          const std::vector<double>& trials);
 
 }  // namespace tumble::chapters

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Loads on the tops of a pile, and who moves under them (thesis 5.4).
+/// \brief Loads on the tops of a pile, and the bodies that move under them (thesis 5.4).
 #pragma once
 
 #include "tumble/base/random.hpp"
@@ -26,14 +26,14 @@ std::array<Vec3, 4> top_of(const World& world, int body);
 /// \return what acts, one for each body index
 std::vector<Wrench> random_loads(const World& world, Random& random);
 
-/// What a load would do to a body that nothing touches, its weight left out.
+/// Acceleration by a load of a body without contacts, its weight left out.
 /// \param world  the bodies
 /// \param body   index of a movable body
 /// \param load   on it
 /// \return [m/s²] see fastest_of()
 double alone(const World& world, int body, const Wrench& load);
 
-/// Who moves under some load, by the whole complementarity problem.
+/// The bodies that move under some load, by the whole complementarity problem.
 ///
 /// Tried are the weights alone; a load of 10^4 weights on each corner of each top, one at a
 /// time; and loads on a random half of all corners.

@@ -2,6 +2,7 @@
 /// \brief Trials seen from above.
 #include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include "geometric_stability/disputes.hpp"
 
@@ -14,7 +15,7 @@
 namespace tumble::chapters {
 namespace {
 
-// What is seen: a square.
+// The square that is shown.
 struct View {
   Vec2 middle = Vec2::Zero();  // [m]
   double half = 1.0;           // [m] half its edge
@@ -97,9 +98,7 @@ std::vector<Vec2> outline_of(const Trial& trial, int body) {
 
 // The body that a contact has below the one that the trial is about; -1 if it has none.
 int below_in(const Trial& trial, const Contact& contact) {
-  const bool up = contact.normal_w.y() > 0.0;
-  const bool on_top = (up ? contact.second : contact.first) == trial.body;
-  return on_top ? (up ? contact.first : contact.second) : -1;
+  return upper_body(contact) == trial.body ? lower_body(contact) : -1;
 }
 
 // Whether a body carries the one that the trial is about.
@@ -108,7 +107,7 @@ bool is_below(const Trial& trial, int body) {
                      [&](const Contact& contact) { return below_in(trial, contact) == body; });
 }
 
-// What unstable supports touch, the body apart: their neighbours, and what they stand on.
+// Bodies that unstable supports touch, but for the trial's: their neighbours and their own supports.
 std::vector<int> around_unstable(const Trial& trial) {
   std::vector<int> others;
   for (const Contact& contact : trial.contacts)
@@ -120,16 +119,16 @@ std::vector<int> around_unstable(const Trial& trial) {
   return others;
 }
 
-Vec2 middle_of(const Trial& trial) {
+Vec2 middle_of_trial(const Trial& trial) {
   const Vec3& middle_w = trial.world.states()[at(trial.body)].position_w;
   return {middle_w.x(), middle_w.z()};
 }
 
-// How far a body reaches from the middle of the trial's body, along x or z.
+// Reach of a body from the middle of the trial's body, along x or z.
 double reach_of(const Trial& trial, int body) {
   double most = 0.0;
   for (const Vec2& corner : outline_of(trial, body))
-    most = std::max(most, (corner - middle_of(trial)).cwiseAbs().maxCoeff());
+    most = std::max(most, (corner - middle_of_trial(trial)).cwiseAbs().maxCoeff());
   return most;
 }
 
@@ -173,7 +172,8 @@ Drawing plan_of(const Trial& trial, const std::string& suffix) {
         below >= 0 && trial.world.bodies()[at(below)].shape == Shape::box)
       most = std::max(most, reach_of(trial, below));
   for (const int other : around_unstable(trial)) most = std::max(most, reach_of(trial, other));
-  return {suffix, drawn(trial, {middle_of(trial), std::min(1.05 * most, 1.8 * body)}).commands()};
+  return {suffix,
+          drawn(trial, {middle_of_trial(trial), std::min(1.05 * most, 1.8 * body)}).commands()};
 }
 
 Drawing enlarged_corner_of(const Trial& trial, const std::string& suffix) {

@@ -41,7 +41,7 @@ std::vector<Vec2> regular_polygon(int sides, double turn) {
   return corners;
 }
 
-// Blocks near the corners; who would overlap another one is left out.
+// Blocks near the corners; one that would overlap another is left out.
 World blocks_under(const std::vector<Vec2>& outline, Random& random) {
   PileBuilder builder;
   for (const Vec2& corner : outline) {

@@ -30,7 +30,7 @@ struct PrismOnBlocks {
 /// \return the scene
 PrismOnBlocks random_prism(int sides, Random& random);
 
-/// What two convex polygons have in common (Sutherland and Hodgman).
+/// The intersection of two convex polygons (Sutherland and Hodgman).
 /// \param polygon  [m] counterclockwise
 /// \param window   [m] counterclockwise
 /// \return its corners, counterclockwise; none if they are apart

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Random piles of boxes at rest, for judging who stands firm (thesis 5.4).
+/// \brief Random piles of boxes at rest, for judging verdicts on stability (thesis 5.4).
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
@@ -8,7 +8,7 @@
 
 namespace tumble::chapters {
 
-/// What a random pile is made of.
+/// Ingredients of a random pile.
 struct PileRecipe {
   int boxes = 12;         ///< tries to add something; a slab on four pillars counts once
   double tilted = 0.1;    ///< [-] share of them that come down tilted

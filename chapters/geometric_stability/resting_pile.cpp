@@ -2,47 +2,25 @@
 /// \brief A pile at rest, its contacts, and its contact forces with and without stable boxes.
 #include "geometric_stability/resting_pile.hpp"
 
+#include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/number_text.hpp"
-#include "tumble/contact/gather.hpp"
-#include "tumble/scenes/library.hpp"
+
+#include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
+#include "geometric_stability/pile_builder.hpp"
+#include "geometric_stability/pile_forces.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace tumble::chapters {
-namespace {
 
-// Every pair whose spheres are near each other.
-std::vector<IndexPair> pairs_of(const World& world) {
-  std::vector<IndexPair> pairs;
-  const auto reach = [&](int b) {
-    const BodyProperties& body = world.bodies()[at(b)];
-    return body.shape == Shape::ground ? std::numeric_limits<double>::infinity()
-                                       : 0.51 * body.size.norm();
-  };
-  for (int i = 0; i < world.count(); ++i)
-    for (int j = i + 1; j < world.count(); ++j) {
-      const Vec3 apart = world.states()[at(i)].position_w - world.states()[at(j)].position_w;
-      if (apart.norm() <= reach(i) + reach(j)) pairs.push_back({i, j});
-    }
-  return pairs;
-}
-
-// [m/s²] The largest acceleration of a point of a body, at least.
-double fastest(const BodyProperties& body, const Acceleration& a) {
-  return a.linear_w.norm() + 0.5 * body.size.norm() * a.angular_w.norm();
-}
-
-}  // namespace
-
-RestingPile pile_of(const Scene& scene, double margin) {
-  RestingPile pile{build_world(scene), {}, {}};
+RestingPile pile_of(World world) {
+  RestingPile pile{std::move(world), {}, {}};
   load_moving_bodies(pile.world, pile.bodies);
-  gather_contacts(pile.world, pile.bodies, pairs_of(pile.world), margin, {}, pile.contacts);
+  pile.contacts = touching(pile.world);
   return pile;
 }
 
@@ -58,12 +36,9 @@ RestingPile pile_now(const World& world, double dt) {
   return pile;
 }
 
-Scene pyramid_without_middle(int rows, double gap) {
-  const SceneRecipe& recipe = scene_recipe("fig5_6");
-  Parameters settings = recipe.parameters();
-  settings.set("rows", std::to_string(rows));
-  settings.set("gap", shortest_text(gap));
-  return recipe.build(settings, Random(1));
+RestingPile pyramid_without_middle(int rows, double gap) {
+  return pile_of(
+      build_world(scene_with("fig5_6", {"rows=" + std::to_string(rows), setting("gap", gap)})));
 }
 
 RestingForces forces_of(const RestingPile& pile, const std::string& solver, StableRule rule) {
@@ -89,7 +64,7 @@ ForceChange change_of(const RestingPile& pile, const RestingForces& all,
     if (!body.movable()) continue;
     const Acceleration a{all.accelerations[b].linear_w - left.accelerations[b].linear_w,
                          all.accelerations[b].angular_w - left.accelerations[b].angular_w};
-    change.acceleration = std::max(change.acceleration, fastest(body, a) / g);
+    change.acceleration = std::max(change.acceleration, fastest_of(body, a) / g);
     const Vec3 force = all.wrenches[b].force_w - left.wrenches[b].force_w;
     const Vec3 torque = all.wrenches[b].torque_w - left.wrenches[b].torque_w;
     const double push = force.norm() + torque.norm() / (0.5 * body.size.norm());
@@ -101,7 +76,7 @@ ForceChange change_of(const RestingPile& pile, const RestingForces& all,
 std::vector<char> accelerating(const RestingPile& pile, const RestingForces& forces, double limit) {
   std::vector<char> result;
   for (std::size_t b = 0; b < pile.bodies.size(); ++b) {
-    const double a = fastest(pile.world.bodies()[b], forces.accelerations[b]);
+    const double a = fastest_of(pile.world.bodies()[b], forces.accelerations[b]);
     const bool falls = pile.world.bodies()[b].movable() && a > limit * pile.world.gravity_w.norm();
     result.push_back(falls ? 1 : 0);
   }
@@ -120,6 +95,40 @@ int movable_marked(const World& world, std::span<const char> marks) {
   for (std::size_t b = 0; b < marks.size(); ++b)
     if (world.bodies()[b].movable() && marks[b] != 0) ++count;
   return count;
+}
+
+CountedRun count_run(World world, int steps, const std::function<void(const World&)>& before) {
+  AnalyticOptions options;
+  options.friction = AnalyticFriction::damping;
+  options.stable_boxes = StableRule::corners;
+  Analytic analytic(options);
+  StableBoxes boxes(StableRule::corners);
+  CountedRun run;
+  for (int step = 0; step < steps; ++step) {
+    if (before) before(world);
+    const RestingPile pile = pile_now(world, kStep);
+    const std::span<const char> held = boxes.find(world, pile.bodies, pile.contacts);
+    const std::vector<char> none(held.size(), 0);
+    run.all.push_back(points_without(pile, none));
+    run.left.push_back(points_without(pile, held));
+    run.stable.push_back(movable_marked(world, held));
+    if (analytic.step(world, kStep).status == StepStatus::unsolved)
+      throw std::runtime_error("a step of the pyramid was not solved");
+  }
+  return run;
+}
+
+World knocked_pyramid(int rows, double gap, double knock, std::uint64_t seed) {
+  RestingPile pile = pyramid_without_middle(rows, gap);
+  StableBoxes boxes(StableRule::corners);
+  const std::span<const char> held = boxes.find(pile.world, pile.bodies, pile.contacts);
+  const Random random(seed);
+  for (std::size_t b = 0; b < held.size(); ++b) {
+    if (held[b] != 0) continue;
+    Random draws = random.fork(b);
+    pile.world.states()[b].linear_momentum_w = pile.world.bodies()[b].mass * draws.in_cube(knock);
+  }
+  return std::move(pile.world);
 }
 
 }  // namespace tumble::chapters

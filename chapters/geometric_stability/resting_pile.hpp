@@ -6,6 +6,8 @@
 #include "tumble/analytic_lcp/contact_forces.hpp"
 #include "tumble/scenes/scene.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,11 +21,10 @@ struct RestingPile {
   ContactList contacts;            ///< points where forces can act
 };
 
-/// The pile of a scene at its start.
-/// \param scene   boxes that are all there at the start
-/// \param margin  [m] surfaces up to this far apart touch
+/// Finds the contacts of a world at rest.
+/// \param world  bodies that touch to rounding
 /// \return the pile
-RestingPile pile_of(const Scene& scene, double margin = 1e-9);
+RestingPile pile_of(World world);
 
 /// A world in motion, as the technique `analytic` sees it at the start of a step.
 /// \param world  the bodies
@@ -34,11 +35,11 @@ RestingPile pile_now(const World& world, double dt);
 /// Figure 5.6: a flat pyramid without the middle box of its lowest row.
 /// \param rows  boxes in the lowest row before, an odd number
 /// \param gap   [-] between neighbours, in edges
-/// \return the scene
+/// \return the pile
 /// \throws std::invalid_argument in the words of the scene, for an even number of rows
-Scene pyramid_without_middle(int rows, double gap);
+RestingPile pyramid_without_middle(int rows, double gap);
 
-/// Contact forces of a pile, and what they do.
+/// Contact forces of a pile, and accelerations by them.
 struct RestingForces {
   ForceReport report;                       ///< the work
   std::vector<Acceleration> accelerations;  ///< by body index
@@ -49,27 +50,27 @@ struct RestingForces {
 /// Finds the contact forces without friction.
 /// \param pile    the pile
 /// \param solver  by its name
-/// \param rule    who is left out
+/// \param rule    by which bodies are left out
 /// \return the forces
 /// \throws std::runtime_error if the solver has no answer
 RestingForces forces_of(const RestingPile& pile, const std::string& solver, StableRule rule);
 
-/// How far two answers are apart.
+/// The distance of two answers.
 struct ForceChange {
   double acceleration = 0.0;  ///< [-] of any point of a body, over g
   double wrench = 0.0;        ///< [-] of a body: force, and torque over half its diagonal, over m g
 };
 
-/// What it changes to leave stable boxes out: the largest difference of any movable body.
+/// The change by leaving stable boxes out: the largest difference of any movable body.
 /// \param pile  the pile
 /// \param all   forces of all boxes
 /// \param left  forces without the stable ones
 /// \return 0 up to rounding if nothing that may not be left out was
 ForceChange change_of(const RestingPile& pile, const RestingForces& all, const RestingForces& left);
 
-/// Who accelerates.
+/// The bodies that accelerate.
 /// \param pile    the pile
-/// \param forces  without anybody left out; only the accelerations are read
+/// \param forces  with no body left out; only the accelerations are read
 /// \param limit   [-] share of g
 /// \return by body index, 1 if a point of it may accelerate by more than that
 std::vector<char> accelerating(const RestingPile& pile, const RestingForces& forces, double limit);
@@ -80,10 +81,34 @@ std::vector<char> accelerating(const RestingPile& pile, const RestingForces& for
 /// \return the points that belong to at least one other body
 int points_without(const RestingPile& pile, std::span<const char> held);
 
-/// How many movable bodies are marked.
+/// Number of movable bodies that are marked.
 /// \param world  the bodies
 /// \param marks  by body index
 /// \return those with a mark that is not 0
 int movable_marked(const World& world, std::span<const char> marks);
+
+/// Counts at the start of each step of a run.
+struct CountedRun {
+  std::vector<double> all;     ///< unknown forces with no body left out
+  std::vector<double> left;    ///< without the boxes that are stable then, by the rule of corners
+  std::vector<double> stable;  ///< how many those are
+};
+
+/// Simulates a world with the technique `analytic`, without friction and damped, stable boxes left
+/// out, at 60 steps a second.
+/// \param world   at the start
+/// \param steps   how many
+/// \param before  called before each step with the world; may be empty
+/// \return the counts of each step
+/// \throws std::runtime_error if a step was not solved
+CountedRun count_run(World world, int steps, const std::function<void(const World&)>& before = {});
+
+/// The pyramid of figure 5.6 in which all boxes that are not stable have got a random velocity.
+/// \param rows   boxes in the lowest row before one was taken out, an odd number
+/// \param gap    [-] between neighbours, in edges
+/// \param knock  [m/s] each component is drawn from [-knock, knock)
+/// \param seed   of the draws
+/// \return the world
+World knocked_pyramid(int rows, double gap, double knock, std::uint64_t seed);
 
 }  // namespace tumble::chapters

@@ -1,9 +1,8 @@
 /// \file
-/// \brief How long the upper box of figure 5.4 is stable, and how it is slowed down meanwhile.
-#include "geometric_stability/sliding_experiments.hpp"
-
+/// \brief Steps in which the upper box of figure 5.4 is stable, slides and is slowed down (claim 5.4d).
 #include "tumble/pictures/picture.hpp"
 
+#include "driver/registry.hpp"
 #include "geometric_stability/sliding_run.hpp"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ struct Counted {
   int until = 0;
   int counted = 0;
   [[nodiscard]] double share() const { return static_cast<double>(counted) / until; }
-  // Without the first step of each run, which is before anybody looks.
+  // Without the first step of each run, which comes before the first classification.
   [[nodiscard]] double later_share() const { return static_cast<double>(counted) / (until - runs); }
 };
 
@@ -41,9 +40,7 @@ Counted count(const Parameters& settings, const SlideSetup& like, Table* table =
     setup.offset = settings.number("offset");
     setup.speed = settings.number("slowest") + k;
     const SlideRun run = slide(setup);
-    if (table != nullptr)
-      table->rows.push_back({setup.speed, static_cast<double>(run.until()),
-                             static_cast<double>(run.counted()), run.steps.back().overhang});
+    if (table != nullptr) table->add(setup.speed, run.until(), run.counted());
     if (run.leaves < 0) continue;  // it has stopped before
     ++sum.runs;
     sum.until += run.until();
@@ -54,7 +51,7 @@ Counted count(const Parameters& settings, const SlideSetup& like, Table* table =
   return sum;
 }
 
-// Boxes with the colours of who is stable.
+// Boxes with the colours of stable and other ones.
 std::vector<PictureBox> boxes_of(const World& world) {
   const std::vector<char> stable = stable_by_corners(world);
   std::vector<PictureBox> boxes;
@@ -73,12 +70,12 @@ Table speeds_over_time(const std::vector<SlideRun>& runs) {
         {std::string(name) + "_stable_m_s", "m/s", "the same while all its corners are carried"});
   }
   for (std::size_t k = 0; k < runs[0].worlds.size(); ++k) {
-    table.rows.push_back({runs[0].worlds[k].time()});
+    std::vector<double> row;
     for (const SlideRun& run : runs) {
       const double speed = speed_of_upper(run.worlds[k]);
-      table.rows.back().push_back(speed);
-      table.rows.back().push_back(stable_by_corners(run.worlds[k])[2] != 0 ? speed : kMissing);
+      row.insert(row.end(), {speed, stable_by_corners(run.worlds[k])[2] != 0 ? speed : kMissing});
     }
+    table.add(runs[0].worlds[k].time(), row);
   }
   return table;
 }
@@ -108,7 +105,7 @@ void draw(const SlideRun& run, Result& result) {
   for (const std::size_t k : shown(run)) {
     frames.push_back(boxes_of(run.worlds[k]));
     all.insert(all.end(), frames.back().begin(), frames.back().end());
-    times.rows.push_back({run.worlds[k].time()});
+    times.add(run.worlds[k].time());
   }
   const Camera camera = camera_for(all, Vec3(1.2, 0.9, 4.0), 300.0, 190.0, true);
   for (std::size_t k = 0; k < frames.size(); ++k)
@@ -116,8 +113,6 @@ void draw(const SlideRun& run, Result& result) {
         {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
   result.tables.push_back(times);
 }
-
-}  // namespace
 
 Result measure_sliding(const Parameters& settings) {
   constexpr std::array<Slider, 4> kSliders = {Slider::damped, Slider::damped_unmarked,
@@ -138,13 +133,12 @@ Result measure_sliding(const Parameters& settings) {
   Table speeds{"speeds",
                {{"speed_m_s", "m/s", "of the upper box at the start"},
                 {"steps", "-", "until a corner leaves its support; 0: it stops before"},
-                {"counted", "-", "of these, steps in which it is stable, slides and is damped"},
-                {"overhang_m", "m", "of the corner in front at the end of the run"}}};
+                {"counted", "-", "of these, steps in which it is stable, slides and is damped"}}};
   const Counted counted = count(settings, {}, &speeds);
   result.tables.push_back(speeds);
   draw(damped, result);
 
-  // How far the marks change the way until the corner leaves.
+  // Influence of the marks until the corner leaves.
   double apart = 0.0;
   for (int k = 0; k < damped.until(); ++k) {
     const auto step = static_cast<std::size_t>(k);
@@ -152,9 +146,6 @@ Result measure_sliding(const Parameters& settings) {
   }
   const auto last = static_cast<std::size_t>(damped.leaves);
   const SlideRun& free = runs[3];
-  const auto share = [](const SlideRun& run) {
-    return static_cast<double>(run.counted()) / run.until();
-  };
   result.quantities = {
       {"share of the steps until a corner leaves its support in which the upper box is stable, "
        "slides, and is slowed down by damping",
@@ -164,7 +155,6 @@ Result measure_sliding(const Parameters& settings) {
       {"the same, twice the damping", "-", count(settings, {.k_scale = 2.0}).share()},
       {"the same, half the size and speed", "-", count(settings, {.scale = 0.5}).share()},
       {"the same, twice the size and speed", "-", count(settings, {.scale = 2.0}).share()},
-      {"the same, analytic forces and damping, the run that is drawn", "-", share(runs[2])},
       {"corner before the edge after the last step with all corners carried", "m",
        -damped.steps[last - 1].overhang},
       {"corner beyond the edge after the next step, the box being stable no more", "m",
@@ -177,4 +167,17 @@ Result measure_sliding(const Parameters& settings) {
   return result;
 }
 
+const Registered claim_5_4d_sliding_figure{
+    {.name = "claim_5_4d_sliding",
+     .parameters = Parameters{}
+                       .add_number("offset", -0.4, -0.5, 0.5, "m",
+                                   "of the upper box from the middle at the start")
+                       .add_number("speed", 11.0, 1.0, 50.0, "m/s",
+                                   "of the upper box in the run that is drawn")
+                       .add_number("slowest", 5.0, 0.1, 50.0, "m/s", "of the runs that are counted")
+                       .add_whole("speeds", 10, 1, 50, "of them, 1 m/s apart"),
+     .quick = {"slowest=11", "speeds=3"},
+     .experiment = measure_sliding}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -4,8 +4,10 @@
 
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 #include "tumble/impulse_damped/damped.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "driver/common_numbers.hpp"
@@ -112,7 +114,6 @@ SlideRun slide(const SlideSetup& setup) {
     if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
       throw std::runtime_error("a step of " + std::string(technique->name()) + " failed");
     SlideStep step;
-    step.time = world.time();
     step.speed = speed_of_upper(world);
     step.overhang = overhang(world);
     // Damped integration goes by the mark that the step before has left; the other one looks

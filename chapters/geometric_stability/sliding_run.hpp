@@ -8,10 +8,10 @@
 
 namespace tumble::chapters {
 
-/// Who lets it slide.
+/// The technique under which it slides.
 enum class Slider {
   damped,            ///< damped integration, stable boxes marked by their corners
-  damped_unmarked,   ///< the same, nobody is marked
+  damped_unmarked,   ///< the same, no box is marked
   analytic_damping,  ///< `analytic`, damping in place of friction, stable boxes left out
   analytic_free      ///< `analytic` without friction, stable boxes left out
 };
@@ -26,9 +26,8 @@ struct SlideSetup {
   int steps = 60;                  ///< of 1/60 s
 };
 
-/// What a step did to the upper box.
+/// A step of the upper box.
 struct SlideStep {
-  double time = 0.0;      ///< [s] at its end
   double speed = 0.0;     ///< [m/s] along x at its end
   double overhang = 0.0;  ///< [m] of the foremost lower corner beyond the edge at its end; below 0:
                           ///< before it
@@ -36,27 +35,27 @@ struct SlideStep {
   bool slowed = false;          ///< whether it slid, and damping took some of its speed
 };
 
-/// A run, and what it came by.
+/// A run and its states.
 struct SlideRun {
   std::vector<SlideStep> steps;  ///< all of them
   std::vector<World> worlds;     ///< the start, and after each step
   int leaves = -1;  ///< which step takes the foremost lower corner beyond the edge; -1: none
 
-  /// How many steps there are until a corner leaves its support, the one that does it included.
+  /// Number of steps until a corner leaves its support, that one included.
   /// \return 0 if no corner does
   [[nodiscard]] int until() const { return leaves + 1; }
 
-  /// In how many of them the box is stable, slides, and is slowed down by damping.
+  /// Number of them in which the box is stable, slides, and is slowed down by damping.
   /// \return at most until()
   [[nodiscard]] int counted() const;
 };
 
-/// Who is stable by the corners where the bodies are, with the tolerances of damped integration.
+/// The bodies that are stable by their corners, with the tolerances of damped integration.
 /// \param world  of a run
 /// \return by index, 1 if so
 std::vector<char> stable_by_corners(const World& world);
 
-/// How fast the upper box is.
+/// The speed of the upper box.
 /// \param world  of a run
 /// \return [m/s] along x
 double speed_of_upper(const World& world);
@@ -68,8 +67,8 @@ double speed_of_upper(const World& world);
 /// \throws std::runtime_error if a step was not solved
 SlideRun slide(const SlideSetup& setup);
 
-/// How far beyond the edge the centre of the upper box may be put so that damped integration still
-/// holds it up, level, after some time.
+/// Largest distance beyond the edge at which damped integration still holds the centre of the upper box up,
+/// level, after some time.
 /// \param seconds  [s] how long it is looked at
 /// \return [m] by bisection to a millimetre
 double held_overhang(double seconds);

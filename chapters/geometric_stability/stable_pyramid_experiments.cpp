@@ -1,8 +1,8 @@
 /// \file
-/// \brief Figure 5.6: who is stable in a pyramid without its bottom centre box (thesis 5.4).
+/// \brief Figure 5.6: the stable boxes of a pyramid without its bottom centre box (thesis 5.4).
 #include "tumble/geometric_stability/load_proof.hpp"
 
-#include "geometric_stability/excluded_experiments.hpp"
+#include "driver/registry.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
 namespace tumble::chapters {
@@ -10,22 +10,22 @@ namespace {
 
 const char* const kSolver = "augmented_lagrangian";
 
-// One pyramid of figure 5.6, looked at in every way.
+// One pyramid of figure 5.6, classified in every way.
 struct LookedAt {
   RestingPile pile;
   std::vector<char> stable;      // by the thesis's rule
   std::vector<char> load_proof;  // ours: under every load
   std::vector<char> moving;      // accelerates at rest
-  double points = 0.0;           // unknowns with all boxes
-  double by_corners = 0.0;       // without the stable ones
-  double by_hull = 0.0;          // ditto, by the footnote
-  double by_load = 0.0;          // without those that bear every load
-  double by_balance = 0.0;       // without what is in balance now
+  int points = 0;                // unknowns with all boxes
+  int by_corners = 0;            // without the stable ones
+  int by_hull = 0;               // without the stable ones, by the footnote
+  int by_load = 0;               // without those that bear every load
+  int by_balance = 0;            // without those that are in balance now
 };
 
 LookedAt look_at(int rows, double gap) {
   LookedAt seen;
-  seen.pile = pile_of(pyramid_without_middle(rows, gap));
+  seen.pile = pyramid_without_middle(rows, gap);
   const RestingForces all = forces_of(seen.pile, kSolver, StableRule::off);
   const RestingForces left = forces_of(seen.pile, kSolver, StableRule::corners);
   LoadProof().run(seen.pile.world, seen.pile.contacts, seen.load_proof);
@@ -47,12 +47,10 @@ void add_pyramid(double panel, double gap, const LookedAt& seen, Table& boxes, T
     if (!body.movable()) continue;
     const Vec3& p = world.states()[b].position_w;
     const double colour = seen.stable[b] != 0 ? 1.0 : seen.load_proof[b] != 0 ? 2.0 : 0.0;
-    boxes.rows.push_back({panel, p.x(), p.y(), body.size.x(), body.size.y(), colour});
+    boxes.add(panel, p.x(), p.y(), body.size.x(), body.size.y(), colour);
   }
-  unknowns.rows.push_back({gap, seen.points, seen.by_corners, seen.by_load, seen.by_balance});
+  unknowns.add(gap, seen.points, seen.by_corners, seen.by_load, seen.by_balance);
 }
-
-}  // namespace
 
 Result measure_stable_pyramid(const Parameters& settings) {
   const double gap = settings.number("gap");
@@ -76,11 +74,11 @@ Result measure_stable_pyramid(const Parameters& settings) {
   add_pyramid(1.0, 0.0, touching, boxes, unknowns);
 
   const auto marked = [](const LookedAt& seen, const std::vector<char>& marks) {
-    return static_cast<double>(movable_marked(seen.pile.world, marks));
+    return movable_marked(seen.pile.world, marks);
   };
-  const double moving = marked(apart, apart.moving) + marked(touching, touching.moving);
+  const int moving = marked(apart, apart.moving) + marked(touching, touching.moving);
   return {{boxes, unknowns},
-          {{"boxes", "-", apart.pile.world.count() - 1.0},
+          {{"boxes", "-", apart.pile.world.count() - 1},
            {"stable by the rule, neighbours apart", "-", marked(apart, apart.stable)},
            {"stable by the rule, neighbours touch", "-", marked(touching, touching.stable)},
            {"bear every load, neighbours apart", "-", marked(apart, apart.load_proof)},
@@ -95,4 +93,14 @@ Result measure_stable_pyramid(const Parameters& settings) {
             apart.by_balance + touching.by_balance}}};
 }
 
+const Registered fig5_6_pyramid_figure{
+    {.name = "fig5_6_pyramid",
+     .parameters =
+         Parameters{}
+             .add_whole("rows", 9, 3, 31, "boxes in the lowest row before; an odd number")
+             .add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours on the left, in edges"),
+     .quick = {"rows=5"},
+     .experiment = measure_stable_pyramid}};
+
+}  // namespace
 }  // namespace tumble::chapters

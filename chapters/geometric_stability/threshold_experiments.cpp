@@ -1,11 +1,11 @@
 /// \file
-/// \brief How exactly balance finds the limits of structures, and what friction leaves open.
-#include "geometric_stability/threshold_experiments.hpp"
-
+/// \brief Accuracy of the limits that balance finds, and the question that friction leaves open.
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
 
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
+#include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
@@ -18,27 +18,11 @@
 #include <string>
 
 namespace tumble::chapters {
+
 namespace {
 
-using std::numbers::pi;
-
-using Test = bool (*)(const Structure&);
-bool whole(const Structure& structure) { return balanced(structure); }
-
-// [-] The overhang up to which a test lets a staircase stand.
-double stairs_limit(int blocks, Test test) {
-  return threshold([&](double o) { return test(series_of("staircase", blocks, o)); }, 0.98, 0.01);
-}
-
-// [m] The reach up to which a test lets blocks hang over an edge.
-double edge_limit(int blocks, Test test) {
-  const double wanted = largest_overhang(blocks);
-  return threshold([&](double reach) { return test(blocks_over_edge(blocks, reach)); },
-                   1.5 * wanted, 0.5 * wanted);
-}
-
 // [-] The mass ratio from which a rule lets figure 6.5 stand; NaN if it never does.
-double mass_limit(double offset, Test test) {
+double mass_limit(double offset, StandTest test) {
   return threshold([&](double mass) { return test(heavy_top(mass, offset)); }, 0.01, 100.0);
 }
 
@@ -52,9 +36,8 @@ Table mass_table(int steps) {
   for (int k = 0; k <= steps; ++k) {
     const double offset = 0.24 * (2.0 * k / steps - 1.0);
     const double hand = mass_ratio_by_hand(offset);
-    const double found = mass_limit(offset, whole);
-    table.rows.push_back(
-        {offset, hand, found, mass_limit(offset, middles_stand), relative_error(found, hand)});
+    const double found = mass_limit(offset, whole_stands);
+    table.add(offset, hand, found, mass_limit(offset, middles_stand), relative_error(found, hand));
   }
   return table;
 }
@@ -71,11 +54,11 @@ Table stairs_table(int most) {
                {"towers_error", "-", "relative, as one heavier block"}}};
   for (int n = 2; n <= most; ++n) {
     const double hand = 1.0 / n;
-    const double found = stairs_limit(n, whole);
-    const double towers = stairs_limit(n, towers_stand);
-    table.rows.push_back({static_cast<double>(n), hand, found, towers,
-                          stairs_limit(n, middles_stand), stairs_limit(n, own_centres_stand),
-                          relative_error(found, hand), relative_error(towers, hand)});
+    const double found = series_limit("staircase", n, whole_stands);
+    const double towers = series_limit("staircase", n, towers_stand);
+    table.add(n, hand, found, towers, series_limit("staircase", n, middles_stand),
+              series_limit("staircase", n, own_centres_stand), relative_error(found, hand),
+              relative_error(towers, hand));
   }
   return table;
 }
@@ -86,11 +69,8 @@ Table edge_table(int most) {
                {"by_hand_m", "m", "how far they reach, closed form"},
                {"error", "-", "relative, of the test of balance"},
                {"towers_error", "-", "relative, as one heavier block"}}};
-  for (int n = 1; n <= most; ++n) {
-    const double hand = largest_overhang(n);
-    table.rows.push_back({static_cast<double>(n), hand, relative_error(edge_limit(n, whole), hand),
-                          relative_error(edge_limit(n, towers_stand), hand)});
-  }
+  for (int n = 1; n <= most; ++n)
+    table.add(n, largest_overhang(n), edge_error(n, whole_stands), edge_error(n, towers_stand));
   return table;
 }
 
@@ -111,15 +91,15 @@ World wedged(double friction) {
   return world;
 }
 
-// [-] The least friction with which the test of balance lets a plank stay.
-double friction_limit(const LeaningPlank& plank, int edges) {
-  return threshold([&](double mu) { return balanced(leaning_plank(plank, mu), edges); }, 0.001,
-                   10.0);
-}
+// A plank that leans on a wall without friction.
+struct LeaningPlank {
+  double length = 2.0;     // [m]
+  double thickness = 0.1;  // [m]
+  double angle = 60.0;     // [deg] from the ground
+  double turn = 0.0;       // [rad] of plank and wall together, about the vertical
+};
 
-}  // namespace
-
-Structure leaning_plank(const LeaningPlank& plank, double friction) {
+RestingPile leaning_plank(const LeaningPlank& plank, double friction) {
   World world;
   world.add_ground(friction);
   const Quat turn = rotation_from_vector(Vec3(0.0, plank.turn, 0.0));
@@ -127,18 +107,27 @@ Structure leaning_plank(const LeaningPlank& plank, double friction) {
   world.add(wall, make_state(wall, turn * Vec3(-0.5, 2.0, 0.0), turn), "wall");
   const BodyProperties body =
       box_properties(Vec3(plank.length, plank.thickness, 0.5), 1.0, friction);
-  const double angle = plank.angle * pi / 180.0;
+  const double angle = plank.angle * std::numbers::pi / 180.0;
   // Its own x axis points down along it; foot and upper end are edges of its lower face.
   const Quat lean = rotation_from_vector(Vec3(0.0, 0.0, -angle));
   const Vec3 place_w = Vec3(plank.length * elementary::cos(angle), 0.0, 0.0) +
                        lean * Vec3(-0.5 * plank.length, 0.5 * plank.thickness, 0.0);
   world.add(body, make_state(body, turn * place_w, turn * lean), "plank");
-  return structure_of(std::move(world));
+  return pile_of(std::move(world));
 }
 
+// [-] The least coefficient of friction with which a plank stays. Moments about the foot: the wall pushes
+// with m g (cot θ / 2 - t / (2 L)), and friction at the foot holds as much, up to μ m g. For t = 0 that is
+// tan θ >= 1 / (2 μ).
 double friction_by_hand(const LeaningPlank& plank) {
-  const double angle = plank.angle * pi / 180.0;
+  const double angle = plank.angle * std::numbers::pi / 180.0;
   return 0.5 * (elementary::cos(angle) / elementary::sin(angle) - plank.thickness / plank.length);
+}
+
+// [-] The least friction with which the test of balance lets a plank stay.
+double friction_limit(const LeaningPlank& plank, int edges) {
+  return threshold([&](double mu) { return balanced(leaning_plank(plank, mu), edges); }, 0.001,
+                   10.0);
 }
 
 Result measure_thresholds(const Parameters& settings) {
@@ -151,12 +140,13 @@ Result measure_thresholds(const Parameters& settings) {
   const double overhang =
       std::max({largest(stairs, 6), largest(stairs, 7), largest(edge, 2), largest(edge, 3), fro});
   const double mass = largest(masses, 4);
-  double own_stands = 0.0;  // how many of the heaviest tops the rule of own centres lets stand
-  for (const auto& row : masses.rows)
-    own_stands += own_centres_stand(heavy_top(100.0, row[0])) ? 1.0 : 0.0;
+  // How many of the heaviest tops the rule of own centres lets stand.
+  const auto own_stands = std::count_if(
+      masses.rows.begin(), masses.rows.end(),
+      [](const std::vector<double>& row) { return own_centres_stand(heavy_top(100.0, row[0])); });
 
-  const BalanceWork pyramid =
-      work_of(structure_of("pyramid", {"rows=" + std::to_string(settings.count("rows"))}));
+  const BalanceWork pyramid = work_of(pile_of(
+      build_world(scene_with("pyramid", {"rows=" + std::to_string(settings.count("rows"))}))));
   const BalanceWork heavy = work_of(heavy_top(1.0, 0.2));
   const auto ratio = [](const BalanceWork& work) {
     return static_cast<double>(work.multiplications) /
@@ -174,14 +164,21 @@ Result measure_thresholds(const Parameters& settings) {
        {"offsets at which own centres let a top of a hundred times the mass stand", "-",
         own_stands},
        {"overhang up to which a staircase of five stands, loads at the middles of areas", "-",
-        stairs_limit(5, middles_stand)},
-       {"the same, own centres", "-", stairs_limit(5, own_centres_stand)},
-       {"pivots for the pyramid, Baraff's method", "-", static_cast<double>(pyramid.pivots)},
-       {"pivots for the pyramid, the test of balance", "-",
-        static_cast<double>(pyramid.equilibrium.pivots)},
+        series_limit("staircase", 5, middles_stand)},
+       {"the same, own centres", "-", series_limit("staircase", 5, own_centres_stand)},
+       {"pivots for the pyramid, Baraff's method", "-", pyramid.pivots},
+       {"pivots for the pyramid, the test of balance", "-", pyramid.equilibrium.pivots},
        {"multiplications for the pyramid, Baraff's method over balance", "-", ratio(pyramid)},
        {"multiplications for figure 6.5, Baraff's method over balance", "-", ratio(heavy)}}};
 }
+
+const Registered claim_6_3_1d_equilibrium_figure{
+    {.name = "claim_6_3_1d_equilibrium",
+     .parameters = Parameters{}
+                       .add_whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m")
+                       .add_whole("rows", 8, 2, 10, "of the pyramid whose work is counted"),
+     .quick = {"steps=4", "rows=4"},
+     .experiment = measure_thresholds}};
 
 Result measure_weakly_stable(const Parameters& settings) {
   LeaningPlank plank;
@@ -198,10 +195,10 @@ Result measure_weakly_stable(const Parameters& settings) {
   for (int edges = 4; edges <= settings.count("edges"); edges += 4) {
     plank.turn = 0.0;
     const double along = relative_error(friction_limit(plank, edges), hand);
-    plank.turn = pi / edges;
+    plank.turn = std::numbers::pi / edges;
     const double between = friction_limit(plank, edges) / hand - 1.0;
-    const double lacks = 1.0 / elementary::cos(pi / edges) - 1.0;
-    table.rows.push_back({static_cast<double>(edges), along, between, lacks});
+    const double lacks = 1.0 / elementary::cos(std::numbers::pi / edges) - 1.0;
+    table.add(edges, along, between, lacks);
     apart = std::max(apart, std::abs(between - lacks));
     if (edges == 8) between_8 = between;
     if (edges == 16) between_16 = between;
@@ -216,36 +213,39 @@ Result measure_weakly_stable(const Parameters& settings) {
   World damped = wedged(friction);
   World analytic = damped;
   const auto fallen = [](const World& world) { return 3.0 - world.states()[2].position_w.y(); };
-  const auto make = [](const char* name) {
-    const TechniqueRecipe& recipe = technique_recipe(name);
-    return recipe.make(recipe.options(), 1);
-  };
-  const std::unique_ptr<Technique> first = make("contact_damped");
-  const std::unique_ptr<Technique> second = make("analytic");
-  constexpr double step = 1.0 / 60.0;
-  while (damped.time() < settings.number("duration") + 0.5 * step) {
+  const std::unique_ptr<Technique> first = make_technique("contact_damped", {});
+  const std::unique_ptr<Technique> second = make_technique("analytic", {});
+  while (damped.time() < settings.number("duration") + 0.5 * kStep) {
     const double t = damped.time();
-    falls.rows.push_back({t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t});
-    first->step(damped, step);
-    second->step(analytic, step);
+    falls.add(t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t);
+    first->step(damped, kStep);
+    second->step(analytic, kStep);
   }
   const std::vector<double>& last = falls.rows.back();
-  const Structure box = structure_of(wedged(friction));
-  const double can = balanced(box, 8) ? 1.0 : 0.0;
-  const double can_without = balanced(box) ? 1.0 : 0.0;
-  plank.turn = 0.0;
+  const RestingPile box = pile_of(wedged(friction));
   return {
       {table, falls},
-      {{"least friction of the plank, by balance, along an edge", "-", friction_limit(plank, 8)},
-       {"the same, by hand", "-", hand},
+      {{"the same, by hand", "-", hand},
        {"relative error, along an edge, at worst", "-", largest(table, 1)},
        {"relative error of 8 edges, between two", "-", between_8},
        {"relative error of 16 edges, between two", "-", between_16},
        {"distance of these errors from what the pyramid lacks, at worst", "-", apart},
-       {"whether friction can hold the wedged box (1: yes)", "-", can},
-       {"the same, without friction", "-", can_without},
+       {"whether friction can hold the wedged box (1: yes)", "-", balanced(box, 8)},
+       {"the same, without friction", "-", balanced(box)},
        {"fall of the wedged box at the end over free fall, contact_damped", "-", last[1] / last[3]},
        {"the same, analytic", "-", last[2] / last[3]}}};
 }
 
+const Registered weakly_stable_figure{
+    {.name = "weakly_stable",
+     .parameters =
+         Parameters{}
+             .add_number("angle", 60.0, 30.0, 85.0, "deg", "of the plank, from the ground")
+             .add_whole("edges", 32, 16, 64, "of the finest pyramid of friction")
+             .add_number("friction", 0.5, 0.01, 10.0, "-", "of walls and box")
+             .add_number("duration", 0.5, 0.1, 0.6, "s", "of the fall"),
+     .quick = {"edges=16"},
+     .experiment = measure_weakly_stable}};
+
+}  // namespace
 }  // namespace tumble::chapters

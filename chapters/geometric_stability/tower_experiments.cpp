@@ -5,6 +5,8 @@
 #include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "geometric_stability/balance_drawing.hpp"
 
@@ -14,6 +16,51 @@
 #include <string>
 
 namespace tumble::chapters {
+
+double largest_overhang(int blocks) {
+  double sum = 0.0;
+  for (int k = 1; k <= blocks; ++k) sum += 0.5 / k;
+  return sum;
+}
+
+namespace {
+
+// Blocks of 1 m length over the edge of a table, the k-th from the top 1/k as far over the one below it as
+// the uppermost: they reach farthest, and all of them would tip at once.
+RestingPile blocks_over_edge(int blocks, double overhang) {
+  World world;
+  const BodyProperties table = fixed_box_properties(Vec3(4.0, 1.0, 1.0));
+  world.add(table, make_state(table, Vec3(-2.0, -0.5, 0.0)), "table");
+  const BodyProperties block = box_properties(Vec3(1.0, 0.25, 1.0), 1.0);
+  double right = 0.0;  // [m] of the edge below
+  for (int k = blocks; k >= 1; --k) {
+    right += overhang / largest_overhang(blocks) * 0.5 / k;
+    world.add(block, make_state(block, Vec3(right - 0.5, 0.25 * (blocks - k) + 0.125, 0.0)));
+  }
+  return pile_of(std::move(world));
+}
+
+}  // namespace
+
+RestingPile series_of(std::string_view pattern, int blocks, double overhang) {
+  return pile_of(build_world(
+      scene_with("fig6_4", {"pattern=" + std::string(pattern), "count=" + std::to_string(blocks),
+                            setting("overhang", overhang)})));
+}
+
+double series_limit(std::string_view pattern, int blocks, StandTest test) {
+  return threshold([&](double overhang) { return test(series_of(pattern, blocks, overhang)); },
+                   0.98, 0.01);
+}
+
+double edge_error(int blocks, StandTest test) {
+  const double wanted = largest_overhang(blocks);
+  const double found =
+      threshold([&](double overhang) { return test(blocks_over_edge(blocks, overhang)); },
+                1.5 * wanted, 0.5 * wanted);
+  return relative_error(found, wanted);
+}
+
 namespace {
 
 constexpr const char* kStaircase = "staircase";
@@ -30,7 +77,7 @@ struct OneBlock {
   BalanceReport report;  // of the base with that load
 };
 
-OneBlock one_block(const Structure& series) {
+OneBlock one_block(const RestingPile& series) {
   OneBlock one;
   one.towers.run(series.world, series.contacts, {});
   one.load = one.towers.loads()[kLowest];
@@ -54,20 +101,17 @@ Table work_table(int largest) {
                {"equilibrium", "-", "multiplications of the test of balance, block by block"},
                {"one", "-", "multiplications of that test with the series as a load"}}};
   for (int n = 1; n <= largest; ++n) {
-    const Structure series = series_of(kToAndFro, n, 0.25);
+    const RestingPile series = series_of(kToAndFro, n, 0.25);
     const BalanceWork work = work_of(series);
     const OneBlock one = one_block(series);
-    table.rows.push_back({static_cast<double>(n), static_cast<double>(work.equilibrium.unknowns),
-                          static_cast<double>(one.report.unknowns),
-                          static_cast<double>(work.multiplications),
-                          static_cast<double>(work.equilibrium.multiplications),
-                          static_cast<double>(one.report.multiplications)});
+    table.add(n, work.equilibrium.unknowns, one.report.unknowns, work.multiplications,
+              work.equilibrium.multiplications, one.report.multiplications);
   }
   return table;
 }
 
 // Of each level of a series: where the upper block touches, and the centre of all from it upwards.
-Table level_table(const Structure& series, const Towers& towers) {
+Table level_table(const RestingPile& series, const Towers& towers) {
   Table table{"levels",
               {{"y_m", "m", "height of the contact"},
                {"left_m", "m", "left end of the hull of the contact"},
@@ -83,8 +127,7 @@ Table level_table(const Structure& series, const Towers& towers) {
       right = std::max(right, contact.points[at(p)].position_w.x());
     }
     const TowerLoad& above = towers.loads()[at(contact.second)];
-    table.rows.push_back(
-        {contact.points[0].position_w.y(), left, right, above.centre_w().x(), above.mass});
+    table.add(contact.points[0].position_w.y(), left, right, above.centre_w().x(), above.mass);
   }
   return table;
 }
@@ -96,7 +139,7 @@ struct Support {
   double force = 0.0;  // [N]
 };
 
-Support support_of(const Structure& series) {
+Support support_of(const RestingPile& series) {
   StaticEquilibrium equilibrium;
   equilibrium.solve(series.world, weights_of(series));
   Support support;
@@ -113,35 +156,9 @@ Support support_of(const Structure& series) {
   return support;
 }
 
-}  // namespace
-
-Structure blocks_over_edge(int blocks, double overhang) {
-  World world;
-  const BodyProperties table = fixed_box_properties(Vec3(4.0, 1.0, 1.0));
-  world.add(table, make_state(table, Vec3(-2.0, -0.5, 0.0)), "table");
-  const BodyProperties block = box_properties(Vec3(1.0, 0.25, 1.0), 1.0);
-  double right = 0.0;  // [m] of the edge below
-  for (int k = blocks; k >= 1; --k) {
-    right += overhang / largest_overhang(blocks) * 0.5 / k;
-    world.add(block, make_state(block, Vec3(right - 0.5, 0.25 * (blocks - k) + 0.125, 0.0)));
-  }
-  return structure_of(std::move(world));
-}
-
-double largest_overhang(int blocks) {
-  double sum = 0.0;
-  for (int k = 1; k <= blocks; ++k) sum += 0.5 / k;
-  return sum;
-}
-
-Structure series_of(std::string_view pattern, int blocks, double overhang) {
-  return structure_of("fig6_4", {"pattern=" + std::string(pattern),
-                                 "count=" + std::to_string(blocks), set_to("overhang", overhang)});
-}
-
 Result measure_one_block(const Parameters& settings) {
   const int count = settings.count("count");
-  const Structure stands = series_of(kStaircase, count, settings.number("overhang"));
+  const RestingPile stands = series_of(kStaircase, count, settings.number("overhang"));
   const OneBlock one = one_block(stands);
   if (!towers_stand(stands) || !balanced(stands))
     throw std::runtime_error("the first staircase does not stand: give a smaller overhang");
@@ -155,8 +172,8 @@ Result measure_one_block(const Parameters& settings) {
   const double high = 2.0 * (centre_w.y() - support.y);
   boxes.rows.push_back(boxes.rows[0]);
   boxes.rows.back()[0] = 1.0;
-  boxes.rows.push_back({1.0, stands.world.states()[kLowest].position_w.x(), centre_w.y(),
-                        stands.world.bodies()[kLowest].size.x(), high, 1.0});
+  boxes.add(1.0, stands.world.states()[kLowest].position_w.x(), centre_w.y(),
+            stands.world.bodies()[kLowest].size.x(), high, 1.0);
   Table replaced{"one",
                  {{"mass_kg", "kg", "of the one block"},
                   {"x_m", "m", "its centre, to the right"},
@@ -169,7 +186,7 @@ Result measure_one_block(const Parameters& settings) {
                  {{one.load.mass, centre_w.x(), centre_w.y(), support.x, support.y, support.force,
                    settings.number("overhang"), settings.number("beyond")}}};
 
-  const Structure falls = series_of(kStaircase, count, settings.number("beyond"));
+  const RestingPile falls = series_of(kStaircase, count, settings.number("beyond"));
   StaticEquilibrium equilibrium;
   if (equilibrium.solve(falls.world, weights_of(falls)).balanced)
     throw std::runtime_error("the second staircase stands: give a larger value for beyond");
@@ -181,23 +198,12 @@ Result measure_one_block(const Parameters& settings) {
   add_boxes(falls.world, 2.0, equilibrium.motion(), boxes);
   const StartOfMotion starts = start_of_motion(falls.world, equilibrium.motion(), 0.25);
 
-  const auto limit = [&](const char* pattern, int blocks, const auto& test) {
-    return threshold([&](double overhang) { return test(series_of(pattern, blocks, overhang)); },
-                     0.98, 0.01);
-  };
-  const auto edge_error = [&](const auto& test) {
-    double worst = 0.0;
-    for (int n = 1; n <= 6; ++n) {
-      const double wanted = largest_overhang(n);
-      const double found =
-          threshold([&](double overhang) { return test(blocks_over_edge(n, overhang)); },
-                    1.5 * wanted, 0.5 * wanted);
-      worst = std::max(worst, relative_error(found, wanted));
-    }
-    return worst;
-  };
-  const auto whole = [](const Structure& s) { return balanced(s); };
-  const auto as_one = [](const Structure& s) { return towers_stand(s); };
+  double by_towers = 0.0;
+  double by_balance = 0.0;
+  for (int n = 1; n <= 6; ++n) {
+    by_towers = std::max(by_towers, edge_error(n, towers_stand));
+    by_balance = std::max(by_balance, edge_error(n, whole_stands));
+  }
   Table work = work_table(settings.count("largest"));
   const std::vector<double>& last = work.rows.back();
   return {{work, boxes, levels, replaced, starts.outlines, starts.arrows},
@@ -206,19 +212,30 @@ Result measure_one_block(const Parameters& settings) {
            {"distance of the support force, found block by block, from it", "m",
             std::abs(support.x - centre_w.x())},
            {"overhang up to which the staircase stands, by towers", "-",
-            limit(kStaircase, count, as_one)},
+            series_limit(kStaircase, count, towers_stand)},
            {"overhang up to which five blocks to and fro stand, by towers", "-",
-            limit(kToAndFro, 5, as_one)},
-           {"block of the staircase that tips beyond, counted from below", "-", tips - kBase + 0.0},
+            series_limit(kToAndFro, 5, towers_stand)},
+           {"block of the staircase that tips beyond, counted from below", "-", tips - kBase},
            {"overhang over an edge that six blocks reach, by towers", "m",
             threshold([](double d) { return towers_stand(blocks_over_edge(6, d)); }, 2.0, 0.5)},
-           {"largest relative error of the reach of one to six blocks, by towers", "-",
-            edge_error(as_one)},
-           {"the same, by static equilibrium block by block", "-", edge_error(whole)},
+           {"largest relative error of the reach of one to six blocks, by towers", "-", by_towers},
+           {"the same, by static equilibrium block by block", "-", by_balance},
            {"unknown forces of the longest series, block by block", "-", last[1]},
            {"the same, with the series as one block", "-", last[2]},
            {"multiplications for the longest series, block by block over as one block", "-",
             last[4] / last[5]}}};
 }
 
+const Registered fig6_4_one_block_figure{
+    {.name = "fig6_4_one_block",
+     .parameters =
+         Parameters{}
+             .add_whole("count", 5, 2, 20, "blocks of the staircase")
+             .add_number("overhang", 0.18, 0.0, 0.9, "-", "of each block, one that stands")
+             .add_number("beyond", 0.23, 0.0, 0.9, "-", "of each block, one that tips")
+             .add_whole("largest", 16, 1, 60, "blocks of the longest series"),
+     .quick = {"largest=8"},
+     .experiment = measure_one_block}};
+
+}  // namespace
 }  // namespace tumble::chapters

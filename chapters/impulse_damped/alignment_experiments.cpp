@@ -3,7 +3,7 @@
 ///        (thesis 5.3).
 #include "impulse_damped/alignment_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include "driver/statistics.hpp"
 #include "impulse_damped/settled_boxes.hpp"

@@ -3,7 +3,7 @@
 #include "impulse_damped/chatter_experiments.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/chatter.hpp"

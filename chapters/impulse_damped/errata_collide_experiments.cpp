@@ -23,7 +23,7 @@ struct Rested {
 };
 
 // A cube lies on the ground for half a second, and geometric stability is looked at or not.
-Rested rest(const ErrataSet& repaired, bool stable_boxes) {
+Rested rest(const DampedErrata& repaired, bool stable_boxes) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrintedOptions options = undamped(repaired);
@@ -40,7 +40,7 @@ Rested rest(const ErrataSet& repaired, bool stable_boxes) {
 
 // C4. A cube with restitution 0.9 comes down with 2 m/s on one that is stable; gravity is switched
 // off for this step. Returns how fast it leaves, upwards.
-double bounce_on_stable(const ErrataSet& repaired) {
+double bounce_on_stable(const DampedErrata& repaired) {
   World world = ground_world();
   add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -53,7 +53,7 @@ double bounce_on_stable(const ErrataSet& repaired) {
 
 // C5. A column stands on the ground and is stable; a cube flies against its upper end. Returns by
 // how much it has tilted a second later.
-double tilt_after_hit(const ErrataSet& repaired) {
+double tilt_after_hit(const DampedErrata& repaired) {
   World world = ground_world();
   const int column = add_box(world, Vec3(0.2, 1.0, 0.2), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -66,7 +66,7 @@ double tilt_after_hit(const ErrataSet& repaired) {
 
 // C7. Two cubes overlap and part with 1 m/s, without gravity. Returns how fast they part
 // afterwards.
-double parting(const ErrataSet& repaired) {
+double parting(const DampedErrata& repaired) {
   World world;
   world.gravity_w = Vec3::Zero();
   const int left = add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3(-0.5, 0.0, 0.0));
@@ -81,7 +81,7 @@ std::vector<PrintedObject> objects_of(const World& world) {
   PrintedObjects objects;
   const std::vector<std::uint8_t> stable(at(world.count()), 0);
   const std::vector<Vec3> fixed(at(world.count()), Vec3::Zero());
-  objects.begin(world, stable, fixed, slips());
+  objects.begin(world, stable, fixed, misprints());
   return {objects.all().begin(), objects.all().end()};
 }
 
@@ -102,7 +102,7 @@ double landing_spin(const std::vector<Vec3>& points) {
   add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0), Vec3(0.0, -2.0, 0.0));
   std::vector<PrintedObject> objects = objects_of(world);
   collide_as_printed(objects[0], objects[1], contact_at(points), 0.9,
-                     PrintedGravity::velocity_no_gravity, {.repaired = slips()});
+                     PrintedGravity::velocity_no_gravity, {.repaired = misprints()});
   return objects[1].moving.angular_velocity_w.norm();
 }
 
@@ -127,7 +127,7 @@ LeverArms lever_arms() {
   PrintedObjects objects;
   const std::vector<std::uint8_t> stable(2, 0);
   const std::vector<Vec3> fixed(2, Vec3::Zero());
-  objects.begin(world, stable, fixed, slips());
+  objects.begin(world, stable, fixed, misprints());
   const Vec3 present_w = edge_of();
   objects.integrate_positions(world, kStep, Vec3::Zero(), RotationRule::splitting);
   const Vec3 predicted_w = edge_of();
@@ -136,7 +136,7 @@ LeverArms lever_arms() {
   PrintedObject& ground = objects.all()[0];
   PrintedObject& body = objects.all()[1];
   collide_as_printed(ground, body, contact_at({predicted_w}), 0.0,
-                     PrintedGravity::velocity_no_gravity, {.repaired = slips()});
+                     PrintedGravity::velocity_no_gravity, {.repaired = misprints()});
   const double there = velocity_at(body.moving, predicted_w).y();
   body.moving.position_w = present_centre_w;
   return {std::abs(velocity_at(body.moving, present_w).y()), std::abs(there)};
@@ -147,7 +147,7 @@ LeverArms lever_arms() {
 double sliding_left(int index_base) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0), Vec3::UnitX());
-  DampedAsPrintedOptions options = undamped(slips());
+  DampedAsPrintedOptions options = undamped(misprints());
   options.index_base = index_base;
   DampedAsPrinted technique(options);
   run_steps(technique, world, kStep, 30);
@@ -172,14 +172,14 @@ double energy_ratio(double lean) {
   objects[1].geometrically_stable = true;
   const double before = objects[1].kinetic_energy(Vec3::Zero());
   collide_as_printed(objects[0], objects[1], contact_at({world.states()[1].position_w}), -1.0,
-                     PrintedGravity::velocity_no_gravity, {.repaired = slips()});
+                     PrintedGravity::velocity_no_gravity, {.repaired = misprints()});
   return objects[1].kinetic_energy(Vec3::Zero()) / before;
 }
 
 }  // namespace
 
 void add_collide_errata(std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = slips();
+  const DampedErrata mended = misprints();
   const Rested unstable = rest(mended, false);
   const Rested stable = rest(mended, true);
   pairs.push_back({"C1: hop of a cube at rest, gravity added as it is",

@@ -6,7 +6,7 @@
 
 namespace tumble::chapters {
 
-/// D1 to D6, C1 to C11, RK1 to RK4 and RC1 to RC4: each slip alone in a reading that mends all
+/// D1 to D6, C1 to C11, RK1 to RK4 and RC1 to RC4: each misprint alone in a reading that mends all
 /// others, and each choice beside its alternative.
 /// \param settings  seconds
 /// \return table "": a row for each erratum, in this order, with both numbers; the numbers

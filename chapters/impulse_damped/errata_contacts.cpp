@@ -8,13 +8,13 @@
 
 namespace tumble::chapters {
 
-ErrataSet slips() {
-  return ErrataSet(
+DampedErrata misprints() {
+  return DampedErrata(
       "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2,"
       "G1,G2,G3,G4,G5,G7,G8");
 }
 
-DampedAsPrintedOptions undamped(const ErrataSet& repaired) {
+DampedAsPrintedOptions undamped(const DampedErrata& repaired) {
   DampedAsPrintedOptions options;
   options.repaired = repaired;
   DampedNumbers& n = options.numbers;
@@ -75,7 +75,8 @@ Figure contact_errata_figure() {
   figure.caption =
       "One row for each erratum of the listings DAMPEDINTEGRATION (D), COLLIDE (C), "
       "RESOLVECOLLISIONS and RESOLVECONTACTS (RK, RC); squares: the text taken literally, all "
-      "other slips being mended; circles: this one mended, too, or the alternative to a choice. "
+      "other misprints being mended; circles: this one mended, too, or the alternative to a "
+      "choice. "
       "Each row is a number of its own, in the unit that stands with it; what is below 1e-9 is "
       "at 0. Nothing is damped in these runs (but in D3), so that nothing hides a mistake. The "
       "worst are those at which a cube at rest does not rest: C1 throws it into the air, C2, C3, "

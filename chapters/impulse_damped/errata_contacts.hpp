@@ -35,14 +35,14 @@ void add_collide_errata(std::vector<ErratumPair>& pairs);
 void add_pass_errata(double seconds, std::vector<ErratumPair>& pairs);
 
 /// The errata of the listings that as_meant mends.
-/// \return all slips; no choice, and not the order of section 5.2 (D1)
-[[nodiscard]] ErrataSet slips();
+/// \return all misprints; no choice, and not the order of section 5.2 (D1)
+[[nodiscard]] DampedErrata misprints();
 
 /// Damped integration as printed, without any damping: nobody is slowed down, turned upright or
 /// held.
 /// \param repaired  errata that are mended
 /// \return options with all k = 1 and all ε = 0, but for ε1 and a trace of ε9
-[[nodiscard]] DampedAsPrintedOptions undamped(const ErrataSet& repaired);
+[[nodiscard]] DampedAsPrintedOptions undamped(const DampedErrata& repaired);
 
 /// A world with ground, without friction.
 /// \param restitution [-] of the ground

@@ -28,7 +28,7 @@ double energy_left(const BodyProperties& box, double angle, double y, bool whole
   // The length of L = (1, ...) is not below 0.99, so that the test of the whole ends nothing.
   if (whole && !(state.angular_momentum_w.norm() < numbers.eps.still_spin))
     numbers.eps.still_spin = 0.0;
-  dampen(world, true, numbers, ErrataSet::all());
+  dampen(world, true, numbers, DampedErrata::all());
   return kinetic_energy(box, state) / before;
 }
 

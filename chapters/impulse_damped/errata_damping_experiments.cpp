@@ -17,7 +17,7 @@ using namespace errata_setup;
 
 // The momentum that a step leaves of a cube in contact.
 Vec3 momentum_after(const Vec3& momentum_w, const PrintedNumbers& numbers,
-                    const ErrataSet& mended) {
+                    const DampedErrata& mended) {
   World world = world_with_cube(Vec3::Zero(), momentum_w);
   dampen(world, true, numbers, mended);
   return world.states()[0].linear_momentum_w;
@@ -31,21 +31,21 @@ void add_same_threshold(Result& result) {
   numbers.eps.still = usual.still;
   numbers.k.slow = DampedNumbers{}.k5;
   const Vec3 slow_w(0.9 * usual.slow, 0.0, 0.0);
-  const auto left = [&](const ErrataSet& mended) {
+  const auto left = [&](const DampedErrata& mended) {
     return momentum_after(slow_w, numbers, mended).x() / slow_w.x();
   };
   add(result, "DM1: share of a slow momentum left, one threshold twice", "-", left(all_but("DM1")));
-  add(result, "DM1: share of a slow momentum left, two thresholds", "-", left(ErrataSet::all()));
+  add(result, "DM1: share of a slow momentum left, two thresholds", "-", left(DampedErrata::all()));
 
   // DM2. A momentum that is small enough to be ended, along x.
   const Vec3 small_w(0.5 * usual.still, 0.0, 0.0);
-  const auto small_left = [&](const ErrataSet& mended) {
+  const auto small_left = [&](const DampedErrata& mended) {
     return momentum_after(small_w, numbers, mended).x() / small_w.x();
   };
   add(result, "DM2: share of a small momentum along x left, indices 1 to 3", "-",
       small_left(all_but("DM2")));
   add(result, "DM2: share of a small momentum along x left, indices 0 to 2", "-",
-      small_left(ErrataSet::all()));
+      small_left(DampedErrata::all()));
 }
 
 // DM3. A spin about the vertical and its mirror image.
@@ -53,29 +53,29 @@ void add_one_sided_spin(Result& result) {
   PrintedNumbers numbers;
   numbers.eps.rising = usual_thresholds().rising;
   const double small = 0.5 * numbers.eps.rising;
-  const auto left = [&](double spin, const ErrataSet& mended) {
+  const auto left = [&](double spin, const DampedErrata& mended) {
     World world = world_with_cube(Vec3::Zero(), Vec3::Zero(), spin * Vec3::UnitY());
     dampen(world, true, numbers, mended);
     return world.states()[0].angular_momentum_w.y() / spin;
   };
-  const auto difference = [&](const ErrataSet& mended) {
+  const auto difference = [&](const DampedErrata& mended) {
     return left(-small, mended) - left(small, mended);
   };
   add(result, "DM3: share left of a spin, less that of its mirror image, one-sided test", "-",
       difference(all_but("DM3")));
   add(result, "DM3: share left of a spin, less that of its mirror image, test of upward momentum",
-      "-", difference(ErrataSet::all()));
+      "-", difference(DampedErrata::all()));
 }
 
 // DM4. An upright cube that falls at 5 m/s touches something.
 void add_signed_comparison(Result& result) {
   PrintedNumbers numbers;
   numbers.eps.settled = usual_thresholds().settled;
-  const auto left = [&](const ErrataSet& mended) {
+  const auto left = [&](const DampedErrata& mended) {
     return std::abs(momentum_after(Vec3(0.0, -5.0, 0.0), numbers, mended).y()) / 5.0;
   };
   add(result, "DM4: share left of the speed of a fall, x < eps", "-", left(all_but("DM4")));
-  add(result, "DM4: share left of the speed of a fall, |x| < eps", "-", left(ErrataSet::all()));
+  add(result, "DM4: share left of the speed of a fall, |x| < eps", "-", left(DampedErrata::all()));
 }
 
 // DM5. A cube that has had a contact is thrown up at 5 m/s. How high does it get?
@@ -86,7 +86,7 @@ double height_of_throw(double k1, bool remembered) {
   double highest = 0.0;
   for (int step = 0; step < 60; ++step) {
     add_gravity(world);
-    dampen(world, remembered, numbers, ErrataSet::all());
+    dampen(world, remembered, numbers, DampedErrata::all());
     highest = std::max(highest, world.states()[0].position_w.y());
   }
   return highest;
@@ -99,7 +99,7 @@ double left_after_a_second(const DampedFactors& k) {
   World world = world_with_cube(Vec3::Zero(), Vec3::UnitX());
   constexpr int steps = 120;
   for (int step = 0; step < steps; ++step)
-    dampen(world, true, numbers, ErrataSet::all(), 1.0 / steps);
+    dampen(world, true, numbers, DampedErrata::all(), 1.0 / steps);
   return world.states()[0].linear_momentum_w.x();
 }
 
@@ -125,7 +125,7 @@ double largest(double high, const Test& accepts) {
 }
 
 // DM13. The largest turn in a step that is undone, over the threshold.
-double undone_turn(const ErrataSet& mended) {
+double undone_turn(const DampedErrata& mended) {
   PrintedNumbers numbers;
   numbers.eps.frozen = 1.0;
   numbers.eps.frozen_angle = usual_thresholds().frozen_angle;
@@ -150,14 +150,14 @@ double ended_slide(bool own_thresholds) {
     World world;
     world.add(small_cube,
               make_state(small_cube, Vec3::Zero(), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-    dampen(world, true, numbers, ErrataSet::all());
+    dampen(world, true, numbers, DampedErrata::all());
     return world.states()[0].linear_momentum_w.x() == 0.0;
   };
   return largest(1e3, ended) / std::sqrt(kGravity * length);
 }
 
 // DM16. The largest tilt of a cube that counts as aligned: line 9 then ends its spin.
-double aligned_tilt(const ErrataSet& mended) {
+double aligned_tilt(const DampedErrata& mended) {
   PrintedNumbers numbers;
   numbers.eps.aligned = usual_thresholds().aligned;
   numbers.eps.settled = 1.0;
@@ -185,7 +185,7 @@ void add_momentum_errata(double k1, Result& result) {
   add(result, "DM13: largest turn undone over its threshold, four numbers subtracted", "-",
       undone_turn(all_but("DM13")));
   add(result, "DM13: largest turn undone over its threshold, angle", "-",
-      undone_turn(ErrataSet::all()));
+      undone_turn(DampedErrata::all()));
   add(result, "DM15: fastest slide ended over sqrt(gL), small cube, thresholds of a large one", "-",
       ended_slide(false));
   add(result, "DM15: fastest slide ended over sqrt(gL), small cube, its own thresholds", "-",
@@ -193,7 +193,7 @@ void add_momentum_errata(double k1, Result& result) {
   add(result, "DM16: largest tilt that counts as aligned, no tolerance", "rad",
       aligned_tilt(all_but("DM16")));
   add(result, "DM16: largest tilt that counts as aligned, with one", "rad",
-      aligned_tilt(ErrataSet::all()));
+      aligned_tilt(DampedErrata::all()));
 }
 
 Result measure_damping_errata(const Parameters& settings) {

@@ -15,7 +15,7 @@ void add_damping_errata_figures(std::vector<Figure>& list);
 
 /// The errata of DAMPENOBJECTS and FIXCONTACTCONSTRAINTS, one at a time, as printed and mended.
 ///
-/// Slips are taken out of a listing in which all others are mended; what the author meant, and what
+/// Misprints are taken out of a listing in which all others are mended; what the author meant, and what
 /// has a consequence that the reader should know, is compared with a cure of a few lines here.
 /// \param settings  k1, eps10, cap, duration
 /// \return tables "pivot", "fall", "energy", "path", "wall", "apex", "tilt", "gap" and "stack"; for each

@@ -1,7 +1,8 @@
 /// \file
 /// \brief The figures of the errata of DAMPENOBJECTS, FIXCONTACTCONSTRAINTS and
 ///        SETGEOMETRICALLYSTABLE.
-#include "tumble/base/tolerance.hpp"
+
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include "impulse_damped/errata_damping_experiments.hpp"
 

@@ -48,7 +48,7 @@ Vec3 edge_velocity(double k1, double k2) {
   PrintedNumbers numbers;
   numbers.k.momentum = k1;
   numbers.k.spin = k2;
-  dampen(world, true, numbers, ErrataSet::all());
+  dampen(world, true, numbers, DampedErrata::all());
   const Vec3 velocity_w = velocity(world.bodies()[0], cube);
   const Vec3 spin_w = angular_velocity(world.bodies()[0], cube);
   return velocity_w + spin_w.cross(arm_w);
@@ -81,7 +81,7 @@ std::vector<double> fall_speeds(double k1, bool against_each_other, int steps) {
     if (against_each_other)
       for (const BodyState& cube : world.states()) common_w += 0.5 * cube.linear_momentum_w;
     for (BodyState& cube : world.states()) cube.linear_momentum_w -= common_w;
-    dampen(world, true, numbers, ErrataSet::all());
+    dampen(world, true, numbers, DampedErrata::all());
     for (BodyState& cube : world.states()) {
       cube.linear_momentum_w += common_w;
       cube.position_w += kStep * common_w;
@@ -122,7 +122,7 @@ std::vector<Vec3> slide(double k1, bool whole) {
   std::vector<Vec3> path = {cube.position_w};
   while (!cube.linear_momentum_w.isZero(0.0)) {
     if (whole && k1 * cube.linear_momentum_w.norm() < small) cube.linear_momentum_w.setZero();
-    dampen(world, true, numbers, ErrataSet::all());
+    dampen(world, true, numbers, DampedErrata::all());
     path.push_back(cube.position_w);
     if (path.size() > 10000) throw std::runtime_error("the slide does not end");
   }
@@ -173,7 +173,7 @@ std::vector<double> fall_beside_wall(bool any_contact, int steps) {
     gather_contacts(world, moving, pairs, 0.0, {}, contacts);
     const bool holds =
         !contacts.empty() && (any_contact || contacts[0].normal_w.y() > std::sqrt(0.5));
-    dampen(world, holds, numbers, ErrataSet::all());
+    dampen(world, holds, numbers, DampedErrata::all());
     fallen.push_back(0.0 - world.states()[1].position_w.y());
   }
   return fallen;
@@ -194,7 +194,7 @@ Flown fly_frozen(const Vec3& momentum_w, double eps10, bool weight, int steps) {
   Flown flown{{Vec3::Zero()}, 0};
   for (int step = 0; step < steps; ++step) {
     if (weight) add_gravity(world);
-    flown.frozen += dampen(world, false, numbers, ErrataSet::all()).frozen;
+    flown.frozen += dampen(world, false, numbers, DampedErrata::all()).frozen;
     flown.places_w.push_back(world.states()[0].position_w);
   }
   return flown;
@@ -241,7 +241,7 @@ std::vector<double> tilt_gaps(double tilt, double most, bool about_edge, int ste
   std::vector<double> gaps = {0.0};
   for (int step = 0; step < steps; ++step) {
     const Vec3 before_w = lowest_corner(world, which);
-    dampen(world, true, numbers, ErrataSet::all());
+    dampen(world, true, numbers, DampedErrata::all());
     if (about_edge) cube.position_w += before_w - corner_of(box_of(world.bodies()[0], cube), which);
     gaps.push_back(lowest_corner(world, which).y() - ground);
   }

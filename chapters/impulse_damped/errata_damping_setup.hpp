@@ -39,7 +39,7 @@ inline DampedThresholds usual_thresholds() {
 /// A listing in which one erratum is left, and all others are mended.
 /// \param id  of the erratum
 /// \return the others
-inline ErrataSet all_but(std::string_view id) { return ErrataSet::all().without(id); }
+inline DampedErrata all_but(std::string_view id) { return DampedErrata::all().without(id); }
 
 /// A world with one cube.
 /// \param position_w  [m] world frame
@@ -65,7 +65,7 @@ inline World world_with_cube(const Vec3& position_w, const Vec3& momentum_w,
 /// \param dt       [s] the step
 /// \return what it reports
 inline DampenReport dampen(World& world, bool touched, const PrintedNumbers& numbers,
-                           const ErrataSet& mended, double dt = kStep) {
+                           const DampedErrata& mended, double dt = kStep) {
   const std::vector<std::uint8_t> flags(world.states().size(), touched ? 1 : 0);
   return dampen_objects_as_printed(world, flags, numbers, dt, RotationRule::splitting, mended);
 }

@@ -24,7 +24,7 @@ World stack_of(int cubes, double restitution) {
 }
 
 // Contacts and nothing else: no collision passes, no pushes, no damping, nobody stable.
-DampedAsPrintedOptions contacts_alone(const ErrataSet& repaired) {
+DampedAsPrintedOptions contacts_alone(const DampedErrata& repaired) {
   DampedAsPrintedOptions options = undamped(repaired);
   options.collision_passes = 0;
   options.numbers.eps1 = 0.0;
@@ -33,7 +33,7 @@ DampedAsPrintedOptions contacts_alone(const ErrataSet& repaired) {
 }
 
 // RK1. By how much the top of a stack of five sinks in a second.
-double sag(const ErrataSet& repaired) {
+double sag(const DampedErrata& repaired) {
   World world = stack_of(5, 0.0);
   DampedAsPrinted technique(contacts_alone(repaired));
   run_steps(technique, world, kStep, 60);
@@ -43,7 +43,7 @@ double sag(const ErrataSet& repaired) {
 // RK2, RK3. How fast a cube is that has lain on the ground for a number of steps.
 double resting_speed(int steps, int loop_base, bool elastic) {
   World world = stack_of(1, 0.0);
-  DampedAsPrintedOptions options = contacts_alone(slips());
+  DampedAsPrintedOptions options = contacts_alone(misprints());
   options.loop_base = loop_base;
   options.elastic_contacts = elastic;
   DampedAsPrinted technique(options);
@@ -66,7 +66,7 @@ double unrest(Technique& technique, double seconds) {
 }
 
 double unrest_with_pushes(double seconds) {
-  DampedAsPrintedOptions options = undamped(slips());
+  DampedAsPrintedOptions options = undamped(misprints());
   options.stable_boxes = false;
   DampedAsPrinted technique(options);
   return unrest(technique, seconds);
@@ -99,7 +99,7 @@ World after_impact(World world) {
   return world;
 }
 
-World after_step(World world, const ErrataSet& repaired) {
+World after_step(World world, const DampedErrata& repaired) {
   DampedAsPrintedOptions options = undamped(repaired);
   options.stable_boxes = false;
   DampedAsPrinted technique(options);
@@ -119,7 +119,7 @@ World cube_on_cube() {
 
 // RC2. A beam flies sideways with 1 m/s. It touches a cube, which halves its speed; another cube is
 // 12 mm away, and then out of its reach in this step. Returns how fast that one is afterwards.
-double hit_from_afar(const ErrataSet& repaired) {
+double hit_from_afar(const DampedErrata& repaired) {
   World world;
   world.gravity_w = Vec3::Zero();
   add_box(world, Vec3(1.0, 1.0, 3.0), Vec3::Zero(), Vec3(-1.0, 0.0, 0.0));
@@ -139,7 +139,7 @@ World squeezed_cube() {
 }
 
 // RC4. By how much a cube turns in the air in half a second at 1 rad/s.
-double turned(const ErrataSet& repaired) {
+double turned(const DampedErrata& repaired) {
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0);
   world.add(cube,
@@ -157,7 +157,7 @@ double turned(const ErrataSet& repaired) {
 }  // namespace
 
 void add_pass_errata(double seconds, std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = slips();
+  const DampedErrata mended = misprints();
   pairs.push_back({"RK1: sag of a stack of five in 1 s, quotient of integers",
                    "RK1: sag of a stack of five in 1 s, real quotient", "m",
                    sag(mended.without("RK1")), sag(mended)});

@@ -34,7 +34,7 @@ ContactList contacts_of(const World& world) {
   return contacts;
 }
 
-PrintedFixReport fix(World& world, std::int64_t cap, const ErrataSet& mended) {
+PrintedFixReport fix(World& world, std::int64_t cap, const DampedErrata& mended) {
   return fix_contact_constraints_as_printed(world, contacts_of(world), kPush, cap, mended);
 }
 
@@ -74,7 +74,7 @@ void add_cube(World& world, const Vec3& place_w) {
 // X1. A cube has fallen so fast that its centre is 0.1 m below the ground: the ground is the upper
 // body, and pushing it leads nowhere.
 void add_endless_loop(std::int64_t cap, Result& result) {
-  const auto pushes = [&](const ErrataSet& mended) {
+  const auto pushes = [&](const DampedErrata& mended) {
     World world;
     world.add_ground();
     add_cube(world, Vec3(0.0, -0.0995, 0.0));
@@ -87,12 +87,12 @@ void add_endless_loop(std::int64_t cap, Result& result) {
   add(result, "X1: pushes of a cube below the ground, as listed, until a cap", "-",
       pushes(all_but("X1").without("X2")));
   add(result, "X1: pushes of a cube below the ground, along the normal of now", "-",
-      pushes(ErrataSet::all()));
+      pushes(DampedErrata::all()));
 }
 
 // X2. A cube has risen 2.5 mm into a shelf.
 void add_immovable_upper(Result& result) {
-  const auto moved = [](const ErrataSet& mended) {
+  const auto moved = [](const DampedErrata& mended) {
     World world;
     add_fixed_box(world, Vec3(2.0, 0.25, 2.0), Vec3(0.0, 2.0, 0.0));
     add_cube(world, Vec3(0.0, 1.375 + 2.5e-3, 0.0));
@@ -102,7 +102,7 @@ void add_immovable_upper(Result& result) {
   add(result, "X2: way of a fixed shelf that a cube has risen into, upper body pushed", "m",
       moved(all_but("X2")));
   add(result, "X2: way of a fixed shelf that a cube has risen into, movable body pushed", "m",
-      moved(ErrataSet::all()));
+      moved(DampedErrata::all()));
 }
 
 // X3. A cube overlaps the ground by up to 3 mm. What gap is left?
@@ -120,7 +120,7 @@ void add_gap(Result& result) {
     printed.add_ground();
     add_cube(printed, Vec3(0.0, 0.5 - depth, 0.0));
     World mended = printed;
-    fix(printed, kMany, ErrataSet::all());
+    fix(printed, kMany, DampedErrata::all());
     repair(mended);
     table.rows.push_back({1e3 * depth, 1e3 * gap(printed, 0, 1), 1e3 * gap(mended, 0, 1)});
     printed_most = std::max(printed_most, gap(printed, 0, 1));
@@ -138,7 +138,7 @@ void add_one_pass(Result& result) {
   add_cube(printed, Vec3(1.0 - 4.5e-3, 0.1, 0.0));
   add_cube(printed, Vec3(2.0 - 4.5e-3 + 1e-6, 0.2, 0.0));
   World mended = printed;
-  fix(printed, kMany, ErrataSet::all());
+  fix(printed, kMany, DampedErrata::all());
   repair(mended);
   add(result, "X4: overlap left in a row pressed against a wall, one pass", "m",
       deepest_overlap(printed));
@@ -169,7 +169,7 @@ World plank_on_pillar(double sunk) {
 void add_sort_key(Result& result) {
   World printed = plank_on_pillar(4.5e-3);
   World mended = printed;
-  fix(printed, kMany, ErrataSet::all());
+  fix(printed, kMany, DampedErrata::all());
   repair(mended);
   add(result, "X5: overlap left of a plank and the cube on its low end, by height", "m",
       deepest_overlap(printed));
@@ -188,7 +188,7 @@ void add_pushed_energy(Result& result) {
   for (int step = 0; step < 60; ++step) {
     world.states()[1].position_w.y() -= kPush;
     const double before = energy_of(world).potential;
-    booked += fix(world, kMany, ErrataSet::all()).energy;
+    booked += fix(world, kMany, DampedErrata::all()).energy;
     added += energy_of(world).potential - before;
   }
   add(result, "DM17: energy that pushes of 1 mm a step add to a cube in 1 s", "J", added);

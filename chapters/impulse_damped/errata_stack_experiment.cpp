@@ -38,7 +38,7 @@ std::vector<double> energy_added(Technique& technique, int steps) {
   return added;
 }
 
-// The listing, without its slips.
+// The listing, without its misprints.
 //
 // Ten passes leave the cubes some of what a step of gravity has given, so that they sink in and are
 // pushed up, in each step anew. The usual damping hides that: of the topmost cube's 0.118 N s, k1
@@ -46,7 +46,7 @@ std::vector<double> energy_added(Technique& technique, int steps) {
 // With half of all ε it is not ended, and the pushes go on. To see what pushes do by themselves,
 // damping is off here.
 DampedAsPrinted pushes(bool stable_boxes) {
-  DampedAsPrintedOptions options = undamped(ErrataSet::all());
+  DampedAsPrintedOptions options = undamped(DampedErrata::all());
   options.stable_boxes = stable_boxes;
   return DampedAsPrinted(options);
 }
@@ -54,7 +54,7 @@ DampedAsPrinted pushes(bool stable_boxes) {
 // The same with the usual damping, all ε being multiplied.
 DampedAsPrinted damped_pushes(double eps_scale) {
   DampedAsPrintedOptions options;
-  options.repaired = ErrataSet::all();
+  options.repaired = DampedErrata::all();
   options.stable_boxes = false;
   options.numbers.eps_scale = eps_scale;
   return DampedAsPrinted(options);
@@ -63,7 +63,7 @@ DampedAsPrinted damped_pushes(double eps_scale) {
 // What the pushes took the place of: velocities are stopped from the ground up. Not damped, either.
 Damped shock_of_velocities() {
   DampedOptions options;
-  options.numbers = undamped(ErrataSet::all()).numbers;
+  options.numbers = undamped(DampedErrata::all()).numbers;
   options.stable_boxes = StableRule::off;
   options.shock = ShockRule::velocity;
   return Damped(options);

@@ -13,7 +13,7 @@ constexpr int kSecond = 60;  // [-] steps
 
 // D1. By how much the heights of a resting cube differ at most in a second, between the order of
 // the listing and that of 5.2.
-double difference_of_orders(const ErrataSet& repaired) {
+double difference_of_orders(const DampedErrata& repaired) {
   World listed = ground_world();
   const int cube = add_box(listed, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   World told = listed;
@@ -35,7 +35,7 @@ double difference_of_orders(const ErrataSet& repaired) {
 }
 
 // D2. How far a cube flies in a second at 1 m/s, in steps half as long as usual.
-double flown(const ErrataSet& repaired) {
+double flown(const DampedErrata& repaired) {
   World world;
   world.gravity_w = Vec3::Zero();
   add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3::UnitX());
@@ -49,7 +49,7 @@ double flown(const ErrataSet& repaired) {
 double slid(double k) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0), Vec3::UnitX());
-  DampedAsPrintedOptions options = undamped(slips());
+  DampedAsPrintedOptions options = undamped(misprints());
   options.numbers.k1 = k;
   DampedAsPrinted technique(options);
   technique.step(world, kStep);
@@ -58,7 +58,7 @@ double slid(double k) {
 
 // D4. After how many of the first ten steps a cube that lies half a push above the ground is not
 // found to be stable.
-double steps_unstable(const ErrataSet& repaired) {
+double steps_unstable(const DampedErrata& repaired) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5005, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -71,7 +71,7 @@ double steps_unstable(const ErrataSet& repaired) {
 }
 
 // D5. Where a cube is after falling for a second from 10 m.
-double fallen_to(const ErrataSet& repaired) {
+double fallen_to(const DampedErrata& repaired) {
   World world;
   add_box(world, Vec3::Ones(), Vec3(0.0, 10.0, 0.0));
   DampedAsPrinted technique(undamped(repaired));
@@ -80,7 +80,7 @@ double fallen_to(const ErrataSet& repaired) {
 }
 
 // D6. How fast a cube is that has lain on the ground for a second.
-double resting_speed(const ErrataSet& repaired) {
+double resting_speed(const DampedErrata& repaired) {
   World world = ground_world();
   const int cube = add_box(world, Vec3::Ones(), Vec3(0.0, 0.5, 0.0));
   DampedAsPrintedOptions options = undamped(repaired);
@@ -93,7 +93,7 @@ double resting_speed(const ErrataSet& repaired) {
 }  // namespace
 
 void add_step_errata(std::vector<ErratumPair>& pairs) {
-  const ErrataSet mended = slips();
+  const DampedErrata mended = misprints();
   pairs.push_back({"D1: heights in two orders, with C1 to C3 as printed",
                    "D1: heights in two orders, with C1 to C3 mended", "m",
                    difference_of_orders(mended.without("C1").without("C2").without("C3")),

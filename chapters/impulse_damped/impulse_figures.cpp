@@ -2,8 +2,6 @@
 /// \brief The figures of impulses without damping.
 #include "impulse_damped/impulse_figures.hpp"
 
-#include "tumble/base/tolerance.hpp"
-
 #include "impulse_damped/chatter_experiments.hpp"
 #include "impulse_damped/repair_experiments.hpp"
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief S1 to S10, each left in SIMPLESYNCTIMEWARP while the other slips are mended (thesis A.1).
+/// \brief T1 to T10, each left in SIMPLESYNCTIMEWARP while the other misprints are mended (thesis A.1).
 #include "timewarp/errata_experiments.hpp"
 
 #include "tumble/timewarp/timewarp_swept.hpp"
@@ -20,7 +20,7 @@ struct Bench {
   int cap;  // [-] passes of the main loop until a run is given up
   ErrataTables& out;
 
-  // A frame with some slips left in.
+  // A frame with some misprints left in.
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world, double dt) const {
     return run_printed(as_meant_but(TimewarpListing::simple, cap, left), world, dt);
   }
@@ -31,39 +31,39 @@ struct Bench {
   }
 };
 
-// S1, S2 and S3: two cubes.
+// T1, T2 and T3: two cubes.
 void add_loop_errata(const Bench& bench) {
   const World head_on = line_world("0:1,2:-1");
   const PrintedRun right = bench.run("", head_on, kLineFrame);
-  const PrintedRun each = bench.run("S1", head_on, kLineFrame);
-  bench.out.add(1, "S1: place of the second of two cubes", "each turn of the loop collides",
+  const PrintedRun each = bench.run("T1", head_on, kLineFrame);
+  bench.out.add(1, "T1: place of the second of two cubes", "each turn of the loop collides",
                 each.places[1], "both cubes fly before they collide", right.places[1], "m");
   bench.show(1, each, right);
-  TimewarpAsPrintedOptions parting = as_meant_but(TimewarpListing::simple, bench.cap, "S1");
+  TimewarpAsPrintedOptions parting = as_meant_but(TimewarpListing::simple, bench.cap, "T1");
   parting.collide_separating = true;
-  bench.out.add_more("S1: place of the first of two cubes, each turn collides, who parts too",
+  bench.out.add_more("T1: place of the first of two cubes, each turn collides, who parts too",
                      run_printed(parting, head_on, kLineFrame).places[0], "m");
 
-  // S2 can be seen only with S1: in two loops one after the other a counter does no harm.
-  const PrintedRun counter = bench.run("S1,S2", head_on, kLineFrame);
-  bench.out.add(2, "S2: place of the second of two cubes", "one counter for both loops",
+  // T2 can be seen only with T1: in two loops one after the other a counter does no harm.
+  const PrintedRun counter = bench.run("T1,T2", head_on, kLineFrame);
+  bench.out.add(2, "T2: place of the second of two cubes", "one counter for both loops",
                 counter.places[1], "two loops one after the other", right.places[1], "m");
   bench.show(2, counter, right);
 
   const World from_behind = line_world("0:2,1.5:0", "0.5");
-  const PrintedRun early = bench.run("S3", from_behind, kLineFrame);
+  const PrintedRun early = bench.run("T3", from_behind, kLineFrame);
   const PrintedRun late = bench.run("", from_behind, kLineFrame);
-  bench.out.add(3, "S3: time up to which two cubes are valid", "one asked before the other flies",
+  bench.out.add(3, "T3: time up to which two cubes are valid", "one asked before the other flies",
                 early.valid_times[0], "asked when both have flown", late.valid_times[0], "s");
   bench.show(3, early, late);
 }
 
-// S4 and S5: three cubes.
+// T4 and T5: three cubes.
 void add_row_errata(const Bench& bench) {
   const World row = line_world("0:2,1.5:0,3.4:-1");
-  const PrintedRun untold = bench.run("S4", row, kLineFrame);
+  const PrintedRun untold = bench.run("T4", row, kLineFrame);
   const PrintedRun told = bench.run("", row, kLineFrame);
-  bench.out.add(4, "S4: time of the second collision in a row", "searched as if all began together",
+  bench.out.add(4, "T4: time of the second collision in a row", "searched as if all began together",
                 untold.events.at(1).time, "searched from the valid times", told.events.at(1).time,
                 "s");
   bench.show(4, untold, told);
@@ -73,7 +73,7 @@ void add_row_errata(const Bench& bench) {
   TimewarpSwept swept;
   const FrameRun way = run_frame(swept, through, kLineFrame);
   const auto ahead = [](const FrameRun& run) { return run.places[2] - run.places[1]; };
-  bench.out.add(5, "S5: third cube ahead of the second", "end of the frame tested", ahead(end),
+  bench.out.add(5, "T5: third cube ahead of the second", "end of the frame tested", ahead(end),
                 "way there searched", ahead(way), "m");
   bench.show(5, end, way);
 }
@@ -86,34 +86,34 @@ Table bounce_table(const FrameRun& run, const std::string& suffix) {
   return table;
 }
 
-// S6 and S7: collisions that do not end.
+// T6 and T7: collisions that do not end.
 void add_progress_errata(const Bench& bench, Result& result) {
   constexpr double speed = 0.05;  // [m/s] of the landing
   const World landing = world_with_falling_cube(0.5 * speed * speed / kGravity, 0.5);
-  const PrintedRun endless = bench.run("S6", landing, kStep);
+  const PrintedRun endless = bench.run("T6", landing, kStep);
   const PrintedRun ended = bench.run("", landing, kStep);
-  bench.out.add(6, "S6: passes of the loop for a landing", "nothing ends them, until a cap",
+  bench.out.add(6, "T6: passes of the loop for a landing", "nothing ends them, until a cap",
                 endless.passes, "hops below the resolution end them", ended.passes, "-");
   result.tables.push_back(bounce_table(endless, "bounces_printed"));
   result.tables.push_back(bounce_table(ended, "bounces_mended"));
 
-  // S7 can be seen only with S6: otherwise a pair that sticks is left to the end of the frame.
+  // T7 can be seen only with T6: otherwise a pair that sticks is left to the end of the frame.
   const World sticky = line_world("0:1,1.4:0", "0");
-  const PrintedRun inside = bench.run("S6,S7", sticky, kLineFrame);
-  const PrintedRun apart = bench.run("S6", sticky, kLineFrame);
-  bench.out.add(7, "S7: passes of the loop for one collision", "overlapping end kept, until a cap",
+  const PrintedRun inside = bench.run("T6,T7", sticky, kLineFrame);
+  const PrintedRun apart = bench.run("T6", sticky, kLineFrame);
+  bench.out.add(7, "T7: passes of the loop for one collision", "overlapping end kept, until a cap",
                 inside.passes, "end that is apart kept", apart.passes, "-");
   bench.show(7, inside, apart);
 }
 
-// S8: a cube falls from 1 mm, for as long as it is told to.
+// T8: a cube falls from 1 mm, for as long as it is told to.
 void add_flow_erratum(const Bench& bench, Result& result) {
   constexpr double height = 1e-3;  // [m]
   constexpr int frames = 80;       // [-] lengths of a frame that are shown
   const World falling = world_with_falling_cube(height, 0.0);
-  const PrintedRun euler = bench.run("S8", falling, kStep);
+  const PrintedRun euler = bench.run("T8", falling, kStep);
   const PrintedRun exact = bench.run("", falling, kStep);
-  bench.out.add(8, "S8: time of the landing from 1 mm", "integrated by Euler's steps",
+  bench.out.add(8, "T8: time of the landing from 1 mm", "integrated by Euler's steps",
                 euler.events.at(0).time, "flown exactly", exact.events.at(0).time, "s");
   Table table{"fall",
               {{"time_ms", "ms", "length of the frame"},
@@ -125,29 +125,29 @@ void add_flow_erratum(const Bench& bench, Result& result) {
   };
   for (int k = 1; k <= frames; ++k) {
     const double dt = kStep * k / frames;
-    table.rows.push_back({1e3 * dt, millimetres("S8", dt), millimetres("", dt)});
+    table.rows.push_back({1e3 * dt, millimetres("T8", dt), millimetres("", dt)});
   }
   result.tables.push_back(table);
 }
 
-// S9: a cube is hit from both sides alike. S10: who is stamped.
+// T9: a cube is hit from both sides alike. T10: who is stamped.
 void add_order_errata(const Bench& bench, Result& result) {
   const World squeezed = line_world("-1.5:1,0:0,1.5:-1", "0.5");
   TimewarpAsPrintedOptions options = as_meant_but(TimewarpListing::simple, bench.cap);
   const PrintedRun in_turn = run_printed(options, squeezed, kLineFrame);
-  options.repaired = options.repaired.with("S9");
+  options.repaired = options.repaired.with("T9");
   const PrintedRun together = run_printed(options, squeezed, kLineFrame);
   const auto middle = [](const PrintedRun& run) {
     return velocity(run.world.bodies()[1], run.world.states()[1]).x();
   };
-  bench.out.add(9, "S9: speed of a cube hit from both sides alike", "one after the other",
+  bench.out.add(9, "T9: speed of a cube hit from both sides alike", "one after the other",
                 middle(in_turn), "at one stroke", middle(together), "m/s");
   bench.show(9, in_turn, together);
 
   const World falling = world_with_falling_cube(1e-3, 0.0);
-  const PrintedRun all = bench.run("S10", falling, kStep);
+  const PrintedRun all = bench.run("T10", falling, kStep);
   const PrintedRun movable = bench.run("", falling, kStep);
-  bench.out.add(10, "S10: time up to which the ground is valid", "everybody stamped",
+  bench.out.add(10, "T10: time up to which the ground is valid", "everybody stamped",
                 all.valid_times[0], "only who can move", movable.valid_times[0], "s");
   Table stamps{"stamps",
                {{"body", "-", "0: the ground, 1: the cube"},

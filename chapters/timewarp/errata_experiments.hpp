@@ -9,7 +9,7 @@
 
 namespace tumble::chapters {
 
-/// S1 to S10: SIMPLESYNCTIMEWARP.
+/// T1 to T10: SIMPLESYNCTIMEWARP.
 /// \param settings  `cap`
 /// \return for each erratum two numbers, and the ways of the cubes or what else shows it
 [[nodiscard]] Result measure_simple_errata(const Parameters& settings);

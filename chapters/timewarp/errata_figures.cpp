@@ -21,20 +21,21 @@ std::vector<Figure> errata_figures() {
   Figure simple = errata_figure("errata_timewarp_simple");
   simple.title = "Where the simple timewarp fails as printed, and the same mended";
   simple.caption =
-      "Left: one slip of SIMPLESYNCTIMEWARP left in, the others mended (S2 with S1, S7 with S6). "
-      "Right: mended, too; for the choices S5 and S9 swept volumes, and collisions at one stroke. "
-      "Lines are the ways of cubes, dots collisions. S1, S2: the second cube collides before it "
+      "Left: one misprint of SIMPLESYNCTIMEWARP left in, the others mended (T2 with T1, T7 with "
+      "T6). "
+      "Right: mended, too; for the choices T5 and T9 swept volumes, and collisions at one stroke. "
+      "Lines are the ways of cubes, dots collisions. T1, T2: the second cube collides before it "
       "has "
-      "flown. S3: the pair is found again, at the end; dotted: the valid time. S4: the third event "
-      "comes before the others (lines join collisions as they are resolved). S6, S7: no end but a "
-      "cap; of S6 the first bounces. S8, grey: the true fall. S10 does no "
+      "flown. T3: the pair is found again, at the end; dotted: the valid time. T4: the third event "
+      "comes before the others (lines join collisions as they are resolved). T6, T7: no end but a "
+      "cap; of T6 the first bounces. T8, grey: the true fall. T10 does no "
       "harm.";
   simple.experiment = measure_simple_errata;
 
   Figure safer = errata_figure("errata_timewarp_safer");
   safer.title = "Where the safer timewarp fails as printed, and the same mended";
   safer.caption =
-      "As the figure before, for SAFERSYNCTIMEWARP (F6 with S7). F1: two cubes collide four times, "
+      "As the figure before, for SAFERSYNCTIMEWARP (F6 with T7). F1: two cubes collide four times, "
       "and the first is back at its start. F3, F4: a neighbour stays where it was at the "
       "collision. "
       "F5: a collision that waits is gone. F6: the pair is its own neighbour, for ever. "

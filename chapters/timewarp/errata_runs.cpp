@@ -85,7 +85,7 @@ TimewarpAsPrintedOptions as_meant_but(TimewarpListing listing, int cap, std::str
   TimewarpAsPrintedOptions options;
   options.listing = listing;
   options.cap = cap;
-  options.repaired = ErrataSet::all(Listings::timewarp).without("S5").without("S9").without("F8");
+  options.repaired = TimewarpErrata::all().without("T5").without("T9").without("F8");
   while (!left.empty()) {
     const std::string_view id = left.substr(0, left.find(','));
     options.repaired = options.repaired.without(id);

@@ -62,10 +62,10 @@ struct PrintedRun : FrameRun {
 [[nodiscard]] PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& world,
                                      double dt);
 
-/// A listing as meant: all slips are mended, the choices S5, S9 and F8 are kept.
+/// A listing as meant: all misprints are mended, the choices T5, T9 and F8 are kept.
 /// \param listing  which
 /// \param cap      [-] passes of the main loop after which a run is given up
-/// \param left     slips that are left in, their ids between commas
+/// \param left     misprints that are left in, their ids between commas
 /// \return options
 [[nodiscard]] TimewarpAsPrintedOptions as_meant_but(TimewarpListing listing, int cap,
                                                     std::string_view left = "");

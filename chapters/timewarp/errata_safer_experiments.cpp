@@ -1,5 +1,5 @@
 /// \file
-/// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other slips are mended (thesis 5.1, A.1).
+/// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other misprints are mended (thesis 5.1, A.1).
 #include "tumble/scenes/library.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
@@ -24,7 +24,7 @@ struct SaferBench {
   int cap;  // [-] passes of the main loop until a run is given up
   ErrataTables& out;
 
-  // A frame of 1 s with some slips left in.
+  // A frame of 1 s with some misprints left in.
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world) const {
     return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kSaferFrame);
   }
@@ -35,10 +35,10 @@ struct SaferBench {
   }
 };
 
-// The place of one cube at the end, with a slip and without it.
+// The place of one cube at the end, with a misprint and without it.
 struct PlaceErratum {
   int row;
-  std::string left;  // the slip
+  std::string left;  // the misprint
   std::string boxes;
   std::size_t cube;
   std::string whose;
@@ -70,11 +70,11 @@ void add_states(const SaferBench& bench) {
                     "collision and test states lost", "both kept"});
 }
 
-// F6 and F7: who is looked at. F6 can be seen only with S7: else the present pair is a little apart.
+// F6 and F7: who is looked at. F6 can be seen only with T7: else the present pair is a little apart.
 void add_group(const SaferBench& bench) {
   const World two = line_world("0:2,1.5:0");
-  const PrintedRun present = bench.run("F6,S7", two);
-  const PrintedRun others = bench.run("S7", two);
+  const PrintedRun present = bench.run("F6,T7", two);
+  const PrintedRun others = bench.run("T7", two);
   bench.out.add(6, "F6: passes of the loop for one collision",
                 "present pair in the group, until a cap", present.passes, "present pair left out",
                 others.passes, "-");

@@ -15,7 +15,7 @@ set label 1 'a cube bounces, and then sticks' at graph 0.97,0.85 right textcolor
 plot path using 'time_s':'bouncer_m' with lines lt 1
 
 set tmargin at screen 0.775; set bmargin at screen 0.60
-side = 'way [m]'; @SIDE
+side = 'distance [m]'; @SIDE
 set label 1 'a cube slides to a stop'
 set arrow 1 from graph 0,first 1.529051988 to graph 1,first 1.529051988 nohead lt 8 dt (6,4)
 set label 2 'closed form' at graph 0.97,first 1.529 right offset 0,-0.7 textcolor rgb soft

@@ -11,9 +11,9 @@ RIGHT = "set lmargin at screen 0.58; set rmargin at screen 0.96; set format y ''
 ROW = "set tmargin at screen top(row); set bmargin at screen top(row)-0.102; set label 92 title_of_row at screen 0.02,top(row)+0.017 textcolor rgb '#202020'; set label 99 side at screen 0.027,top(row)-0.051 center rotate textcolor rgb '#202020'"
 NEXT = "set format y '%g'"
 
-# S5: three cubes on a line, each a band as wide as the cube.
+# T5: three cubes on a line, each a band as wide as the cube.
 row = 0
-title_of_row = 'S5  a test at the end of the step only'
+title_of_row = 'T5  a test at the end of the step only'
 side = 'place [m]'
 @ROW
 set xlabel 'time [s]' offset 0,0.4
@@ -32,9 +32,9 @@ plot for [k=1:3] stem.'_pass_mended.csv' using 'time_s':(column(word(words,k))-0
   for [k=1:3] '' using 'time_s':word(words,k) with lines lw 2 dt 1 lc rgb word(colours,k)
 @NEXT
 
-# S6: a slow landing, ever shorter flights.
+# T6: a slow landing, ever shorter flights.
 row = 1
-title_of_row = 'S6  nothing ends a train of impacts'
+title_of_row = 'T6  nothing ends a train of impacts'
 side = 'impacts'
 @ROW
 set xlabel 'time since the first [ms]'
@@ -50,9 +50,9 @@ plot stem.'_flights_mended.csv' using 'since_ms':'impacts' with linespoints lt 1
 unset label 1; unset logscale y
 @NEXT
 
-# S7: which end of the bracket is kept.
+# T7: which end of the bracket is kept.
 row = 2
-title_of_row = 'S7  which end of the bracket is kept'
+title_of_row = 'T7  which end of the bracket is kept'
 side = 'gap [µm]'
 @ROW
 set xlabel 'time since they met [µs]'
@@ -71,9 +71,9 @@ plot stem.'_side_mended.csv' using 'since_us':'gap_um' with lines lt 1, \
 unset label 1; unset arrow 1
 @NEXT
 
-# S8: an Euler step against a flight; the closed form is the wide grey line.
+# T8: an Euler step against a flight; the closed form is the wide grey line.
 row = 3
-title_of_row = 'S8  what moves the bodies during the search'
+title_of_row = 'T8  what moves the bodies during the search'
 side = 'height [mm]'
 @ROW
 set xlabel 'time [ms]'
@@ -91,9 +91,9 @@ plot fall using 'time_ms':'exact_mm' with lines lw 7 lc rgb '#c8c8c8', '' using 
 unset label 1; unset arrow 1
 @NEXT
 
-# S9: the four lower corners after a flat landing.
+# T9: the four lower corners after a flat landing.
 row = 4
-title_of_row = 'S9  which of four corners collides first'
+title_of_row = 'T9  which of four corners collides first'
 side = 'corners [m]'
 @ROW
 set xlabel 'time since landing [ms]'

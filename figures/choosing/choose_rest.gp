@@ -1,4 +1,4 @@
-# What is left of speed, chatter and overlap in a stack of ten, and overlap under a heavy load, by technique.
+# Speed, chatter and overlap of a stack of ten, and overlap under a heavy load, by technique.
 tall = 1240
 @PAGE
 set multiplot

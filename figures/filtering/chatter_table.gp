@@ -1,4 +1,4 @@
-# Chatter of every technique, scene by scene: shaded by amplitude, with ranks; below, who has no rest.
+# Chatter of every technique, scene by scene: shaded by amplitude, with ranks; below, techniques without rest.
 tall = 1330
 @PAGE
 set macros
@@ -54,7 +54,7 @@ step = (shade_max/shade_min)**(0.5/(shade_records - 1))
 plot bar using 'amplitude_m':(0.5):(column('amplitude_m')/step):(column('amplitude_m')*step):(0):(1):'colour' with boxxyerror lc rgb variable
 unset label; unset border; unset tics; unset logscale x
 
-# Who has no contact that rests, on the stack.
+# Techniques without resting contact, on the stack.
 set tmargin at screen 1 - 1030.0/tall; set bmargin at screen 15.0/tall
 set lmargin at screen 0.02; set rmargin at screen 0.98
 set xrange [0:4]; set yrange [5:0]

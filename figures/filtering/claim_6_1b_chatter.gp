@@ -1,4 +1,4 @@
-# Who of the settled clump shakes by how much; and how that hangs on constants nobody gave.
+# Amplitudes of the settled clump, and the share that chatters for constants that the thesis does not give.
 tall = 1060
 @PAGE
 stats stem.'_still.csv' using 'bodies' name 'all' nooutput

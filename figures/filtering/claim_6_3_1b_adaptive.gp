@@ -1,4 +1,4 @@
-# The clump with fixed and with adaptive steps: who moves, sub-steps, and by how much who rests shakes.
+# The clump with fixed and with adaptive steps: bodies that move, sub-steps, amplitudes of bodies at rest.
 tall = 1200
 @PAGE
 set multiplot

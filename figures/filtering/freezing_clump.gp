@@ -1,4 +1,4 @@
-# A clump under damped: who is awake, who chatters, and the work, for three ways to sleep.
+# A clump under damped: bodies awake, bodies that chatter, and the work, for three ways to sleep.
 tall = 1200
 @PAGE
 set multiplot
@@ -14,7 +14,7 @@ set tmargin at screen 0.925; set bmargin at screen 0.655
 side = 'bodies awake'; @SIDE
 set yrange [0:140]; set ytics 0,25
 set label 1 'a cube comes in' at cube_max,60 right offset -0.6,0 textcolor rgb soft
-plot stem.'.csv' using 'time_s':'off_awake' with lines lt 1 title 'nobody sleeps', \
+plot stem.'.csv' using 'time_s':'off_awake' with lines lt 1 title 'no sleep', \
   '' using 'time_s':'sleeping_awake' with lines lt 2 title 'by speed', \
   '' using 'time_s':'freezing_awake' with lines lt 3 dt 1 lw 3 title 'by history'
 unset key; unset label 1

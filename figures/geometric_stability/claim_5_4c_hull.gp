@@ -29,7 +29,7 @@ set arrow 3 from 0.00,0.5 to 0.04,0.5 nohead lc rgb '#808080' lw 1.5 dt (6,4); s
 plot NaN
 unset label; unset object; unset arrow
 
-# Who is right.
+# Which rule is right.
 set tmargin at screen 1 - 815.0/tall; set bmargin at screen 75.0/tall
 set lmargin at screen 0.04; set rmargin at screen 0.945
 set border 1 lc rgb '#808080'

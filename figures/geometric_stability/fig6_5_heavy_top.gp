@@ -1,4 +1,4 @@
-# A heavy top on two overhanging blocks: forces that balance, a top that is too light, and who stands.
+# A heavy top on two overhanging blocks: forces that balance, a top that is too light, and which tops stand.
 tall = 1200
 @PAGE
 set multiplot
@@ -30,7 +30,7 @@ unset arrow; unset label
 @AXES
 set xtics nomirror; set ytics nomirror
 
-# Who stands.
+# Which tops stand.
 set lmargin at screen 0.17; set rmargin at screen 0.955
 set tmargin at screen 0.465; set bmargin at screen 0.185
 set xrange [-0.26:0.26]; set yrange [0.3:0.95]

@@ -1,4 +1,4 @@
-# A random pile, coloured by who is found to be stable; and what each way to tell finds and misses.
+# A random pile, coloured by the boxes found to be stable; and the boxes that each way finds and misses.
 tall = 1120
 @PAGE
 stats stem.'.csv' every ::0::0 using 'found' name 'found' nooutput

@@ -5,16 +5,16 @@ pitch = 270
 tall = 40 + pitch*rows
 @PAGE
 array what[10] = [ \
-  'S1  the pair collides in each turn of the loop', \
-  'S2  both loops count with one counter', \
-  'S3  one is asked before the other has flown', \
-  'S4  the search does not know valid times', \
-  'S5  only the end of the frame is tested', \
-  'S6  nothing ends a train of bounces', \
-  'S7  the overlapping end of a bracket is kept', \
-  'S8  two parts of a flight are not the flight', \
-  'S9  collisions at one time, one after the other', \
-  'S10  the ground gets a valid time, too' ]
+  'T1  the pair collides in each turn of the loop', \
+  'T2  both loops count with one counter', \
+  'T3  one is asked before the other has flown', \
+  'T4  the search does not know valid times', \
+  'T5  only the end of the frame is tested', \
+  'T6  nothing ends a train of bounces', \
+  'T7  the overlapping end of a bracket is kept', \
+  'T8  two parts of a flight are not the flight', \
+  'T9  collisions at one time, one after the other', \
+  'T10  the ground gets a valid time, too' ]
 array says[10] = [ 'second cube at %.2g m', 'second cube at %.2g m', 'valid up to %.3g s', \
   'second event at %.3g s', 'third ahead by %.2g m', 'passes: %.0f', 'passes: %.0f', \
   'lands after %.3g ms', 'leaves with %.2g m/s', 'ground: %.3g ms' ]
@@ -58,7 +58,7 @@ do for [k=1:rows] {
       set format y '%g'
       if (k < 10) { set label 99 side at screen 0.027,top(row)-65.0/tall center rotate textcolor rgb '#202020' }
     }
-    # S3: up to when the cubes are valid.
+    # T3: up to when the cubes are valid.
     if (k == 3) { set arrow 1 from N_max,graph 0 to N_max,graph 1 nohead lt 8 lw 1.5 dt (3,3) } else { unset arrow 1 }
     colour = m ? '#0072B2' : '#D55E00'
     if (k == 6) {

@@ -83,9 +83,9 @@ template <class Visitor>
 void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata) {
   v.word("reading", o.as_printed, {{"as_meant", false}, {"as_printed", true}},
          "the listings of appendix " + std::string(appendix) +
-             " with their misprints corrected, or as they are printed");
+             " with their misprints mended, or as they are printed");
   v.text("repaired", o.repaired,
-         "reading=as_printed: errata that are corrected all the same, as " + std::string(errata) +
+         "reading=as_printed: errata that are mended all the same, as " + std::string(errata) +
              "; or all, or none");
 }
 
@@ -123,7 +123,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const Dam
   require::that(!meant.sleeping, "sleeping = on: reading=as_printed has no sleeping");
   require::that(!o.meant.freeze, "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
-  options.repaired = ErrataSet(o.reading.repaired);
+  options.repaired = DampedErrata(o.reading.repaired);
   options.numbers = meant.numbers;
   options.collision_passes = meant.collision_passes;
   options.contact_passes = meant.contact_passes;
@@ -150,7 +150,7 @@ struct TimewarpSettings {
 template <class Visitor>
 void describe(TimewarpSettings& o, Visitor& v) {
   describe(o.meant, v);
-  describe(o.reading, v, "A.1", "S1,F6");
+  describe(o.reading, v, "A.1", "T1,F6");
   describe(o.printed, v);
 }
 
@@ -167,7 +167,7 @@ std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*see
   }
   TimewarpAsPrintedOptions options = o.printed;
   options.listing = listing;
-  options.repaired = ErrataSet(o.reading.repaired, Listings::timewarp);
+  options.repaired = TimewarpErrata(o.reading.repaired);
   options.resolution = o.meant.resolution;
   options.pair_events = o.meant.pair_events;
   options.rotation = o.meant.rotation;

@@ -6,6 +6,7 @@
 #include "analytic_lcp/instant.hpp"
 #include "dynamics/random_bodies.hpp"
 #include "support/allocation_counter.hpp"
+#include "support/touching.hpp"
 
 #include <array>
 #include <cmath>
@@ -32,17 +33,6 @@ std::array<int, 4> rows_of_corners(const Instant& cube) {
     rows[p.z() < 0.0 ? (p.x() < 0.0 ? 0 : 1) : (p.x() < 0.0 ? 3 : 2)] = i;
   }
   return rows;
-}
-
-// One point where two bodies touch, put down by hand.
-Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.count = 1;
-  contact.points[0].position_w = position_w;
-  return contact;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr double kPi = std::numbers::pi;
@@ -29,18 +31,6 @@ std::vector<MovingBody> particle_on_floor() {
   std::vector<MovingBody> bodies(2);
   bodies[1].inverse_mass = Vec3::Ones();
   return bodies;
-}
-
-Contact touching(int first, int second, const Vec3& place_w, const Vec3& normal_w,
-                 double friction) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.friction = friction;
-  contact.count = 1;
-  contact.points[0].position_w = place_w;
-  return contact;
 }
 
 struct Solved {
@@ -61,7 +51,7 @@ Solved solve(const FrictionPyramid& pyramid) {
 // A particle that slides over the floor for one step of 1/60 s, with the least friction on its way.
 Solved slide(const Vec3& velocity_w, double friction, int directions) {
   const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), friction)};
+  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), friction)};
   const std::array<FrictionPoint, 1> points{
       FrictionPoint{0, 0, -9.81 / 60.0, velocity_w, Vec3::Zero()}};
   FrictionPyramid pyramid;
@@ -94,7 +84,7 @@ Heap random_heap(Random& random, int count, bool with_sliding) {
     const int second = (first + 1 + static_cast<int>(random.below(3))) % 4;
     const Vec3 place_w = random.in_cube(1.0);
     const Vec3 n = random.direction();
-    heap.contacts.push_back(touching(first, second, place_w, n, random.uniform(0.1, 1.0)));
+    heap.contacts.push_back(contact_at(first, second, place_w, n, random.uniform(0.1, 1.0)));
     FrictionPoint point;
     point.contact = k;
     if (with_sliding && k % 2 == 0) point.sliding_w = n.cross(random.direction()).normalized();
@@ -115,7 +105,7 @@ double turn_between(const Tangents& a, const Tangents& b) {
 TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle",
           "[exact][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
+  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   const std::array<FrictionPoint, 1> points{
       FrictionPoint{0, 0, -0.1635, Vec3(3, 0, 0), Vec3::Zero()}};
   FrictionPyramid pyramid;
@@ -173,7 +163,7 @@ TEST_CASE("Friction of the pyramid is as strong as its cross section in the dire
 TEST_CASE("Friction against a known sliding adds no unknown and has its direction",
           "[exact][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
+  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   const Vec3 sliding(0.6, 0, -0.8);
   const std::array<FrictionPoint, 1> points{FrictionPoint{0, 0, -9.81, Vec3::Zero(), sliding}};
   FrictionPyramid pyramid;
@@ -321,7 +311,7 @@ TEST_CASE("The cross is the same for either sense of the normal and mirrors with
 TEST_CASE("The problem with friction refuses what makes no sense",
           "[unit][pyramid][analytic_lcp]") {
   const std::vector<MovingBody> bodies = particle_on_floor();
-  std::array<Contact, 1> contacts{touching(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
+  std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   std::array<FrictionPoint, 1> points{};
   FrictionPyramid pyramid;
   const auto assemble = [&](int directions) {

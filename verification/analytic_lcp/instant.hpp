@@ -7,7 +7,9 @@
 #include "tumble/contact/gather.hpp"
 #include "tumble/math/complementarity.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -18,14 +20,6 @@ inline constexpr double kG = 9.81;       ///< [m/s²]
 inline constexpr double kMargin = 1e-9;  ///< [m] of contacts between bodies that touch exactly
 /// [m/s] Every point gets a row.
 inline constexpr double kAll = std::numeric_limits<double>::infinity();
-
-/// A rotation.
-/// \param axis   [any] of any length
-/// \param angle  [rad]
-/// \return [-] length 1
-inline Quat about(const Vec3& axis, double angle) {
-  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
 
 /// Adds a movable box.
 /// \param world           where to
@@ -61,10 +55,7 @@ struct Instant {
   /// \param w the world
   explicit Instant(const World& w) : world(w), external(w.bodies().size()) {
     load_moving_bodies(world, bodies);
-    std::vector<IndexPair> pairs;
-    for (int i = 0; i < world.count(); ++i)
-      for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
-    gather_contacts(world, bodies, pairs, kMargin, {}, contacts);
+    gather_contacts(world, bodies, all_pairs(world), kMargin, {}, contacts);
   }
 
   /// Sets up the problem.

@@ -4,6 +4,7 @@
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 
 #include "analytic_lcp/instant.hpp"
+#include "support/touching.hpp"
 
 #include <array>
 #include <cmath>
@@ -136,20 +137,6 @@ TEST_CASE("A block that is taken along by the floor tips from the acceleration g
 
 // --- leaning ------------------------------------------------------------------------------------
 
-namespace {
-
-Contact touch(int first, int second, const Vec3& position_w, const Vec3& normal_w) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.count = 1;
-  contact.points[0].position_w = position_w;
-  return contact;
-}
-
-}  // namespace
-
 TEST_CASE("A ladder on a smooth wall needs friction of 1 / (2 tan θ) at its foot",
           "[exact][assembly][analytic_lcp]") {
   for (const auto& [degrees, friction] :
@@ -161,8 +148,8 @@ TEST_CASE("A ladder on a smooth wall needs friction of 1 / (2 tan θ) at its foo
     add_fixed(world, Vec3(1, 4, 1), Vec3(half.x() + 0.5, 2, 0));
     add_box(world, Vec3(2.0, 0.1, 0.1), 3.0, Vec3(0, half.y(), 0), about(Vec3::UnitZ(), angle));
     Instant ladder(world);
-    ladder.contacts = {touch(0, 2, Vec3(-half.x(), 0, 0), Vec3::UnitY()),
-                       touch(1, 2, Vec3(half.x(), 2.0 * half.y(), 0), -Vec3::UnitX())};
+    ladder.contacts = {contact_at(0, 2, Vec3(-half.x(), 0, 0), Vec3::UnitY()),
+                       contact_at(1, 2, Vec3(half.x(), 2.0 * half.y(), 0), -Vec3::UnitX())};
     ladder.assemble();
     LcpProblem problem = ladder.problem.lcp();
     hold_along_x(ladder, 0, ladder.place(0), problem);
@@ -187,9 +174,9 @@ TEST_CASE("Two cards that lean on each other by 15 degrees need a friction of ta
   add_box(world, Vec3(0.01, 2.0, 1.0), 1.0, Vec3(half.x(), half.y(), 0),
           about(Vec3::UnitZ(), lean));
   Instant cards(world);
-  cards.contacts = {touch(0, 1, Vec3(-2.0 * half.x(), 0, 0), Vec3::UnitY()),
-                    touch(0, 2, Vec3(2.0 * half.x(), 0, 0), Vec3::UnitY()),
-                    touch(1, 2, Vec3(0, 2.0 * half.y(), 0), Vec3::UnitX())};
+  cards.contacts = {contact_at(0, 1, Vec3(-2.0 * half.x(), 0, 0), Vec3::UnitY()),
+                    contact_at(0, 2, Vec3(2.0 * half.x(), 0, 0), Vec3::UnitY()),
+                    contact_at(1, 2, Vec3(0, 2.0 * half.y(), 0), Vec3::UnitX())};
   cards.assemble();
   LcpProblem problem = cards.problem.lcp();
   hold_along_x(cards, 0, cards.place(0), problem);
@@ -288,7 +275,7 @@ TEST_CASE("Sweeps take 20, 136, 550, 2204 rounds to know the forces under 2, 5, 
     for (int k = 0; k < count; ++k) add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5 + k, 0));
     Instant stack(world);
     for (Contact& contact : stack.contacts)
-      contact = touch(contact.first, contact.second, Vec3(0, contact.first, 0), Vec3::UnitY());
+      contact = contact_at(contact.first, contact.second, Vec3(0, contact.first, 0), Vec3::UnitY());
     stack.assemble();
     const LcpProblem& lcp = stack.problem.lcp();
     REQUIRE(lcp.size() == count);

@@ -9,6 +9,7 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,48 +33,13 @@ BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = V
   return world.add(body, make_state(body, position_w, Quat::Identity(), velocity_w));
 }
 
-// A flat box on a plane that is tilted by an angle, seen from a camera that is tilted with it:
-// gravity has a part along x. A sliding box of this shape stays flat.
-World tilted_plane(double degrees, double friction, double speed) {
-  World world;
-  world.add_ground(friction);
-  const double angle = degrees * kPi / 180.0;
-  world.gravity_w = kG * Vec3(std::sin(angle), -std::cos(angle), 0.0);
-  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
-  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-  return world;
-}
-
 double place_x(const World& world) { return world.states()[1].position_w.x(); }
 double speed_x(const World& world) { return velocity(world.bodies()[1], world.states()[1]).x(); }
-
-// Runs a second and returns the steps that did not end as done.
-int run(World& world, Technique& technique, int steps, double dt = kStep) {
-  int failed = 0;
-  for (int k = 0; k < steps; ++k)
-    if (technique.step(world, dt).status != StepStatus::done) ++failed;
-  return failed;
-}
 
 TimeSteppingOptions with_directions(int directions) {
   TimeSteppingOptions options;
   options.velocities.directions = directions;
   return options;
-}
-
-double fastest(const World& world) {
-  double speed = 0.0;
-  for (std::size_t k = 0; k < world.bodies().size(); ++k)
-    speed = std::max({speed, velocity(world.bodies()[k], world.states()[k]).norm(),
-                      angular_velocity(world.bodies()[k], world.states()[k]).norm()});
-  return speed;
-}
-
-World stack_of(int count) {
-  World world;
-  world.add_ground();
-  for (int k = 0; k < count; ++k) add_cube(world, Vec3(0.0, k + 0.5, 0.0));
-  return world;
 }
 
 // Rows of cubes, each row shifted by half a cube.
@@ -376,20 +342,6 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
     }
   }
   CHECK(worst < 1e-9);  // [m] rounding, grown by impacts
-}
-
-TEST_CASE("A copy of the technique goes on with the same bits",
-          "[determinism][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  World world = pyramid_of(3);
-  add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0));
-  TimeStepping technique(posed<TimeSteppingOptions>());
-  run(world, technique, 8);
-  World copy = world;
-  const std::unique_ptr<Technique> clone = technique.clone();
-  run(world, technique, 4);
-  run(copy, *clone, 4);
-  CHECK(world.hash().value() == copy.hash().value());
 }
 
 TEST_CASE("Time stepping can be made by name", "[unit][time_stepping][analytic_lcp]") {

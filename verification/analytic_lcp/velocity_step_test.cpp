@@ -7,6 +7,7 @@
 #include "tumble/contact/effective_mass.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +17,10 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr double kStep = 1.0 / 60.0;
-
-Contact touching(int first, int second, const Vec3& place_w, const Vec3& normal_w,
-                 double friction) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.friction = friction;
-  contact.count = 1;
-  contact.points[0].position_w = place_w;
-  return contact;
-}
 
 // A world with velocities that can be stepped, without geometry: contacts are put down by hand.
 struct Scene {
@@ -85,7 +75,7 @@ Scene random_scene(Random& random, bool with_fixed) {
     const Vec3 place_w = random.in_cube(1.0);
     const Vec3 normal_w = random.direction();
     scene.contacts.push_back(
-        touching(first, second, place_w, normal_w, k % 3 == 0 ? 0.0 : random.uniform(0.0, 1.5)));
+        contact_at(first, second, place_w, normal_w, k % 3 == 0 ? 0.0 : random.uniform(0.0, 1.5)));
     scene.contacts.back().points[0].distance = k % 2 == 0 ? 0.0 : random.uniform(0.0, 0.05);
   }
   scene.load();
@@ -104,7 +94,7 @@ Scene painleve(double degrees, double friction, double sliding, double omega) {
   const Vec3 velocity_w = Vec3(sliding, 0.0, 0.0) - spin_w.cross(to_end);
   const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
   scene.world.add(rod, make_state(rod, -to_end, turned, velocity_w, spin_w));
-  scene.contacts.push_back(touching(0, 1, Vec3::Zero(), Vec3::UnitY(), friction));
+  scene.contacts.push_back(contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), friction));
   scene.load();
   scene.free[1].linear_w = scene.world.gravity_w;
   return scene;

@@ -2,6 +2,9 @@
 /// \brief Running the command `tumble` from a test.
 #pragma once
 
+#include "support/catch.hpp"
+#include "support/files.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -10,6 +13,7 @@
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <vector>
 
 #ifndef TUMBLE_COMMAND
 #define TUMBLE_COMMAND "tumble"  // where the build does not say: the one that is installed
@@ -45,32 +49,23 @@ inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
 }
 
-/// The content of a file.
-/// \param path the file
-/// \return its bytes; empty if there is none
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
-
-/// A folder of its own for a test: not there at its start, and gone at its end.
-struct Folder {
-  /// Makes sure that it is not there.
-  /// \param name no other test's
-  explicit Folder(const char* name)
-      : path(std::filesystem::temp_directory_path() / (std::string("tumble_command_") + name)) {
-    std::filesystem::remove_all(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  /// Where it is.
-  /// \return as the command line takes it
-  [[nodiscard]] std::string text() const { return path.string(); }
-  std::filesystem::path path;  ///< where it is
+/// A command line that is wrong, and what its answer has to contain.
+struct Refusal {
+  std::string arguments;  ///< as typed after the command's name
+  std::string message;    ///< a part of the answer
 };
+
+/// Checks that each command line is refused with one line and exit code 2.
+/// \param refusals  the command lines
+inline void check_refused(const std::vector<Refusal>& refusals) {
+  for (const Refusal& refusal : refusals) {
+    const Outcome outcome = run_tumble(refusal.arguments);
+    INFO(refusal.arguments << '\n' << outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.text.find(refusal.message) != std::string::npos);
+    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+  }
+}
 
 /// The hash in a run's summary.
 /// \param folder of the run

@@ -113,10 +113,6 @@ TEST_CASE("Short runs end well: no step, one step, every third step recorded", "
 
 TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and nothing left behind",
           "[unit][command]") {
-  struct Case {
-    std::string arguments;
-    std::string message;
-  };
   const Folder folder("mistake");
   const Folder files("mistake_files");
   fs::create_directories(files.path / "folder.toml");
@@ -127,7 +123,7 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       << "[[box]]\nname = \"a\"\nsize = [1,0,1]\nmass = 1\nposition = [0,1,0]\n";
   std::ofstream(files.path / "binary.toml", std::ios::binary) << std::string(4096, '\xfe');
   const std::string in = " " + files.text() + "/";
-  const std::vector<Case> cases = {
+  std::vector<Refusal> cases = {
       {"run piramid", "unknown scene piramid: did you mean pyramid? Expected one of: box_drop,"},
       {"run stack --technique basics", "unknown technique basics: did you mean basic?"},
       {"run stack --set cuont=3",
@@ -182,16 +178,11 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg, png, gif, mp4 or gltf"},
       {"render" + in + "folder.toml --as svg --at soon", "--at: soon: expected a finite number"},
   };
-  for (const Case& c : cases) {
-    INFO(c.arguments);
-    const bool writes = c.arguments.find("run ") == 0 || c.arguments.find("compare ") == 0;
-    const Outcome outcome = run_tumble(c.arguments + (writes ? " --out " + folder.text() : ""));
-    INFO(outcome.text);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(c.message) != std::string::npos);
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
-    CHECK(!fs::exists(folder.path));
-  }
+  for (Refusal& c : cases)
+    if (c.arguments.find("run ") == 0 || c.arguments.find("compare ") == 0)
+      c.arguments += " --out " + folder.text();
+  check_refused(cases);
+  CHECK(!fs::exists(folder.path));
 }
 
 TEST_CASE("A folder that is no run's is not written into", "[unit][command]") {

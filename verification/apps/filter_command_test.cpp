@@ -110,11 +110,7 @@ TEST_CASE("The filter takes the frames that are recorded, not those between them
 TEST_CASE("A filter that there is not ends with code 2 and one line, before anything runs",
           "[unit][command][filtering]") {
   const Folder folder("filter_mistake");
-  struct Case {
-    std::string arguments;
-    std::string message;
-  };
-  const std::vector<Case> cases = {
+  std::vector<Refusal> cases = {
       {"--filter box:4", "box filter over 4 frames: expected an odd number"},
       {"--filter bx:5", "did you mean box?"},
       {"--filter ''", "there is none called"},
@@ -126,16 +122,10 @@ TEST_CASE("A filter that there is not ends with code 2 and one line, before anyt
       {"--halvings 2.5", "--halvings: 2.5: expected a whole number"},
       {"--halvings 21", "halvings = 21: expected 0 to 20"},
   };
-  for (const Case& c : cases) {
-    INFO(c.arguments);
-    const Outcome outcome =
-        run_tumble("run dice --duration 1 --out " + folder.text() + " " + c.arguments);
-    INFO(outcome.text);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(c.message) != std::string::npos);
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
-    CHECK(!fs::exists(folder.path));
-  }
+  for (Refusal& c : cases)
+    c.arguments = "run dice --duration 1 --out " + folder.text() + " " + c.arguments;
+  check_refused(cases);
+  CHECK(!fs::exists(folder.path));
 }
 
 TEST_CASE("A run that becomes infinite leaves the filtered frames before it and says so",

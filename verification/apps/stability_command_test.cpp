@@ -122,10 +122,7 @@ TEST_CASE("Mistakes in a request for stability end with code 2 and one line", "[
   const Folder folder("stability_bad");
   std::filesystem::create_directories(folder.path);
   std::ofstream(folder.path / "bad.toml") << "[[box]]\nsize = [1, 1, -1]\n";
-  struct Case {
-    std::string arguments, message;
-  };
-  const std::vector<Case> cases{
+  check_refused({
       {"stability", "scene is required"},
       {"stability nosuch", "unknown scene nosuch"},
       {"stability stack --rule hulls", "--rule hulls: did you mean hull?"},
@@ -139,14 +136,7 @@ TEST_CASE("Mistakes in a request for stability end with code 2 and one line", "[
       {"stability " + folder.text() + "/bad.toml --set count=2", "count"},
       {"stability stack --seed x", "expected a whole number"},
       {"stabilty stack", "did you mean stability?"},
-  };
-  for (const Case& c : cases) {
-    const Outcome outcome = run_tumble(c.arguments);
-    INFO(c.arguments << '\n' << outcome.text);
-    CHECK(outcome.code == 2);
-    CHECK_THAT(outcome.text, Contains(c.message));
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
-  }
+  });
 }
 
 TEST_CASE("Every built-in scene can be asked for its stability", "[unit][command]") {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata S5 to S9.
+/// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata T5 to T9.
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -92,26 +92,26 @@ TEST_CASE(
   // By hand: the second flies from 1.5 to 3 m and the third from 2.65 to 1.9 m; or they collide at
   // 0.3 s, the second is back at 1.5 m at 0.4 s and stops there, and the third ends at 4 m. Impacts
   // may be found 1 µs early: 3 m/s of that for each.
-  CHECK(std::abs(errata().number("S5: third cube ahead of the second, end of the step tested") -
+  CHECK(std::abs(errata().number("T5: third cube ahead of the second, end of the step tested") -
                  -1.1) < 5e-6);  // [m] measured 1e-16 off
-  CHECK(std::abs(errata().number("S5: third cube ahead of the second, way there searched") - 2.5) <
+  CHECK(std::abs(errata().number("T5: third cube ahead of the second, way there searched") - 2.5) <
         1e-5);  // [m] measured 1e-15 off
 }
 
 TEST_CASE("A slow landing has no last impact unless a shortest flight makes one",
           "[exact][basic_colliding]") {
-  CHECK(errata().number("S6: impacts in a step that nothing ends, until a cap") == 100.0);
+  CHECK(errata().number("T6: impacts in a step that nothing ends, until a cap") == 100.0);
   // Impact k leaves a flight of 2 v e^k / g, v = 0.05 m/s, e = 1/2: 1.24 µs for 13, 0.62 µs for 14.
-  CHECK(errata().number("S6: impacts in a step, a flight below 1 µs being the last") == 14.0);
-  CHECK(std::abs(errata().number("S6: time from the first of them to the last") - 0.0101924355728) <
+  CHECK(errata().number("T6: impacts in a step, a flight below 1 µs being the last") == 14.0);
+  CHECK(std::abs(errata().number("T6: time from the first of them to the last") - 0.0101924355728) <
         8.4e-8);  // [s] 14 impacts of 6 ns; measured 1e-8 off
 }
 
 TEST_CASE(
     "Bodies put where they overlap are found again and again, bodies put where they are apart once",
     "[exact][basic_colliding]") {
-  CHECK(errata().number("S7: impacts, the overlapping end being kept, until a cap") == 100.0);
-  CHECK(errata().number("S7: impacts, the separated end being kept") == 1.0);
+  CHECK(errata().number("T7: impacts, the overlapping end being kept, until a cap") == 100.0);
+  CHECK(errata().number("T7: impacts, the separated end being kept") == 1.0);
 }
 
 TEST_CASE("Bisecting an Euler step finds a false time of impact, bisecting a flight the true one",
@@ -119,26 +119,26 @@ TEST_CASE("Bisecting an Euler step finds a false time of impact, bisecting a fli
   const double h = 1e-3;       // [m]
   const double g = 9.81;       // [m/s²]
   const double found = 2e-12;  // [s] the search's resolution, and rounding
-  CHECK(std::abs(errata().number("S8: impact time, bisecting a semi-implicit Euler step") -
+  CHECK(std::abs(errata().number("T8: impact time, bisecting a semi-implicit Euler step") -
                  std::sqrt(h / g)) < found);
-  CHECK(std::abs(errata().number("S8: impact time, bisecting a flight") - std::sqrt(2.0 * h / g)) <
+  CHECK(std::abs(errata().number("T8: impact time, bisecting a flight") - std::sqrt(2.0 * h / g)) <
         found);
   // Cut at a third, an Euler step of dt loses 2/9 g dt² (semi-implicit) or gains it (forward).
   const double cut = 2.0 / 9.0 * g / 3600.0;
-  CHECK(std::abs(errata().number("S8: height that cutting a step changes, forward Euler") - cut) <
+  CHECK(std::abs(errata().number("T8: height that cutting a step changes, forward Euler") - cut) <
         1e-14);
-  CHECK(std::abs(errata().number("S8: height that cutting a step changes, semi-implicit Euler") -
+  CHECK(std::abs(errata().number("T8: height that cutting a step changes, semi-implicit Euler") -
                  cut) < 1e-14);
-  CHECK(errata().number("S8: height that cutting a step changes, flight") < 1e-15);  // [m] 0
+  CHECK(errata().number("T8: height that cutting a step changes, flight") < 1e-15);  // [m] 0
 }
 
 TEST_CASE(
     "A flat landing tilts a cube if its corners collide in turn, not if they collide together",
     "[exact][basic_colliding]") {
   // Exact fractions: each corner that approaches takes (1 + e) times its speed over 4 / m.
-  CHECK(std::abs(errata().number("S9: spin after a flat landing, corner by corner") -
+  CHECK(std::abs(errata().number("T9: spin after a flat landing, corner by corner") -
                  1.842908714517629) < 1e-13);  // [rad/s]
-  CHECK(std::abs(errata().number("S9: the same, most of all 24 orders of the corners") -
+  CHECK(std::abs(errata().number("T9: the same, most of all 24 orders of the corners") -
                  2.187993856941261) < 1e-13);
-  CHECK(errata().number("S9: spin after a flat landing, all corners together") < 1e-13);  // 2e-15
+  CHECK(errata().number("T9: spin after a flat landing, all corners together") < 1e-13);  // 2e-15
 }

@@ -41,7 +41,7 @@ std::vector<AppendixListing> read(const std::string& toml, const std::string& me
 std::vector<ErratumEntry> one_erratum() {
   ErratumEntry entry;
   entry.erratum.id = "C1";
-  entry.erratum.kind = "slip";
+  entry.erratum.kind = "misprint";
   entry.erratum.section = "A.2";
   entry.erratum.printed = "No &.";
   entry.erratum.reading = "Times <dt>.";
@@ -99,7 +99,7 @@ TEST_CASE("The page of appendix A links each line to its source and its erratum"
   CHECK_THAT(page, Contains("<a href=\"collide_8cpp_source.html#l00003\">line 3</a>"));
   CHECK_THAT(page, Contains("href=\"collide__as__printed_8cpp_source.html#l00002\""));
   CHECK_THAT(page, Contains("if (a &amp;&amp; b) {"));
-  CHECK_THAT(page, Contains("<a href=\"errata.html#erratum_C1\">C1</a> (slip): No &amp;."));
+  CHECK_THAT(page, Contains("<a href=\"errata.html#erratum_C1\">C1</a> (misprint): No &amp;."));
   CHECK_THAT(page, Contains("<strong>Read as:</strong> Times &lt;dt&gt;."));
   CHECK_THAT(page, Contains("<a href=\"#collide_3\">3</a>"));
   CHECK_THROWS_WITH(appendix_page(listings, {}),

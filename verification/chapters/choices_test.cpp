@@ -159,7 +159,7 @@ TEST_CASE("Every choice of the chapters has a value, a reason, and numbers or a 
   }
   const Findings findings = read_findings("/nowhere", {files.begin(), files.end()});
   CHECK(findings.choices.size() > 30);
-  const auto constants = read_all_tolerances(root / "src/tumble/base");
+  const auto constants = read_all_tolerances(root / "src/tumble");
   for (const ChoiceEntry& entry : findings.choices) {
     INFO(entry.choice.place);
     const auto values = chosen_values(entry.choice, {constants, findings.figures});

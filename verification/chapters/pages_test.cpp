@@ -31,7 +31,7 @@ std::string header_with(const std::string& lines) {
 
 std::vector<Tolerance> tolerances_in(const std::string& text) {
   const Scratch scratch("tolerances");
-  return read_tolerances(scratch.file("tolerance.hpp", text));
+  return read_tolerances(scratch.file("tolerances.hpp", text));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
                                 "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
                    scratch.file("falling/claims.toml", kClaims),
                    scratch.file("falling/errata.toml",
-                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"slip\"\n"
+                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"misprint\"\n"
                                 "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
                                 "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
                                 "test = \"t\"\ncommand = \"c\"\n")});
@@ -161,21 +161,23 @@ TEST_CASE("A small number without unit, reason or section is refused", "[unit][l
                            "/// [-] Slow. Reason: so.\n", "/// [-] Slow. Reason: (3.1)\n"}) {
     INFO(said);
     CHECK_THROWS_WITH(tolerances_in(header_with(said + constant)),
-                      Contains("tolerance.hpp:") && Contains("what it decides. Reason: why."));
+                      Contains("tolerances.hpp:") && Contains("what it decides. Reason: why."));
   }
   const std::string good = "/// [-] Slow. Reason: so. (3.1)\n";
   CHECK_THROWS_WITH(tolerances_in(header_with(good + "\n" + constant)),
-                    Contains("tolerance.hpp:7: '': a docstring without its constant"));
+                    Contains("tolerances.hpp:7: '': a docstring without its constant"));
   CHECK_THROWS_WITH(tolerances_in(header_with(good + constant + "inline double fast = 1.0;\n")),
-                    Contains("tolerance.hpp:8: 'inline double fast = 1.0;'"));
+                    Contains("tolerances.hpp:8: 'inline double fast = 1.0;'"));
   CHECK_THROWS_WITH(tolerances_in(header_with("")), Contains("no constants between"));
   CHECK_THROWS_WITH(tolerances_in(good + constant), Contains("no constants between"));
 }
 
 TEST_CASE("Every small number of the library has unit, reason and section", "[unit][ledger]") {
-  const auto found =
-      read_all_tolerances(std::filesystem::path(TUMBLE_SOURCE_DIR) / "src/tumble/base");
+  const auto found = read_all_tolerances(std::filesystem::path(TUMBLE_SOURCE_DIR) / "src/tumble");
   CHECK(found.size() > 60);
+  CHECK(found.front().layer == "base");
+  CHECK(std::any_of(found.begin(), found.end(),
+                    [](const Tolerance& one) { return one.layer == "filtering"; }));
 }
 
 }  // namespace tumble::chapters

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Choosing a technique: the problems' closed forms, the claim, and what the page says of it.
 #include "choosing/cost_experiments.hpp"
-#include "choosing/experiments.hpp"
 #include "choosing/problems.hpp"
 #include "choosing/rest_experiments.hpp"
 #include "choosing/work_experiments.hpp"
@@ -54,7 +53,7 @@ PlayedTechnique played(const std::string& name) {
   throw std::runtime_error("not compared: " + name);
 }
 
-// The rows of the page's tables that tell of a technique, by their first cell.
+// The rows of the page's tables about a technique, by their first cell.
 std::vector<std::string> rows_of(const std::string& page, const std::string& technique) {
   const std::string begin = "\n| `" + technique + "` |";
   std::vector<std::string> rows;
@@ -76,7 +75,7 @@ TEST_CASE("Every technique of the library is compared, and each once", "[unit][c
 }
 
 TEST_CASE("Every technique has its row in each table of the page on choosing", "[unit][choosing]") {
-  // A technique that is new to the library fails here until the page tells of it.
+  // A technique that is new to the library fails here until the page has it.
   const std::string page = read_file(kFolder / "page.md");
   for (const TechniqueRecipe& recipe : technique_library()) {
     INFO(recipe.name);
@@ -86,7 +85,7 @@ TEST_CASE("Every technique has its row in each table of the page on choosing", "
   }
 }
 
-TEST_CASE("What a table of the page tells of a technique is measured of that technique",
+TEST_CASE("A number in a technique's row of the page is measured with that technique",
           "[unit][choosing]") {
   const std::string page = read_file(kFolder / "page.md");
   const std::set<std::string> figures = {"claim_6_3_2a_work", "choose_rest", "choose_cost"};
@@ -104,7 +103,7 @@ TEST_CASE("What a table of the page tells of a technique is measured of that tec
   }
 }
 
-TEST_CASE("A number that was measured of a technique stands in its row of the page",
+TEST_CASE("A number that was measured with a technique stands in its row of the page",
           "[unit][choosing]") {
   const std::string page = read_file(kFolder / "page.md");
   for (const DrawnFigure& figure : expected_figures({kFolder / "expected.csv"})) {
@@ -150,7 +149,7 @@ TEST_CASE("Everything that a report counts as work is counted once", "[unit][cho
   CHECK(work_of(report, 10.0) == 111201.0);
 }
 
-TEST_CASE("Pairs change places if each of two is ahead somewhere", "[exact][choosing]") {
+TEST_CASE("A pair changes places if each of the two is ahead somewhere", "[exact][choosing]") {
   const double never = std::numeric_limits<double>::infinity();
   CHECK(share_that_changes_places({{1, 1, 1}, {2, 2, 2}}) == 0.0);
   CHECK(share_that_changes_places({{1, 3, 1}, {2, 2, 2}}) == 1.0);
@@ -171,7 +170,7 @@ TEST_CASE("Smaller steps bring time stepping nearer to a slide, a bounce and a r
   }
 }
 
-TEST_CASE("Stacks that stand apart have five boxes each and touch nobody else",
+TEST_CASE("Stacks that stand apart have five boxes each and touch no other stack",
           "[exact][choosing]") {
   for (const int boxes : {10, 100, 1000}) {
     const Scene scene = separate_stacks(boxes);
@@ -180,15 +179,14 @@ TEST_CASE("Stacks that stand apart have five boxes each and touch nobody else",
   }
 }
 
-TEST_CASE("A technique that refuses a scene costs nothing and says so", "[unit][choosing]") {
-  CHECK(step_cost(separate_stacks(200), played("glued"), 1).refused);
-  const StepCost taken = step_cost(separate_stacks(10), played("contact_damped"), 1);
-  CHECK_FALSE(taken.refused);
-  CHECK(taken.work > 10.0);  // each box is advanced, and more
+TEST_CASE("A technique that refuses a scene has no cost", "[unit][choosing]") {
+  CHECK(std::isnan(step_cost(separate_stacks(200), played("glued"), 1)));
+  // Each box is advanced, and more.
+  CHECK(step_cost(separate_stacks(10), played("contact_damped"), 1) > 10.0);
 }
 
-TEST_CASE("Who is ahead changes from problem to problem", "[claims][choosing]") {
-  const FigureUnderTest figure(choosing_figures(), "claim_6_3_2a_work", {"finest=8"});
+TEST_CASE("The order of techniques changes from problem to problem", "[claims][choosing]") {
+  const FigureUnderTest figure("claim_6_3_2a_work", {"finest=8"});
   const double share = figure.number(
       "share of the pairs of techniques that change places between two of three problems, by the "
       "work that an error of one per cent takes");
@@ -198,8 +196,7 @@ TEST_CASE("Who is ahead changes from problem to problem", "[claims][choosing]") 
 }
 
 TEST_CASE(
-    "A box tips at the angle of its diagonal where friction is told, and not where damping stands "
-    "for it",
+    "A box tips at the angle of its diagonal under friction, and not where damping stands for it",
     "[exact][choosing]") {
   constexpr double kLimit = 26.565051177;  // [deg] arctan 1/2
   constexpr int kHalves = 5;               // of 58 degrees: the middle is off by 0.91 at most
@@ -210,7 +207,7 @@ TEST_CASE(
   CHECK(std::isinf(tipping_angle(played("damped"), kHalves)));
 }
 
-TEST_CASE("A pile that falls has no speed to tell, and one that stands has", "[unit][choosing]") {
+TEST_CASE("A pile that falls has no speed at rest, and one that stands has", "[unit][choosing]") {
   const Scene pair = scene_with("stack", {"count=2"});
   const PileRun stands = pile_run(pair, played("contact_damped"), 0.6);
   CHECK(stands.stands);
@@ -222,7 +219,7 @@ TEST_CASE("A pile that falls has no speed to tell, and one that stands has", "[u
   CHECK(std::isnan(falls.speed));
 }
 
-TEST_CASE("What the page recommends is what the numbers say", "[unit][choosing]") {
+TEST_CASE("The advice of the page agrees with the numbers", "[unit][choosing]") {
   // make figures holds these numbers to those of a full run; here they are held to the advice.
   const Written numbers;
   const auto others = [](const std::string& than) {
@@ -231,11 +228,11 @@ TEST_CASE("What the page recommends is what the numbers say", "[unit][choosing]"
       if (one.name != than) names.push_back(one.name);
     return names;
   };
-  SECTION("contact_damped for heaps") {
+  SECTION("contact_damped for piles") {
     CHECK(numbers.of("contact_damped", "chatter in a stack") < 0.01);            // [mm]
     CHECK(numbers.of("contact_damped", "overlap in a stack") < 0.01);            // [mm]
     CHECK(numbers.of("contact_damped", "overlap under a load of 1000") < 0.01);  // [mm]
-    // Ten times the boxes in one heap, and no more than twelve times the work.
+    // Ten times the boxes in one island, and no more than twelve times the work.
     CHECK(numbers.of("contact_damped", "work of a step, 990 boxes in a pyramid") <
           12.0 * numbers.of("contact_damped", "work of a step, 105 boxes in a pyramid"));
   }
@@ -249,7 +246,7 @@ TEST_CASE("What the page recommends is what the numbers say", "[unit][choosing]"
     const std::string slide = "work of slide for an error of one per cent";
     CHECK(numbers.of("time_stepping", slide) > numbers.of("contact_damped", slide));
   }
-  SECTION("a timewarp for what flies, not for heaps") {
+  SECTION("a timewarp for bodies in flight, not for piles") {
     const std::string bounce = "work of bounce for an error of one per cent";
     for (const std::string& name : others("timewarp_full"))
       if (numbers.has(number_name(name, bounce)))
@@ -266,7 +263,7 @@ TEST_CASE("What the page recommends is what the numbers say", "[unit][choosing]"
     CHECK(numbers.of("damped", "error of slide at 1/60 s") > 50.0);  // [%]
     CHECK_FALSE(numbers.has("damped: slope from which a box tips"));
   }
-  SECTION("glued holds what is joined and nothing else") {
+  SECTION("glued holds joined bodies and nothing else") {
     CHECK(numbers.of("glued", "error of rock at 1/60 s") < 1e-3);   // [%]
     CHECK(numbers.of("glued", "error of slide at 1/60 s") > 50.0);  // [%]
   }

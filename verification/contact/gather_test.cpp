@@ -6,11 +6,13 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <limits>
 #include <utility>
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -26,14 +28,6 @@ World small_world() {
   const BodyProperties wall = fixed_box_properties(Vec3::Ones());
   world.add(wall, make_state(wall, Vec3(3, 0.4, 0)));
   return world;
-}
-
-std::vector<IndexPair> all_pairs(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int i = 0; i < world.count(); ++i) {
-    for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
-  }
-  return pairs;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 
+#include "contact/island_cases.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
@@ -14,27 +15,8 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
-
-// One body for each letter: m movable, f fixed.
-std::vector<BodyProperties> bodies_from(const char* letters) {
-  std::vector<BodyProperties> bodies;
-  for (; *letters != '\0'; ++letters)
-    bodies.push_back(*letters == 'm' ? box_properties(Vec3::Ones(), 1.0)
-                                     : fixed_box_properties(Vec3::Ones()));
-  return bodies;
-}
-
-Contact touching(int first, int second) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  return contact;
-}
-
-std::vector<int> list(std::span<const int> numbers) {
-  return std::vector<int>(numbers.begin(), numbers.end());
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/contact/islands.hpp"
 
+#include "contact/island_cases.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
@@ -12,32 +13,13 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
-
-// One body for each letter: m movable, f fixed, w movable but counted as a wall.
-std::vector<BodyProperties> bodies_from(const char* letters) {
-  std::vector<BodyProperties> bodies;
-  for (; *letters != '\0'; ++letters)
-    bodies.push_back(*letters == 'f' ? fixed_box_properties(Vec3::Ones())
-                                     : box_properties(Vec3::Ones(), 1.0));
-  return bodies;
-}
 
 std::vector<char> walls_from(const char* letters) {
   std::vector<char> walls;
   for (; *letters != '\0'; ++letters) walls.push_back(*letters == 'w' ? 1 : 0);
   return walls;
-}
-
-Contact touching(int first, int second) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  return contact;
-}
-
-std::vector<int> list(std::span<const int> numbers) {
-  return std::vector<int>(numbers.begin(), numbers.end());
 }
 
 }  // namespace

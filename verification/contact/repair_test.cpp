@@ -4,10 +4,12 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,6 +18,7 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr double kSlop = tolerance::repair_slop;  // [m] for bodies with a shortest edge of 1 m
@@ -37,13 +40,6 @@ BodyId fixed(World& world, const Vec3& size, double x, double y) {
 
 Vec3 position_of(const World& world, BodyId id) {
   return world.states()[at(world.index_of(id))].position_w;
-}
-
-std::vector<IndexPair> all_pairs(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-  return pairs;
 }
 
 RepairReport repair(World& world) {
@@ -161,7 +157,7 @@ TEST_CASE("A box that presses against a shelf from below goes down, and the shel
   CHECK(report.energy < 0.0);
 }
 
-TEST_CASE("A box squeezed between two walls ends in their middle, and the status tells",
+TEST_CASE("A box squeezed between two walls ends in their middle, and the status reports it",
           "[unit][repair]") {
   for (const double off : {0.0, 0.03, -0.08}) {
     World world;
@@ -294,7 +290,7 @@ TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
   CHECK(report.deepest_before == 0.0);
   CHECK(position_of(world, sleeper).y() == 0.9);
 
-  // Somebody awake goes out of the sleeper's way, although he is below it.
+  // A body that is awake goes out of the sleeper's way, although it is below.
   const BodyId below = cube(world, 0.0, 0.1);
   world.remove(world.ids()[0]);
   world.remove(world.ids()[0]);

@@ -3,7 +3,7 @@
 #include "tumble/contact_damped/patch_solver.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/math/rotation.hpp"
 

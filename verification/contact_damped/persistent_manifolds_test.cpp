@@ -2,7 +2,7 @@
 /// \brief Contact areas are kept while bodies rest, and hand on their impulses when they are not.
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/allocation_counter.hpp"

@@ -1,5 +1,6 @@
 /// \file
 /// \brief A bouncing box, event by event: the infinite series of bounces in a finite time.
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/event_search.hpp"
 
 #include "support/catch.hpp"

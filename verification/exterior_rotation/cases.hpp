@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/changed_world.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 
 #include <algorithm>
@@ -50,15 +51,6 @@ inline double apart(const World& one, const World& other) {
 inline bool same_states(const World& one, const World& other) {
   return std::equal(one.states().begin(), one.states().end(), other.states().begin(),
                     other.states().end());
-}
-
-/// Does steps of one length.
-/// \param world      in and out
-/// \param technique  steps it
-/// \param steps      how many
-/// \param dt         [s] of each
-inline void run(World& world, Technique& technique, int steps, double dt = kFrame) {
-  for (int k = 0; k < steps; ++k) technique.step(world, dt);
 }
 
 /// All ways to integrate: every scheme, with the exponential too where there is a choice.

@@ -2,7 +2,6 @@
 /// \brief Orders of the glued column's integration and what one step does (claim 6.2b).
 #include "driver/quick.hpp"
 #include "exterior_rotation/column_runs.hpp"
-#include "exterior_rotation/order_figures.hpp"
 #include "support/catch.hpp"
 
 #include <array>
@@ -43,7 +42,7 @@ TEST_CASE(
     "Forward Euler, semi-implicit Euler, impulses, midpoint and Runge-Kutta are of orders "
     "1, 1, 1, 2 and 4 in a glued column's angle and gap",
     "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "claim_6_2b_order", {"doublings=7"});
+  const FigureUnderTest figure("claim_6_2b_order", {"doublings=7"});
   // The seventh scheme is Dormand and Prince's, whose gap is no straight line.
   const Table& orders = figure.result.tables[1];
   constexpr std::array<double, 6> expected{1.0, 1.0, 1.0, 2.0, 2.0, 4.0};
@@ -57,7 +56,7 @@ TEST_CASE(
 
 TEST_CASE("Runge and Kutta's method follows the glued column with a gap of its own order, four",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "claim_6_2b_order");
+  const FigureUnderTest figure("claim_6_2b_order");
   CHECK(figure.number("order of the gap in figure 6.1's column against the step, for the classical "
                       "method of Runge and Kutta with forces solved at each stage, joints held") ==
         near(4.0).margin(0.1));
@@ -67,7 +66,7 @@ TEST_CASE("Runge and Kutta's method follows the glued column with a gap of its o
 
 TEST_CASE("Gap over step tends to the leading-order integrals of the first-order schemes",
           "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "claim_6_2b_order", {"doublings=7"});
+  const FigureUnderTest figure("claim_6_2b_order", {"doublings=7"});
   for (const std::string_view scheme : {"forward Euler", "semi-implicit Euler", "impulses"}) {
     CAPTURE(scheme);
     // [-] asked for is 1e-2; measured 7e-5 with steps down to 1/640 s
@@ -79,7 +78,7 @@ TEST_CASE("Gap over step tends to the leading-order integrals of the first-order
 
 TEST_CASE("One step opens or overlaps a turning column by half the square of the angle turned",
           "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "one_step_gap");
+  const FigureUnderTest figure("one_step_gap");
   const double half_square = 2.0 * 2.0 / (2.0 * 60.0 * 60.0);
   CHECK(figure.number("half of the square of the angle turned in 1/60 s, times a metre") ==
         near(half_square).margin(1e-16));

@@ -2,7 +2,6 @@
 /// \brief What the glued column's accuracy costs, and the steps that hide its gap (claim 6.2e).
 #include "driver/quick.hpp"
 #include "exterior_rotation/column_runs.hpp"
-#include "exterior_rotation/order_figures.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -39,7 +38,7 @@ TEST_CASE(
     "For as many force solves Runge and Kutta's angle is ten thousand times nearer than "
     "that of any simple scheme, and no exponential changes that",
     "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "rotation_work", {"doublings=6"});
+  const FigureUnderTest figure("rotation_work", {"doublings=6"});
   const double rk4 = figure.number("angle's error at 640 force solves, Runge-Kutta 4");
   for (const char* scheme : {"forward Euler", "semi-implicit Euler", "impulses", "midpoint",
                              "leapfrog", "leapfrog, exponential"}) {
@@ -54,7 +53,7 @@ TEST_CASE(
 
 TEST_CASE("Semi-implicit Euler needs fifty times the usual steps to hide the column's gap",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "claim_6_2e_steps", {"gap=1e-4"});
+  const FigureUnderTest figure("claim_6_2e_steps", {"gap=1e-4"});
   const double ratio = figure.number(
       "steps a second that keep the gap of figure 6.1's column below a tenth of a "
       "millimetre in a second of its fall, semi-implicit Euler, over 60");
@@ -67,7 +66,7 @@ TEST_CASE("Semi-implicit Euler needs fifty times the usual steps to hide the col
 
 TEST_CASE("The number of steps that keeps a gap small is the first whole one that does",
           "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "claim_6_2e_steps", {"gap=2e-3"});
+  const FigureUnderTest figure("claim_6_2e_steps", {"gap=2e-3"});
   const Table& table = figure.result.tables.front();
   const auto schemes = separate_schemes();
   for (std::size_t k = 0; k < schemes.size(); ++k) {

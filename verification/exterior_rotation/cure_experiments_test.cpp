@@ -1,8 +1,7 @@
 /// \file
 /// \brief The cure: one twist for each body keeps groups together; what it leaves (claims 6.2c and 6.2d).
 #include "driver/quick.hpp"
-#include "exterior_rotation/cure_figures.hpp"
-#include "exterior_rotation/cure_runs.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -13,7 +12,7 @@ using namespace tumble::chapters;
 
 TEST_CASE("One force and one torque carry each box of a falling column round its circle",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "claim_6_2d_one_twist");
+  const FigureUnderTest figure("claim_6_2d_one_twist");
   // What the claim's rule calls refuted is 1e-9; what was asked of the cure is 1e-12.
   CHECK(
       figure.number(
@@ -27,7 +26,7 @@ TEST_CASE("One force and one torque carry each box of a falling column round its
 
 TEST_CASE("One twist for each body leaves the error of the column's angle as large as it was",
           "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "claim_6_2d_one_twist");
+  const FigureUnderTest figure("claim_6_2d_one_twist");
   // [rad] evaluated apart from this code, five digits.
   CHECK(figure.number("error of the angle, forward Euler, apart") == near(-2.8388e-2).margin(5e-7));
   CHECK(figure.number("error of the angle, semi-implicit Euler, apart") ==
@@ -47,7 +46,7 @@ TEST_CASE("One twist for each body leaves the error of the column's angle as lar
 TEST_CASE(
     "Groups moved by one twist for each body hold together at every step, in space and in flight",
     "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "twist_any_step");
+  const FigureUnderTest figure("twist_any_step");
   CHECK(figure.number("largest gap at any step, in the plane") < 1e-12);  // [m]
   CHECK(figure.number("largest distance of a corner from itself at any step, on a ball joint") <
         1e-12);
@@ -58,7 +57,7 @@ TEST_CASE(
 TEST_CASE(
     "With one twist for each body simple steps have order 1, the leapfrog 2, in space as well",
     "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "twist_any_step");
+  const FigureUnderTest figure("twist_any_step");
   CHECK(figure.number("order of the angle's error, semi-implicit") == near(1.0).margin(0.1));
   CHECK(figure.number("order of the angle's error, impulses") == near(1.0).margin(0.1));
   CHECK(figure.number("order of the angle's error, leapfrog") == near(2.0).margin(0.1));
@@ -88,7 +87,7 @@ TEST_CASE("The centre of a group in flight goes straight, whatever scheme turns 
 
 TEST_CASE("A thrown group that turns falls as its centre does, for leapfrog steps of any length",
           "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "twist_any_step");
+  const FigureUnderTest figure("twist_any_step");
   CHECK(figure.number("in flight, the centre's largest distance from free fall at any step") <
         1e-12);  // [m] measured 6e-14
   CHECK(figure.number("in flight, the largest error of the centre's velocity at any step") <
@@ -99,7 +98,7 @@ TEST_CASE("A thrown group that turns falls as its centre does, for leapfrog step
 
 TEST_CASE("The best single rotation of figure 6.3 leaves less than one twist each, a tree nothing",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "claim_6_2c_one_pivot");
+  const FigureUnderTest figure("claim_6_2c_one_pivot");
   CHECK(figure.number(
             "gap or overlap that the best single rotation leaves in a step of figure 6.3 at 60 "
             "steps a second, over what one rotation for each body leaves") <= 2.0);  // 0.0033
@@ -109,14 +108,12 @@ TEST_CASE("The best single rotation of figure 6.3 leaves less than one twist eac
   CHECK(figure.number("the same ratio for spins of -0.3 and -9 rad/s") > 2.0);  // [-] measured 2.6
   CHECK(figure.number("what the best single rotation leaves") > 1e-7);  // [m] measured 2.6e-6
   CHECK(figure.number("what a tree of pivots leaves") < 1e-14);         // [m] measured 0
-  CHECK(std::abs(figure.number("what a simplex leaves more than the search over rates, over it")) <
-        1e-3);
 }
 
 TEST_CASE(
     "Twists that meet at a moving joint part by half h² times the spins' difference and its speed",
     "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "claim_6_2c_one_pivot");
+  const FigureUnderTest figure("claim_6_2c_one_pivot");
   const double predicted = figure.number("half h² |Δω| |v_p|");
   // 3 rad/s, and 1.5 rad/s with a lever of 1.25 m; 60 steps a second.
   CHECK(predicted == near(0.5 * 3.0 * 1.5 * 1.25 / 3600.0).margin(1e-15));
@@ -131,7 +128,7 @@ TEST_CASE(
     "What sticks turns about its touching point, what flies about its centre, what slides about "
     "none",
     "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(cure_figures(), "which_centre");
+  const FigureUnderTest figure("which_centre");
   const double share = 0.5 * 4.0 / 3600.0;  // half h² ω² for 2 rad/s
   const double lever = std::sqrt(0.5);      // [m] of a unit cube's edge
   // About the wrong point, to second order; the next orders are at most h ω, 0.034.

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The errata P15 and P15b against closed forms.
-#include "exterior_rotation/errata_experiments.hpp"
 
 #include "driver/quick.hpp"
 #include "exterior_rotation/falling_column.hpp"
@@ -14,7 +13,7 @@ using namespace tumble::chapters;
 
 TEST_CASE("One force and one torque open a column along tangents and not along its twist",
           "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(rotation_errata_figures(), "errata_exterior_rotation");
+  const FigureUnderTest figure("errata_exterior_rotation");
   // Neighbours 1 m apart on arms that turn by a: their distance along the axis that has turned, too.
   const double a = 2.0 / 60.0;
   CHECK(figure.number(
@@ -36,7 +35,7 @@ TEST_CASE("One force and one torque open a column along tangents and not along i
 
 TEST_CASE("Boxes that stay connected have to pull, and boxes that can come apart never do",
           "[exact][exterior_rotation]") {
-  const FigureUnderTest figure(rotation_errata_figures(), "errata_exterior_rotation");
+  const FigureUnderTest figure("errata_exterior_rotation");
   // The glue's centre of pressure is off the area, 1 m wide, by some way: the other side pulls with the
   // normal force times that way over the width.
   const double angle = column_angle(1.0, 0.3);

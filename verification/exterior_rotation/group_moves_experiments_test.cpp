@@ -8,7 +8,7 @@
 #include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
-#include "exterior_rotation/cure_runs.hpp"
+#include "exterior_rotation/glued_runs.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 /// \brief Joints without glue: when they open, come apart and close, and what that costs.
 #include "tumble/exterior_rotation/joint_events.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,9 +1,9 @@
 /// \file
 /// \brief Impulses in joints: what they keep, what they end, and what an edge and a corner leave free.
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"

@@ -3,7 +3,7 @@
 #include "tumble/exterior_rotation/joint.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"

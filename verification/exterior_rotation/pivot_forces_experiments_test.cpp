@@ -3,7 +3,6 @@
 #include "driver/quick.hpp"
 #include "exterior_rotation/box_pendulum.hpp"
 #include "exterior_rotation/column_runs.hpp"
-#include "exterior_rotation/order_figures.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -60,7 +59,7 @@ TEST_CASE("The glue's centre of pressure leaves the area at the angle of the clo
 
 TEST_CASE("The force at the pivot is that of the closed form over the whole fall",
           "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "pivot_forces", {"time=1.25"});
+  const FigureUnderTest figure("pivot_forces", {"time=1.25"});
   CHECK(figure.number("normal force at rest, over weight") == near(0.9345008556).margin(1e-9));
   CHECK(figure.number("tangential force at rest, over weight") == near(0.2117409275).margin(1e-9));
   CHECK(figure.number("coefficient of friction that rest takes") ==
@@ -75,8 +74,7 @@ TEST_CASE(
     "A glued column presses least where the cosine is a third of that at the start, and no "
     "usual friction holds it there",
     "[reference][exterior_rotation]") {
-  const FigureUnderTest figure(integration_order_figures(), "pivot_forces",
-                               {"time=1.25", "rate=960"});
+  const FigureUnderTest figure("pivot_forces", {"time=1.25", "rate=960"});
   const double least = std::acos(std::cos(0.3) / 3.0) * 180.0 / std::numbers::pi;
   // [degrees] a step of 1/960 s is a seventh of a degree
   CHECK(figure.number("angle of the centre at the lowest normal force") == near(least).margin(0.1));

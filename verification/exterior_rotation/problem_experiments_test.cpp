@@ -4,9 +4,8 @@
 #include "driver/played_scene.hpp"
 #include "driver/quick.hpp"
 #include "exterior_rotation/falling_column.hpp"
-#include "exterior_rotation/film_schemes.hpp"
+#include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
-#include "exterior_rotation/problem_figures.hpp"
 #include "exterior_rotation/pushed_column.hpp"
 #include "exterior_rotation/side_view.hpp"
 #include "support/catch.hpp"
@@ -25,7 +24,7 @@ World nested_start() { return build_world(scene_with("fig6_3", {})); }
 
 TEST_CASE("The column opens by a thousandth of its edge when it turns and not when it is pushed",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(problem_figures(), "claim_6_2a_turning");
+  const FigureUnderTest figure("claim_6_2a_turning");
   CHECK(figure.number("of two sayings those that hold: the column of figure 6.1 opens or overlaps "
                       "by a thousandth of an edge or more within a second of its fall at 60 steps "
                       "a second, and the same column pushed along without turning by less than a "
@@ -40,7 +39,7 @@ TEST_CASE("The column opens by a thousandth of its edge when it turns and not wh
 }
 
 TEST_CASE("Figure 6.1 has a film of two columns beside each other", "[unit][exterior_rotation]") {
-  const FigureUnderTest figure(problem_figures(), "fig6_1_column");
+  const FigureUnderTest figure("fig6_1_column");
   REQUIRE(figure.result.film);
   const std::string gif = figure.result.film();
   CHECK(gif.substr(0, 6) == "GIF89a");
@@ -51,7 +50,7 @@ TEST_CASE("Figure 6.1 has a film of two columns beside each other", "[unit][exte
 TEST_CASE(
     "A single step of an exact column errs in the second, third and fifth power of its length",
     "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(problem_figures(), "claim_6_2a_turning");
+  const FigureUnderTest figure("claim_6_2a_turning");
   const auto order = [&](const std::string& scheme) {
     return figure.number("order of the gap that a single step makes, " + scheme);
   };
@@ -115,7 +114,7 @@ TEST_CASE("The nested boxes of figure 6.3 move as a double pendulum",
 
 TEST_CASE("The exponential mends the edge that rests and not the edge that rides",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(problem_figures(), "fig6_3_nested");
+  const FigureUnderTest figure("fig6_3_nested");
   CHECK(figure.number("the same, exponential") < 1e-12);
   CHECK(figure.number("largest distance of the lower edge from itself, forward Euler") > 1.0);
   const std::string upper = "the same of the upper edge, ";
@@ -127,7 +126,7 @@ TEST_CASE("The exponential mends the edge that rests and not the edge that rides
 
 TEST_CASE("One box has its corner drift farther than the column's joints open for the same turn",
           "[claims][exterior_rotation]") {
-  const FigureUnderTest figure(problem_figures(), "fig6_2_one_box", {"rate=60"});
+  const FigureUnderTest figure("fig6_2_one_box", {"rate=60"});
   CHECK(figure.number("farthest apart after turning by 0.3 rad, forward Euler, over that of the "
                       "column of four") > 1.0);
   CHECK(figure.number("gap at the end, forward Euler") < 10.0);

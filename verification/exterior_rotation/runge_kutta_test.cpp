@@ -2,6 +2,7 @@
 /// \brief Runge and Kutta's methods: coefficients, orders on a free top, the estimate of the error.
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 
+#include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"

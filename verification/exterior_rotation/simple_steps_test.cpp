@@ -3,6 +3,7 @@
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"

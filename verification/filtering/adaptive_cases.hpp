@@ -1,10 +1,12 @@
 /// \file
-/// \brief What the tests of adaptive steps step through.
+/// \brief Worlds that the tests of adaptive steps step through.
 #pragma once
 
 #include "tumble/filtering/adaptive_step.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
+
+#include "support/scenes.hpp"
 
 #include <memory>
 #include <string>
@@ -36,10 +38,7 @@ inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
 /// \param per_edge  of the grid on which they start
 /// \return the clump of figure 6.7, smaller
 inline World clump(int per_edge) {
-  const SceneRecipe& recipe = scene_recipe("fig6_7");
-  Parameters parameters = recipe.parameters();
-  parameters.set("per_edge", std::to_string(per_edge));
-  return build_world(recipe.build(parameters, Random(1)));
+  return test::world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}});
 }
 
 /// A cube of 0.2 m and 1 kg, 5 m above the origin.

@@ -1,12 +1,10 @@
 /// \file
 /// \brief Adaptive steps against fixed ones: how rest is measured, and what is found (claim 6.3.1b).
-#include "filtering/adaptive_experiments.hpp"
 
 #include "tumble/dynamics/step_report.hpp"
 
 #include "driver/quick.hpp"
 #include "filtering/adaptive_runs.hpp"
-#include "filtering/thin_plank.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -47,7 +45,7 @@ SettledRun written_run() {
 
 }  // namespace
 
-TEST_CASE("The time of rest is told from net ways of half a second, and chatter does not delay it",
+TEST_CASE("The time of rest follows from net ways of half a second, and chatter does not delay it",
           "[exact][filtering]") {
   const RestingMeasures measured = measure_resting(written_run());
   // A half second of creeping is 15 mm, a third of a second 10 mm: it takes until a half second
@@ -100,9 +98,8 @@ TEST_CASE("A run in adaptive steps has the frames of one in fixed steps, and all
 
 TEST_CASE("Steps that adapt neither halve chatter nor bring rest sooner under damped integration",
           "[claims][filtering]") {
-  const FigureUnderTest figure(
-      adaptive_figures(), "claim_6_3_1b_adaptive",
-      {"per_edge=5", "seeds=2", "settling=2.5", "watched=1", "halvings=2"});
+  const FigureUnderTest figure("claim_6_3_1b_adaptive", {"per_edge=5", "seeds=2", "settling=2.5",
+                                                         "watched=1", "halvings=2"});
   CHECK(
       figure.number("of two sayings about a step that adapts those that hold: half of the chatter "
                     "or less, and nine tenths of the time to rest or less, against the fixed "
@@ -127,7 +124,7 @@ TEST_CASE("A cube passes a thin plank from the speed on at which a step is as lo
 
 TEST_CASE("Smaller steps cost more than in proportion, and stop every throw at a plank",
           "[claims][filtering]") {
-  const FigureUnderTest figure(adaptive_figures(), "adaptive_step_cost");
+  const FigureUnderTest figure("adaptive_step_cost");
   // [-] a quarter of the step; measured with 64 cubes 6.9
   CHECK(figure.number("pair tests at the finest fixed step over those at 1/60 s") > 4.0);
   CHECK(figure.number("throws that pass the plank at adaptive steps") == 0.0);
@@ -136,8 +133,7 @@ TEST_CASE("Smaller steps cost more than in proportion, and stop every throw at a
 TEST_CASE(
     "Smaller pushes leave less chatter at the same step, and the same pushes more at half of it",
     "[claims][filtering]") {
-  const FigureUnderTest figure(adaptive_figures(), "adaptive_step_cause",
-                               {"per_edge=4", "settling=1.5", "watched=1"});
+  const FigureUnderTest figure("adaptive_step_cause", {"per_edge=4", "settling=1.5", "watched=1"});
   const double pushed =
       figure.number("mean amplitude at the finest step, pushes of a thousandth of an edge");
   // [-] measured over six seconds 4.6

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The figures on the box filter (claims 5.5a and 5.5b, erratum P13), and what they measure with.
-#include "filtering/box_experiments.hpp"
 
 #include "tumble/base/random.hpp"
 #include "tumble/filtering/box_filter.hpp"
@@ -46,7 +45,7 @@ World cubes_at(const std::vector<Vec3>& places) {
 
 TEST_CASE("The measured response of a box over five frames is the closed form to 1e-9",
           "[exact][filtering]") {
-  const FigureUnderTest figure(box_figures(), "box_response");
+  const FigureUnderTest figure("box_response");
   CHECK(figure.number("largest error of the response, moving") < 1e-9);   // [-] measured 2e-14
   CHECK(figure.number("largest error of the response, turning") < 1e-9);  // [-] measured 2e-14
   // Evaluated apart, with nine decimals.
@@ -62,7 +61,7 @@ TEST_CASE("The measured response of a box over five frames is the closed form to
 
 TEST_CASE("At 25 frames a second a box over five frames is at -3 dB at 2.254 Hz",
           "[exact][filtering]") {
-  const FigureUnderTest figure(box_figures(), "box_response", {"rate=25"});
+  const FigureUnderTest figure("box_response", {"rate=25"});
   CHECK(figure.number("frequency at -3 dB in hertz") == near(2.25396788).margin(6e-9));
   CHECK(figure.number("time by which the causal form is late") == near(0.08).margin(1e-12));
 }
@@ -71,20 +70,19 @@ TEST_CASE("The response of other widths is found, too, and of even ones refused"
           "[exact][filtering]") {
   for (const auto& [width, zero] :
        {std::pair<int, double>{3, 1.0 / 3.0}, {7, 1.0 / 7.0}, {15, 1.0 / 15.0}}) {
-    const FigureUnderTest figure(box_figures(), "box_response",
+    const FigureUnderTest figure("box_response",
                                  {"frames=" + std::to_string(width), "frequencies=11"});
     CHECK(figure.number("first frequency that is removed") == near(zero).margin(1e-12));
     CHECK(figure.number("largest error of the response, turning") < 1e-9);
     CHECK(figure.number("frames by which the causal form is late") == near(width / 2).margin(1e-9));
   }
-  CHECK_THROWS_AS(FigureUnderTest(box_figures(), "box_response", {"frames=4"}),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(FigureUnderTest("box_response", {"frames=4"}), std::invalid_argument);
 }
 
 TEST_CASE("A box over five frames cuts the amplitude of chatter and leaves most of the squirm",
           "[claims][filtering]") {
   // Measured over eight clumps of 125 cubes 0.34, 0.70 and 0.14; here two of 64 cubes.
-  const FigureUnderTest figure(box_figures(), "claim_5_5a_spectra");
+  const FigureUnderTest figure("claim_5_5a_spectra");
   CHECK(figure.number("amplitude after a box of five over before") < 0.6);
   CHECK(figure.number("squirm after a box of five over before") > 0.5);
   CHECK(figure.number("squirm after a box of five over before") < 1.0);
@@ -101,7 +99,7 @@ TEST_CASE("A box over five frames cuts the amplitude of chatter and leaves most 
 
 TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third of the sharpness",
           "[claims][filtering]") {
-  const FigureUnderTest figure(box_figures(), "claim_5_5b_width");
+  const FigureUnderTest figure("claim_5_5b_width");
   // [-] measured over eight clumps 0.42, from 0.39 to 0.45; here two small ones
   CHECK(figure.number("squirm at 15 frames over that at 5") < 0.6);
   // An impact within a frame or two, and rest after it: the change of speed is shared by the window.
@@ -123,7 +121,7 @@ TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third 
 
 TEST_CASE("A mean of quaternion components jumps back by six turns of a frame as the sign changes",
           "[exact][filtering]") {
-  const FigureUnderTest figure(box_figures(), "errata_filtering");
+  const FigureUnderTest figure("errata_filtering");
   // a = 5 rad/s / 60 Hz is the turn in a frame. A quaternion has half of the angle: those of the window
   // are at -a, -a/2, 0, a/2 and a, the last two with the other sign. Their cosines add up to 1 and
   // their sines to the tangent of half of the error.

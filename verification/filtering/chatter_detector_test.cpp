@@ -3,6 +3,7 @@
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/filtering/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 

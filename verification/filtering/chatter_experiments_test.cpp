@@ -1,12 +1,11 @@
 /// \file
-/// \brief The chatter of each technique on a stack, a pyramid and a clump, and what is made of it.
+/// \brief The chatter of each technique on a stack, a pyramid and a clump, with medians and ranks.
 ///
 /// Each technique that has resting contact is tried with each scene, but for those that would take
 /// minutes: Coulomb's friction in exact contact forces beyond a stack, and time stepping with 27 cubes.
 #include "driver/quick.hpp"
 #include "filtering/chatter_ranks.hpp"
 #include "filtering/chatter_run.hpp"
-#include "filtering/technique_chatter_experiments.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -136,7 +135,7 @@ TEST_CASE("Without resting contact a stack falls from impact to impact and meets
 }
 
 TEST_CASE(
-    "Timewarps stop what lies at the end of each frame, and a stack creeps but does not shake",
+    "Timewarps stop resting bodies at the end of each frame, and a stack creeps but does not shake",
     "[reference][chatter][filtering]") {
   // A timewarp is about the order of collisions (5.1) and has no resting contact either: pairs that
   // collide again and again are left to the frame's end and stopped there.
@@ -152,7 +151,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("What a run of chatter counts is what was watched, and a fall is not rest",
+TEST_CASE("A run of chatter counts the watched half seconds alone, and a fall is not rest",
           "[unit][chatter][filtering]") {
   SceneBox box;
   box.name = "box";
@@ -193,7 +192,7 @@ TEST_CASE("The median of eight lies between the smallest and the largest, of mor
   CHECK(std::isnan(median_range({}).median));
 }
 
-TEST_CASE("A rank counts those that are surely smaller, and who overlaps shares it",
+TEST_CASE("A rank counts the ranges that are surely smaller, and ranges that overlap share it",
           "[exact][filtering]") {
   const std::vector<MedianRange> ranges = {
       {5.0, 4.0, 6.0}, {1.0, 0.5, 2.0}, {1.5, 1.0, 3.0}, {9.0, 8.0, 9.5}, {4.0, 2.5, 5.0}};
@@ -205,9 +204,9 @@ TEST_CASE("A rank counts those that are surely smaller, and who overlaps shares 
   CHECK(shared_ranks(small, 0.0) == std::vector<int>{2, 1, 3, 4});
 }
 
-TEST_CASE("The table of chatter has a cell for each technique and scene, and says who was left out",
+TEST_CASE("The table of chatter has a cell for each technique and scene, and marks those left out",
           "[unit][filtering]") {
-  const Result result = run_quickly(technique_chatter_figures(), "chatter_table",
+  const Result result = run_quickly(registered_figure("chatter_table"),
                                     {"small=2", "boxes=2", "flying=0.5", "settling=0.5"});
   const Table& table = result.tables.at(0);
   REQUIRE(table.rows.size() == 28);
@@ -222,8 +221,7 @@ TEST_CASE("The table of chatter has a cell for each technique and scene, and say
 
 TEST_CASE("Some chatter is left in the settled clump, and none with twice the damping",
           "[claims][filtering]") {
-  const FigureUnderTest figure(technique_chatter_figures(), "claim_6_1b_chatter",
-                               {"per_edge=4", "settling=8", "varied=1"});
+  const FigureUnderTest figure("claim_6_1b_chatter", {"per_edge=4", "settling=8", "varied=1"});
   const double share = figure.number(
       "share of the bodies of the settled clump that chatter by a thousandth of an edge or more");
   CHECK(share >= 0.05);  // measured: 0.3 of 64 cubes, two seeds

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Hits and false alarms of the detector, and the frozen clump (claim 6.3.1c).
-#include "filtering/detector_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "filtering/motion_corpus.hpp"
 #include "support/catch.hpp"
@@ -12,32 +10,32 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE(
-    "Chatter of a settled clump is told from its past, and what slides, rolls or rocks is not",
+    "Chatter of a settled clump is detected from its past, and sliding, rolling or rocking is not",
     "[claims][filtering]") {
-  const FigureUnderTest figure(detector_figures(), "claim_6_3_1c_detector");
-  const double told = figure.number("chatter that is told as such");
+  const FigureUnderTest figure("claim_6_3_1c_detector");
+  const double detected = figure.number("chatter that is told as such");
   const double kept =
       figure.number("mean share of sliding, creeping, rolling and rocking that is told to move");
   // Two small clumps; in eight of 125 cubes 0.98 and 0.995.
-  CHECK(told >= 0.9);
+  CHECK(detected >= 0.9);
   CHECK(kept >= 0.95);
   CHECK(figure.number("the smaller of two shares of a corpus with labels: chatter that is told as "
                       "such, and slow sliding, rolling and rocking that is not") ==
-        std::min(told, kept));
+        std::min(detected, kept));
   CHECK(figure.number("falling and fast sliding that is told to move") == 1.0);
   CHECK(figure.number("false freezes per second of a moving body") <= 0.01);
 }
 
-TEST_CASE("The speed that puts bodies to sleep does not tell chatter from slow sliding",
+TEST_CASE("The speed that puts bodies to sleep does not distinguish chatter from slow sliding",
           "[claims][filtering]") {
-  const FigureUnderTest figure(detector_figures(), "claim_6_3_1c_detector");
+  const FigureUnderTest figure("claim_6_3_1c_detector");
   CHECK(figure.number("chatter that the sleeping rule calls slow") <= 0.1);
   CHECK(figure.number("slow sliding whose momenta the damping calls small") >= 0.9);
   CHECK(figure.number("area under the curve of speed") <
         figure.number("area under the curve of the rule"));
 }
 
-TEST_CASE("The label of a motion is what the whole run shows", "[unit][filtering]") {
+TEST_CASE("The label of a motion agrees with the whole run", "[unit][filtering]") {
   // A box that slides for a second and stops: what is labelled slides, and nothing after its stop.
   MotionCorpus corpus;
   const SettledRun run =
@@ -60,7 +58,7 @@ TEST_CASE("The label of a motion is what the whole run shows", "[unit][filtering
 
 TEST_CASE("A clump that is frozen by history costs a fraction of one that chatters",
           "[claims][filtering]") {
-  const FigureUnderTest figure(detector_figures(), "freezing_clump");
+  const FigureUnderTest figure("freezing_clump");
   // 27 cubes that had 5 s; of 125 after 12 s a fourteenth is left.
   CHECK(figure.number("pair tests before the hit, freezing over none") < 0.5);
   CHECK(figure.number("bodies awake before the hit, freezing") <

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The figures on envelopes, run small (claims 5.5c and 5.5d).
-#include "filtering/envelope_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -27,9 +25,10 @@ std::vector<double> column(const Table& table, const std::string& name) {
 }  // namespace
 
 TEST_CASE(
-    "The thesis's envelope stills what chatters in nine frames of ten, and pops; ours does not",
+    "The thesis's envelope stills chattering bodies in nine frames of ten, and pops; the soft one "
+    "does not",
     "[claims][filtering]") {
-  const FigureUnderTest figure(envelope_figures(), "claim_5_5c_envelope");
+  const FigureUnderTest figure("claim_5_5c_envelope");
   CHECK(figure.number("bodies that chatter, of all seeds") >= 5.0);
   CHECK(figure.number("of two sayings about the envelope filter those that hold: bodies that "
                       "chatter stand still in nine frames of ten or more, and there are pops") ==
@@ -52,7 +51,7 @@ TEST_CASE(
 
 TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
           "[claims][filtering]") {
-  const FigureUnderTest figure(envelope_figures(), "claim_5_5c_envelope");
+  const FigureUnderTest figure("claim_5_5c_envelope");
   const Table& sweep = figure.result.tables[0];
   for (const std::string whose : {"thesis", "soft"}) {
     const std::vector<double> still = column(sweep, whose + "_still");
@@ -69,7 +68,7 @@ TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
 
 TEST_CASE("Bodies faster than the envelope are shown where they are, but for a hundredth",
           "[claims][filtering]") {
-  const FigureUnderTest figure(envelope_figures(), "claim_5_5d_fast");
+  const FigureUnderTest figure("claim_5_5d_fast");
   CHECK(figure.number("frames of fast bodies, of all seeds") > 1000.0);
   CHECK(
       figure.number("share of the frames of bodies faster than the envelope in a frame which show "
@@ -80,9 +79,9 @@ TEST_CASE("Bodies faster than the envelope are shown where they are, but for a h
             "largest distance from shown to computed of a tossed cube while it is fast") == 0.0);
 }
 
-TEST_CASE("At constant speed all three filters show what their closed forms say",
+TEST_CASE("At constant speed all three filters agree with their closed forms",
           "[exact][filtering]") {
-  const FigureUnderTest figure(envelope_figures(), "claim_5_5d_fast");
+  const FigureUnderTest figure("claim_5_5d_fast");
   // [m] rounding of places of up to 48 m
   CHECK(figure.number("largest difference from closed forms at constant speed") <= 1e-12);
   CHECK(figure.number("pop of a ramp of 3 mm a frame") == near(12.0).margin(1e-9));
@@ -102,7 +101,7 @@ TEST_CASE("At constant speed all three filters show what their closed forms say"
 TEST_CASE(
     "The path of a corner that chatters is drawn for all filters, in the frame of the picture",
     "[unit][filtering]") {
-  const FigureUnderTest figure(envelope_figures(), "corner_path");
+  const FigureUnderTest figure("corner_path");
   const Table& path = figure.result.tables[0];
   CHECK(path.rows.size() == 61);
   CHECK(figure.number("amplitude of the cube") >= 1.0);
@@ -113,8 +112,8 @@ TEST_CASE(
         figure.number("squirm of the cube, computed"));
   const double left = column(figure.result.tables[1], "left_mm")[0];
   const double right = column(figure.result.tables[1], "right_mm")[0];
-  for (const std::string who : {"computed", "box5", "box15", "envelope", "soft", "one_euro"})
-    for (const double x : column(path, who + "_along_mm")) {
+  for (const std::string path_of : {"computed", "box5", "box15", "envelope", "soft", "one_euro"})
+    for (const double x : column(path, path_of + "_along_mm")) {
       CHECK(x >= left);
       CHECK(x <= right);
     }

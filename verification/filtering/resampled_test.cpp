@@ -3,8 +3,8 @@
 #include "tumble/filtering/resampled.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/filtering/box_filter.hpp"
+#include "tumble/filtering/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"

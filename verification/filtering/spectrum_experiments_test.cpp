@@ -70,7 +70,7 @@ TEST_CASE("The squares of the lines add up to the mean square of the signal",
   }
 }
 
-TEST_CASE("What is elsewhere in every other sample is a line at half the rate",
+TEST_CASE("A signal that alternates from sample to sample is a line at half the rate",
           "[exact][filtering]") {
   std::vector<double> signal;
   for (int n = 0; n < 20; ++n) signal.push_back(n % 2 == 0 ? 3.0 : -3.0);

@@ -1,9 +1,7 @@
 /// \file
 /// \brief Figures 6.4 and 6.5, claim 6.3.1d, and what friction leaves open.
 #include "driver/quick.hpp"
-#include "geometric_stability/balance_figures.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
-#include "geometric_stability/threshold_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
 #include "support/catch.hpp"
 
@@ -11,16 +9,11 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  return {balance_figures(), name, set};
-}
 
 const Table& table_of(const FigureUnderTest& figure, std::string_view suffix) {
   return *std::find_if(figure.result.tables.begin(), figure.result.tables.end(),
@@ -31,7 +24,7 @@ const Table& table_of(const FigureUnderTest& figure, std::string_view suffix) {
 
 TEST_CASE("A staircase of blocks acts on its base as one block with its mass and centre",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig6_4_one_block");
+  const FigureUnderTest figure("fig6_4_one_block");
   CHECK(figure.number("mass of the one block") == near(2.5).margin(1e-12));
   // Five blocks, each 0.18 over the next: the middle one is over by twice as much.
   CHECK(figure.number("its centre, from the middle of the lowest block") ==
@@ -57,7 +50,7 @@ TEST_CASE("A staircase of blocks acts on its base as one block with its mass and
 
 TEST_CASE("The one block is as high as the series, and every centre is over its support",
           "[unit][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig6_4_one_block");
+  const FigureUnderTest figure("fig6_4_one_block");
   double top[2] = {0.0, 0.0};  // [m] of the two drawings
   int moving = 0;
   for (const auto& row : table_of(figure, "boxes").rows) {
@@ -82,15 +75,15 @@ TEST_CASE("The one block is as high as the series, and every centre is over its 
 
 TEST_CASE("A figure of blocks that stand or tip refuses overhangs that do the other",
           "[unit][geometric_stability]") {
-  CHECK_THROWS_AS(figure_of("fig6_4_one_block", {"overhang=0.21"}), std::runtime_error);
-  CHECK_THROWS_AS(figure_of("fig6_4_one_block", {"beyond=0.19"}), std::runtime_error);
-  CHECK_THROWS_AS(figure_of("fig6_5_heavy_top", {"mass_ratio=0.7"}), std::runtime_error);
-  CHECK_THROWS_AS(figure_of("fig6_5_heavy_top", {"too_light=0.8"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("fig6_4_one_block", {"overhang=0.21"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("fig6_4_one_block", {"beyond=0.19"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("fig6_5_heavy_top", {"mass_ratio=0.7"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("fig6_5_heavy_top", {"too_light=0.8"}), std::runtime_error);
 }
 
 TEST_CASE("Of figure 6.5 balance, statics by hand and runs find one threshold",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig6_5_heavy_top");
+  const FigureUnderTest figure("fig6_5_heavy_top");
   CHECK(figure.number("mass ratio from which it stands, centred") == near(2.0 / 3.0).margin(1e-8));
   CHECK(figure.number("the same, top block off by 0.2 m") == near(70.0 / 93.0).margin(1e-8));
   CHECK(figure.number("mass ratio from which friction can hold it, centred") ==
@@ -131,7 +124,7 @@ TEST_CASE("The mass ratio by hand holds on both sides and with any friction",
 
 TEST_CASE("Static equilibrium finds the limits of figures 6.4 and 6.5 to a millionth",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("claim_6_3_1d_equilibrium");
+  const FigureUnderTest figure("claim_6_3_1d_equilibrium");
   // [-] The rule of the claim; measured 2e-9.
   CHECK(figure.number("largest relative error of the mass, and of the overhang, at which the "
                       "equilibrium test changes its verdict, against the closed form") <= 1e-6);
@@ -141,7 +134,7 @@ TEST_CASE("Static equilibrium finds the limits of figures 6.4 and 6.5 to a milli
 
 TEST_CASE("Rules that go level by level miss the limits of figures 6.4 and 6.5",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("claim_6_3_1d_equilibrium");
+  const FigureUnderTest figure("claim_6_3_1d_equilibrium");
   CHECK(figure.number("mass ratio from which figure 6.5 stands, loads at the middles of areas") ==
         near(0.8).margin(1e-9));
   CHECK(figure.number("offsets at which own centres let a top of a hundred times the mass stand") ==
@@ -155,7 +148,7 @@ TEST_CASE("Rules that go level by level miss the limits of figures 6.4 and 6.5",
         figure.number("pivots for the pyramid, Baraff's method"));
 }
 
-TEST_CASE("Both ways to ask agree on who accelerates, at little and much work",
+TEST_CASE("Both tests agree on whether bodies accelerate, at little and much work",
           "[unit][geometric_stability]") {
   const BalanceWork stands = work_of(heavy_top(0.8, 0.1));
   CHECK(stands.equilibrium.balanced);
@@ -179,7 +172,7 @@ TEST_CASE("The rule of middles is exact where a load has to be in the middle",
 
 TEST_CASE("Balance with friction says that a wedged box may stay, and it falls freely",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("weakly_stable");
+  const FigureUnderTest figure("weakly_stable");
   CHECK(figure.number("whether friction can hold the wedged box (1: yes)") == 1.0);
   CHECK(figure.number("the same, without friction") == 0.0);
   CHECK(figure.number("fall of the wedged box at the end over free fall, contact_damped") ==
@@ -189,7 +182,7 @@ TEST_CASE("Balance with friction says that a wedged box may stay, and it falls f
 
 TEST_CASE("A leaning plank's least friction is exact along an edge of the pyramid",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("weakly_stable");
+  const FigureUnderTest figure("weakly_stable");
   CHECK(figure.number("relative error, along an edge, at worst") < 1e-8);
   // [-] 1/cos(pi/n) - 1.
   CHECK(figure.number("relative error of 8 edges, between two") == near(0.0823922).margin(1e-7));

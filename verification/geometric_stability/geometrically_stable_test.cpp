@@ -1,12 +1,14 @@
 /// \file
-/// \brief Who is geometrically stable: the thesis's figures, orders, marks and both definitions.
+/// \brief Geometric stability: the thesis's figures, orders, marks and both definitions.
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
 #include "tumble/base/random.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,29 +19,10 @@ namespace {
 
 using namespace tumble;
 
-struct Pile {
-  World world;
-  ContactList contacts;
-
-  Pile() { world.add_ground(); }
-  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(),
-          const Quat& q = Quat::Identity()) {
-    const BodyProperties body = box_properties(size, 1.0);
-    world.add(body, make_state(body, position_w, q));
-    return world.count() - 1;
-  }
-  int add_fixed(const Vec3& position_w, const Vec3& size) {
-    const BodyProperties body = fixed_box_properties(size);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  void gather() {
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, tolerance::stability_margin, {}, contacts);
+struct Pile : test::Pile {
+  Pile() {
+    margin = tolerance::stability_margin;
+    world.add_ground();
   }
   // As many characters as movable bodies: 1 stable, 0 not.
   std::string verdict(StableRule rule) {
@@ -127,7 +110,7 @@ TEST_CASE("One support that is not stable speaks against the whole box, whatever
   CHECK(clear.both() == "1");
 }
 
-TEST_CASE("Who stands firm does not depend on the order of contacts",
+TEST_CASE("Which bodies stand firm does not depend on the order of contacts",
           "[determinism][geometric_stability]") {
   Random random(9);
   int stable = 0;
@@ -166,7 +149,7 @@ TEST_CASE("Marks of corners are of this step only", "[exact][geometric_stability
   CHECK(stable == std::vector<char>{1, 1, 0});
 }
 
-TEST_CASE("Who is going up is not stable yet", "[exact][geometric_stability]") {
+TEST_CASE("A body that goes up is not stable yet", "[exact][geometric_stability]") {
   Pile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.world.states()[1].linear_momentum_w.y() = 0.1;  // the limit is 0.02 sqrt(9.81) = 0.063
@@ -179,7 +162,7 @@ TEST_CASE("A hair of tilt and gap does not matter, three degrees do",
           "[unit][geometric_stability]") {
   for (const double degrees : {0.0, 0.05, 3.0}) {
     Pile pile;
-    pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(),
+    pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(), 1.0, 0.0,
              rotation_from_degrees(Vec3(0.0, 20.0, degrees)));
     CHECK(pile.both() == (degrees < 1.0 ? "1" : "0"));
   }
@@ -289,8 +272,9 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   CHECK_THROWS_WITH(is_stable(StableRule::hull), Catch::Matchers::Contains("outlines: 4 for 5"));
 }
 
-TEST_CASE("Where it is looked at, who sinks, tips or rocks is not steady, and who slides is",
-          "[exact][geometric_stability]") {
+TEST_CASE(
+    "Where motion counts, a body that sinks, tips or rocks is not steady, and one that slides is",
+    "[exact][geometric_stability]") {
   const auto stable_with = [](const Vec3& momentum_w, const Vec3& angular_w, double steady) {
     Pile pile;
     pile.add(Vec3(0.0, 0.5, 0.0));

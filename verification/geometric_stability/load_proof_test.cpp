@@ -1,10 +1,11 @@
 /// \file
-/// \brief Who carries every load: who moves, and what touches from outside.
+/// \brief Load-proof bodies: motion, and contacts from outside.
 #include "tumble/geometric_stability/load_proof.hpp"
 
 #include "tumble/contact/gather.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <numeric>
 #include <vector>
@@ -25,14 +26,7 @@ struct Cubes {
     find_contacts();
   }
 
-  void find_contacts() {
-    std::vector<MovingBody> bodies;
-    load_moving_bodies(world, bodies);
-    std::vector<IndexPair> pairs;
-    for (int i = 0; i < world.count(); ++i)
-      for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
-    gather_contacts(world, bodies, pairs, 1e-9, {}, contacts);
-  }
+  void find_contacts() { contacts = test::contacts_within(world, 1e-9); }
 
   // The movable ones that are load-proof.
   int load_proof() const {

@@ -1,7 +1,5 @@
 /// \file
-/// \brief Random piles: what they are, who rests in them, and every way to tell (thesis 5.4, 6.3.1).
-#include "geometric_stability/pile_experiments.hpp"
-
+/// \brief Random piles: their boxes, those that rest, and all ways to classify them (thesis 5.4, 6.3.1).
 #include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
@@ -31,10 +29,6 @@ namespace {
 constexpr int kPiles = 60;
 
 World pile(int seed) { return random_pile(static_cast<std::uint64_t>(seed)); }
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  return {pile_figures(), name, set};
-}
 
 // The difference of two accelerations of one body.
 double apart(const BodyProperties& body, const Acceleration& a, const Acceleration& b) {
@@ -189,8 +183,10 @@ TEST_CASE("Load-proof bodies do not accelerate, whatever is put on top",
   CHECK(beyond_the_rule > 20);  // 52
 }
 
-TEST_CASE("Who stands firm does not depend on the order of bodies and contacts, however it is told",
-          "[determinism][geometric_stability]") {
+TEST_CASE(
+    "Which boxes are stable does not depend on the order of bodies and contacts, in any of six "
+    "ways",
+    "[determinism][geometric_stability]") {
   for (int seed = 1; seed <= kPiles; ++seed) {
     const World world = pile(seed);
     const ContactList contacts = touching(world);
@@ -211,12 +207,11 @@ TEST_CASE("Who stands firm does not depend on the order of bodies and contacts, 
   }
 }
 
-TEST_CASE("No way to tell who stands firm calls a box stable that moves",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("stable_confusion");
+TEST_CASE("No way to classify boxes calls one stable that moves", "[claims][geometric_stability]") {
+  const FigureUnderTest figure("stable_confusion");
   CHECK(figure.number("boxes called stable that move, all six ways") == 0.0);
   CHECK(figure.number("boxes on which corners and hull differ") == 0.0);
-  // At least three in ten, or the piles would not tell much; measured 0.43 over 400 piles.
+  // At least three in ten, or the piles would be no test; measured 0.43 over 400 piles.
   CHECK(figure.number("share of them that the thesis's rule calls stable") > 0.3);
   const auto missed = [&](const char* way) {
     return figure.number(std::string("share of the resting boxes missed by ") + way);
@@ -233,7 +228,7 @@ TEST_CASE("No way to tell who stands firm calls a box stable that moves",
 
 TEST_CASE("A box called stable does not accelerate under any load, some called so as printed do",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("claim_5_4a_any_load");
+  const FigureUnderTest figure("claim_5_4a_any_load");
   const char* decides =
       "largest acceleration of a box called stable, over what its load alone would give it";
   CHECK(figure.number(decides) < 1e-9);  // [-] rounding; measured 6e-11 over 300 piles
@@ -248,7 +243,7 @@ TEST_CASE("A box called stable does not accelerate under any load, some called s
 
 TEST_CASE("Where hull and corners differ the hull is right more often than not, and never unsafe",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("claim_5_4c_hull");
+  const FigureUnderTest figure("claim_5_4c_hull");
   CHECK(figure.number("boxes of random piles on which the two rules differ") > 5.0);
   const char* decides =
       "share of the boxes on which the two rules differ of which the hull is right";

@@ -1,23 +1,16 @@
 /// \file
 /// \brief Claim 5.4d: a stable box slides and is damped, until a corner leaves its support.
-#include "geometric_stability/sliding_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "geometric_stability/sliding_run.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-FigureUnderTest figure(const std::vector<std::string>& set = {}) {
-  return {sliding_figures(), "claim_5_4d_sliding", set};
-}
 
 const std::string kShare =
     "share of the steps until a corner leaves its support in which the upper box is stable, "
@@ -27,14 +20,14 @@ const std::string kShare =
 
 TEST_CASE("A stable box slides and is damped in each step but the first, which is not classified",
           "[claims][geometric_stability]") {
-  const FigureUnderTest quick = figure();
+  const FigureUnderTest quick("claim_5_4d_sliding");
   // Three runs of 7, 6 and 6 steps.
   CHECK(quick.number(kShare) == near(16.0 / 19.0).margin(1e-15));
   CHECK(quick.number("the same, without the first step of each run") == 1.0);
   CHECK(quick.number("largest change of the speed until then if nobody is marked") < 1e-3);  // m/s
   CHECK(quick.number("speed as a corner leaves, analytic forces without friction, over that at the "
                      "start") == near(1.0).margin(1e-12));
-  // Whatever the constants: one step of each run is lost, so the share tells how long the runs are.
+  // Whatever the constants: one step of each run is lost, so the share depends on the length of the runs.
   for (const double k_scale : {0.5, 1.0, 2.0}) {
     for (const double scale : {0.5, 1.0, 2.0}) {
       const SlideRun run =
@@ -104,6 +97,7 @@ TEST_CASE("Damping holds a box up whose centre is a third of an edge beyond the 
 
 TEST_CASE("A run that leaves nothing, or that does not fall, is refused",
           "[unit][geometric_stability]") {
-  CHECK_THROWS_AS(figure({"speed=2"}), std::runtime_error);
-  CHECK_THROWS_AS(figure({"slowest=1", "speeds=1"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("claim_5_4d_sliding", {"speed=2"}), std::runtime_error);
+  CHECK_THROWS_AS(FigureUnderTest("claim_5_4d_sliding", {"slowest=1", "speeds=1"}),
+                  std::runtime_error);
 }

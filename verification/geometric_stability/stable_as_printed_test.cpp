@@ -1,10 +1,11 @@
 /// \file
-/// \brief The listing SETGEOMETRICALLYSTABLE as printed, with and without its slips.
+/// \brief The listing SETGEOMETRICALLYSTABLE as printed, with and without its misprints.
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <vector>
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -21,17 +23,6 @@ constexpr PrintedStabilityRepairs all{.both_bodies = true,
                                       .fresh_corners = true,
                                       .rising = true,
                                       .tolerances = true};
-
-ContactList contacts_of(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int i = 0; i < world.count(); ++i)
-    for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  ContactList contacts;
-  gather_contacts(world, moving, pairs, 1e-9, {}, contacts);
-  return contacts;
-}
 
 std::vector<bool> stable(const World& world, const ContactList& contacts,
                          const PrintedStabilityRepairs& repairs) {
@@ -55,8 +46,8 @@ TEST_CASE("As printed, a stack of cubes is stable from the ground up",
   world.add_ground();
   for (int k = 0; k < 4; ++k) add_cube(world, Vec3(0.0, 0.5 + k, 0.0));
   const std::vector<bool> every(5, true);
-  CHECK(stable(world, contacts_of(world), {}) == every);
-  CHECK(stable(world, contacts_of(world), all) == every);
+  CHECK(stable(world, contacts_within(world, 1e-9), {}) == every);
+  CHECK(stable(world, contacts_within(world, 1e-9), all) == every);
 }
 
 TEST_CASE("As printed, a cube on a corner of another one is not stable, nor what it carries",
@@ -67,8 +58,8 @@ TEST_CASE("As printed, a cube on a corner of another one is not stable, nor what
   add_cube(world, Vec3(0.25, 1.5, 0.25));
   add_cube(world, Vec3(0.25, 2.5, 0.25));
   const std::vector<bool> expected = {true, true, false, false};
-  CHECK(stable(world, contacts_of(world), {}) == expected);
-  CHECK(stable(world, contacts_of(world), all) == expected);
+  CHECK(stable(world, contacts_within(world, 1e-9), {}) == expected);
+  CHECK(stable(world, contacts_within(world, 1e-9), all) == expected);
 }
 
 TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed for",
@@ -82,11 +73,12 @@ TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed
   // Its corners lie in larger faces: to rounding, contact points are under them (G8).
   PrintedStabilityRepairs tolerant;
   tolerant.tolerances = true;
-  CHECK(stable(world, contacts_of(world), tolerant) == std::vector<bool>(4, true));
-  CHECK(stable(world, contacts_of(world), {}) == std::vector<bool>{true, true, true, false});
+  CHECK(stable(world, contacts_within(world, 1e-9), tolerant) == std::vector<bool>(4, true));
+  CHECK(stable(world, contacts_within(world, 1e-9), {}) ==
+        std::vector<bool>{true, true, true, false});
 }
 
-TEST_CASE("Mended, the order of contacts does not change who is stable",
+TEST_CASE("Mended, the order of contacts does not change which bodies are stable",
           "[exact][geometric_stability]") {
   // Two cubes and a fixed block carry a plank, and the block touches one of the cubes.
   const auto by_ids = [](const Contact& a, const Contact& b) {
@@ -103,7 +95,7 @@ TEST_CASE("Mended, the order of contacts does not change who is stable",
     add_cube(world, Vec3(1.0, 0.5, 0.0));
     const BodyProperties plank = box_properties(Vec3(4.0, 0.25, 1.0), 1.0);
     world.add(plank, make_state(plank, Vec3(-0.5, 1.125, 0.0)));
-    ContactList contacts = contacts_of(world);
+    ContactList contacts = contacts_within(world, 1e-9);
     const std::vector<bool> expected = {true, block_first, !block_first, true, false};
     const std::vector<bool> printed = stable(world, contacts, {});
 
@@ -128,7 +120,7 @@ TEST_CASE("Contact points are sorted by height, equal ones as they come",
   world.add_ground();
   add_cube(world, Vec3(0.0, 0.5, 0.0));
   add_cube(world, Vec3(0.0, 1.5, 0.0));
-  const ContactList contacts = contacts_of(world);
+  const ContactList contacts = contacts_within(world, 1e-9);
   const std::vector<PrintedContact> sorted = sort_contact_points_ascending(world, contacts);
   REQUIRE(sorted.size() == 8);
   for (std::size_t k = 0; k < 8; ++k) {
@@ -160,8 +152,8 @@ TEST_CASE("As printed, one of two cubes side by side is stable, and none if both
   world.add_ground();
   add_cube(world, Vec3(-0.5, 0.5, 0.0));
   add_cube(world, Vec3(0.5, 0.5, 0.0));
-  CHECK(stable(world, contacts_of(world), {}) == std::vector<bool>{true, true, false});
+  CHECK(stable(world, contacts_within(world, 1e-9), {}) == std::vector<bool>{true, true, false});
   PrintedStabilityRepairs both;
   both.both_bodies = true;
-  CHECK(stable(world, contacts_of(world), both) == std::vector<bool>{true, false, false});
+  CHECK(stable(world, contacts_within(world, 1e-9), both) == std::vector<bool>{true, false, false});
 }

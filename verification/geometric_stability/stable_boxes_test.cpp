@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who is left out: the levels of the hierarchy, what is remembered, and for how long.
+/// \brief Held bodies: the levels of the hierarchy, memory and its length.
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
 #include "tumble/base/random.hpp"
@@ -8,6 +8,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -19,13 +20,14 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 constexpr char kFree = static_cast<char>(Hold::free);
 constexpr char kUpright = static_cast<char>(Hold::upright);
 constexpr char kStill = static_cast<char>(Hold::still);
 
-// Boxes, what touches, and who is held.
+// Boxes, their contacts, and which of them are held.
 struct Structure {
   World world;
   ContactList contacts;
@@ -42,10 +44,7 @@ struct Structure {
   }
   void gather() {
     load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, 1e-6, {}, contacts);
+    contacts = contacts_within(world, 1e-6);
   }
   std::vector<char> find(StableBoxes& boxes) {
     gather();
@@ -57,7 +56,7 @@ struct Structure {
     return find(boxes);
   }
   // By name, of movable bodies: f free, u upright, s still.
-  std::string told(StableRule rule) {
+  std::string holds(StableRule rule) {
     const std::vector<char> held = find(rule);
     std::string text;
     for (std::size_t b = 0; b < held.size(); ++b)
@@ -115,33 +114,34 @@ TEST_CASE("Towers that overhang and bridges in balance are held by equilibrium a
   tower.add(Vec3(0.4, 2.5, 0.0));  // the centre of both is at 0.35
   Bridge bridge(0.7);
   for (const StableRule rule : {StableRule::corners, StableRule::hull}) {
-    CHECK(tower.told(rule) == "uff");
-    CHECK(bridge.told(rule) == "fff");
+    CHECK(tower.holds(rule) == "uff");
+    CHECK(bridge.holds(rule) == "fff");
   }
-  CHECK(tower.told(StableRule::equilibrium) == "uuu");
-  CHECK(bridge.told(StableRule::equilibrium) == "uuu");
+  CHECK(tower.holds(StableRule::equilibrium) == "uuu");
+  CHECK(bridge.holds(StableRule::equilibrium) == "uuu");
   tower.add(Vec3(1.2, 3.5, 0.0));  // beyond the edge of the one below, at 0.9: it tips
-  CHECK(tower.told(StableRule::equilibrium) == "ufff");
+  CHECK(tower.holds(StableRule::equilibrium) == "ufff");
 }
 
 TEST_CASE("Figure 6.5 is held from two thirds of a block's mass on",
           "[exact][geometric_stability]") {
   // N = M/2 on each inner end at a lever of 3/4 of a metre; a block's own weight has 1/4.
-  CHECK(Bridge(2.0 / 3.0 * (1.0 + 1e-6)).told(StableRule::equilibrium) == "uuu");
-  CHECK(Bridge(2.0 / 3.0 * (1.0 - 1e-6)).told(StableRule::equilibrium) == "fff");
+  CHECK(Bridge(2.0 / 3.0 * (1.0 + 1e-6)).holds(StableRule::equilibrium) == "uuu");
+  CHECK(Bridge(2.0 / 3.0 * (1.0 - 1e-6)).holds(StableRule::equilibrium) == "fff");
 }
 
 TEST_CASE("A tower on a bridge is its load", "[exact][geometric_stability]") {
   // 0.5 and 0.2 are more than 2/3, one half is less.
   Bridge bridge(0.5);
-  CHECK(bridge.told(StableRule::equilibrium) == "fff");
+  CHECK(bridge.holds(StableRule::equilibrium) == "fff");
   bridge.add(Vec3(0.0, 3.5, 0.0), Vec3::Ones(), 0.2);
-  CHECK(bridge.told(StableRule::equilibrium) == "uuuu");
+  CHECK(bridge.holds(StableRule::equilibrium) == "uuuu");
   bridge.add(Vec3(-2.5, 2.5, 0.0), Vec3::Ones(), 0.5);  // on the outer end of the left block
-  CHECK(bridge.told(StableRule::equilibrium) == "fffff");
+  CHECK(bridge.holds(StableRule::equilibrium) == "fffff");
 }
 
-TEST_CASE("Each rule holds whom the one before it holds", "[exact][geometric_stability]") {
+TEST_CASE("Each rule holds all bodies that the one before it holds",
+          "[exact][geometric_stability]") {
   int by_corners = 0;
   int by_equilibrium = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -161,7 +161,7 @@ TEST_CASE("Each rule holds whom the one before it holds", "[exact][geometric_sta
   CHECK(by_equilibrium > by_corners + 300);  // measured 960
 }
 
-TEST_CASE("Who is held does not depend on the order of bodies or contacts",
+TEST_CASE("Which bodies are held does not depend on the order of bodies or contacts",
           "[determinism][geometric_stability]") {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random random(seed);
@@ -189,14 +189,14 @@ TEST_CASE("Where a support is not vertical the whole island is held still, or no
   Structure s;
   s.add_fixed(Vec3(-1.0, 0.5, 0.0), Vec3::Ones());  // a wall
   const BodyId box = s.add(Vec3(0.0, 0.5, 0.0));
-  CHECK(s.told(StableRule::corners) == "f");
-  CHECK(s.told(StableRule::equilibrium) == "s");
+  CHECK(s.holds(StableRule::corners) == "f");
+  CHECK(s.holds(StableRule::equilibrium) == "s");
   // Along the wall: no acceleration yet, but the wall may end.
   s.world.set_velocity(box, Vec3(0.0, 0.0, 1.0), Vec3::Zero());
-  CHECK(s.told(StableRule::equilibrium) == "f");
+  CHECK(s.holds(StableRule::equilibrium) == "f");
 }
 
-TEST_CASE("Who rises, sinks or tips is free, and so is a group that he is in",
+TEST_CASE("A body that rises, sinks or tips is free, and so is its group",
           "[exact][geometric_stability]") {
   // tolerance::resting_speed of the root of g times a metre is 3.13 mm/s.
   for (const auto& [velocity, spin, told] :
@@ -210,7 +210,7 @@ TEST_CASE("Who rises, sinks or tips is free, and so is a group that he is in",
     Bridge bridge(1.0);
     bridge.world.set_velocity(bridge.top, velocity, spin);
     INFO(velocity.transpose() << ", " << spin.transpose());
-    CHECK(bridge.told(StableRule::equilibrium) == told);
+    CHECK(bridge.holds(StableRule::equilibrium) == told);
   }
   for (const auto& [velocity, spin] : {std::pair(Vec3(0.0, 0.004, 0.0), Vec3(0.0, 0.0, 0.0)),
                                        std::pair(Vec3(0.0, -0.004, 0.0), Vec3(0.0, 0.0, 0.0)),
@@ -221,11 +221,11 @@ TEST_CASE("Who rises, sinks or tips is free, and so is a group that he is in",
     pile.world.set_velocity(upper, velocity, spin);
     INFO(velocity.transpose() << ", " << spin.transpose());
     for (const StableRule rule : {StableRule::corners, StableRule::hull, StableRule::equilibrium})
-      CHECK(pile.told(rule) == "uf");
+      CHECK(pile.holds(rule) == "uf");
   }
 }
 
-TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold nobody",
+TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold no body",
           "[exact][geometric_stability]") {
   for (const Vec3& gravity :
        {Vec3(9.81, 0.0, 0.0), Vec3(0.1, -9.81, 0.0), Vec3(0.0, 9.81, 0.0), Vec3(0.0, 0.0, 0.0)}) {
@@ -237,15 +237,15 @@ TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold n
     for (const StableRule rule : {StableRule::corners, StableRule::hull})
       CHECK(s.find(rule) == std::vector<char>{kStill, kFree, kFree});
     // Without weight everything is in balance, and nothing holds it.
-    CHECK(s.told(StableRule::equilibrium) == "ff");
+    CHECK(s.holds(StableRule::equilibrium) == "ff");
   }
   // A wall that gravity points at does balance: as things are, nothing moves.
   Structure s;
   s.add_fixed(Vec3(1.0, 0.5, 0.0), Vec3::Ones());
   s.add(Vec3(0.0, 0.5, 0.0));
   s.world.gravity_w = Vec3(9.81, -9.81, 0.0);
-  CHECK(s.told(StableRule::equilibrium) == "s");
-  CHECK(s.told(StableRule::hull) == "f");
+  CHECK(s.holds(StableRule::equilibrium) == "s");
+  CHECK(s.holds(StableRule::hull) == "f");
 }
 
 TEST_CASE("A heap that stays as it is is looked at once", "[unit][geometric_stability]") {
@@ -327,7 +327,8 @@ TEST_CASE("Another point, normal or pair in the list of contacts is noticed",
   }
 }
 
-TEST_CASE("Forgetting who is stable changes no bit", "[determinism][geometric_stability]") {
+TEST_CASE("Forgetting which bodies are stable changes no bit",
+          "[determinism][geometric_stability]") {
   // A plank slides on a pedestal that is smaller: its contact stays, its centre does not.
   Structure s;
   s.add_fixed(Vec3(0.0, 0.5, 0.0), Vec3::Ones());
@@ -395,7 +396,7 @@ TEST_CASE("Worlds without bodies, without contacts and with nothing movable are 
   }
 }
 
-TEST_CASE("Contacts of nobody and a wrong number of velocities are refused by StableBoxes",
+TEST_CASE("Contacts of missing bodies and a wrong number of velocities are refused by StableBoxes",
           "[unit][geometric_stability]") {
   for (const StableRule rule : {StableRule::corners, StableRule::equilibrium}) {
     Structure s;

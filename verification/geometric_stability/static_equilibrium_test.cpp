@@ -9,6 +9,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,34 +29,13 @@ constexpr double kGravity = 9.81;  // [m/s²]
 constexpr double kPi = std::numbers::pi;
 
 // Bodies at rest that touch.
-struct Pile {
-  World world;
-  ContactList contacts;
-
-  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0,
-          double friction = 0.0, const Quat& q = Quat::Identity()) {
-    const BodyProperties body = box_properties(size, mass, friction);
-    world.add(body, make_state(body, position_w, q));
-    contacts.clear();
-    return world.count() - 1;
-  }
-  int add_fixed(const Vec3& position_w, const Vec3& size, double friction = 0.0,
-                const Quat& q = Quat::Identity()) {
-    const BodyProperties body = fixed_box_properties(size, friction);
-    world.add(body, make_state(body, position_w, q));
-    contacts.clear();
-    return world.count() - 1;
-  }
+struct Pile : test::Pile {
   void gather() {
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
     double longest = 0.0;
     for (const BodyProperties& body : world.bodies())
       if (body.shape == Shape::box) longest = std::max(longest, body.size.maxCoeff());
-    gather_contacts(world, moving, pairs, 1e-9 * longest, {}, contacts);
+    margin = 1e-9 * longest;
+    test::Pile::gather();
   }
   BalanceTask task(int friction_edges = 0) {
     if (contacts.empty()) gather();

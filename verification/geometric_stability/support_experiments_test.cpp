@@ -1,23 +1,16 @@
 /// \file
 /// \brief Figures 5.3 to 5.5: verdicts as their captions have them, and what the contact forces say.
-#include "geometric_stability/support_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  return {support_figures(), name, set};
-}
 
 constexpr const char* kCorners = "lower corners of the top box that they carry";
 constexpr const char* kBelow = "boxes below that are stable";
@@ -48,7 +41,7 @@ std::string told_by(const FigureUnderTest& figure) {
 
 TEST_CASE("The top box of figure 5.3 has one carried corner and is not stable, as its caption says",
           "[claims][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig5_3_one_corner");
+  const FigureUnderTest figure("fig5_3_one_corner");
   CHECK(figure.number(kCorners) == 1.0);
   CHECK(figure.number(kBelow) == 1.0);
   CHECK(verdict_of(figure) == 0.0);
@@ -60,7 +53,7 @@ TEST_CASE("The top box of figure 5.3 has one carried corner and is not stable, a
   CHECK(figure.number(kLoaded) > 1.0);
   CHECK(told_by(figure).find("is not carried") != std::string::npos);
   // Not turned, a square of 0.6 m is carried.
-  const FigureUnderTest straight = figure_of("fig5_3_one_corner", {"shift=0.4", "yaw=0"});
+  const FigureUnderTest straight("fig5_3_one_corner", {"shift=0.4", "yaw=0"});
   CHECK(straight.number(kCorners) == 1.0);
   CHECK(straight.number(kArea) == near(0.36).margin(1e-12));
 }
@@ -69,7 +62,7 @@ TEST_CASE(
     "A cube on the corner of another stands until its centre passes the corner, and never "
     "under every load",
     "[exact][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig5_3_one_corner", {"shift=0.4"});
+  const FigureUnderTest figure("fig5_3_one_corner", {"shift=0.4"});
   // [m] The corner is half an edge from the middle; the search ends at 1e-9.
   CHECK(figure.number("shift from which its own weight tips it") == near(0.5).margin(2e-9));
   CHECK(figure.number(kOwn) < kStill);
@@ -85,7 +78,7 @@ TEST_CASE(
 
 TEST_CASE("With all four corners over it the cube of figure 5.3 would be stable",
           "[reference][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig5_3_one_corner", {"shift=0", "yaw=0"});
+  const FigureUnderTest figure("fig5_3_one_corner", {"shift=0", "yaw=0"});
   CHECK(figure.number(kCorners) == 4.0);
   CHECK(verdict_of(figure) == 1.0);
   CHECK(figure.number(kLoaded) < kStill);
@@ -95,7 +88,7 @@ TEST_CASE("The top box of figure 5.4 is stable if the bottom one is, as its capt
           "[claims][geometric_stability]") {
   for (const char* offset : {"offset=0.2", "offset=-0.5"}) {
     INFO(offset);
-    const FigureUnderTest figure = figure_of("fig5_4_all_corners", {offset});
+    const FigureUnderTest figure("fig5_4_all_corners", {offset});
     CHECK(figure.number(kCorners) == 4.0);
     CHECK(figure.number(kBelow) == 1.0);
     CHECK(std::abs(figure.number(kArea) - 1.0) < 1e-12);  // rounding
@@ -114,7 +107,7 @@ TEST_CASE("The top box of figure 5.5 is stable if both bottom ones are, as its c
           "[claims][geometric_stability]") {
   for (const std::vector<std::string>& set :
        {std::vector<std::string>{}, {"gap=0.8", "yaw=-30"}, {"gap=0.1", "yaw=0"}}) {
-    const FigureUnderTest figure = figure_of("fig5_5_two_supports", set);
+    const FigureUnderTest figure("fig5_5_two_supports", set);
     CHECK(figure.number(kCorners) == 4.0);
     CHECK(figure.number(kBelow) == 2.0);
     CHECK(std::abs(figure.number(kArea) - 1.0) < 1e-12);  // rounding
@@ -131,10 +124,10 @@ TEST_CASE("The top box of figure 5.5 is stable if both bottom ones are, as its c
 }
 
 TEST_CASE(
-    "Where the bottom boxes of figure 5.5 touch, both rules call nobody stable and every load is "
+    "Where the bottom boxes of figure 5.5 touch, both rules call no box stable and every load is "
     "carried all the same",
     "[reference][geometric_stability]") {
-  const FigureUnderTest figure = figure_of("fig5_5_two_supports", {"gap=0"});
+  const FigureUnderTest figure("fig5_5_two_supports", {"gap=0"});
   CHECK(figure.number(kBelow) == 0.0);
   CHECK(figure.number(kByCorners) == 0.0);
   CHECK(figure.number(kByHull) == 0.0);

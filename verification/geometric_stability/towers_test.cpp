@@ -1,5 +1,5 @@
 /// \file
-/// \brief Towers as one heavier block: closed forms, loads, what is no tower, orders.
+/// \brief Towers as one heavier block: closed forms, loads, shapes that are no tower, orders.
 #include "tumble/geometric_stability/towers.hpp"
 
 #include "tumble/base/index.hpp"
@@ -9,6 +9,7 @@
 #include "tumble/math/elementary.hpp"
 
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,28 +21,8 @@ namespace {
 using namespace tumble;
 
 // Bodies that touch, from scratch.
-struct Pile {
-  World world;
-  ContactList contacts;
-
-  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0) {
-    const BodyProperties body = box_properties(size, mass);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  int add_fixed(const Vec3& position_w, const Vec3& size) {
-    const BodyProperties body = fixed_box_properties(size);
-    world.add(body, make_state(body, position_w));
-    return world.count() - 1;
-  }
-  void gather() {
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
-    std::vector<IndexPair> pairs;
-    for (int a = 0; a < world.count(); ++a)
-      for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-    gather_contacts(world, moving, pairs, 1e-6, {}, contacts);
-  }
+struct Pile : test::Pile {
+  Pile() { margin = 1e-6; }
   Towers towers(std::span<const char> held = {}) {
     if (contacts.empty()) gather();
     Towers result;
@@ -174,7 +155,7 @@ TEST_CASE("Towers refuse a staircase that its blocks' own centres would let stan
   };
   CHECK(staircase(0.2 * (1.0 - 1e-6)).stands());
   Pile falls = staircase(0.2 * (1.0 + 1e-6));
-  // The centre of the upper four is no more over the lowest, which has nothing to be told then.
+  // The centre of the upper four is no more over the lowest, which carries nothing then.
   CHECK(falls.towers().states()[2] == TowerState::tips);
   CHECK(falls.towers().states()[1] == TowerState::none);
   CHECK(!staircase(0.3).stands());
@@ -208,7 +189,7 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   CHECK(towers.loads()[at(alone)].mass == near(2.0).margin(1e-15));
 }
 
-TEST_CASE("A body that is held counts for the ground: it is nobody's load",
+TEST_CASE("A body that is held counts for the ground: it is no load",
           "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();
@@ -234,7 +215,7 @@ TEST_CASE("Without gravity straight down there are no towers", "[unit][geometric
   }
 }
 
-TEST_CASE("A support told as two contacts holds as much as the two together",
+TEST_CASE("A support given as two contacts holds as much as the two together",
           "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();

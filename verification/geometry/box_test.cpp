@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -21,13 +23,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // [-] Sums of three products of numbers of order 10: a few times 1e-16 times 10.
 constexpr double kRounding = 2e-14;
-
-Box random_box(Random& random) {
-  const Vec3 center = random.in_cube(5.0);
-  const Quat orientation = random.orientation();
-  const Vec3 size = random.in_cube(1.0).cwiseAbs() + Vec3::Constant(0.1);
-  return make_box(center, orientation, size);
-}
 
 }  // namespace
 
@@ -55,7 +50,7 @@ TEST_CASE("Reach and bounds of a box are those of its corners", "[unit][box]") {
   Random random(1);
   double worst_reach = 0.0, worst_bounds = 0.0, worst_margin = 0.0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const Box box = random_box(random);
+    const Box box = random_box(random, 5.0, 1.0, 0.1);
     const Vec3 direction = random.direction();
     const double margin = random.unit();
     double farthest = -kInfinity;
@@ -78,7 +73,7 @@ TEST_CASE("Reach and bounds of a box are those of its corners", "[unit][box]") {
 
 TEST_CASE("Reach grows in proportion to the length of the direction", "[unit][box]") {
   Random random(2);
-  const Box box = random_box(random);
+  const Box box = random_box(random, 5.0, 1.0, 0.1);
   const Vec3 direction = random.direction();
   CHECK(reach(box, 4.0 * direction) == 4.0 * reach(box, direction));
   CHECK(reach(box, Vec3::Zero()) == 0.0);

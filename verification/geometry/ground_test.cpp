@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -16,10 +17,7 @@
 namespace {
 
 using namespace tumble;
-
-Quat about(const Vec3& axis, double angle) {
-  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
+using namespace tumble::test;
 
 const ManifoldPoint& point(const Manifold& m, int i) {
   return m.points[static_cast<std::size_t>(i)];

@@ -3,8 +3,8 @@
 #include "tumble/geometry/manifold.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/geometry/rectangle.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
@@ -18,16 +18,9 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Quat about(const Vec3& axis, double angle) {
-  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
-
-Box cube_at(const Vec3& center, const Quat& q = Quat::Identity()) {
-  return make_box(center, q, Vec3::Ones());
-}
 
 const ManifoldPoint& point(const Manifold& m, int i) {
   return m.points[static_cast<std::size_t>(i)];
@@ -53,12 +46,13 @@ std::set<FeatureId> names(const Manifold& m) {
 
 // The area around which the points of a level contact lie, seen from above.
 double area_from_above(const Manifold& m) {
-  Polygon polygon;
-  polygon.count = m.count;
-  for (int i = 0; i < m.count; ++i)
-    polygon.corners[static_cast<std::size_t>(i)] =
-        Vec2(point(m, i).position_w.x(), point(m, i).position_w.z());
-  return std::abs(area(polygon));
+  double twice = 0.0;  // triangles that fan out from the first point
+  for (int i = 2; i < m.count; ++i) {
+    const Vec3 p_w = point(m, i - 1).position_w - point(m, 0).position_w;
+    const Vec3 q_w = point(m, i).position_w - point(m, 0).position_w;
+    twice += p_w.cross(q_w).y();
+  }
+  return 0.5 * std::abs(twice);
 }
 
 // How far a point is from the surface of a box: the largest excess over a half size.

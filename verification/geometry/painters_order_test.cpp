@@ -5,6 +5,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/geometry/separation.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <stdexcept>
 
 using namespace tumble;
+using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -21,31 +23,17 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Box upright(const Vec3& center, const Vec3& size) {
-  return make_box(center, Quat::Identity(), size);
-}
-
-// Where a ray enters a box, by cutting it with the three slabs; infinite if it misses.
+// Where a ray enters a box; infinite if it misses.
 double enters_at(const Box& box, const Vec3& origin, const Vec3& direction) {
-  const Vec3 o = box.axes_w.transpose() * (origin - box.center_w);
-  const Vec3 d = box.axes_w.transpose() * direction;
-  double enter = -kInfinity, leave = kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    const double t1 = (-box.half[k] - o[k]) / d[k], t2 = (box.half[k] - o[k]) / d[k];
-    enter = std::max(enter, std::min(t1, t2));
-    leave = std::min(leave, std::max(t1, t2));
-  }
-  return enter <= leave && leave > 0.0 ? enter : kInfinity;
+  const Stretch stretch = stretch_in(box, origin, direction);
+  return stretch.enter <= stretch.leave && stretch.leave > 0.0 ? stretch.enter : kInfinity;
 }
 
 // Boxes of all shapes in a cube, added as long as they do not overlap those that are there.
 std::vector<Box> disjoint_boxes(Random& random, int tries, double spread) {
   std::vector<Box> boxes;
   for (int k = 0; k < tries; ++k) {
-    const Vec3 center = random.in_cube(spread);
-    const Quat orientation = random.orientation();
-    const Vec3 size = random.in_cube(1.5).cwiseAbs() + Vec3::Constant(0.1);
-    const Box box = make_box(center, orientation, size);
+    const Box box = random_box(random, spread, 1.5, 0.1);
     const bool disjoint = std::all_of(boxes.begin(), boxes.end(), [&](const Box& other) {
       return separation(box, other).distance > 0.0;
     });
@@ -91,27 +79,6 @@ void judge(const std::vector<Box>& boxes, const std::vector<int>& places, const 
       if (near.second < far.second) ++out.violations;
     }
   }
-}
-
-// Three sticks in the plane across the view, each over the next one at one end: they lean on each
-// other like the flaps of a closed box.
-std::vector<Box> ring_of_sticks() {
-  std::vector<Box> sticks;
-  for (int k = 0; k < 3; ++k) {
-    const double angle = 2.0 * 3.14159265358979323846 / 3.0 * k;
-    const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-    const Vec3 along(-std::sin(angle), std::cos(angle), 0.0);
-    // Tilted: one end is nearer to the viewer, at +z, than the other.
-    const Vec3 axis = (along + 0.3 * Vec3::UnitZ()).normalized();
-    Box stick;
-    stick.center_w = 0.5 * outwards;
-    stick.axes_w.col(0) = axis;
-    stick.axes_w.col(1) = outwards;
-    stick.axes_w.col(2) = axis.cross(outwards);
-    stick.half = Vec3(1.5, 0.1, 0.05);
-    sticks.push_back(stick);
-  }
-  return sticks;
 }
 
 }  // namespace
@@ -256,7 +223,7 @@ TEST_CASE("Views overlap exactly if some ray meets both boxes", "[unit][painters
   CHECK(claimed - confirmed <= 5);
 }
 
-TEST_CASE("A ring of three sticks that cover each other is told as a cycle",
+TEST_CASE("A ring of three sticks that cover each other is reported as a cycle",
           "[exact][painters_order]") {
   const std::vector<Box> ring = ring_of_sticks();
   for (std::size_t a = 0; a < 3; ++a) {

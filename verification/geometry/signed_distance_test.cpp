@@ -4,6 +4,7 @@
 
 #include "tumble/base/random.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -20,13 +22,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // [m] Some ten rounding errors of coordinates of order 1.
 constexpr double kRounding = 1e-14;
-
-Box random_box(Random& random) {
-  const Vec3 center = random.in_cube(1.0);
-  const Quat orientation = random.orientation();
-  const Vec3 size = random.in_cube(1.0).cwiseAbs() + Vec3::Constant(0.2);
-  return make_box(center, orientation, size);
-}
 
 Box cube_of_size(const Vec3& size) { return make_box(Vec3::Zero(), Quat::Identity(), size); }
 
@@ -114,7 +109,7 @@ TEST_CASE("The signed distance agrees with clamping and with the six planes",
   Random random(11);
   double worst = 0.0, worst_length = 0.0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Box box = random_box(random);
+    const Box box = random_box(random, 1.0, 1.0, 0.2);
     const Vec3 point = box.center_w + random.in_cube(1.2);
     const SignedDistance got = signed_distance(box, point);
     worst = std::max(worst, std::abs(got.distance - distance_by_faces(box, point)));
@@ -130,7 +125,7 @@ TEST_CASE("No point of a dense sampling of the surface is nearer than the signed
   constexpr int kCells = 40;  // per edge
   double worst_nearer = 0.0, worst_farther = 0.0;
   for (int trial = 0; trial < 40; ++trial) {
-    const Box box = random_box(random);
+    const Box box = random_box(random, 1.0, 1.0, 0.2);
     const Vec3 point = box.center_w + random.in_cube(1.0);
     double nearest = kInfinity;
     for (int face = 0; face < 6; ++face) {
@@ -161,7 +156,7 @@ TEST_CASE("The gradient of the signed distance is that of finite differences",
   double worst = 0.0;
   int compared = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Box box = random_box(random);
+    const Box box = random_box(random, 1.0, 1.0, 0.2);
     const Vec3 point = box.center_w + random.in_cube(1.0);
     if (is_near_a_kink(box, point, 0.01)) continue;
     ++compared;
@@ -184,7 +179,7 @@ TEST_CASE("Going back along the gradient by the signed distance ends on the surf
   Random random(14);
   double worst = 0.0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Box box = random_box(random);
+    const Box box = random_box(random, 1.0, 1.0, 0.2);
     const Vec3 point = box.center_w + random.in_cube(2.0);
     const SignedDistance there = signed_distance(box, point);
     const Vec3 foot = point - there.distance * there.gradient_w;

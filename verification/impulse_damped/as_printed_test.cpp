@@ -46,7 +46,7 @@ World busy_world() {
   return world;
 }
 
-DampedAsPrinted with(const ErrataSet& repaired) {
+DampedAsPrinted with(const DampedErrata& repaired) {
   DampedAsPrintedOptions options;
   options.repaired = repaired;
   options.push_cap = 50;
@@ -61,14 +61,22 @@ double reach_of(const World& world) {
 
 }  // namespace
 
+TEST_CASE("There are 57 errata of damped integration", "[unit][impulse_damped]") {
+  // 6 + 11 + 4 + 4 + 17 + 7 + 8
+  CHECK(DampedErrata::known().size() == 57);
+  CHECK(DampedErrata::known().front() == "D1");
+  CHECK(DampedErrata::known().back() == "G8");
+  CHECK_THROWS_AS(DampedErrata("T1"), std::invalid_argument);
+}
+
 TEST_CASE("Damped integration as printed ends every step with finite numbers, whatever is mended",
           "[unit][impulse_damped]") {
-  std::vector<ErrataSet> sets{ErrataSet(), ErrataSet::all(), ErrataSet(kSlips)};
-  for (const std::string& id : ErrataSet::known()) {
-    sets.push_back(ErrataSet().with(id));
-    sets.push_back(ErrataSet(kSlips).without(id));
+  std::vector<DampedErrata> sets{DampedErrata(), DampedErrata::all(), DampedErrata(kSlips)};
+  for (const std::string& id : DampedErrata::known()) {
+    sets.push_back(DampedErrata().with(id));
+    sets.push_back(DampedErrata(kSlips).without(id));
   }
-  for (const ErrataSet& set : sets) {
+  for (const DampedErrata& set : sets) {
     INFO(set.text());
     World world = busy_world();
     DampedAsPrinted technique = with(set);
@@ -90,7 +98,7 @@ TEST_CASE("Pushes of the printed listings end at the cap, and the report says so
     world.add_ground();
     const int cube = add_cube(world, Vec3(0.0, 0.4, 0.0));
     DampedAsPrintedOptions options;
-    options.repaired = ErrataSet(kSlips);
+    options.repaired = DampedErrata(kSlips);
     options.push_cap = cap;
     DampedAsPrinted technique(options);
     const StepReport report = technique.step(world, kDt);
@@ -102,12 +110,12 @@ TEST_CASE("Pushes of the printed listings end at the cap, and the report says so
   }
 }
 
-TEST_CASE("With all slips mended the printed listings keep a cube at rest where it is",
+TEST_CASE("With all misprints mended the printed listings keep a cube at rest where it is",
           "[exact][impulse_damped]") {
   World world;
   world.add_ground();
   const int cube = add_cube(world, Vec3(0.0, 0.5, 0.0));
-  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  DampedAsPrinted technique = with(DampedErrata(kSlips));
   double booked = 0.0;
   for (int step = 0; step < 120; ++step) booked += technique.step(world, kDt).energy.total();
   const BodyState& state = world.states()[static_cast<std::size_t>(cube)];
@@ -118,7 +126,7 @@ TEST_CASE("With all slips mended the printed listings keep a cube at rest where 
   CHECK(std::abs(booked) < 1e-12);  // [J] measured 0
 }
 
-TEST_CASE("With all slips mended the printed listings follow the reading as meant",
+TEST_CASE("With all misprints mended the printed listings follow the reading as meant",
           "[reference][impulse_damped]") {
   // Written apart from each other. Boxes are equal, so that one set of constants is right for all.
   std::vector<World> worlds(3);
@@ -134,7 +142,7 @@ TEST_CASE("With all slips mended the printed listings follow the reading as mean
     DampedOptions no_chance;
     no_chance.noise.where = Randomness::off;
     Damped meant(no_chance);
-    DampedAsPrinted printed = with(ErrataSet(kSlips));
+    DampedAsPrinted printed = with(DampedErrata(kSlips));
     double most = 0.0;
     for (int step = 0; step < 180; ++step) {
       meant.step(world, kDt);
@@ -152,7 +160,7 @@ TEST_CASE("A cube that falls freely is only moved by the printed listings",
   for (const bool once : {true, false}) {
     World world;
     add_cube(world, Vec3(0.0, 10.0, 0.0));
-    DampedAsPrinted technique = with(once ? ErrataSet(kSlips) : ErrataSet());
+    DampedAsPrinted technique = with(once ? DampedErrata(kSlips) : DampedErrata());
     for (int step = 0; step < 60; ++step) CHECK(technique.step(world, kDt).energy.total() == 0.0);
     const double fall = kGravity * kDt * kDt * (60.0 * 61.0 / 2.0 + (once ? 0.0 : 60.0));
     CHECK(std::abs(world.states()[0].position_w.y() - (10.0 - fall)) < 1e-12);  // [m] rounding
@@ -174,7 +182,7 @@ TEST_CASE("COLLIDE without gravity is Newton's impulse and keeps momentum",
   contact.points[0].distance = -0.03;
   contact.points[1].position_w = Vec3(0.5, 0.5, 0.4);
   contact.points[1].distance = -0.01;
-  objects.begin(world, stable, fixed, ErrataSet());
+  objects.begin(world, stable, fixed, DampedErrata());
   PrintedObject& first = objects.all()[0];
   PrintedObject& second = objects.all()[1];
   const PrintedCollision done =
@@ -192,7 +200,7 @@ TEST_CASE("COLLIDE without gravity is Newton's impulse and keeps momentum",
 TEST_CASE("A step of the printed listings keeps no memory but its own",
           "[determinism][impulse_damped]") {
   World world = busy_world();
-  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  DampedAsPrinted technique = with(DampedErrata(kSlips));
   for (int step = 0; step < 10; ++step) technique.step(world, kDt);
   World again = world;
   const auto copy = technique.clone();
@@ -211,7 +219,7 @@ TEST_CASE("What the printed listings know of a body goes with its id", "[unit][i
   const int second = add_cube(world, Vec3(0.0, 0.5, 0.0));
   const BodyId first_id = world.ids()[1];
   const BodyId second_id = world.ids()[static_cast<std::size_t>(second)];
-  DampedAsPrinted technique = with(ErrataSet(kSlips));
+  DampedAsPrinted technique = with(DampedErrata(kSlips));
   technique.step(world, kDt);
   CHECK(technique.geometrically_stable(second_id));
   world.remove(first_id);

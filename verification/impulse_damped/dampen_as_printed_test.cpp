@@ -35,7 +35,7 @@ constexpr DampedNumbers usual;  // what the technique has by default
 
 PrintedNumbers numbers() { return {thresholds_of(usual, cube, 9.81, dt), factors_of(usual, dt)}; }
 
-DampenReport dampen(World& world, bool touched, const ErrataSet& repaired) {
+DampenReport dampen(World& world, bool touched, const DampedErrata& repaired) {
   const std::vector<std::uint8_t> flags(world.states().size(), touched ? 1 : 0);
   return dampen_objects_as_printed(world, flags, numbers(), dt, RotationRule::splitting, repaired);
 }
@@ -50,7 +50,7 @@ Contact contact_between(int first, int second, const Vec3& normal_w, const Vec3&
   return contact;
 }
 
-// How far the listing without its slips and the reading as meant come, and how far apart.
+// How far the listing without its misprints and the reading as meant come, and how far apart.
 struct Motion {
   double moved = 0.0;    // [m] largest change of a height
   double apart = 0.0;    // [m]
@@ -67,7 +67,7 @@ Motion run_both(double gap) {
   World meant = printed;
   const World start = printed;
   DampedAsPrintedOptions options;
-  options.repaired = ErrataSet(
+  options.repaired = DampedErrata(
       "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2");
   options.stable_boxes = false;
   DampedAsPrinted listing(options);
@@ -91,12 +91,12 @@ Motion run_both(double gap) {
 
 }  // namespace
 
-TEST_CASE("With all its slips, the listing ends whatever is negative along y and z",
+TEST_CASE("With all its misprints, the listing ends whatever is negative along y and z",
           "[exact][impulse_damped]") {
   // Line by line: k1 and k2; aligned exactly: p_y = -k1 is "small" and ended, k3; in the loop over
   // y, z and nothing, p_z and the spins about y and z are "small" too. x is never looked at.
   World world = one_cube(Vec3::Zero(), Vec3(-1.0, -1.0, -1.0), Vec3(-1.0, -1.0, -1.0));
-  const DampenReport report = dampen(world, true, ErrataSet());
+  const DampenReport report = dampen(world, true, DampedErrata());
   const BodyState& state = world.states()[0];
   CHECK(state.linear_momentum_w.x() == near(-usual.k1).margin(1e-15));
   CHECK(state.linear_momentum_w.y() == 0.0);
@@ -114,7 +114,7 @@ TEST_CASE("With all its slips, the listing ends whatever is negative along y and
 
 TEST_CASE("Mended, the listing only scales what is fast", "[exact][impulse_damped]") {
   World world = one_cube(Vec3::Zero(), Vec3(-1.0, -1.0, -1.0), Vec3(-1.0, -1.0, -1.0));
-  dampen(world, true, ErrataSet::all());
+  dampen(world, true, DampedErrata::all());
   const BodyState& state = world.states()[0];
   CHECK((state.linear_momentum_w + usual.k1 * Vec3::Ones()).norm() < 1e-15);  // [kg m/s]
   CHECK((state.angular_momentum_w + usual.k2 * Vec3::Ones()).norm() < 1e-15);
@@ -128,7 +128,7 @@ TEST_CASE("A slow spin is scaled, a slower one ended", "[exact][impulse_damped]"
   const double slower = -0.5 * numbers().eps.still_spin;
   for (const auto& [spin, left] : {std::pair{slow, slow * usual.k2 * usual.k7}, {slower, 0.0}}) {
     World world = one_cube(Vec3::Zero(), Vec3(0.0, -1.0, 0.0), spin * Vec3::UnitZ());
-    dampen(world, true, ErrataSet::all());
+    dampen(world, true, DampedErrata::all());
     CHECK(world.states()[0].angular_momentum_w.z() == near(left).margin(1e-16));
   }
 }
@@ -139,19 +139,19 @@ TEST_CASE("A body that has hardly moved nor turned is put back in both",
   const Vec3 momentum_w(0.5 * numbers().eps.frozen / dt, 0.0, 0.0);
   const Vec3 spin_w(0.0, 0.5 * numbers().eps.frozen_angle / dt * cube.inertia_b.y(), 0.0);
   World world = one_cube(Vec3::Zero(), momentum_w, spin_w);
-  CHECK(dampen(world, false, ErrataSet::all()).frozen == 1);
+  CHECK(dampen(world, false, DampedErrata::all()).frozen == 1);
   CHECK(world.states()[0].position_w == Vec3::Zero());
   CHECK(world.states()[0].orientation_wb.coeffs() == Quat::Identity().coeffs());
   CHECK(world.states()[0].linear_momentum_w == momentum_w);
   // Turned by twice as much as ε11, it stays where it has come to.
   World turned = one_cube(Vec3::Zero(), momentum_w, 4.0 * spin_w);
-  CHECK(dampen(turned, false, ErrataSet::all()).frozen == 0);
+  CHECK(dampen(turned, false, DampedErrata::all()).frozen == 0);
   CHECK(turned.states()[0].position_w.x() == near(momentum_w.x() * dt).margin(1e-18));
 }
 
 TEST_CASE("Bodies that touch nothing keep their momenta and are moved", "[exact][impulse_damped]") {
   World world = one_cube(Vec3::Zero(), Vec3(0.0, 0.1, 0.0), Vec3(0.0, 1e-4, 0.0));
-  const DampenReport report = dampen(world, false, ErrataSet::all());
+  const DampenReport report = dampen(world, false, DampedErrata::all());
   CHECK(world.states()[0].linear_momentum_w == Vec3(0.0, 0.1, 0.0));
   CHECK(world.states()[0].angular_momentum_w == Vec3(0.0, 1e-4, 0.0));
   CHECK(world.states()[0].position_w == Vec3(0.0, 0.1 * dt, 0.0));
@@ -162,12 +162,12 @@ TEST_CASE("What damping and undone moves do to the energy is reported", "[exact]
   // Slow enough to be put back: 9 mm/s up for a step.
   World world = one_cube(Vec3(0.0, 2.0, 0.0), Vec3(0.3, 0.009, 0.0), Vec3(0.01, 0.2, 0.0));
   const double before = energy_of(world).kinetic;
-  const DampenReport damped = dampen(world, true, ErrataSet::all());
+  const DampenReport damped = dampen(world, true, DampedErrata::all());
   CHECK(damped.damping == near(energy_of(world).kinetic - before).margin(1e-15));  // [J]
   CHECK(damped.damping < 0.0);
 
   World slow = one_cube(Vec3(0.0, 2.0, 0.0), Vec3(0.0, 0.009, 0.0), Vec3::Zero());
-  const DampenReport frozen = dampen(slow, false, ErrataSet::all());
+  const DampenReport frozen = dampen(slow, false, DampedErrata::all());
   CHECK(frozen.frozen == 1);
   CHECK(slow.states()[0].position_w == Vec3(0.0, 2.0, 0.0));
   CHECK(frozen.repair == near(-9.81 * 0.009 * dt).margin(1e-14));  // [J] undone
@@ -179,7 +179,7 @@ TEST_CASE("Immovable bodies stay as they are in both listings", "[exact][impulse
   const BodyProperties shelf = fixed_box_properties(Vec3::Ones());
   world.add(shelf, make_state(shelf, Vec3(0.0, 0.25, 0.0)));
   const std::string before = world.hash().text();
-  const DampenReport report = dampen(world, true, ErrataSet());
+  const DampenReport report = dampen(world, true, DampedErrata());
   CHECK(world.hash().text() == before);
   CHECK(report.moved == 0);
 }
@@ -192,7 +192,7 @@ TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
   world.add(cube, make_state(cube, Vec3(0.0, 0.4, 0.0)));
   const Contact sideways = contact_between(0, 1, Vec3::UnitX(), Vec3::Zero());
   const PrintedFixReport report =
-      fix_contact_constraints_as_printed(world, {&sideways, 1}, 1e-3, 250, ErrataSet());
+      fix_contact_constraints_as_printed(world, {&sideways, 1}, 1e-3, 250, DampedErrata());
   CHECK_FALSE(report.ended);
   CHECK(report.pushes == 250);
   CHECK(world.states()[1].position_w.x() == near(0.25).margin(1e-12));  // [m]
@@ -201,7 +201,7 @@ TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
   mended.add_ground();
   mended.add(cube, make_state(cube, Vec3(0.0, 0.3995, 0.0)));
   const PrintedFixReport ended =
-      fix_contact_constraints_as_printed(mended, {&sideways, 1}, 1e-3, 250, ErrataSet("X1"));
+      fix_contact_constraints_as_printed(mended, {&sideways, 1}, 1e-3, 250, DampedErrata("X1"));
   CHECK(ended.ended);
   CHECK(ended.pushes == 101);                               // 100.5 mm
   CHECK(ended.energy == near(9.81 * 0.101).margin(1e-12));  // [J]
@@ -218,7 +218,7 @@ TEST_CASE("Pushes go up a stack from its lowest contact", "[exact][impulse_dampe
                     contact_between(k, k + 1, Vec3::UnitY(), Vec3(0.0, k - 2.5e-3 * k, 0.0)));
   }
   const PrintedFixReport report =
-      fix_contact_constraints_as_printed(world, contacts, 1e-3, 1000, ErrataSet());
+      fix_contact_constraints_as_printed(world, contacts, 1e-3, 1000, DampedErrata());
   CHECK(report.ended);
   for (int k = 0; k < 3; ++k) {
     const double y = world.states()[static_cast<std::size_t>(k) + 1].position_w.y();
@@ -228,7 +228,8 @@ TEST_CASE("Pushes go up a stack from its lowest contact", "[exact][impulse_dampe
   }
 }
 
-TEST_CASE("Without its slips the listing is the reading as meant", "[reference][impulse_damped]") {
+TEST_CASE("Without its misprints the listing is the reading as meant",
+          "[reference][impulse_damped]") {
   // Both were written from the thesis apart from each other. Cubes that fall on each other bounce,
   // are damped and pushed. Not at rest: there damping ends all motion. And straight down: once cubes
   // lean or shift, the centre of an overlap weighs depths in the one and not in the other.
@@ -245,14 +246,14 @@ TEST_CASE("Bad input of the printed listings is refused with its value", "[unit]
   World world = one_cube(Vec3::Zero(), Vec3::Zero(), Vec3::Zero());
   const std::vector<std::uint8_t> two(2, 0);
   CHECK_THROWS_WITH(
-      dampen_objects_as_printed(world, two, numbers(), dt, RotationRule::splitting, ErrataSet()),
+      dampen_objects_as_printed(world, two, numbers(), dt, RotationRule::splitting, DampedErrata()),
       Catch::Matchers::Contains("touched: 2 flags for 1 bodies"));
   const std::vector<std::uint8_t> one(1, 0);
-  CHECK_THROWS_WITH(
-      dampen_objects_as_printed(world, one, numbers(), 0.0, RotationRule::splitting, ErrataSet()),
-      Catch::Matchers::Contains("dt"));
-  CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 0.0, 1, ErrataSet()),
+  CHECK_THROWS_WITH(dampen_objects_as_printed(world, one, numbers(), 0.0, RotationRule::splitting,
+                                              DampedErrata()),
+                    Catch::Matchers::Contains("dt"));
+  CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 0.0, 1, DampedErrata()),
                     Catch::Matchers::Contains("eps1"));
-  CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 1e-3, 0, ErrataSet()),
+  CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 1e-3, 0, DampedErrata()),
                     Catch::Matchers::Contains("cap = 0: give at least 1"));
 }

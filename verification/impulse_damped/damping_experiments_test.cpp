@@ -2,7 +2,7 @@
 /// \brief Claims 5.3a, 5.3b and 5.3e: energy, chatter and the alignment test of the damping.
 #include "impulse_damped/damping_experiments.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "driver/quick.hpp"

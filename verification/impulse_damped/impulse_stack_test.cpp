@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,14 +22,6 @@ void add_box(World& world, const Vec3& size, double mass, const Vec3& position_w
              double friction = 0.5, double restitution = 0.0) {
   const BodyProperties body = box_properties(size, mass, friction, restitution);
   world.add(body, make_state(body, position_w));
-}
-
-World stack_of(int count, double restitution = 0.0) {
-  World world;
-  world.add_ground(0.5, restitution);
-  for (int k = 0; k < count; ++k)
-    add_box(world, Vec3::Ones(), 1.0, Vec3(0.0, k + 0.5, 0.0), 0.5, restitution);
-  return world;
 }
 
 // Mean over the corners of all movable boxes [m/s].
@@ -153,7 +146,7 @@ TEST_CASE("A stack of ten rests under shock propagation", "[exact][impulse][impu
   BOTH_POSES;
   for (const int count : {5, 10}) {
     for (const ImpulsePoints points : {ImpulsePoints::area, ImpulsePoints::one}) {
-      World world = stack_of(count, 0.9);
+      World world = stack_of(count, 0.5, 0.9);
       ImpulseOptions options;
       options.points = points;
       Impulse technique(posed(options));
@@ -194,10 +187,10 @@ TEST_CASE("With a push of positions in place of the shock a stack keeps its spee
   // Each step it begins to sag, and is pushed back by as much: momenta never come to rest, and
   // what is shown does not move. Restitution makes it less, but neither ends it.
   for (const double e : {0.0, 0.9}) {
-    const Chatter one = chatter_of(stack_of(1, e), with(ImpulseShock::position, 1));
-    const Chatter two = chatter_of(stack_of(2, e), with(ImpulseShock::position, 1));
-    const Chatter five = chatter_of(stack_of(5, e), with(ImpulseShock::position, 1));
-    const Chatter shock = chatter_of(stack_of(5, e), with(ImpulseShock::velocity, 1));
+    const Chatter one = chatter_of(stack_of(1, 0.5, e), with(ImpulseShock::position, 1));
+    const Chatter two = chatter_of(stack_of(2, 0.5, e), with(ImpulseShock::position, 1));
+    const Chatter five = chatter_of(stack_of(5, 0.5, e), with(ImpulseShock::position, 1));
+    const Chatter shock = chatter_of(stack_of(5, 0.5, e), with(ImpulseShock::velocity, 1));
     CHECK(one.speed < 1e-12);  // [m/s]
     CHECK(two.speed == near(0.011).margin(0.001));
     CHECK(five.speed == near(e == 0.0 ? 0.159 : 0.071).margin(0.005));
@@ -209,7 +202,7 @@ TEST_CASE("With a push of positions in place of the shock a stack keeps its spee
   }
 }
 
-TEST_CASE("Contacts at rest tell a foot that carries a third of a stack of ten",
+TEST_CASE("Contacts at rest show a foot that carries a third of a stack of ten",
           "[claims][impulse][impulse_damped]") {
   // Weight that ten passes do not bring down is lost in the shock: its lower side is infinitely
   // heavy.

@@ -6,9 +6,8 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "analytic_lcp/pyramid_problem.hpp"
-#include "lcp_solvers/lcp_cases.hpp"
-#include "lcp_solvers/siconos_friction.hpp"
+#include "lcp_solvers/pyramid_problem.hpp"
+#include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
@@ -29,81 +28,7 @@ namespace {
 constexpr double rounding = 1e-10;
 
 LcpResult solved(const LcpProblem& problem, const AugmentedLagrangianOptions& options = {}) {
-  AugmentedLagrangianSolver solver(options);
-  LcpResult result;
-  solver.solve(problem, result);
-  return result;
-}
-
-void check_answer(const LcpProblem& problem, const std::vector<double>& f,
-                  const std::vector<double>& a) {
-  const LcpResult result = solved(problem);
-  CHECK(result.status == LcpStatus::solved);
-  CHECK(near(result.f, f, rounding));
-  CHECK(near(result.a, a, rounding));
-  CHECK(result.residual <= 1e-12);  // [-] what the solver promises
-}
-
-LcpProblem without_factors(LcpProblem problem) {
-  problem.factors = {};
-  return problem;
-}
-
-// What forces do to the bodies, W Jᵀ f: 6 numbers each. Unlike f it is unique.
-std::vector<double> added_accelerations(const LcpProblem& problem, const std::vector<double>& f) {
-  const LcpFactors& factors = problem.factors;
-  std::vector<Vec3> pushed(2 * factors.bodies.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    const LcpFactors::Row& row = factors.rows[i];
-    const auto push = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
-      if (body < 0) return;
-      pushed[2 * at(body)] += f[i] * linear_w;
-      pushed[2 * at(body) + 1] += f[i] * angular_w;
-    };
-    push(row.first, row.linear_first_w, row.angular_first_w);
-    push(row.second, row.linear_second_w, row.angular_second_w);
-  }
-  std::vector<double> out;
-  for (std::size_t k = 0; k < factors.bodies.size(); ++k) {
-    const Vec3 linear = factors.bodies[k].inverse_mass.cwiseProduct(pushed[2 * k]);
-    const Vec3 angular = factors.bodies[k].inverse_inertia_w * pushed[2 * k + 1];
-    for (const Vec3& v : {linear, angular}) out.insert(out.end(), v.data(), v.data() + 3);
-  }
-  return out;
-}
-
-// A chain of bodies, each held to the one before by contacts in any direction. With twice as many
-// contacts as motions a body hardly fits in, and forces grow to a hundred thousand times b.
-LcpProblem chain(Random& random, int bodies, int contacts, double heavy, double needle) {
-  LcpProblem problem;
-  std::vector<Vec3> linear_w;
-  std::vector<Vec3> angular_w;
-  for (int k = 0; k < bodies; ++k) {
-    const double inverse_mass = k % 2 == 0 ? 1.0 : 1.0 / heavy;
-    const Vec3 yields = inverse_mass * Vec3(6.0, 6.0, 6.0 * needle);
-    problem.factors.bodies.push_back({Vec3::Constant(inverse_mass), Mat3(yields.asDiagonal())});
-    linear_w.push_back(random.in_cube(10.0));
-    angular_w.push_back(random.in_cube(10.0));
-  }
-  problem.b.setZero(bodies * contacts);
-  for (int i = 0; i < bodies * contacts; ++i) {
-    LcpFactors::Row row;
-    row.second = i / contacts;
-    row.first = row.second - 1;
-    const Vec3 normal = random.direction();
-    row.linear_first_w = -normal;
-    row.linear_second_w = normal;
-    row.angular_first_w = -random.in_cube(0.5).cross(normal);
-    row.angular_second_w = random.in_cube(0.5).cross(normal);
-    problem.b[i] =
-        normal.dot(linear_w[at(row.second)]) + row.angular_second_w.dot(angular_w[at(row.second)]);
-    if (row.first >= 0)
-      problem.b[i] += row.linear_first_w.dot(linear_w[at(row.first)]) +
-                      row.angular_first_w.dot(angular_w[at(row.first)]);
-    problem.factors.rows.push_back(row);
-  }
-  multiply_out(problem.factors, problem.A);
-  return problem;
+  return solved_with<AugmentedLagrangianSolver>(problem, options);
 }
 
 // The residual over the largest sum |A_ij f_j|: what rounding of forces this large would leave.
@@ -119,21 +44,6 @@ double residual_per_load(const LcpProblem& problem, const LcpResult& result) {
 }
 
 }  // namespace
-
-TEST_CASE("The method of multipliers solves problems that are known by hand",
-          "[exact][lcp][analytic_lcp]") {
-  check_answer(lcp({2}, {-4}), {2}, {0});
-  check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
-  check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
-  check_answer(lcp({4, 3, 3, 4}, {-1, -4}), {0, 1}, {2, 0});
-  check_answer(lcp({2, 1, 1, 2}, {1, 0}), {0, 0}, {1, 0});
-  check_answer(lcp({1, 1, 1, 1}, {-1, -2}), {0, 2}, {1, 0});
-  check_answer(lcp({0, 0, 0, 1}, {3, -2}), {0, 2}, {3, 0});
-  check_answer(lcp({}, {}), {}, {});
-  check_answer(stack(5), {49.05, 39.24, 29.43, 19.62, 9.81}, {0, 0, 0, 0, 0});
-  check_answer(without_factors(stack(5)), {49.05, 39.24, 29.43, 19.62, 9.81}, {0, 0, 0, 0, 0});
-  check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
-}
 
 TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp][analytic_lcp]") {
   for (const bool factors : {true, false}) {
@@ -166,8 +76,8 @@ TEST_CASE("The method of multipliers agrees with Baraff's on 10000 contact probl
     solver.solve(problem, result);
     if (want.status != LcpStatus::solved || result.status != LcpStatus::solved) ++unsolved;
     worst_a = std::max(worst_a, distance(result.a, want.a) / scale_of(problem));
-    worst_wrench = std::max(worst_wrench, distance(added_accelerations(problem, result.f),
-                                                   added_accelerations(problem, want.f)) /
+    worst_wrench = std::max(worst_wrench, distance(added_accelerations(problem.factors, result.f),
+                                                   added_accelerations(problem.factors, want.f)) /
                                               scale_of(problem));
     worst_residual = std::max(worst_residual, result.residual);
     factorisations += result.pivots;
@@ -212,7 +122,7 @@ TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their
         for (const int contacts : {2, 6, 12, 24, 48}) {
           Random random(7);
           for (int k = 0; k < 5; ++k) {
-            const LcpProblem problem = chain(random, bodies, contacts, heavy, needle);
+            const LcpProblem problem = chain(random, bodies, contacts, {heavy, needle});
             solver.solve(problem, result);
             ++problems;
             if (result.status != LcpStatus::solved) ++unsolved;
@@ -248,23 +158,6 @@ TEST_CASE("The method of multipliers solves pyramids of singular contacts to rou
     }
 }
 
-TEST_CASE("Glue pulls as well as pushes, and axes may be locked, for springs too",
-          "[exact][lcp][analytic_lcp]") {
-  LcpProblem hanging = cube_on_ground(-9.81, 0, 0);
-  hanging.factors.bodies[0].inverse_inertia_w.setZero();
-  multiply_out(hanging.factors, hanging.A);
-  CHECK(near(solved(hanging).f, {0, 0, 0, 0}, 0.0));
-  hanging.equality = {0, 0, 1, 0};
-  check_answer(hanging, {0, 0, -9.81, 0}, {0, 0, 0, 0});
-  check_answer(without_factors(hanging), {0, 0, -9.81, 0}, {0, 0, 0, 0});
-
-  LcpProblem fixed = stack(2);
-  fixed.factors.bodies[0] = {};
-  multiply_out(fixed.factors, fixed.A);
-  fixed.b << 0.0, -9.81;
-  check_answer(fixed, {0, 9.81}, {0, 0});
-}
-
 TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with glue",
           "[unit][lcp][analytic_lcp]") {
   Random random(3);
@@ -291,22 +184,8 @@ TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with 
 
 TEST_CASE("Springs whose forces grow for ever prove that contacts contradict each other",
           "[unit][lcp][analytic_lcp]") {
-  LcpProblem walls = stack(1);
-  walls.factors.rows.push_back(walls.factors.rows[0]);
-  walls.factors.rows[1].linear_second_w = -Vec3::UnitY();
-  multiply_out(walls.factors, walls.A);
-  walls.b = VecX::Constant(2, -1.0);
-  CHECK(solved(walls).status == LcpStatus::infeasible);
-  CHECK(solved(without_factors(walls)).status == LcpStatus::infeasible);
-  walls.b[0] = 1.0;  // as fast as the other one parts: no contradiction, and nothing to do but move
-  check_answer(walls, {0, 1}, {0, 0});
-
-  LcpProblem fixed = stack(2);
-  fixed.factors.bodies[0] = {};
-  multiply_out(fixed.factors, fixed.A);
-  CHECK(solved(fixed).status == LcpStatus::infeasible);  // the ground comes up to a fixed box
+  LcpProblem fixed = on_fixed_box(1.0, -9.81);
   fixed.equality = {1, 0};
-  fixed.b << 1.0, -9.81;
   CHECK(solved(fixed).status == LcpStatus::infeasible);  // glue that moves away from it
 
   // A vice about any body of a random heap.
@@ -352,13 +231,6 @@ TEST_CASE("Published problems with semidefinite matrices are solved by multiplie
       INFO(one.name);
       CHECK(solved(one.problem).status == LcpStatus::solved);
       CHECK(solved(one.problem).residual <= 1e-12);  // [-] as promised
-    }
-  if (const auto folder = shared_data("siconos-friction"))
-    for (const NormalProblem& one : siconos_normal_problems(*folder)) {
-      INFO(one.name);
-      const LcpResult result = solved(one.problem);
-      CHECK(result.status == LcpStatus::solved);
-      CHECK(distance(result.a, one.a) <= 1e-9 * scale_of(one.problem));  // measured 1e-11
     }
 }
 

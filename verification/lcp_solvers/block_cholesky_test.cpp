@@ -2,7 +2,7 @@
 /// \brief The sparse factor of 6×6 blocks against the equations that it solves.
 #include "tumble/lcp_solvers/block_cholesky.hpp"
 
-#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/random_contacts.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

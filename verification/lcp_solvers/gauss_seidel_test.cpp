@@ -5,11 +5,8 @@
 #include "tumble/math/complementarity.hpp"
 #include "tumble/math/elementary.hpp"
 
-#include "lcp_solvers/lcp_cases.hpp"
-#include "lcp_solvers/siconos_friction.hpp"
-#include "support/allocation_counter.hpp"
+#include "lcp_solvers/random_contacts.hpp"
 #include "support/catch.hpp"
-#include "support/shared_data.hpp"
 
 #include <limits>
 #include <numbers>
@@ -21,50 +18,10 @@ using namespace tumble::test;
 namespace {
 
 LcpResult solved(const LcpProblem& problem, const GaussSeidelOptions& options = {}) {
-  GaussSeidelSolver solver(options);
-  LcpResult result;
-  solver.solve(problem, result);
-  return result;
-}
-
-// 1e-8 of max |b|: a residual of 1e-9, times the condition of these small problems (measured 7e-11).
-void check_answer(const LcpProblem& problem, const std::vector<double>& f,
-                  const std::vector<double>& a) {
-  const LcpResult result = solved(problem);
-  CHECK(result.status == LcpStatus::solved);
-  CHECK(result.residual <= 1e-9);
-  CHECK(near(result.f, f, 1e-8 * scale_of(problem)));
-  CHECK(near(result.a, a, 1e-8 * scale_of(problem)));
+  return solved_with<GaussSeidelSolver>(problem, options);
 }
 
 }  // namespace
-
-TEST_CASE("Sweeps solve problems that are known by hand", "[exact][lcp][analytic_lcp]") {
-  check_answer(lcp({2}, {-4}), {2}, {0});
-  check_answer(lcp({2, 1, 1, 2}, {-5, -6}), {4.0 / 3, 7.0 / 3}, {0, 0});
-  check_answer(lcp({2, -1, 0, -1, 2, -1, 0, -1, 2}, {-1, 2, -1}), {0.5, 0, 0.5}, {0, 1, 0});
-  check_answer(lcp({1, 1, 1, 1}, {-1, -2}), {0, 2}, {1, 0});
-  check_answer(lcp({4, 3, 3, 4}, {-1, -4}), {0, 1}, {2, 0});
-  check_answer(cube_on_ground(9.81, 0.6, 0), {0, 5.4936, 5.4936, 0}, {2.3544, 0, 0, 2.3544});
-  check_answer(lcp({}, {}), {}, {});
-}
-
-TEST_CASE("Sweeps hold a cube by its four corners", "[exact][lcp][analytic_lcp]") {
-  for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
-    const LcpResult result = solved(cube_on_ground(9.81, x, z));
-    CHECK(result.status == LcpStatus::solved);
-    CHECK(near(result.a, {0, 0, 0, 0}, 1e-7));  // [m/s²] 1e-8 max |b|: measured 2e-8
-    double sum = 0.0;
-    double moment_x = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      CHECK(result.f[k] >= 0.0);
-      sum += result.f[k];
-      moment_x += result.f[k] * cube_x[k];
-    }
-    CHECK(std::abs(sum - 9.81) <= 1e-7);  // [N] for the same reason
-    CHECK(std::abs(moment_x - 9.81 * x) <= 1e-7);
-  }
-}
 
 TEST_CASE("A row that is an equality may pull", "[exact][lcp][analytic_lcp]") {
   // The second contact is glue: a_2 = 0 whatever its force.
@@ -168,47 +125,10 @@ TEST_CASE("Sweeps find the accelerations of 2000 singular contact problems",
   CHECK(solved_ones >= 1980);  // measured 1994; in the others contacts are nearly parallel
 }
 
-TEST_CASE("Sweeps solve the normal parts of published friction problems",
-          "[reference][lcp][analytic_lcp]") {
-  const auto folder = shared_data("siconos-friction");
-  if (!folder) return;
-  int compared = 0;
-  for (const NormalProblem& one : siconos_normal_problems(*folder)) {
-    INFO(one.name);
-    const LcpResult result = solved(one.problem);
-    CHECK(result.status == LcpStatus::solved);
-    CHECK(distance(result.a, one.a) <= 1e-8 * scale_of(one.problem));  // measured 1e-9
-    CHECK(result.pivots <= 1000);  // measured 406 for the one with 23 contacts, else up to 20
-    ++compared;
-  }
-  CHECK(compared == 10);
-}
-
 TEST_CASE("Sweeps refuse what they cannot take", "[unit][lcp][analytic_lcp]") {
   CHECK_THROWS_AS(solved(lcp({0}, {-1})), std::invalid_argument);
   CHECK_THROWS_AS(solved(lcp({-1}, {-1})), std::invalid_argument);
-  LcpProblem problem = lcp({2, 1, 0, 2}, {-5, -6});
-  CHECK(solved(problem).status == LcpStatus::solved);  // need not be symmetric
-  problem.b[0] = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_AS(solved(problem), std::invalid_argument);
+  CHECK(solved(lcp({2, 1, 0, 2}, {-5, -6})).status == LcpStatus::solved);  // not symmetric
   CHECK_THROWS_AS(GaussSeidelSolver({.sweeps = -1}), std::invalid_argument);
   CHECK_THROWS_AS(GaussSeidelSolver({.residual = -1e-9}), std::invalid_argument);
-  GaussSeidelSolver solver;
-  LcpResult result;
-  const std::vector<int> outside{2};
-  CHECK_THROWS_AS(solver.solve(lcp({2, 1, 1, 2}, {-5, -6}), result, outside),
-                  std::invalid_argument);
-}
-
-TEST_CASE("Sweeps ask for no memory once they have seen a problem as large",
-          "[unit][lcp][analytic_lcp]") {
-  GaussSeidelSolver solver;
-  LcpResult result;
-  const LcpProblem large = stack(6);
-  const LcpProblem small = cube_on_ground(9.81, 0.2, 0.1);
-  solver.solve(large, result);
-  const AllocationCount count;
-  solver.solve(small, result);
-  solver.solve(large, result);
-  CHECK(count.value() == 0);
 }

@@ -1,9 +1,11 @@
 /// \file
-/// \brief Contact problems for tests of solvers: made by hand, and at random.
+/// \brief Contact problems made by hand, for tests of solvers, and how their answers are compared.
 #pragma once
 
-#include "tumble/base/random.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <initializer_list>
@@ -85,61 +87,111 @@ inline LcpProblem stack(int n) {
   return problem;
 }
 
-/// Boxes that touch each other and scenery anywhere, in any direction, loaded in any way; a third
-/// of the contacts are given twice.
-/// \param random        where the numbers come from
-/// \param most_bodies   at most so many boxes
-/// \param most_rows     at most so many contacts
-/// \param independent   normals, places and masses are multiples of 1/8 if not set, so that
-///                      dependent contacts depend exactly and conditions tie
-/// \return with factors; b = J times accelerations, so that a solution exists
-inline LcpProblem random_contacts(Random& random, int most_bodies, int most_rows,
-                                  bool independent) {
-  const auto grid = [&](double value) {
-    return independent ? value : std::floor(8.0 * value + 0.5) / 8.0;
-  };
-  const auto grid3 = [&](const Vec3& v) { return Vec3(grid(v.x()), grid(v.y()), grid(v.z())); };
-  LcpProblem problem;
-  const int bodies = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(most_bodies)));
-  const int n = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(most_rows)));
-  std::vector<Vec3> linear;
-  std::vector<Vec3> angular;
-  for (int k = 0; k < bodies; ++k) {
-    LcpFactors::Body body;
-    body.inverse_mass.setConstant(grid(random.uniform(0.2, 5.0)));
-    const Mat3 turned = random.orientation().toRotationMatrix();
-    const Mat3 axes = independent ? turned : Mat3::Identity();
-    const Vec3 yields = 6.0 * body.inverse_mass + grid3(random.in_cube(1.0));
-    body.inverse_inertia_w = axes * yields.asDiagonal() * axes.transpose();
-    body.inverse_inertia_w =
-        (0.5 * (body.inverse_inertia_w + body.inverse_inertia_w.transpose())).eval();
-    problem.factors.bodies.push_back(body);
-    linear.push_back(grid3(random.in_cube(10.0)));
-    angular.push_back(grid3(random.in_cube(10.0)));
-  }
-  problem.b.resize(n);
+/// A body of 1 kg with two contacts.
+/// \param second  1: on the same side as the first one; -1: opposite it
+/// \param b_0     [m/s²] how the first one parts without forces
+/// \param b_1     [m/s²] ditto, the second one
+/// \return with factors
+inline LcpProblem two_contacts(double second, double b_0, double b_1) {
+  LcpProblem problem = stack(1);
+  problem.factors.rows.push_back(problem.factors.rows[0]);
+  problem.factors.rows[1].linear_second_w *= second;
+  multiply_out(problem.factors, problem.A);
+  problem.b = Eigen::Vector2d(b_0, b_1);
+  return problem;
+}
+
+/// A box on another one that cannot move, which stands on the ground.
+/// \param b_0  [m/s²] how the lower contact parts, in which nothing can move
+/// \param b_1  [m/s²] how the upper one parts without forces
+/// \return with factors
+inline LcpProblem on_fixed_box(double b_0, double b_1) {
+  LcpProblem problem = stack(2);
+  problem.factors.bodies[0] = {};
+  multiply_out(problem.factors, problem.A);
+  problem.b = Eigen::Vector2d(b_0, b_1);
+  return problem;
+}
+
+/// A cube that flies up from its four corners and may not turn.
+/// \param glued  whether its third corner is held back
+/// \return with factors
+inline LcpProblem rising_cube(bool glued) {
+  LcpProblem problem = cube_on_ground(-9.81, 0, 0);
+  problem.factors.bodies[0].inverse_inertia_w.setZero();
+  multiply_out(problem.factors, problem.A);
+  if (glued) problem.equality = {0, 0, 1, 0};
+  return problem;
+}
+
+/// The same problem, known by its matrix alone.
+/// \param problem a copy is changed
+/// \return it
+inline LcpProblem without_factors(LcpProblem problem) {
+  problem.factors = {};
+  return problem;
+}
+
+/// The same problem with bodies: A = L Lᵀ, and two bodies with unit inverse mass take six columns
+/// of L each. A row can only name two bodies, so n is at most 12.
+/// \param problem  its matrix is positive definite; one with factors, or without rows, stays
+/// \return with factors
+inline LcpProblem with_factors(LcpProblem problem) {
+  const int n = problem.size();
+  if (!problem.factors.rows.empty() || n == 0) return problem;
+  MatX L = MatX::Zero(n, 12);
+  L.leftCols(n) = MatX(Eigen::LLT<MatX>(problem.A).matrixL());
+  problem.factors.bodies.assign(2, {Vec3::Ones(), Mat3::Identity()});
   for (int i = 0; i < n; ++i) {
     LcpFactors::Row row;
-    row.first = static_cast<int>(random.below(static_cast<std::uint32_t>(bodies) + 1)) - 1;
-    row.second = static_cast<int>(random.below(static_cast<std::uint32_t>(bodies)));
-    if (row.first == row.second) row.first = -1;
-    const Vec3 direction = random.direction();
-    Vec3 normal = grid3(direction);
-    if (normal.isZero(0.0)) normal = Vec3::UnitY();
-    row.linear_first_w = -normal;
-    row.linear_second_w = normal;
-    row.angular_first_w = -grid3(random.in_cube(0.5)).cross(normal);
-    row.angular_second_w = grid3(random.in_cube(0.5)).cross(normal);
-    if (i > 0 && random.below(3) == 0) row = problem.factors.rows.back();
+    row.first = 0;
+    row.second = 1;
+    row.linear_first_w = L.row(i).segment<3>(0);
+    row.angular_first_w = L.row(i).segment<3>(3);
+    row.linear_second_w = L.row(i).segment<3>(6);
+    row.angular_second_w = L.row(i).segment<3>(9);
     problem.factors.rows.push_back(row);
-    problem.b[i] = row.linear_second_w.dot(linear[static_cast<std::size_t>(row.second)]) +
-                   row.angular_second_w.dot(angular[static_cast<std::size_t>(row.second)]);
-    if (row.first >= 0)
-      problem.b[i] += row.linear_first_w.dot(linear[static_cast<std::size_t>(row.first)]) +
-                      row.angular_first_w.dot(angular[static_cast<std::size_t>(row.first)]);
   }
-  multiply_out(problem.factors, problem.A);
   return problem;
+}
+
+/// What forces do to the bodies, W Jᵀ f. Unlike f it is unique.
+/// \param factors  of the problem
+/// \param f        [N]
+/// \return [m/s²], [rad/s²] 6 numbers a body
+inline std::vector<double> added_accelerations(const LcpFactors& factors,
+                                               const std::vector<double>& f) {
+  std::vector<Vec3> pushed(2 * factors.bodies.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const LcpFactors::Row& row = factors.rows[i];
+    const auto push = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
+      if (body < 0) return;
+      pushed[2 * at(body)] += f[i] * linear_w;
+      pushed[2 * at(body) + 1] += f[i] * angular_w;
+    };
+    push(row.first, row.linear_first_w, row.angular_first_w);
+    push(row.second, row.linear_second_w, row.angular_second_w);
+  }
+  std::vector<double> out;
+  for (std::size_t k = 0; k < factors.bodies.size(); ++k) {
+    const Vec3 linear = factors.bodies[k].inverse_mass.cwiseProduct(pushed[2 * k]);
+    const Vec3 angular = factors.bodies[k].inverse_inertia_w * pushed[2 * k + 1];
+    for (const Vec3& v : {linear, angular}) out.insert(out.end(), v.data(), v.data() + 3);
+  }
+  return out;
+}
+
+/// Solves a problem by a new solver.
+/// \tparam Solver  its class
+/// \param problem  the problem
+/// \param options  of the solver
+/// \return what it says
+template <class Solver, class... Options>
+LcpResult solved_with(const LcpProblem& problem, const Options&... options) {
+  Solver solver(options...);
+  LcpResult result;
+  solver.solve(problem, result);
+  return result;
 }
 
 /// The largest |b|, the scale of accelerations.

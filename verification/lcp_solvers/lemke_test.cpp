@@ -6,7 +6,7 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/math/enumeration.hpp"
 
-#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
@@ -22,9 +22,7 @@ using namespace tumble::test;
 namespace {
 
 LcpResult solved(const LcpProblem& problem, const LemkeOptions& options = {}) {
-  LcpResult result;
-  LemkeSolver(options).solve(problem, result);
-  return result;
+  return solved_with<LemkeSolver>(problem, options);
 }
 
 // Murty's matrix: 1 on the diagonal, 2 below it.

@@ -1,14 +1,14 @@
 /// \file
 /// \brief All solvers on the same contact problems, against each other.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 #include "tumble/math/complementarity.hpp"
 #include "tumble/math/enumeration.hpp"
 
-#include "lcp_solvers/lcp_cases.hpp"
+#include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/siconos_friction.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/catch.hpp"
@@ -23,27 +23,6 @@ using namespace tumble;
 using namespace tumble::test;
 
 namespace {
-
-// What forces do to the bodies, W Jᵀ f: unlike f, there is only one answer.
-std::vector<double> pushed(const LcpFactors& factors, const std::vector<double>& f) {
-  std::vector<double> x(6 * factors.bodies.size(), 0.0);
-  const auto add = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
-    if (body < 0) return;
-    const LcpFactors::Body& w = factors.bodies[at(body)];
-    const Vec3 linear = w.inverse_mass.cwiseProduct(linear_w);
-    const Vec3 angular = w.inverse_inertia_w * angular_w;
-    for (int k = 0; k < 3; ++k) {
-      x[at(6 * body + k)] += linear[k];
-      x[at(6 * body + 3 + k)] += angular[k];
-    }
-  };
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    const LcpFactors::Row& row = factors.rows[i];
-    add(row.first, f[i] * row.linear_first_w, f[i] * row.angular_first_w);
-    add(row.second, f[i] * row.linear_second_w, f[i] * row.angular_second_w);
-  }
-  return x;
-}
 
 struct Agreement {
   int problems = 0;      // that the solver takes
@@ -64,7 +43,7 @@ class Comparison {
 
   void add(const LcpProblem& problem) {
     reference_.solve(problem, want_);
-    const std::vector<double> want_push = pushed(problem.factors, want_.f);
+    const std::vector<double> want_push = added_accelerations(problem.factors, want_.f);
     const double scale = scale_of(problem);
     if (want_.status != LcpStatus::solved || !(want_.residual <= 1e-10)) ++unsure;
     for (const auto& solver : solvers_) {
@@ -78,7 +57,8 @@ class Comparison {
       }
       one.worst_a = std::max(one.worst_a, distance(result_.a, want_.a) / scale);
       one.worst_push =
-          std::max(one.worst_push, distance(pushed(problem.factors, result_.f), want_push) / scale);
+          std::max(one.worst_push,
+                   distance(added_accelerations(problem.factors, result_.f), want_push) / scale);
       for (const double a : result_.a) one.fastest_sinking = std::max(one.fastest_sinking, -a);
     }
   }
@@ -91,40 +71,6 @@ class Comparison {
   LeastConstraintSolver reference_;
   LcpResult want_, result_;
 };
-
-// A chain of boxes, each touched in `contacts` points in any direction by the one before; the first
-// by scenery. Every fifth contact is given twice.
-LcpProblem chain(Random& random, int bodies, int contacts) {
-  LcpProblem problem;
-  const int n = bodies * contacts;
-  std::vector<Vec3> linear;
-  std::vector<Vec3> angular;
-  for (int k = 0; k < bodies; ++k) {
-    problem.factors.bodies.push_back({Vec3::Ones(), Vec3::Constant(6.0).asDiagonal()});
-    linear.push_back(random.in_cube(10.0));
-    angular.push_back(random.in_cube(10.0));
-  }
-  problem.b.resize(n);
-  for (int i = 0; i < n; ++i) {
-    LcpFactors::Row row;
-    row.second = i / contacts;
-    row.first = row.second - 1;
-    const Vec3 normal = random.direction();
-    row.linear_first_w = -normal;
-    row.linear_second_w = normal;
-    row.angular_first_w = -random.in_cube(0.5).cross(normal);
-    row.angular_second_w = random.in_cube(0.5).cross(normal);
-    if (i % 5 == 4) row = problem.factors.rows.back();
-    problem.factors.rows.push_back(row);
-    problem.b[i] = row.linear_second_w.dot(linear[at(row.second)]) +
-                   row.angular_second_w.dot(angular[at(row.second)]);
-    if (row.first >= 0)
-      problem.b[i] += row.linear_first_w.dot(linear[at(row.first)]) +
-                      row.angular_first_w.dot(angular[at(row.first)]);
-  }
-  multiply_out(problem.factors, problem.A);
-  return problem;
-}
 
 }  // namespace
 
@@ -158,12 +104,13 @@ TEST_CASE("All exact solvers find one motion in 10000 contact problems with redu
 TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
           "[unit][lcp][analytic_lcp]") {
   // On the way to the answer rows depend on each other up to 1e-12 of their lengths: more than A can
-  // tell, which holds the squares.
+  // show, which holds the squares.
   Random random(12);
   Comparison comparison;
   for (const int bodies : {1, 4})
     for (const int contacts : {12, 16})
-      for (int k = 0; k < 20; ++k) comparison.add(chain(random, bodies, contacts));
+      for (int k = 0; k < 20; ++k)
+        comparison.add(chain(random, bodies, contacts, {.repeat = true}));
   CHECK(comparison.unsure == 0);
   for (const std::string_view name : {"baraff", "lemke", "augmented_lagrangian"}) {
     const Agreement& one = comparison.agreements.at(std::string(name));
@@ -189,7 +136,7 @@ TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
   double worst = 0.0;
   for (const int contacts : {12, 16, 24}) {
     for (int k = 0; k < 4; ++k) {
-      const LcpProblem problem = chain(random, 10, contacts);
+      const LcpProblem problem = chain(random, 10, contacts, {.repeat = true});
       baraff.solve(problem, result);
       reference.solve(problem, want);
       on_A_alone.solve(problem.A, problem.b, alone);
@@ -250,18 +197,39 @@ TEST_CASE("No problem that others published is left out", "[unit][lcp][analytic_
   CHECK(siconos_normal_problems(*frictions).size() == count(*frictions));
 }
 
-TEST_CASE("Published friction problems without friction are solved by Baraff, Lemke and by trying",
+TEST_CASE("Every solver solves published friction problems without friction",
           "[reference][lcp][analytic_lcp]") {
   const auto folder = shared_data("siconos-friction");
   if (!folder) return;
-  for (const NormalProblem& one : siconos_normal_problems(*folder)) {
-    for (const std::string_view name : {"baraff", "lemke", "enumeration"}) {
-      if (name == "enumeration" && one.problem.size() > enumeration_limit) continue;
-      INFO(one.name << ", " << name);
+  struct Expected {
+    std::string_view solver;
+    double a;      // [-] of max |b|: how far accelerations may be off
+    int compared;  // how many problems it takes
+  };
+  // Measured: 1e-15; the method of multipliers 1e-11, sweeps 1e-9.
+  for (const Expected& expected :
+       {Expected{"baraff", 1e-11, 10}, Expected{"lemke", 1e-11, 10},
+        Expected{"enumeration", 1e-11, 1}, Expected{"baraff_as_printed", 1e-12, 9},
+        Expected{"least_constraint", 1e-11, 9}, Expected{"augmented_lagrangian", 1e-9, 10},
+        Expected{"gauss_seidel", 1e-8, 10}}) {
+    INFO(expected.solver);
+    int compared = 0;
+    for (const NormalProblem& one : siconos_normal_problems(*folder)) {
+      INFO(one.name);
+      const int n = one.problem.size();
+      const bool factored = expected.solver == "least_constraint";
+      if (expected.solver == "enumeration" && n > enumeration_limit) continue;
+      if (factored && n > 12) continue;  // rows of three bodies and more
+      // 00394 has b = 1.5e-15: below the tolerance of the thesis's form.
+      if (expected.solver == "baraff_as_printed" && scale_of(one.problem) < 1e-5) continue;
       LcpResult result;
-      make_lcp_solver(name)->solve(one.problem, result);
+      make_lcp_solver(expected.solver)
+          ->solve(factored ? with_factors(one.problem) : one.problem, result);
       CHECK(result.status == LcpStatus::solved);
-      CHECK(distance(result.a, one.a) <= 1e-11 * scale_of(one.problem));
+      CHECK(distance(result.a, one.a) <= expected.a * scale_of(one.problem));
+      if (expected.solver == "gauss_seidel") CHECK(result.pivots <= 1000);  // measured up to 406
+      ++compared;
     }
+    CHECK(compared >= expected.compared);
   }
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Bodies in a look at a session.
+/// \brief Bodies as a look at a session shows them.
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/geometric_stability/stable_boxes.hpp"
@@ -7,6 +7,7 @@
 #include "live/seen.hpp"
 #include "session.hpp"
 #include "support/catch.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +25,12 @@ bool same_pose(const Vec3& position_w, const Quat& orientation_wb, const BodySta
   return position_w == state.position_w && orientation_wb.coeffs() == state.orientation_wb.coeffs();
 }
 
-// Stable boxes by the library's own search.
+// Which bodies are stable, as the library's own search says.
 std::vector<char> stable_in(const World& world, StableRule rule) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
   ContactList contacts;
-  gather_near(world, moving, pairs, {}, contacts);
+  gather_near(world, moving, test::all_pairs(world), {}, contacts);
   StableBoxes boxes(rule);
   const std::span<const char> found = boxes.find(world, moving, contacts);
   return {found.begin(), found.end()};
@@ -58,7 +56,7 @@ TEST_CASE("A look has each body but the ground with its poses now and before the
   World before = world;
   for (int k = 0; k < 8; ++k) {
     INFO("step " << k);
-    // A box that enters before a step is there before it, with the pose of its entry.
+    // A body that comes in before a step is there before it, with the pose that it comes in with.
     const bool enters = k == 4;
     if (!enters) before = world;
     step(session, 1);
@@ -77,7 +75,7 @@ TEST_CASE("A look has each body but the ground with its poses now and before the
     CHECK(seen[3].position_w.x() == near(9.0 + kDt).margin(1e-12));
   }
 
-  // A box thrown since has not moved; the poses of others stay when one leaves.
+  // A body thrown since has not moved; the poses of others stay theirs when one goes.
   before = world;
   step(session, 1);
   session.throw_in(cube(Vec3(-5.0, 8.0, 0.0), Vec3(1.0, 2.0, 3.0)));
@@ -151,7 +149,7 @@ TEST_CASE("Stable boxes of a look are those of the library's own search", "[unit
   for (const SeenBody& body : bodies_of(session)) CHECK((body.kind & kStable) == 0);
 }
 
-TEST_CASE("Islands of a look are those of the contacts of the last step", "[unit][live]") {
+TEST_CASE("Islands of a look are those of the contacts in the last step", "[unit][live]") {
   Session session(kTable);
   session.throw_in(cube(Vec3(20.0, 0.5, 0.0)));
   step(session, 10);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Requests: their words, and the messages of mistakes.
+/// \brief Requests: what their words make, and in which sentence a mistake is reported.
 #include "tumble/record/run.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -7,6 +7,7 @@
 
 #include "session.hpp"
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <string>
 #include <utility>
@@ -15,18 +16,10 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 using namespace tumble::live;
 
 const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 2\nposition = [0, 3, 0]\n";
-
-// The scene that `tumble run NAME --set ... --seed N` makes.
-Scene built(const char* name, std::initializer_list<std::pair<const char*, const char*>> set = {},
-            std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters settings = recipe.parameters();
-  for (const auto& [key, value] : set) settings.set(key, value);
-  return checked(recipe.build(settings, Random(seed)));
-}
 
 std::string hash_of(Technique& technique, const Scene& scene) {
   RunSettings settings;
@@ -86,7 +79,8 @@ TEST_CASE("All that follows the word toml is the scene file", "[unit][live]") {
   CHECK(setup.scene.boxes[0].name == "set");
 }
 
-TEST_CASE("A mistake in a request is reported in a sentence with a remedy", "[unit][live]") {
+TEST_CASE("A mistake in a request is reported in a sentence that says what would be right",
+          "[unit][live]") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "unknown scene : expected one of: box_drop, bouncing_box"},
       {"technique basic\nseed 3", "unknown scene : expected one of: box_drop"},

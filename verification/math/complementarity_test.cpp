@@ -73,18 +73,6 @@ void check_infeasible(const MatX& A, const VecX& b) {
 
 }  // namespace
 
-TEST_CASE("Complementarity problems solved by hand come out as by hand", "[exact][lcp]") {
-  check_answer(square({2}), vector({-4}), vector({2}), vector({0}));
-  check_answer(square({2, 1, 1, 2}), vector({-5, -6}), vector({4.0 / 3, 7.0 / 3}), vector({0, 0}));
-  check_answer(square({2, -1, 0, -1, 2, -1, 0, -1, 2}), vector({-1, 2, -1}), vector({0.5, 0, 0.5}),
-               vector({0, 1, 0}));
-  // Two contacts that depend on each other but are not accelerated alike.
-  check_answer(square({1, 1, 1, 1}), vector({-1, -2}), vector({0, 2}), vector({1, 0}));
-  // Block pivoting cycles on this one (sets 000, 110, 101).
-  check_answer(square({41, 37, -20, 37, 34, -17, -20, -17, 13}), vector({-3, -1, 2}),
-               vector({3.0 / 41, 0, 0}), vector({0, 37 * 3.0 / 41 - 1, 2 - 20 * 3.0 / 41}));
-}
-
 TEST_CASE("A contact that pushed at first may part in the end", "[exact][lcp]") {
   const MatX A = square({4, 3, 3, 4});
   const VecX b = vector({-1, -4});
@@ -122,15 +110,14 @@ TEST_CASE("Contacts that part anyway get no force and take no pivot", "[unit][lc
   CHECK(near(result.f, vector({0, 0}), 0.0));
 }
 
-TEST_CASE("Problems without a solution are told apart, with a proof", "[exact][lcp]") {
+TEST_CASE("Problems without a solution are detected, with a proof", "[exact][lcp]") {
   check_infeasible(square({0}), vector({-1}));
   check_infeasible(square({1, -1, -1, 1}), vector({-1, -1}));  // squeezed by two walls
   // The same walls beside a contact that has a solution.
   check_infeasible(square({2, 0, 0, 0, 1, -1, 0, -1, 1}), vector({-1, -1, -1}));
 }
 
-TEST_CASE("A matrix that is not positive semidefinite is told apart where it shows",
-          "[unit][lcp]") {
+TEST_CASE("A matrix that is not positive semidefinite is detected where it shows", "[unit][lcp]") {
   const auto status = ComplementarityStatus::not_positive_semidefinite;
   CHECK(solved(square({-1}), vector({-1})).status == status);
   CHECK(solved(square({0, 1, 1, 0}), vector({-1, -1})).status == status);
@@ -160,61 +147,6 @@ TEST_CASE("Trying everything also solves problems that are not symmetric", "[exa
   CHECK(solve_by_enumeration(square({-1}), vector({1})).status == ComplementarityStatus::solved);
   // The force is free for its own row; another contact's row determines it.
   CHECK(f_is(square({0, 0, 1, 0}), vector({0, -1}), vector({1, 0})));
-}
-
-TEST_CASE("A stack of five carries at each level the weight above it", "[exact][lcp]") {
-  const double g = 9.81;  // m/s², masses 1 kg
-  MatX A = MatX::Zero(5, 5);
-  for (int k = 0; k < 5; ++k) A(k, k) = k == 0 ? 1.0 : 2.0;
-  for (int k = 0; k < 4; ++k) A(k, k + 1) = A(k + 1, k) = -1.0;
-  // 1e-11 N: forces add up to 147 N, of which 1e-13 is rounding (measured 3e-14).
-  const ComplementarityResult result = solved(A, vector({-g, 0, 0, 0, 0}));
-  CHECK(result.status == ComplementarityStatus::solved);
-  CHECK(near(result.f, vector({49.05, 39.24, 29.43, 19.62, 9.81}), 1e-11));
-}
-
-TEST_CASE("A cube on the ground is held by its four corners", "[exact][lcp]") {
-  // Unit cube of 1 kg; corners at (-,-), (+,-), (+,+), (-,+) in x and z.
-  const MatX A = square({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4});
-  const double x[4] = {-0.5, 0.5, 0.5, -0.5};
-  const double z[4] = {-0.5, -0.5, 0.5, 0.5};
-
-  // Weight W at (px, pz): the corners sink with W (1 + 6 (x px + z pz)), since I = 1/6.
-  // Which forces hold it is not determined (rank 3), but their sum and their moments are.
-  const double w = 9.81;
-  for (const auto& [px, pz] : {std::pair{0.0, 0.0}, {0.2, 0.1}, {0.4, 0.3}, {0.25, -0.25}}) {
-    VecX b(4);
-    for (int k = 0; k < 4; ++k) b[k] = -w * (1.0 + 6.0 * (x[k] * px + z[k] * pz));
-    const bool on_base = std::abs(px) <= 0.5 && std::abs(pz) <= 0.5;
-    REQUIRE(on_base);
-    const ComplementarityResult result = solved(A, b);
-    CHECK(result.status == ComplementarityStatus::solved);
-    CHECK(near(result.a, vector({0, 0, 0, 0}), rounding * w));
-    double sum = 0.0;
-    double moment_x = 0.0;
-    double moment_z = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      CHECK(result.f[k] >= 0.0);
-      sum += result.f[k];
-      moment_x += result.f[k] * x[k];
-      moment_z += result.f[k] * z[k];
-    }
-    CHECK(std::abs(sum - w) <= rounding * w);
-    CHECK(std::abs(moment_x - w * px) <= rounding * w);
-    CHECK(std::abs(moment_z - w * pz) <= rounding * w);
-  }
-
-  // The load outside the base tips the cube; now both f and a are unique.
-  VecX outside(4);
-  for (int k = 0; k < 4; ++k) outside[k] = -w * (1.0 + 6.0 * x[k] * 0.6);
-  ComplementarityResult result = solved(A, outside);
-  CHECK(near(result.f, vector({0, 5.4936, 5.4936, 0}), 1e-11));
-  CHECK(near(result.a, vector({2.3544, 0, 0, 2.3544}), 1e-11));
-
-  // A torque of 6 N m about -z does the same.
-  result = solved(A, vector({8.19, -27.81, -27.81, 8.19}));
-  CHECK(near(result.f, vector({0, 5.562, 5.562, 0}), 1e-11));
-  CHECK(near(result.a, vector({2.628, 0, 0, 2.628}), 1e-11));
 }
 
 TEST_CASE("A family that takes other methods 2^n pivots takes one here", "[exact][lcp]") {

@@ -10,6 +10,7 @@
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
 
+#include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -20,6 +21,8 @@
 
 using namespace tumble;
 using Catch::Matchers::Contains;
+using test::Stretch;
+using test::stretch_in;
 
 namespace {
 
@@ -31,24 +34,6 @@ PictureBox upright(const Vec3& center, const Vec3& size) {
 }
 
 // --- the judge: rays ----------------------------------------------------------------------------
-
-// Where a ray is inside a box, by cutting it with the three slabs; empty if it misses.
-struct Stretch {
-  double enter = -kInfinity, leave = kInfinity;
-  [[nodiscard]] bool empty() const { return enter > leave || leave < 0.0; }
-};
-
-Stretch stretch_in(const Box& box, const Vec3& origin, const Vec3& direction) {
-  const Vec3 o = box.axes_w.transpose() * (origin - box.center_w);
-  const Vec3 d = box.axes_w.transpose() * direction;
-  Stretch out;
-  for (int k = 0; k < 3; ++k) {
-    const double t1 = (-box.half[k] - o[k]) / d[k], t2 = (box.half[k] - o[k]) / d[k];
-    out.enter = std::max(out.enter, std::min(t1, t2));
-    out.leave = std::min(out.leave, std::max(t1, t2));
-  }
-  return out;
-}
 
 // The line of sight of a pixel, from the definition of a perspective with a vertical picture edge.
 Vec3 sight_of(const Camera& camera, const Vec2& pixel) {
@@ -217,23 +202,10 @@ TEST_CASE("Each pixel of 200 pictures shows the box that the line of sight meets
 }
 
 TEST_CASE("Three sticks that cover one another in a ring are drawn rightly", "[exact][picture]") {
+  const std::vector<Box> shapes = test::ring_of_sticks();
   std::vector<PictureBox> sticks;
-  for (int k = 0; k < 3; ++k) {
-    const double angle = 2.0 * 3.14159265358979323846 / 3.0 * k;
-    const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-    const Vec3 along(-std::sin(angle), std::cos(angle), 0.0);
-    const Vec3 axis = (along + 0.3 * Vec3::UnitZ()).normalized();  // one end is nearer to the eye
-    Box stick;
-    stick.center_w = 0.5 * outwards;
-    stick.axes_w.col(0) = axis;
-    stick.axes_w.col(1) = outwards;
-    stick.axes_w.col(2) = axis.cross(outwards);
-    stick.half = Vec3(1.5, 0.1, 0.05);
-    sticks.push_back({stick});
-  }
+  for (const Box& stick : shapes) sticks.push_back({stick});
   const Camera camera = camera_for(sticks, Vec3(0.05, 0.1, 1.0), 300.0, 300.0, false);
-  std::vector<Box> shapes;
-  for (const PictureBox& b : sticks) shapes.push_back(b.box);
   REQUIRE(painters_order(shapes, camera.eye_w).cycles > 0);
   const Picture picture = draw_boxes(sticks, camera, false);
   CHECK(picture.rings == 0);

@@ -8,6 +8,7 @@
 #include "tumble/techniques.hpp"
 
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <array>
 #include <fstream>
@@ -17,23 +18,8 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 namespace fs = std::filesystem;
-
-struct Folder {
-  explicit Folder(const char* name)
-      : path(fs::temp_directory_path() / (std::string("tumble_filtered_") + name)) {
-    fs::remove_all(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  fs::path path;
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
 
 std::vector<std::vector<std::string>> rows_of(const fs::path& path) {
   std::ifstream in(path);
@@ -106,7 +92,7 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
        {"box:5", "box:15", "box:5,causal", "envelope:2mm,5deg", "soft_envelope", "one_euro"})
     for (const int every : {1, 4}) {
       INFO(filter << ", every " << every);
-      const Folder folder("poses");
+      const Folder folder("filtered_poses");
       const Scene scene = dice();
       const auto technique =
           technique_recipe("contact_damped").make(technique_recipe("contact_damped").options(), 1);
@@ -156,7 +142,7 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
 
 TEST_CASE("Frames are written when the filter shows them, and the rest when the run is over",
           "[unit][record][filtering]") {
-  const Folder folder("stream");
+  const Folder folder("filtered_stream");
   fs::create_directories(folder.path);
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
@@ -178,7 +164,7 @@ TEST_CASE("A run that ends with a state that is no number leaves the filtered fr
     for (const bool momentum : {false, true})
       for (const int bad : {1, 2, 7}) {
         INFO(filter << ", step " << bad << (momentum ? ", momentum" : ""));
-        const Folder folder("broken");
+        const Folder folder("filtered_broken");
         const Scene scene = dice();
         const RunDescription d = description(filter);
         Spoiler spoiler(bad, momentum);
@@ -197,7 +183,7 @@ TEST_CASE("A run that ends with a state that is no number leaves the filtered fr
 
 TEST_CASE("Without a filter there is no filtered trajectory, nor is one left of an earlier run",
           "[unit][record][filtering]") {
-  const Folder folder("none");
+  const Folder folder("filtered_none");
   const Scene scene = dice();
   Spoiler still(-1, false);
   for (const std::string filter : {"box:5", ""}) {

@@ -2,7 +2,6 @@
 /// \brief Energy, overlap and momenta as a run measures them.
 #include "tumble/record/metrics.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/metrics_table.hpp"
 

@@ -9,6 +9,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <array>
 #include <fstream>
@@ -17,30 +18,8 @@
 namespace {
 
 using namespace tumble;
+using namespace tumble::test;
 namespace fs = std::filesystem;
-
-struct Folder {
-  explicit Folder(const char* name)
-      : path(fs::temp_directory_path() / (std::string("tumble_files_") + name)) {
-    fs::remove_all(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  fs::path path;
-};
-
-std::vector<std::string> lines_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
 
 // Keeps every state that a run goes through.
 struct Keeper : RunObserver {
@@ -72,7 +51,7 @@ RunDescription description() {
 }  // namespace
 
 TEST_CASE("A trajectory reads back to the bits that were simulated", "[unit][record][files]") {
-  const Folder folder("back");
+  const Folder folder("files_back");
   const Scene scene = two_boxes();
   RunDescription d = description();
   d.run.every = 7;
@@ -107,7 +86,7 @@ TEST_CASE("A trajectory reads back to the bits that were simulated", "[unit][rec
 
 TEST_CASE("A run's tables have the columns, rows and numbers that they promise",
           "[unit][record][files]") {
-  const Folder folder("tables");
+  const Folder folder("files_tables");
   const Scene scene = two_boxes();
   Basic basic;
   RunFiles files(folder.path, description(), scene);
@@ -155,7 +134,7 @@ TEST_CASE("A run's tables have the columns, rows and numbers that they promise",
 
 TEST_CASE("The summary has settings, hash and every number at the end and at worst",
           "[unit][record][files]") {
-  const Folder folder("summary");
+  const Folder folder("files_summary");
   const Scene scene = two_boxes();
   Basic basic;
   RunDescription d = description();
@@ -187,7 +166,7 @@ TEST_CASE("The summary has settings, hash and every number at the end and at wor
 }
 
 TEST_CASE("A run leaves nothing of an earlier one in its folder", "[unit][record][files]") {
-  const Folder folder("again");
+  const Folder folder("files_again");
   const Scene scene = two_boxes();
   RunDescription d = description();
   {
@@ -205,7 +184,7 @@ TEST_CASE("A run leaves nothing of an earlier one in its folder", "[unit][record
 
 TEST_CASE("A folder is refused if it is a file or holds other things, and taken away on request",
           "[unit][record][files]") {
-  const Folder folder("output");
+  const Folder folder("files_output");
   constexpr std::array<std::string_view, 2> kFiles = {"mark.csv", "other.csv"};
   const fs::path deep = folder.path / "a" / "b";
   {
@@ -230,7 +209,7 @@ TEST_CASE("A folder is refused if it is a file or holds other things, and taken 
 }
 
 TEST_CASE("A damaged trajectory is refused with its file and line", "[unit][record][files]") {
-  const Folder folder("damaged");
+  const Folder folder("files_damaged");
   fs::create_directories(folder.path);
   const auto refusal = [&](const std::string& rows) {
     write_file(folder.path / "trajectory.csv", "header\n" + rows);

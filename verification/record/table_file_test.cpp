@@ -5,6 +5,7 @@
 #include "tumble/record/json.hpp"
 
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <cmath>
 #include <csignal>
@@ -19,13 +20,7 @@
 namespace {
 
 using namespace tumble;
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
+using namespace tumble::test;
 
 std::filesystem::path scratch(const char* name) {
   return std::filesystem::temp_directory_path() / (std::string("tumble_test_") + name);

@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,17 +19,7 @@
 namespace {
 
 using namespace tumble;
-
-using Settings = std::vector<std::pair<const char*, const char*>>;
-
-Scene built(const char* name, const Settings& set, std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return checked(recipe.build(p, Random(seed)));
-}
-
-Box shape_of(const SceneBox& box) { return make_box(box.position_w, box.orientation_wb, box.size); }
+using namespace tumble::test;
 
 const SceneBox& called(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.boxes.begin(), scene.boxes.end(),

@@ -7,6 +7,7 @@
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +15,8 @@
 #include <string>
 #include <vector>
 
-namespace {
-
 using namespace tumble;
-
-Scene built(const char* name, std::initializer_list<std::pair<const char*, const char*>> set,
-            std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return checked(recipe.build(p, Random(seed)));
-}
-
-}  // namespace
+using namespace tumble::test;
 
 TEST_CASE("Every built-in scene is accepted with its defaults", "[unit][scenes]") {
   std::set<std::string_view> names;
@@ -113,14 +103,14 @@ TEST_CASE("Boxes come and go at their times, and one with no time in between is 
   CHECK(names(world) == "stays comes");
   come_and_go(scene, 1.0, 2.0, world);
   CHECK(names(world) == "stays comes between");
-  // No body has the id of the one that was never there.
+  // No body has got the id of the one that was never there.
   CHECK(number_of(world.ids().back()) == 3);
   come_and_go(scene, 2.0, 2.5, world);
   CHECK(names(world) == "stays comes");
   come_and_go(scene, 2.5, 99.0, world);
   CHECK(names(world) == "stays comes");
 
-  // All of it within one step: a box leaves before another one enters.
+  // All of it within one step: a body that goes does so before another one comes.
   World coarse = build_world(scene);
   come_and_go(scene, 0.0, 99.0, coarse);
   CHECK(names(coarse) == "stays comes");
@@ -221,7 +211,7 @@ TEST_CASE("Cubes on a line stand where they are put, and what is no list of them
   }
 }
 
-TEST_CASE("A cradle without a cube to hit is refused", "[unit][scenes]") {
+TEST_CASE("A cradle in which no body is left to be hit is refused", "[unit][scenes]") {
   CHECK_THROWS_WITH(built("cradle", {{"moving", "5"}}),
                     Catch::Matchers::Contains("fewer than count = 5"));
   CHECK(built("cradle", {{"moving", "4"}}).boxes.size() == 5);

@@ -1,11 +1,12 @@
 /// \file
-/// \brief Scenes of geometric stability: names, numbers of boxes, supports, refusals.
+/// \brief Scenes of geometric stability: names, numbers of boxes, which box is over which, refusals.
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +18,13 @@
 namespace {
 
 using namespace tumble;
-
-using Settings = std::vector<std::pair<const char*, std::string>>;
-
-Scene built(const char* name, const Settings& set = {}) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return checked(recipe.build(p, Random(1)));
-}
+using namespace tumble::test;
 
 std::vector<std::string> names_of(const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneBox& box : scene.boxes) names.push_back(box.name);
   return names;
 }
-
-Box shape_of(const SceneBox& box) { return make_box(box.position_w, box.orientation_wb, box.size); }
 
 // How many lower corners of a box are over an upright one, seen from above.
 int corners_over(const SceneBox& top, const SceneBox& bottom) {

@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
+#include "support/scenes.hpp"
 
 #include <cmath>
 #include <string>
@@ -15,17 +16,7 @@
 namespace {
 
 using namespace tumble;
-
-using Settings = std::vector<std::pair<const char*, std::string>>;
-
-Scene built(const char* name, const Settings& set = {}) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  for (const auto& [key, value] : set) p.set(key, value);
-  return checked(recipe.build(p, Random(1)));
-}
-
-Box shape_of(const SceneBox& box) { return make_box(box.position_w, box.orientation_wb, box.size); }
+using namespace tumble::test;
 
 // [m] The deepest overlap of two boxes of a scene.
 double deepest_overlap(const Scene& scene) {

@@ -1,7 +1,6 @@
 /// \file
 /// \brief The first example of README.
 #include "structure/source_tree.hpp"
-
 #include "support/catch.hpp"
 
 #include <algorithm>

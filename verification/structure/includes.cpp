@@ -103,6 +103,28 @@ Complaints upward_includes(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
+Complaints chapters_named_below(const std::vector<SourceFile>& files) {
+  static const std::regex chapters(
+      "basic_colliding|timewarp|filtering|exterior_rotation|geometric_stability|damped|analytic_"
+      "lcp|"
+      "lcp_solvers|chatter|freez",
+      std::regex::icase);
+  static const std::regex errata("\\b(T|F|D|C|RK|RC|DM|X|G)[1-9][0-9]?\\b");
+  const int lowest_chapter = *height_of("filtering");
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::optional<int> here = height_of(folder_of(file.path));
+    if (!in_library(file.path) || !here || *here >= lowest_chapter) continue;
+    const std::vector<std::string> lines = lines_of(file.text);
+    std::smatch match;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (std::regex_search(lines[i], match, chapters) ||
+          (*here == 0 && std::regex_search(lines[i], match, errata)))
+        complaints.push_back(place(file, i + 1) + match[0].str() + ": belongs to a chapter");
+  }
+  return complaints;
+}
+
 Complaints include_circles(const std::vector<SourceFile>& files) {
   std::map<std::string, std::set<std::string>> edges;
   for (const SourceFile& file : files) {

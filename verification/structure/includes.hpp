@@ -15,6 +15,12 @@ namespace tumble::structure {
 ///         layer is known for
 Complaints upward_includes(const std::vector<SourceFile>& files);
 
+/// Names of chapters and of their ideas in the layers below them, comments included; in base also ids of
+/// errata.
+/// \param files C++ files
+/// \return a complaint for each line that has one
+Complaints chapters_named_below(const std::vector<SourceFile>& files);
+
 /// Folders of the same height in src that include one another in a circle.
 /// \param files C++ files
 /// \return a complaint naming a circle

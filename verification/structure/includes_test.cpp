@@ -53,6 +53,17 @@ TEST_CASE("Folders that include one another are found", "[structure]") {
   CHECK(include_circles({there, on, back}).size() == 3);
 }
 
+TEST_CASE("The name of a chapter in a layer below it is found", "[structure]") {
+  CHECK(chapters_named_below({{"src/tumble/dynamics/a.hpp", "// a\n// set by FreezeOnChatter\n"},
+                              {"src/tumble/base/b.cpp", "x(\"DM3\");\n"}}) ==
+        Complaints{"src/tumble/dynamics/a.hpp:2: Freez: belongs to a chapter",
+                   "src/tumble/base/b.cpp:1: DM3: belongs to a chapter"});
+  CHECK(chapters_named_below({{"src/tumble/filtering/a.hpp", "// chatter\n"},
+                              {"src/tumble/dynamics/b.hpp", "// undo a collision: X1\n"},
+                              {"chapters/filtering/c.cpp", "// chatter\n"}})
+            .empty());
+}
+
 TEST_CASE("A dependency on the wrong side of the licence line is found", "[structure]") {
   CHECK(misplaced_dependencies({{"src/tumble/math/a.cpp", "#include <gsl/gsl_math.h>\n"},
                                 {"apps/b.cpp", "#include <catch2/catch.hpp>\n"},
@@ -87,6 +98,12 @@ TEST_CASE("The project's includes point downwards", "[structure]") {
     const auto more = upward_includes(code_in(files, folder));
     complaints.insert(complaints.end(), more.begin(), more.end());
   }
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("The layers of the library name no chapter", "[structure]") {
+  const Complaints complaints = chapters_named_below(code_in(project_files(), "src/"));
   INFO(joined(complaints));
   CHECK(complaints.empty());
 }

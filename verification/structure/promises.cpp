@@ -117,6 +117,34 @@ Complaints tests_without_rung(const std::vector<TestCase>& tests) {
   return complaints;
 }
 
+bool defines_tolerances(const SourceFile& file) {
+  static const std::regex form("src/tumble/\\w+/tolerances\\.hpp");
+  return std::regex_match(file.path, form);
+}
+
+Complaints bare_small_literals(const std::vector<SourceFile>& files) {
+  static const std::regex literal(R"x((^|[^\w.'])(\d[\d']*\.?\d*[eE]-\d+|0?\.\d+(?:[eE]-\d+)?))x");
+  Complaints complaints;
+  const std::sregex_iterator end;
+  for (const SourceFile& file : files) {
+    if (defines_tolerances(file)) continue;
+    const std::string code = code_of(file.text);
+    for (std::sregex_iterator m(code.begin(), code.end(), literal); m != end; ++m) {
+      const double value = std::stod((*m)[2]);
+      if (!(value > 0.0) || value >= 0.01) continue;
+      const auto offset = static_cast<std::size_t>(m->position(2));
+      const std::size_t before = code.find_last_of(";{}", offset);
+      const std::string statement = code.substr(before + 1, offset - before - 1);
+      const bool named = statement.find("constexpr") != std::string::npos;
+      const bool range = statement.find("add_number") != std::string::npos;
+      if (!named && !range)
+        complaints.push_back(place(file, line_at(code, offset)) + (*m)[2].str() +
+                             ": give it a name, unit and reason in the folder's tolerances.hpp");
+    }
+  }
+  return complaints;
+}
+
 Complaints unused_tolerances(const SourceFile& tolerances, const std::vector<SourceFile>& others) {
   static const std::regex definition("\\binline\\s+constexpr\\s+\\w+\\s+(\\w+)\\s*=");
   const std::string code = code_of(tolerances.text);

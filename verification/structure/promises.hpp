@@ -38,6 +38,17 @@ Complaints unkept_records(const std::vector<SourceFile>& files, const std::vecto
 /// \return a complaint for each
 Complaints tests_without_rung(const std::vector<TestCase>& tests);
 
+/// Whether a file defines tolerances.
+/// \param file  any
+/// \return true for a `tolerances.hpp` of the library
+bool defines_tolerances(const SourceFile& file);
+
+/// Small numbers in code outside of the files that define tolerances: decimal literals above 0 and below
+/// 1e-2. Named ones (constexpr) and the ranges of options (add_number) are allowed.
+/// \param files  C++ files of the library
+/// \return a complaint for each
+Complaints bare_small_literals(const std::vector<SourceFile>& files);
+
 /// Constants of a file of tolerances that no other file uses.
 /// \param tolerances  the file that defines them: `inline constexpr double name = ...`
 /// \param others      C++ files of the library

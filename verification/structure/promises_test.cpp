@@ -60,6 +60,21 @@ TEST_CASE("A tolerance that nothing uses is found", "[structure]") {
         Complaints{"t.hpp:2: nothing uses b"});
 }
 
+TEST_CASE("A bare small literal outside a tolerances.hpp is found", "[structure]") {
+  const std::string code =
+      "double a = 0.0;\nif (b < 1e-4 * c) f(.005);\nx = 0.25 + 0x1p-20; // 1e-9\n";
+  CHECK(bare_small_literals({{"src/tumble/math/a.cpp", code}}) ==
+        Complaints{"src/tumble/math/a.cpp:2: 1e-4: give it a name, unit and reason in the folder's "
+                   "tolerances.hpp",
+                   "src/tumble/math/a.cpp:2: .005: give it a name, unit and reason in the folder's "
+                   "tolerances.hpp"});
+  CHECK(bare_small_literals({{"src/tumble/math/tolerances.hpp", code}}).empty());
+  CHECK(bare_small_literals({{"src/tumble/math/a.cpp",
+                              "constexpr double kClose = 1e-9;\n"
+                              "p.add_number(\"size\", 1.0, 1e-3, 1e3, \"m\", \"edge\");\n"}})
+            .empty());
+}
+
 TEST_CASE("A command that the Makefile does not have is found", "[structure]") {
   const SourceFile makefile{"Makefile", "test:\n\tx\ntest-long:\n"};
   CHECK(unknown_commands({"a.md", "`make test`, `make SETUP=no test-long`, they make sense\n"},
@@ -105,15 +120,22 @@ TEST_CASE("Every test stands on a rung of the ladder", "[structure]") {
 
 TEST_CASE("Every tolerance is used", "[structure]") {
   const auto files = project_files();
-  for (const char* path :
-       {"src/tumble/base/tolerance.hpp", "src/tumble/base/chapter_tolerance.hpp",
-        "src/tumble/base/stability_tolerance.hpp", "src/tumble/base/filtering_tolerance.hpp",
-        "src/tumble/base/rotation_tolerance.hpp"}) {
-    const Complaints complaints =
-        unused_tolerances(file_called(files, path), code_in(files, "src/"));
+  const auto library = code_in(files, "src/");
+  int read = 0;
+  for (const SourceFile& file : library) {
+    if (!defines_tolerances(file)) continue;
+    ++read;
+    const Complaints complaints = unused_tolerances(file, library);
     INFO(joined(complaints));
     CHECK(complaints.empty());
   }
+  CHECK(read > 5);
+}
+
+TEST_CASE("Every small number of the library has a name", "[structure]") {
+  const Complaints complaints = bare_small_literals(code_in(project_files(), "src/"));
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
 }
 
 TEST_CASE("Every command that README and CONTRIBUTING name exists", "[structure]") {

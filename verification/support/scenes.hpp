@@ -25,12 +25,28 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// \param name  its name
 /// \param set   settings to change
 /// \param seed  of its chance
-/// \return the world at its start
-inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
+/// \return the scene
+inline Scene built(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
   const SceneRecipe& recipe = scene_recipe(name);
   Parameters p = recipe.parameters();
   for (const auto& [key, value] : set) p.set(key, value);
-  return build_world(checked(recipe.build(p, Random(seed))));
+  return checked(recipe.build(p, Random(seed)));
+}
+
+/// A built-in scene as a world.
+/// \param name  its name
+/// \param set   settings to change
+/// \param seed  of its chance
+/// \return the world at its start
+inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
+  return build_world(built(name, set, seed));
+}
+
+/// The shape of a box of a scene.
+/// \param box the box
+/// \return where it is at the start
+inline Box shape_of(const SceneBox& box) {
+  return make_box(box.position_w, box.orientation_wb, box.size);
 }
 
 }  // namespace tumble::test

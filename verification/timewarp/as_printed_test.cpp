@@ -1,5 +1,5 @@
 /// \file
-/// \brief The two printed listings of the timewarp: what each slip does, and that nothing else is
+/// \brief The two printed listings of the timewarp: what each misprint does, and that nothing else is
 ///        wrong with them.
 #include "tumble/base/random.hpp"
 #include "tumble/techniques.hpp"
@@ -22,14 +22,14 @@ constexpr auto kSafer = TimewarpListing::safer;
 constexpr double kFound = 1e-5;
 
 // Nothing but the thesis's choices is left as printed.
-ErrataSet slips() { return ErrataSet::all(Listings::timewarp).without("S5").without("S9"); }
+TimewarpErrata misprints() { return TimewarpErrata::all().without("T5").without("T9"); }
 
-ErrataSet but(std::initializer_list<const char*> ids, ErrataSet set = slips()) {
+TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = misprints()) {
   for (const char* id : ids) set = set.without(id);
   return set;
 }
 
-TimewarpAsPrintedOptions printed(const ErrataSet& repaired, TimewarpListing listing = kSimple,
+TimewarpAsPrintedOptions printed(const TimewarpErrata& repaired, TimewarpListing listing = kSimple,
                                  int cap = 50, bool collide_separating = false) {
   TimewarpAsPrintedOptions options;
   options.listing = listing;
@@ -146,8 +146,16 @@ World pile(std::uint64_t seed) {
 
 }  // namespace
 
+TEST_CASE("There are 19 errata of the timewarp", "[unit][timewarp]") {
+  CHECK(TimewarpErrata::known().size() == 19);  // 10 + 9
+  CHECK(TimewarpErrata::known().front() == "T1");
+  CHECK(TimewarpErrata::known().back() == "F9");
+  CHECK_THROWS_AS(TimewarpErrata("C1"), std::invalid_argument);
+}
+
 TEST_CASE(
-    "With all slips mended the printed timewarps tell the story of the forms as meant to the last "
+    "With all misprints mended the printed timewarps tell the story of the forms as meant to the "
+    "last "
     "bit",
     "[reference][timewarp]") {
   for (const TimewarpListing listing : {kSimple, kSafer}) {
@@ -155,14 +163,14 @@ TEST_CASE(
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       INFO(name << ", seed " << seed);
       const auto compare = [&](const World& world, double dt, int steps) {
-        TimewarpAsPrinted as_printed(printed(slips(), listing, 100000));
+        TimewarpAsPrinted as_printed(printed(misprints(), listing, 100000));
         check_same(world, as_printed, *make_timewarp(name), dt, steps);
       };
       compare(row(seed), 0.3, 10);
       compare(cage(seed), 1.0 / 30.0, 60);
       compare(pile(seed), 1.0 / 60.0, 30);
     }
-    TimewarpAsPrinted as_printed(printed(slips(), listing));
+    TimewarpAsPrinted as_printed(printed(misprints(), listing));
     check_same(crossing(), as_printed, *make_timewarp(name), 1.0, 1);
   }
 }
@@ -170,7 +178,7 @@ TEST_CASE(
 TEST_CASE(
     "With all errata mended the simple listing is the timewarp with swept volumes, bit by bit",
     "[reference][timewarp]") {
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     INFO("seed " << seed);
     const auto compare = [&](const World& world, double dt, int steps) {
@@ -188,20 +196,20 @@ TEST_CASE(
 
 TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever is mended",
           "[unit][timewarp]") {
-  std::vector<ErrataSet> sets{ErrataSet(), ErrataSet::all(Listings::timewarp), slips()};
-  for (const std::string& id : ErrataSet::known(Listings::timewarp)) {
-    sets.push_back(ErrataSet().with(id));
-    sets.push_back(slips().without(id));
+  std::vector<TimewarpErrata> sets{TimewarpErrata(), TimewarpErrata::all(), misprints()};
+  for (const std::string& id : TimewarpErrata::known()) {
+    sets.push_back(TimewarpErrata().with(id));
+    sets.push_back(misprints().without(id));
   }
   Random random(7);
   for (int k = 0; k < 40; ++k) {
-    ErrataSet set;
-    for (const std::string& id : ErrataSet::known(Listings::timewarp))
+    TimewarpErrata set;
+    for (const std::string& id : TimewarpErrata::known())
       if (random.uniform(0.0, 1.0) < 0.5) set = set.with(id);
     sets.push_back(set);
   }
   std::uint64_t seed = 0;
-  for (const ErrataSet& set : sets) {
+  for (const TimewarpErrata& set : sets) {
     ++seed;
     for (const TimewarpListing listing : {kSimple, kSafer}) {
       for (World world : {cage(seed), row(seed), pile(seed)}) {
@@ -223,21 +231,21 @@ TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever
   }
 }
 
-TEST_CASE("S1: a body that collides before it has got there is half a metre ahead at the end",
+TEST_CASE("T1: a body that collides before it has got there is half a metre ahead at the end",
           "[exact][timewarp]") {
   // At 0.5 s the first cube has come to the collision, the second one still is where it began; it
   // is pushed there, and then flies on for the half second that it should have flown before.
   const World world = line_of("0:1,2:-1");
-  const Frame ignored(world, printed(but({"S1"})));
+  const Frame ignored(world, printed(but({"T1"})));
   CHECK(ignored.x(0) == near(0.0).margin(kFound));
   CHECK(ignored.x(1) == near(3.0).margin(kFound));
   CHECK(ignored.v(1) == near(1.0).margin(1e-15));
-  const Frame mended(world, printed(slips()));
+  const Frame mended(world, printed(misprints()));
   CHECK(mended.x(1) == near(2.0).margin(kFound));
 
   // If the pair is bounced whichever way it moves, the second impulse undoes the first. In 0.9 s,
   // as at 1 s the two touch, and rounding decides whether that is one more collision.
-  const Frame bounced(world, printed(but({"S1"}), kSimple, 50, true), 0.9);
+  const Frame bounced(world, printed(but({"T1"}), kSimple, 50, true), 0.9);
   CHECK(bounced.events() == 2);
   CHECK(bounced.x(0) == near(0.9).margin(kFound));
   CHECK(bounced.x(1) == near(2.1).margin(kFound));
@@ -245,33 +253,33 @@ TEST_CASE("S1: a body that collides before it has got there is half a metre ahea
   CHECK(bounced.v(1) == near(-1.0).margin(1e-12));
 }
 
-TEST_CASE("S2: with one counter for both loops the second body never comes to the collision",
+TEST_CASE("T2: with one counter for both loops the second body never comes to the collision",
           "[exact][timewarp]") {
-  const Frame shared(line_of("0:1,2:-1"), printed(but({"S1", "S2"})));
+  const Frame shared(line_of("0:1,2:-1"), printed(but({"T1", "T2"})));
   CHECK(shared.x(1) == near(2.5).margin(kFound));
   CHECK(shared.valid_time(0) == near(0.5).margin(kFound));
   CHECK(shared.valid_time(1) == 0.0);
   // It shows only in loops that are nested.
-  CHECK(Frame(line_of("0:1,2:-1"), printed(but({"S2"}))).x(1) == near(2.0).margin(kFound));
+  CHECK(Frame(line_of("0:1,2:-1"), printed(but({"T2"}))).x(1) == near(2.0).margin(kFound));
 
   // Tested against one another's old test states, and with nothing that ends it, the two of an
   // inelastic collision collide for ever at the end of the frame, where the second one is not.
   const World world = line_of("0:2,1.5:0", "0.5");
   for (const bool separating : {false, true}) {
-    const Frame endless(world, printed(but({"S1", "S2", "S3", "S6"}), kSimple, 50, separating));
+    const Frame endless(world, printed(but({"T1", "T2", "T3", "T6"}), kSimple, 50, separating));
     CHECK(endless.capped());
     CHECK(endless.technique.passes() == 50);
     CHECK(endless.valid_time(0) == near(1.0).margin(kFound));
     CHECK(endless.valid_time(1) == 0.0);
   }
-  CHECK_FALSE(Frame(world, printed(but({"S1", "S3", "S6"}))).capped());
+  CHECK_FALSE(Frame(world, printed(but({"T1", "T3", "T6"}))).capped());
 }
 
-TEST_CASE("S3: a test against the other's old state is one more collision, at the end of the frame",
+TEST_CASE("T3: a test against the other's old state is one more collision, at the end of the frame",
           "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0", "0.5");
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame ignored(world, printed(but({"S3"}), listing));
+    const Frame ignored(world, printed(but({"T3"}), listing));
     CHECK(ignored.technique.passes() == 2);
     CHECK(ignored.events() == 1);
     CHECK(ignored.v(0) == near(0.5).margin(1e-15));
@@ -279,24 +287,24 @@ TEST_CASE("S3: a test against the other's old state is one more collision, at th
     for (const std::size_t body : {0u, 1u})
       CHECK(ignored.valid_time(body) == near(1.0).margin(kFound));
 
-    const Frame bounced(world, printed(but({"S3"}), listing, 50, true));
+    const Frame bounced(world, printed(but({"T3"}), listing, 50, true));
     CHECK(bounced.events() == 2);
     CHECK(bounced.told.events.back().time == near(1.0).margin(kFound));
     CHECK(bounced.v(0) == near(1.25).margin(1e-12));
     CHECK(bounced.v(1) == near(0.75).margin(1e-12));
 
-    const Frame mended(world, printed(slips(), listing, 50, true));
+    const Frame mended(world, printed(misprints(), listing, 50, true));
     CHECK(mended.technique.passes() == 1);
     CHECK(mended.v(0) == near(0.5).margin(1e-15));
     for (const std::size_t body : {0u, 1u})
       CHECK(mended.valid_time(body) == near(0.25).margin(kFound));
   }
   // A search that does not trust test states does not fall for it.
-  const Frame swept(world, printed(but({"S3"}, ErrataSet::all(Listings::timewarp))));
+  const Frame swept(world, printed(but({"T3"}, TimewarpErrata::all())));
   CHECK(swept.technique.passes() == 1);
 }
 
-TEST_CASE("S4: without valid times a search takes states of different times for those of one",
+TEST_CASE("T4: without valid times a search takes states of different times for those of one",
           "[exact][timewarp]") {
   // After 0.25 s the middle cube is where it was, and as fast as the first one was. Taken for its
   // state at the start it meets the third one after 0.9 m / 3 m/s, which is 0.3 s; then comes the first
@@ -311,18 +319,18 @@ TEST_CASE("S4: without valid times a search takes states of different times for 
     for (const double place : places) CHECK(frame.x(body++) == near(place).margin(kFound));
   };
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    check(Frame(world, printed(but({"S4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
-    check(Frame(world, printed(slips(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
+    check(Frame(world, printed(but({"T4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
+    check(Frame(world, printed(misprints(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
   }
   // F2 does nearly the same to the other listing: all stamps stay at the start of the frame. The
   // third cube, a neighbour of the last collision, is flown for a whole second from 3.1 m on.
   check(Frame(world, printed(but({"F2"}), kSafer)), {0.25, 0.3, 0.6}, {0.1, 1.5, 5.1});
 }
 
-TEST_CASE("S5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
+TEST_CASE("T5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0,2.9:-1");
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
-  const Frame missed(world, printed(but({"S5"}, all)));
+  const TimewarpErrata all = TimewarpErrata::all();
+  const Frame missed(world, printed(but({"T5"}, all)));
   CHECK(missed.events() == 1);
   CHECK(missed.x(1) == near(3.0).margin(kFound));
   CHECK(missed.x(2) == near(1.9).margin(kFound));
@@ -332,55 +340,55 @@ TEST_CASE("S5: who passes through another body within a frame is not seen", "[ex
   CHECK(seen.x(2) == near(4.0).margin(kFound));
 }
 
-TEST_CASE("S6: a ball that comes to rest fills a frame with collisions", "[exact][timewarp]") {
+TEST_CASE("T6: a ball that comes to rest fills a frame with collisions", "[exact][timewarp]") {
   // Hops of 2 v/g, each half as long as the one before, end at 10.194 ms. The fourteenth begins
   // about then.
   const World world = ball_above_ground(0.0, 0.05);
   const double dt = 1.0 / 60.0;
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame endless(world, printed(but({"S6"}), listing, 500), dt);
+    const Frame endless(world, printed(but({"T6"}), listing, 500), dt);
     CHECK(endless.capped());
     CHECK(endless.technique.passes() == 500);
     CHECK(endless.events() >= 14);
     CHECK(endless.told.events[13].time < 10.21e-3);
     CHECK(endless.valid_time(1) == near(10.2e-3).margin(5e-5));  // it does not get on
-    const Frame ended(world, printed(slips(), listing, 500), dt);
+    const Frame ended(world, printed(misprints(), listing, 500), dt);
     CHECK_FALSE(ended.capped());
     CHECK(ended.events() == 14);
   }
 }
 
-TEST_CASE("S7: who is put into overlap collides at the same time again and again",
+TEST_CASE("T7: who is put into overlap collides at the same time again and again",
           "[exact][timewarp]") {
   // Without the contact stage, which would end it.
   const World world = line_of("0:2,1.5:0", "0");
-  const Frame again(world, printed(but({"S6", "S7"})));
+  const Frame again(world, printed(but({"T6", "T7"})));
   CHECK(again.capped());
   CHECK(again.valid_time(0) > 0.25);
   CHECK(again.valid_time(0) < 0.25 + 2e-6);
-  const Frame apart(world, printed(but({"S6"})));
+  const Frame apart(world, printed(but({"T6"})));
   CHECK(apart.valid_time(0) > 0.3);  // it gets on, though not to the end
 
   // Found with swept volumes, even a pair that parts is held back.
   const World bouncing = line_of("0:2,1.5:0", "0.5");
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
-  CHECK(Frame(bouncing, printed(but({"S6", "S7"}, all))).capped());
-  CHECK_FALSE(Frame(bouncing, printed(but({"S6"}, all))).capped());
+  const TimewarpErrata all = TimewarpErrata::all();
+  CHECK(Frame(bouncing, printed(but({"T6", "T7"}, all))).capped());
+  CHECK_FALSE(Frame(bouncing, printed(but({"T6"}, all))).capped());
 }
 
-TEST_CASE("S8: bisecting an Euler step lets a body land four milliseconds early",
+TEST_CASE("T8: bisecting an Euler step lets a body land four milliseconds early",
           "[exact][timewarp]") {
   const double dt = 1.0 / 60.0;
   const double g = 9.81;
   const double height = 1e-3;
   const World world = ball_above_ground(height, 0.0);
-  const Frame euler(world, printed(but({"S8"})), dt);
+  const Frame euler(world, printed(but({"T8"})), dt);
   CHECK(euler.told.events.front().time == near(std::sqrt(height / g)).margin(1.5e-6));
-  const Frame flight(world, printed(slips()), dt);
+  const Frame flight(world, printed(misprints()), dt);
   CHECK(flight.told.events.front().time == near(std::sqrt(2.0 * height / g)).margin(1.5e-6));
 
   // Two steps of a third and two thirds end 2/9 g dt² above one step.
-  const auto dropped = [&](const ErrataSet& set, std::initializer_list<double> parts) {
+  const auto dropped = [&](const TimewarpErrata& set, std::initializer_list<double> parts) {
     World free = ball_above_ground(1.0, 0.0);
     PrintedQueries queries(printed(set));
     queries.begin(free, dt, nullptr);
@@ -388,32 +396,32 @@ TEST_CASE("S8: bisecting an Euler step lets a body land four milliseconds early"
     return free.states()[1].position_w.y();
   };
   const double third = 1.0 / 3.0;
-  CHECK(dropped(but({"S8"}), {third, 2.0 * third}) - dropped(but({"S8"}), {1.0}) ==
+  CHECK(dropped(but({"T8"}), {third, 2.0 * third}) - dropped(but({"T8"}), {1.0}) ==
         near(2.0 / 9.0 * g * dt * dt).margin(1e-12));
-  CHECK(dropped(slips(), {third, 2.0 * third}) - dropped(slips(), {1.0}) ==
+  CHECK(dropped(misprints(), {third, 2.0 * third}) - dropped(misprints(), {1.0}) ==
         near(0.0).margin(1e-15));
 }
 
-TEST_CASE("S9: met from both sides at one time, one body after the other, a row ends lopsided",
+TEST_CASE("T9: met from both sides at one time, one body after the other, a row ends lopsided",
           "[exact][timewarp]") {
-  const ErrataSet all = ErrataSet::all(Listings::timewarp);
+  const TimewarpErrata all = TimewarpErrata::all();
   const World world = line_of("0:1,1.5:0,3:-1", "0.5");
   const Frame together(world, printed(all));
   CHECK(together.technique.passes() == 1);
   CHECK(together.v(1) == near(0.0).margin(1e-12));
   CHECK(together.v(0) + together.v(2) == near(0.0).margin(1e-12));
-  const Frame in_turn(world, printed(but({"S9"}, all)));
+  const Frame in_turn(world, printed(but({"T9"}, all)));
   CHECK(in_turn.technique.passes() > 1);
   CHECK(std::abs(in_turn.v(0) + in_turn.v(2)) > 0.01);
 }
 
-TEST_CASE("S10: stamping the ground moves nobody", "[exact][timewarp]") {
+TEST_CASE("T10: stamping the ground moves nobody", "[exact][timewarp]") {
   World world = ball_above_ground(1e-3, 0.0);
   const BodyProperties cube = world.bodies()[1];
   world.add(cube, make_state(cube, Vec3(3.0, 0.5008, 0.0)));
   for (const TimewarpListing listing : {kSimple, kSafer}) {
-    const Frame stamped(world, printed(but({"S10"}), listing), 1.0 / 60.0);
-    const Frame mended(world, printed(slips(), listing), 1.0 / 60.0);
+    const Frame stamped(world, printed(but({"T10"}), listing), 1.0 / 60.0);
+    const Frame mended(world, printed(misprints(), listing), 1.0 / 60.0);
     CHECK(mended.valid_time(0) == 0.0);
     CHECK(stamped.valid_time(0) == near(stamped.valid_time(1)).margin(1e-15));
     REQUIRE(stamped.events() == mended.events());
@@ -443,7 +451,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
   CHECK(alone.x(0) == near(0.0).margin(kFound));
   check_free(alone);
 
-  const Frame mended(world, printed(slips(), kSafer, 20));
+  const Frame mended(world, printed(misprints(), kSafer, 20));
   CHECK(mended.events() == 1);
   CHECK(mended.x(0) == near(0.5).margin(kFound));
   CHECK(mended.x(1) == near(3.0).margin(kFound));
@@ -452,7 +460,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
 
   // As printed throughout nothing collides at all: the search among neighbours finds the present
   // pair for ever (F6).
-  const Frame nothing(world, printed(ErrataSet(), kSafer, 20));
+  const Frame nothing(world, printed(TimewarpErrata(), kSafer, 20));
   CHECK(nothing.capped());
   CHECK(nothing.events() == 0);
   CHECK(nothing.x(0) == near(0.5).margin(kFound));
@@ -462,13 +470,13 @@ TEST_CASE("F3 and F4: a neighbour is left at the time of a collision that was no
           "[exact][timewarp]") {
   // The third cube flies away to the left. At 0.25 s it is at -1.45 m.
   const World world = line_of("0:2,1.5:0,-1.2:-1");
-  for (const char* slip : {"F3", "F4"}) {
-    INFO(slip);
-    const Frame left(world, printed(but({slip}), kSafer));
+  for (const char* misprint : {"F3", "F4"}) {
+    INFO(misprint);
+    const Frame left(world, printed(but({misprint}), kSafer));
     CHECK(left.events() == 1);
     CHECK(left.x(2) == near(-1.45).margin(kFound));
   }
-  CHECK(Frame(world, printed(slips(), kSafer)).x(2) == near(-2.2).margin(kFound));
+  CHECK(Frame(world, printed(misprints(), kSafer)).x(2) == near(-2.2).margin(kFound));
   // Who is far away keeps its place all the same.
   CHECK(Frame(line_of("0:2,1.5:0,10:1"), printed(but({"F4"}), kSafer)).x(2) ==
         near(11.0).margin(kFound));
@@ -481,7 +489,7 @@ TEST_CASE("F5: when an earlier collision is found the present one is lost", "[ex
   CHECK(lost.v(0) == near(2.0).margin(1e-15));
   CHECK(lost.x(0) - lost.x(1) == near(0.5).margin(kFound));  // they overlap, and nobody minds
 
-  const Frame mended(crossing(), printed(slips(), kSafer));
+  const Frame mended(crossing(), printed(misprints(), kSafer));
   REQUIRE(mended.events() == 2);
   CHECK(mended.told.events[0].time == near(0.0625).margin(kFound));
   CHECK(mended.told.events[1].time == near(0.25).margin(kFound));
@@ -491,12 +499,12 @@ TEST_CASE("F5: when an earlier collision is found the present one is lost", "[ex
 TEST_CASE("F6: the search among neighbours finds the present pair itself, for ever",
           "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0");
-  // The pair overlaps at its own time if that is the overlapping end of the bracket (S7).
-  const Frame endless(world, printed(but({"F6", "S7"}), kSafer, 20));
+  // The pair overlaps at its own time if that is the overlapping end of the bracket (T7).
+  const Frame endless(world, printed(but({"F6", "T7"}), kSafer, 20));
   CHECK(endless.capped());
   CHECK(endless.events() == 0);
   CHECK(endless.report.restarts == 20);
-  CHECK(Frame(world, printed(but({"S7"}), kSafer, 20)).events() == 1);
+  CHECK(Frame(world, printed(but({"T7"}), kSafer, 20)).events() == 1);
   CHECK(Frame(world, printed(but({"F6"}), kSafer, 20)).events() == 1);
 }
 
@@ -506,12 +514,12 @@ TEST_CASE("F7: a fast neighbour is not near any more at the end of the frame",
   REQUIRE(missed.events() == 1);
   CHECK(missed.told.events[0].time == near(0.25).margin(kFound));
   CHECK(missed.x(2) == near(3.5).margin(kFound));
-  CHECK(Frame(crossing(), printed(slips(), kSafer)).x(2) == near(-4.0).margin(kFound));
+  CHECK(Frame(crossing(), printed(misprints(), kSafer)).x(2) == near(-4.0).margin(kFound));
 }
 
-TEST_CASE("F8 and F9 are no slips of a statement: mending them changes no bit",
+TEST_CASE("F8 and F9 are no misprints of a statement: mending them changes no bit",
           "[unit][timewarp]") {
-  for (const ErrataSet& set : {slips(), ErrataSet()}) {
+  for (const TimewarpErrata& set : {misprints(), TimewarpErrata()}) {
     for (const char* id : {"F8", "F9"}) {
       TimewarpAsPrinted with(printed(set.with(id), kSafer));
       TimewarpAsPrinted without(printed(set.without(id), kSafer));
@@ -528,14 +536,14 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
     for (const char* key : {"repaired", "cap", "separating"}) {
       Parameters refused = p;
       refused.set(key, std::string(key) == "cap"        ? "20"
-                       : std::string(key) == "repaired" ? "S1"
+                       : std::string(key) == "repaired" ? "T1"
                                                         : "collided");
       CHECK_THROWS_AS(recipe.make(refused, 1), std::invalid_argument);
       refused.set("reading", "as_printed");
       CHECK(recipe.make(refused, 1)->name() == name);
     }
     p.set("reading", "as_printed");
-    p.set("repaired", slips().text());
+    p.set("repaired", misprints().text());
     World world = line_of("0:2,1.5:0");
     const std::unique_ptr<Technique> made = recipe.make(p, 1);
     made->clone()->step(world, 1.0);
@@ -543,5 +551,5 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
     p.set("repaired", "C1");
     CHECK_THROWS_AS(recipe.make(p, 1), std::invalid_argument);
   }
-  CHECK_THROWS_AS(TimewarpAsPrinted(printed(ErrataSet(), kSimple, 0)), std::invalid_argument);
+  CHECK_THROWS_AS(TimewarpAsPrinted(printed(TimewarpErrata(), kSimple, 0)), std::invalid_argument);
 }

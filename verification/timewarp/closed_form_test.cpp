@@ -175,7 +175,7 @@ TEST_CASE("Cubes that change places within a frame are missed by the thesis's se
 
 TEST_CASE("Random cubes on a line collide as straight lines cross", "[exact][timewarp]") {
   // The thesis's search misses nothing as long as nobody flies further than its own width in a
-  // frame (S5); swept volumes miss nothing at all.
+  // frame (T5); swept volumes miss nothing at all.
   constexpr double kResolution = 1e-10;
   for (const double fastest : {1.0, 6.0}) {
     int missed = 0;
@@ -380,7 +380,7 @@ TEST_CASE("A pair that collides too often in a frame is left to its end", "[unit
 }
 
 TEST_CASE("Bodies are apart at the time for which they are stamped", "[exact][timewarp]") {
-  // A bracket has two ends; the one with overlap would be found again for ever (S7).
+  // A bracket has two ends; the one with overlap would be found again for ever (T7).
   for (const char* name : kSynchronised) {
     CAPTURE(name);
     World world = line_of("0:2,1.5:0,3.4:-1");
@@ -421,7 +421,7 @@ TEST_CASE("A box let go a millimetre above the ground meets it after 14.278 ms",
 }
 
 TEST_CASE("A frame that is cut in two gives the collisions of a whole one", "[exact][timewarp]") {
-  // Flights are exact, so it does not matter where a frame ends (S8). Times agree to a resolution,
+  // Flights are exact, so it does not matter where a frame ends (T8). Times agree to a resolution,
   // however often it is passed on; cubes turn by a fixed angle, so that splitting is exact too.
   for (const char* name : {"timewarp_swept"}) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {

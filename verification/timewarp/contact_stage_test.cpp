@@ -3,6 +3,7 @@
 #include "tumble/timewarp/contact_stage.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The errata S1 to S10 and F1 to F9, each with both of its numbers.
+/// \brief The errata T1 to T10 and F1 to F9, each with both of its numbers.
 #include "timewarp/errata_experiments.hpp"
 
 #include "driver/common_numbers.hpp"
@@ -22,7 +22,7 @@ constexpr int kCap = 50;             // [-] that of --quick
 double number(const std::string& name) {
   static const FigureUnderTest simple(errata_figures(), "errata_timewarp_simple");
   static const FigureUnderTest safer(errata_figures(), "errata_timewarp_safer");
-  return (name.front() == 'S' ? simple : safer).number(name);
+  return (name.front() == 'T' ? simple : safer).number(name);
 }
 
 // Both numbers of an erratum, with the closed forms.
@@ -38,29 +38,29 @@ void check_pair(const std::string& what, const std::string& printed, double fail
 TEST_CASE("A collision in each turn of the loop throws a cube a metre too far",
           "[claims][timewarp]") {
   // It has turned round at the start of the frame and not at its middle: 2 + 1 and 2 - 1/2 + 1/2.
-  check_pair("S1: place of the second of two cubes", "each turn of the loop collides", 3.0,
+  check_pair("T1: place of the second of two cubes", "each turn of the loop collides", 3.0,
              "both cubes fly before they collide", 2.0, kPlace);
   // The second impulse undoes the first: they fly through each other.
-  CHECK(number("S1: place of the first of two cubes, each turn collides, who parts too") ==
+  CHECK(number("T1: place of the first of two cubes, each turn collides, who parts too") ==
         near(1.0).margin(kPlace));
 }
 
 TEST_CASE("One counter for two loops leaves the second cube where it was", "[claims][timewarp]") {
   // It flies back from 2 m for half a second, and has not flown there before.
-  check_pair("S2: place of the second of two cubes", "one counter for both loops", 2.5,
+  check_pair("T2: place of the second of two cubes", "one counter for both loops", 2.5,
              "two loops one after the other", 2.0, kPlace);
 }
 
 TEST_CASE("A cube asked before the other has flown is made valid up to the end of the frame",
           "[claims][timewarp]") {
-  check_pair("S3: time up to which two cubes are valid", "one asked before the other flies", 1.0,
+  check_pair("T3: time up to which two cubes are valid", "one asked before the other flies", 1.0,
              "asked when both have flown", 0.25, kTime);
 }
 
 TEST_CASE("A search without valid times finds the second of three collisions too early",
           "[claims][timewarp]") {
   // 0.9 m at 3 m/s from the start; or from 0.25 s on, when the third cube has come 0.25 m nearer.
-  check_pair("S4: time of the second collision in a row", "searched as if all began together", 0.3,
+  check_pair("T4: time of the second collision in a row", "searched as if all began together", 0.3,
              "searched from the valid times", 0.25 + 0.65 / 3.0, kTime);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("Three cubes of the simple timewarp change places unless their ways ar
   // At the end they are at 3 and 1.8 m. Else they meet at 4/15 s, the third at 2.533 m, then at 2 m/s;
   // the second gives what it has got to the first and rests where they meet, at 1.5 m.
   const double meet = 0.25 + 0.05 / 3.0;
-  check_pair("S5: third cube ahead of the second", "end of the frame tested", -1.2,
+  check_pair("T5: third cube ahead of the second", "end of the frame tested", -1.2,
              "way there searched", 2.8 - meet + 2.0 * (1.0 - meet) - 1.5, kPlace);
 }
 
@@ -77,33 +77,33 @@ TEST_CASE("The simple timewarp does not get past a landing unless short hops end
           "[claims][timewarp]") {
   // The n-th hop begins with 0.05 / 2^n m/s; the first one that lasts below 1 µs is the 14th.
   const double hops = std::ceil(std::log2(0.05 / (0.5 * kGravity * 1e-6)));
-  check_pair("S6: passes of the loop for a landing", "nothing ends them, until a cap", kCap,
+  check_pair("T6: passes of the loop for a landing", "nothing ends them, until a cap", kCap,
              "hops below the resolution end them", hops, 0.0);
 }
 
 TEST_CASE("Two cubes of the simple timewarp that stick where they overlap collide for ever",
           "[claims][timewarp]") {
-  check_pair("S7: passes of the loop for one collision", "overlapping end kept, until a cap", kCap,
+  check_pair("T7: passes of the loop for one collision", "overlapping end kept, until a cap", kCap,
              "end that is apart kept", 1.0, 0.0);
 }
 
 TEST_CASE("The simple timewarp lands too early if its flights are Euler steps",
           "[claims][timewarp]") {
   // A semi-implicit step of t falls by g t², a flight by half of that.
-  check_pair("S8: time of the landing from 1 mm", "integrated by Euler's steps",
+  check_pair("T8: time of the landing from 1 mm", "integrated by Euler's steps",
              std::sqrt(1e-3 / kGravity), "flown exactly", std::sqrt(2e-3 / kGravity), kTime);
 }
 
 TEST_CASE("A cube hit from both sides alike stays only if both hit it at one stroke",
           "[claims][timewarp]") {
   // Three impulses in turn with restitution 0.5: the middle one has 3/4, -9/16 and 3/64 m/s.
-  check_pair("S9: speed of a cube hit from both sides alike", "one after the other", 3.0 / 64.0,
+  check_pair("T9: speed of a cube hit from both sides alike", "one after the other", 3.0 / 64.0,
              "at one stroke", 0.0, kRounding);
 }
 
 TEST_CASE("The ground gets a valid time only if immovable bodies are stamped",
           "[claims][timewarp]") {
-  check_pair("S10: time up to which the ground is valid", "everybody stamped",
+  check_pair("T10: time up to which the ground is valid", "everybody stamped",
              std::sqrt(2e-3 / kGravity), "only who can move", 0.0, kTime);
 }
 

@@ -83,7 +83,7 @@ World random_cage(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("Swept, full timewarp and a search over all bodies tell the same story",
+TEST_CASE("Swept, full timewarp and a search over all bodies find the same collisions",
           "[reference][timewarp]") {
   // A difference in time grows about a thousandfold in 30 collisions (measured: from 1e-13 s to
   // 2e-10 s), whatever the order of computing; so it begins well below what is asked for.

@@ -2,10 +2,11 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
+#include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
@@ -53,6 +54,8 @@ Analytic::Analytic(const Analytic& other)
 
 std::unique_ptr<Technique> Analytic::clone() const { return std::make_unique<Analytic>(*this); }
 
+std::vector<Diagnostic> Analytic::diagnostics() const { return diagnostics_of(unsolved_problem()); }
+
 std::vector<std::string> Analytic::ignores(const World& world) const {
   const bool rough = std::any_of(world.bodies().begin(), world.bodies().end(),
                                  [](const BodyProperties& b) { return b.friction > 0.0; });
@@ -76,7 +79,8 @@ StepReport Analytic::step(World& world, double dt) {
     find_candidates(world, progress.left(), false);
     find_near(world, report);
     if (!capped && collide(world, progress, report))
-      find_candidates(world, progress.left(), false);  // who moves otherwise may meet others
+      find_candidates(world, progress.left(),
+                      false);  // a body that moves otherwise may meet others
     Plan plan;
     if (!find_forces(world, progress, plan, report)) {
       unsolved_ = true;
@@ -94,17 +98,14 @@ StepReport Analytic::step(World& world, double dt) {
 }
 
 // Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
-// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. Who is
+// diagonal, overlap. Contact forces mostly keep bodies nearer to where they are than gravity would. What is
 // carried goes beside it.
 void Analytic::find_candidates(const World& world, double left, bool carried) {
-  bounds_.resize(at(world.count()));
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
+  const auto reach = [&](std::size_t k) {
     const double beside = carried ? flight_.offset_w(static_cast<int>(k), left).norm() : 0.0;
-    bounds_[k] = bounds_of_flight(body, world.states()[k], world.gravity_w, left,
-                                  (0.5 + tolerance::contact_margin) * body.size.norm() + beside);
-  }
-  broad_phase_->find_pairs(bounds_, candidates_);
+    return (0.5 + tolerance::contact_margin) * world.bodies()[k].size.norm() + beside;
+  };
+  find_flight_pairs(world, left, reach, *broad_phase_, bounds_, candidates_);
 }
 
 void Analytic::find_near(const World& world, StepReport& report) {
@@ -135,7 +136,7 @@ bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, S
   return improve_forces(world, progress, plan, report);
 }
 
-// Who is carried by whom in this flight.
+// Which bodies carry each other in this flight.
 void Analytic::carry(const World& world) {
   pushed_.clear();
   for (const Contact& contact : resting_) {

@@ -10,6 +10,7 @@
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
 #include "tumble/base/options.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -140,7 +141,10 @@ class Analytic : public Technique {
   /// middle of it, where they are found. Between bodies that are left out as stable no force is
   /// known, and their contacts are not told.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
-  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
+  /// The problem that the last step could not solve.
+  /// \return nullptr if there is none; valid until the next step
+  [[nodiscard]] const LcpProblem* unsolved_problem() const {
     return unsolved_ ? &forces_.unsolved() : nullptr;
   }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The analytic technique's collisions, and what it tells about its contacts.
+/// \brief Collisions of the analytic technique, and records of its contacts.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
@@ -70,23 +70,17 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
   report.events += impact.collisions;
-  report.impulses += impact.impulses;
-  report.iterations += impact.passes;
-  report.pivots += impact.pivots;
-  report.energy.restitution += impact.restitution_energy;
-  report.energy.friction += impact.friction_energy;
+  book(impact, report);
   for (const Contact& contact : island_) record_impact(contact, world.time() + progress.passed);
 }
 
 void Analytic::record_impact(const Contact& contact, double time) {
-  for (int k = 0; k < contact.count; ++k) records_.push_back(record_of(contact, k, time));
+  add_records({&contact, 1}, time, records_);
   Event moment;
   moment.time = time;
   moment.rewinds = rewound_;
-  const std::optional<Event> event = event_of(contact, moment);
-  if (!event) return;
-  rewound_ = 0;  // they are told with the first of the collisions
-  if (observer() != nullptr) observer()->on_event(*event);
+  // Rewinds are reported with the first of the collisions.
+  if (report_collision(contact, moment, observer())) rewound_ = 0;
 }
 
 // The forces of the last flight: impulses over its length.

@@ -5,7 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
 #include <algorithm>
@@ -68,10 +68,9 @@ void free_accelerations(const World& world, std::span<const MovingBody> bodies,
     for (int k = 0; k < 3; ++k)
       if (body.inverse_mass[k] > 0.0) free.linear_w[k] = world.gravity_w[k];
     // L is constant, w is not: 0 = L' = I w' + w x L.
-    const Mat3 axes_w = world.states()[i].orientation_wb.toRotationMatrix();
     const Vec3& omega_w = body.angular_velocity_w;
-    const Vec3 omega_b = axes_w.transpose() * omega_w;
-    const Vec3 momentum_w = axes_w * Vec3(world.bodies()[i].inertia_b.cwiseProduct(omega_b));
+    const Vec3 momentum_w =
+        angular_momentum(world.bodies()[i], world.states()[i].orientation_wb, omega_w);
     free.angular_w = body.inverse_inertia_w * momentum_w.cross(omega_w);
   }
 }

@@ -2,10 +2,10 @@
 /// \brief The forces between bodies that rest on each other, at one instant.
 #include "tumble/analytic_lcp/contact_forces.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
 
 #include <algorithm>

@@ -11,9 +11,7 @@ void DriftCorrection::run(World& world, std::span<const IndexPair> pairs, StepRe
   before_w_.clear();
   for (const BodyState& state : world.states()) before_w_.push_back(state.position_w);
   const RepairReport repaired = repair_.run(world, pairs);
-  report.pair_tests += repaired.pair_tests;
-  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
-  report.energy.repair += repaired.energy;
+  book(repaired, report);
   if (repaired.moves == 0) return;
 
   for (std::size_t b = 0; b < before_w_.size(); ++b) {

@@ -2,6 +2,8 @@
 /// \brief Lemke's method for contacts with friction whose rows nearly depend on each other.
 #include "tumble/analytic_lcp/friction_lemke.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
+
 #include <cmath>
 
 namespace tumble {

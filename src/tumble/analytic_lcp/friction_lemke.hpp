@@ -5,7 +5,6 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
 
 #include <array>

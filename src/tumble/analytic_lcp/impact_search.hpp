@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/forced_flight.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
@@ -19,9 +20,9 @@ struct ImpactSearchTask {
   std::span<const IndexPair> candidates;  ///< pairs that may meet, sorted
   std::span<const Contact> near;  ///< all points within the margin at the start, sorted by id
   double end = 0.0;               ///< [s] until when, from the start of the flight
-  double resolution = 1e-6;       ///< [s] how closely
-  double dt = 1.0 / 60.0;         ///< [s] the time step, for touch_scale()
-  RotationRule rule = RotationRule::splitting;  ///< how bodies turn
+  double resolution = tolerance::event_resolution;  ///< [s] how closely
+  double dt = 1.0 / 60.0;                           ///< [s] the time step, for touch_scale()
+  RotationRule rule = RotationRule::splitting;      ///< how bodies turn
 };
 
 /// What was found.

@@ -3,6 +3,7 @@
 #include "tumble/analytic_lcp/island_damping.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/math/elementary.hpp"
 

@@ -2,10 +2,12 @@
 /// \brief The technique of Stewart and Trinkle, and of Anitescu and Potra.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
+#include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -20,7 +22,7 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options)
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-// The broad phase and what was told of the last step are all there is of memory; everything else is
+// The broad phase and the records of the last step are all there is of memory; everything else is
 // storage.
 TimeStepping::TimeStepping(const TimeStepping& other)
     : Technique(other),
@@ -30,6 +32,10 @@ TimeStepping::TimeStepping(const TimeStepping& other)
 
 std::unique_ptr<Technique> TimeStepping::clone() const {
   return std::make_unique<TimeStepping>(*this);
+}
+
+std::vector<Diagnostic> TimeStepping::diagnostics() const {
+  return diagnostics_of(unsolved_problem());
 }
 
 StepReport TimeStepping::step(World& world, double dt) {
@@ -61,15 +67,12 @@ StepReport TimeStepping::step(World& world, double dt) {
   // [S2.6.3]
 
   find_pairs(world, 0.0);
-  const RepairReport repaired = repair_.run(world, pairs_);
-  report.pair_tests += repaired.pair_tests;
-  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  book(repair_.run(world, pairs_), report);
   report.impulses = result.impulses;
   report.fallbacks = result.fallbacks;
   report.contacts = static_cast<std::int64_t>(records_.size());
   report.energy.restitution = result.restitution_energy;
   report.energy.friction = result.friction_energy;
-  report.energy.repair += repaired.energy;
   world.finish_step(dt);
   return report;
 }

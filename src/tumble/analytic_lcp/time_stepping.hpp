@@ -92,9 +92,10 @@ class TimeStepping : public Technique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
-  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
-    return velocity_step_.problem();
-  }
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
+  /// The problem that the last step could not solve.
+  /// \return nullptr if there is none; valid until the next step
+  [[nodiscard]] const LcpProblem* unsolved_problem() const { return velocity_step_.problem(); }
 
   /// How the velocities of the last step were found.
   /// \return with the error of the answers

@@ -2,7 +2,9 @@
 /// \brief What a contact point is about to do: collide, part, rest, or not yet.
 #include "tumble/analytic_lcp/touch.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/analytic_lcp/tolerances.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,13 @@
 /// \brief One step from velocities to velocities with contact and friction.
 #include "tumble/analytic_lcp/velocity_step.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/collision_law.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,81 +1,120 @@
 /// \file
-/// \brief Which errata of the thesis's listings are mended (thesis A.1, A.2).
+/// \brief Sets of errata of printed listings.
 #pragma once
 
 #include <bitset>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tumble {
 
-/// The two parts of appendix A, with the errata of their listings.
-enum class Listings : std::uint8_t {
-  timewarp,           ///< A.1: S1 to S10 (SIMPLESYNCTIMEWARP), F1 to F9 (SAFERSYNCTIMEWARP)
-  damped_integration  ///< A.2: D1 to D6 (DAMPEDINTEGRATION), C1 to C11 (COLLIDE), RK1 to RK4 and RC1
-                      ///< to RC4 (RESOLVECOLLISIONS, RESOLVECONTACTS), DM1 to DM17 (DAMPENOBJECTS),
-                      ///< X1 to X7 (FIXCONTACTCONSTRAINTS) and G1 to G8 (SETGEOMETRICALLYSTABLE)
+/// Errata whose ids have the same letters, numbered from 1.
+struct ErrataGroup {
+  std::string_view letters;  ///< "A", for example
+  int count = 0;             ///< A1 to A11: 11
 };
 
-/// A set of errata of the listings of appendix A, by their ids.
-///
-/// The readings as printed take such a set, so that a test can show the failure of one slip at a
-/// time.
-class ErrataSet {
+/// The errata of some listings, by their ids.
+class ErrataList {
  public:
-  /// Nothing is mended.
-  ErrataSet() = default;
+  /// At most this many.
+  static constexpr std::size_t kMost = 64;
+
+  /// \param groups in the order of the listings
+  explicit ErrataList(std::span<const ErrataGroup> groups);
+
+  /// All ids.
+  /// \return in the order of the groups
+  [[nodiscard]] std::span<const std::string> ids() const { return ids_; }
+
+  /// The place of an erratum.
+  /// \param id one of ids()
+  /// \return from 0
+  /// \throws std::invalid_argument for another id, with the known ones
+  [[nodiscard]] std::size_t place_of(std::string_view id) const;
+
+  /// The errata that a text lists.
+  /// \param list  ids between commas, for example "A1,B3"; blanks around ids, repetitions and
+  ///              the order do not matter. "" and "none" are no erratum, "all" is each of them
+  /// \return by place
+  /// \throws std::invalid_argument for an id that is unknown or missing between commas
+  [[nodiscard]] std::bitset<kMost> read(std::string_view list) const;
+
+  /// A list that read() reads.
+  /// \param errata by place
+  /// \return for example "A1,B3"; "none" if there are none
+  [[nodiscard]] std::string text(const std::bitset<kMost>& errata) const;
+
+ private:
+  std::vector<std::string> ids_;
+  std::string expected_;  // "A1 to A11 or B1 to B3, or none, or all"
+};
+
+/// A set of errata that are repaired, by their ids.
+///
+/// The readings as printed take such a set, so that a test can show the failure of one misprint at a
+/// time.
+/// \tparam known_errata the errata of the listings
+template <const ErrataList& (*known_errata)()>
+class ErrataSetOf {
+ public:
+  /// No erratum.
+  ErrataSetOf() = default;
 
   /// Reads a list.
-  /// \param list      ids between commas, for example "C1,DM3"; blanks around ids, repetitions and
-  ///                  the order do not matter. "" and "none" are no erratum, "all" is each of them
-  /// \param listings  whose ids are expected
-  /// \throws std::invalid_argument for an id that is none of theirs or is missing between commas,
-  ///         with the known ones
-  explicit ErrataSet(std::string_view list, Listings listings = Listings::damped_integration);
+  /// \param list  see ErrataList::read()
+  /// \throws std::invalid_argument for an unknown id
+  explicit ErrataSetOf(std::string_view list) : mended_(known_errata().read(list)) {}
 
-  /// All errata of some listings.
-  /// \param listings  which
+  /// All errata of the listings.
   /// \return each once
-  [[nodiscard]] static ErrataSet all(Listings listings = Listings::damped_integration);
+  [[nodiscard]] static ErrataSetOf all() { return ErrataSetOf("all"); }
 
   /// The ids, in the order of the listings.
-  /// \param listings  which
-  /// \return for example "D1" to "G8"
-  [[nodiscard]] static std::span<const std::string> known(
-      Listings listings = Listings::damped_integration);
+  /// \return see ErrataList::ids()
+  [[nodiscard]] static std::span<const std::string> known() { return known_errata().ids(); }
 
-  /// Whether an erratum is mended.
-  /// \param id one of known(), of either listings
-  /// \return true if it is in the set
-  /// \throws std::invalid_argument for an id that is none
-  [[nodiscard]] bool has(std::string_view id) const;
+  /// Whether an erratum is in the set.
+  /// \param id one of known()
+  /// \return true if so
+  /// \throws std::invalid_argument for another id
+  [[nodiscard]] bool has(std::string_view id) const {
+    return mended_.test(known_errata().place_of(id));
+  }
 
   /// The same set with one erratum more.
-  /// \param id one of known(), of either listings
+  /// \param id one of known()
   /// \return a copy
-  /// \throws std::invalid_argument for an id that is none
-  [[nodiscard]] ErrataSet with(std::string_view id) const;
+  /// \throws std::invalid_argument for another id
+  [[nodiscard]] ErrataSetOf with(std::string_view id) const {
+    ErrataSetOf copy = *this;
+    copy.mended_.set(known_errata().place_of(id));
+    return copy;
+  }
 
   /// The same set with one erratum less.
-  /// \param id one of known(), of either listings
+  /// \param id one of known()
   /// \return a copy
-  /// \throws std::invalid_argument for an id that is none
-  [[nodiscard]] ErrataSet without(std::string_view id) const;
+  /// \throws std::invalid_argument for another id
+  [[nodiscard]] ErrataSetOf without(std::string_view id) const {
+    ErrataSetOf copy = *this;
+    copy.mended_.reset(known_errata().place_of(id));
+    return copy;
+  }
 
-  /// The set as a list, which the constructor reads if all are of one part.
-  /// \return for example "C1,DM3"; "none" if it is empty
-  [[nodiscard]] std::string text() const;
+  /// The set as a list, which the constructor reads.
+  /// \return for example "A1,B3"; "none" if it is empty
+  [[nodiscard]] std::string text() const { return known_errata().text(mended_); }
 
   /// Whether two sets hold the same errata.
   /// \param other the other set
   /// \return true if so
-  bool operator==(const ErrataSet& other) const = default;
+  bool operator==(const ErrataSetOf& other) const = default;
 
  private:
-  static constexpr std::size_t kMost = 80;
-  std::bitset<kMost> mended_;  // by place among the ids of both listings
+  std::bitset<ErrataList::kMost> mended_;  // by place
 };
 
 }  // namespace tumble

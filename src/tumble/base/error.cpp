@@ -3,7 +3,7 @@
 #include "tumble/base/error.hpp"
 
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -2,6 +2,7 @@
 /// \brief Distance between words.
 #include "tumble/base/suggestion.hpp"
 
+
 #include <algorithm>
 #include <array>
 #include <vector>

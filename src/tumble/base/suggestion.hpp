@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a user may have meant who mistyped a name.
+/// \brief The closest known name to a mistyped one.
 #pragma once
 
 #include <span>

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
 
 #include <algorithm>
@@ -27,17 +28,16 @@ StepReport Basic::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;
   records_.clear();
-  let_go_.clear();
-  double passed = 0.0;  // [s] of this step
+  released_.clear();
+  double elapsed = 0.0;  // [s] of this step
   for (int moment = 0;; ++moment) {
     // [S2.1:search]
     // Let all bodies fly to the end of the step, and see whether
     // two of them overlap there. If so, search back for the moment
     // at which the first two meet.
-    const double left = dt - passed;
-    if (!(left > 0.0)) break;  // an impact came with the end
-    find_candidates(world, left);
-    const FirstEvent& found = find_first(world, left, report);
+    const double remaining = dt - elapsed;
+    if (!(remaining > 0.0)) break;  // an impact came with the end
+    const FirstEvent& found = find_first(world, remaining, report);
     // [S2.1:search]
 
     // Bodies that overlap when the step begins, and go deeper, collide before anything moves.
@@ -54,7 +54,7 @@ StepReport Basic::step(World& world, double dt) {
     const bool capped = lost || endless;
     if (capped) report.status = StepStatus::event_cap;
     if (!collide || capped) {
-      fly_all(world, left, report);
+      fly_all(world, remaining, report);
       break;
     }
     // [S2.1:fly_on]
@@ -65,34 +65,20 @@ StepReport Basic::step(World& world, double dt) {
     Event impact;
     if (!at_once) {
       touching_ = found.touching;
-      passed += found.time;
+      elapsed += found.time;
       impact.rewinds = fly_all(world, found.time, report);
       impact.restarts = static_cast<int>(found.restarts);
       report.rewinds += impact.rewinds;
     }
-    impact.time = world.time() + passed;
-    const double push = resolve(world, impact, report);
+    impact.time = world.time() + elapsed;
+    const double speed_change = resolve(world, impact, report);
     // [S2.1:resolve]
-    let_go_of_rounding(world, push, dt - passed);
+    release_rounding(world, speed_change, dt - elapsed);
   }
   repair_overlap(world, report);
   world.finish_step(dt);
   return report;
 }
-
-// [S4.1]
-// Pairs whose bodies may meet in the time that is left: those whose ways, as wide as half a
-// diagonal, overlap. A parabola stays within g t²/8 of its chord.
-void Basic::find_candidates(const World& world, double left) {
-  bounds_.resize(at(world.count()));
-  for (std::size_t k = 0; k < bounds_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    bounds_[k] =
-        bounds_of_flight(body, world.states()[k], world.gravity_w, left, 0.5 * body.size.norm());
-  }
-  broad_phase_->find_pairs(bounds_, candidates_);
-}
-// [S4.1]
 
 Flight Basic::flight_of(const World& world) const {
   return Flight{.bodies = world.bodies(),
@@ -102,16 +88,18 @@ Flight Basic::flight_of(const World& world) const {
 }
 
 // The first impact in the time that is left, if all bodies fly on.
-const FirstEvent& Basic::find_first(const World& world, double left, StepReport& report) {
-  const auto let_go = [&](const IndexPair& pair) {
-    return std::find(let_go_.begin(), let_go_.end(), pair) != let_go_.end();
+const FirstEvent& Basic::find_first(const World& world, double remaining, StepReport& report) {
+  const auto half_diagonal = [&](std::size_t k) { return 0.5 * world.bodies()[k].size.norm(); };
+  find_flight_pairs(world, remaining, half_diagonal, *broad_phase_, bounds_, candidates_);
+  const auto released = [&](const IndexPair& pair) {
+    return std::find(released_.begin(), released_.end(), pair) != released_.end();
   };
-  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), let_go),
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), released),
                     candidates_.end());
   const Flight flight = flight_of(world);
   const SearchOptions how{.method = options_.search,
-                          .resolution = std::min(options_.resolution, left)};
-  const FirstEvent& found = search_.find(flight, candidates_, 0.0, left, how);
+                          .resolution = std::min(options_.resolution, remaining)};
+  const FirstEvent& found = search_.find(flight, candidates_, 0.0, remaining, how);
   report.pair_tests += found.pair_tests;
   report.searches += found.evaluations;
   report.restarts += found.restarts;
@@ -145,25 +133,22 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
   report.events += impact.collisions;
-  report.impulses += impact.impulses;
-  report.iterations += impact.passes;
-  report.pivots += impact.pivots;
-  report.energy.restitution += impact.restitution_energy;
-  report.energy.friction += impact.friction_energy;
-  record(moment);
-  double push = 0.0;
+  book(impact, report);
+  add_records(contacts_, moment.time, records_);
+  for (const Contact& contact : contacts_) report_collision(contact, moment, observer());
+  double speed_change = 0.0;
   for (const Contact& contact : contacts_) {
     double impulse = 0.0;
     for (int p = 0; p < contact.count; ++p) impulse += contact.points[at(p)].normal_impulse;
     for (const int body : {contact.first, contact.second})
-      push = std::max(push, impulse * moving_[at(body)].inverse_mass.maxCoeff());
+      speed_change = std::max(speed_change, impulse * moving_[at(body)].inverse_mass.maxCoeff());
   }
-  return push;
+  return speed_change;
 }
 
 // Pairs that touch, hardly push, and overlap at the end by less than a rounding: the search would
-// find them for ever at this same moment. They are left out until somebody is pushed.
-void Basic::let_go_of_rounding(const World& world, double push, double left) {
+// find them for ever at this same moment. They are left out until a body is pushed.
+void Basic::release_rounding(const World& world, double speed_change, double remaining) {
   const Flight flight = flight_of(world);
   for (const IndexPair& pair : touching_) {
     double size = 0.0;
@@ -171,17 +156,8 @@ void Basic::let_go_of_rounding(const World& world, double push, double left) {
       if (world.bodies()[at(body)].movable())
         size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
     const double rounding = tolerance::rounding_overlap * size;
-    if (push * left > rounding) return let_go_.clear();
-    if (gap_at(flight, pair, left).distance > -rounding) let_go_.push_back(pair);
-  }
-}
-
-// Tells about the collisions of one moment.
-void Basic::record(const Event& moment) {
-  for (const Contact& contact : contacts_) {
-    for (int p = 0; p < contact.count; ++p) records_.push_back(record_of(contact, p, moment.time));
-    const std::optional<Event> event = event_of(contact, moment);
-    if (event && observer() != nullptr) observer()->on_event(*event);
+    if (speed_change * remaining > rounding) return released_.clear();
+    if (gap_at(flight, pair, remaining).distance > -rounding) released_.push_back(pair);
   }
 }
 
@@ -190,10 +166,7 @@ void Basic::record(const Event& moment) {
 void Basic::repair_overlap(World& world, StepReport& report) {
   repair_bounds(world, 0.0, bounds_);
   broad_phase_->find_pairs(bounds_, candidates_);
-  const RepairReport repaired = repair_.run(world, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
+  book(repair_.run(world, candidates_), report);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }
 

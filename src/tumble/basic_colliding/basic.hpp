@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tumble/base/options.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/repair.hpp"
@@ -51,7 +51,7 @@ void describe(BasicOptions& o, Visitor& v) {
 /// \par Cost
 /// Each moment of impact rewinds and advances all bodies and tests all near pairs again.
 /// \algorithm{The basic colliding technique: section 2.1}
-/// \deviation{The number of impacts in a step is capped; told as in the thesis a step with a resting box does not end.}
+/// \deviation{The number of impacts in a step is capped; by the thesis's words a step with a resting box does not end.}
 /// \verified{A bouncing cube of the basic technique follows an event-driven reference run}
 class Basic : public Technique {
  public:
@@ -72,12 +72,10 @@ class Basic : public Technique {
 
  private:
   [[nodiscard]] Flight flight_of(const World& world) const;
-  void find_candidates(const World& world, double left);
-  const FirstEvent& find_first(const World& world, double left, StepReport& report);
+  const FirstEvent& find_first(const World& world, double remaining, StepReport& report);
   int fly_all(World& world, double time, StepReport& report) const;
   double resolve(World& world, const Event& moment, StepReport& report);
-  void let_go_of_rounding(const World& world, double push, double left);
-  void record(const Event& moment);
+  void release_rounding(const World& world, double speed_change, double remaining);
   void repair_overlap(World& world, StepReport& report);
 
   BasicOptions options_;
@@ -90,7 +88,7 @@ class Basic : public Technique {
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> candidates_;
   std::vector<IndexPair> touching_;
-  std::vector<IndexPair> let_go_;
+  std::vector<IndexPair> released_;
   std::vector<MovingBody> moving_;
   ContactList contacts_;
   std::vector<ContactRecord> records_;

@@ -3,7 +3,7 @@
 #include "tumble/contact/collision_law.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 /// \brief Two bodies that touch, as the solvers see them.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/moving_body.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/body.hpp"
 #include "tumble/dynamics/event_log.hpp"
 #include "tumble/geometry/manifold.hpp"

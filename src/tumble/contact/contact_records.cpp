@@ -1,5 +1,5 @@
 /// \file
-/// \brief What is told about contacts.
+/// \brief Contacts as users see them.
 #include "tumble/contact/contact_records.hpp"
 
 namespace tumble {
@@ -18,6 +18,12 @@ ContactRecord record_of(const Contact& contact, int point, double time) {
                        true,         state_of(contact, point)};
 }
 
+void add_records(std::span<const Contact> contacts, double time,
+                 std::vector<ContactRecord>& records) {
+  for (const Contact& contact : contacts)
+    for (int p = 0; p < contact.count; ++p) records.push_back(record_of(contact, p, time));
+}
+
 std::optional<Event> event_of(const Contact& contact, const Event& moment) {
   Event event = moment;
   event.first = contact.first_id;
@@ -33,6 +39,12 @@ std::optional<Event> event_of(const Contact& contact, const Event& moment) {
   if (!(weight > 0.0)) return std::nullopt;
   event.point_w /= weight;
   return event;
+}
+
+bool report_collision(const Contact& contact, const Event& moment, Observer* observer) {
+  const std::optional<Event> event = event_of(contact, moment);
+  if (event && observer != nullptr) observer->on_event(*event);
+  return event.has_value();
 }
 
 }  // namespace tumble

@@ -3,6 +3,8 @@
 #include "tumble/contact/gather.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/geometry/ground.hpp"
 
@@ -33,23 +35,6 @@ class Earlier {
   std::size_t next_ = 0;
 };
 
-// The geometry of a pair, the normal from the first to the second, whichever is the ground.
-bool touch(const World& world, std::size_t first, std::size_t second, double margin,
-           AxisIndex remembered, Manifold& out) {
-  const BodyProperties& a = world.bodies()[first];
-  const BodyProperties& b = world.bodies()[second];
-  if (a.shape == Shape::ground) {
-    return collide_with_ground(box_of(b, world.states()[second]), margin, out);
-  }
-  const Box box = box_of(a, world.states()[first]);
-  if (b.shape == Shape::ground) {
-    const bool found = collide_with_ground(box, margin, out);
-    flip(out);
-    return found;
-  }
-  return collide(box, box_of(b, world.states()[second]), margin, remembered, out);
-}
-
 void stamp(std::span<const MovingBody> bodies, Contact& contact) {
   const MovingBody& first = bodies[static_cast<std::size_t>(contact.first)];
   const MovingBody& second = bodies[static_cast<std::size_t>(contact.second)];
@@ -72,6 +57,55 @@ void check_pairs(std::span<const IndexPair> pairs, int count) {
 
 }  // namespace
 
+bool touch_pair(const World& world, std::span<const BodyState> states, const IndexPair& pair,
+                double margin, AxisIndex remembered, Manifold& out) {
+  const BodyProperties& a = world.bodies()[at(pair.first)];
+  const BodyProperties& b = world.bodies()[at(pair.second)];
+  if (a.shape == Shape::ground)
+    return collide_with_ground(box_of(b, states[at(pair.second)]), margin, out);
+  const Box box = box_of(a, states[at(pair.first)]);
+  if (b.shape == Shape::ground) {
+    const bool found = collide_with_ground(box, margin, out);
+    flip(out);
+    return found;
+  }
+  return collide(box, box_of(b, states[at(pair.second)]), margin, remembered, out);
+}
+
+Contact contact_of(const World& world, const IndexPair& pair) {
+  const BodyProperties& a = world.bodies()[at(pair.first)];
+  const BodyProperties& b = world.bodies()[at(pair.second)];
+  Contact contact;
+  contact.first = pair.first;
+  contact.second = pair.second;
+  contact.first_id = world.ids()[at(pair.first)];
+  contact.second_id = world.ids()[at(pair.second)];
+  contact.friction = std::sqrt(a.friction * b.friction);
+  contact.restitution = std::max(a.restitution, b.restitution);
+  return contact;
+}
+
+void set_points(const Manifold& manifold, Contact& contact) {
+  contact.normal_w = manifold.normal_w;
+  contact.count = manifold.count;
+  for (std::size_t i = 0; i < at(manifold.count); ++i) {
+    contact.points[i].position_w = manifold.points[i].position_w;
+    contact.points[i].distance = manifold.points[i].distance;
+    contact.points[i].feature = manifold.points[i].feature;
+  }
+}
+
+double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
+  double least = 0.0;
+  for (int k = 0; k < contact.count; ++k) {
+    const Vec3 u_w = relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
+                                       contact.points[at(k)].position_w);
+    const double speed = contact.normal_w.dot(u_w);
+    least = k == 0 ? speed : std::min(least, speed);
+  }
+  return least;
+}
+
 GatherReport gather_contacts(const World& world, std::span<const MovingBody> bodies,
                              std::span<const IndexPair> candidates, double margin,
                              std::span<const Contact> previous, ContactList& out) {
@@ -85,35 +119,21 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
   Earlier earlier(previous);
   Manifold manifold;
   for (const IndexPair& pair : candidates) {
-    const std::size_t first = static_cast<std::size_t>(pair.first);
-    const std::size_t second = static_cast<std::size_t>(pair.second);
-    const BodyProperties& a = world.bodies()[first];
-    const BodyProperties& b = world.bodies()[second];
-    if (!a.movable() && !b.movable()) continue;
+    if (!world.bodies()[at(pair.first)].movable() && !world.bodies()[at(pair.second)].movable())
+      continue;
 
     // Indices and ids are in the same order, so the smaller index has the smaller id, and the list
     // becomes sorted by id.
-    Contact contact;
-    contact.first = pair.first;
-    contact.second = pair.second;
-    contact.first_id = world.ids()[first];
-    contact.second_id = world.ids()[second];
+    Contact contact = contact_of(world, pair);
     const Contact* then = earlier.find(contact);
     const AxisIndex remembered = then != nullptr ? then->axis : kNoAxis;
     ++report.pair_tests;
-    if (!touch(world, first, second, margin, remembered, manifold)) continue;
+    if (!touch_pair(world, world.states(), pair, margin, remembered, manifold)) continue;
 
-    contact.normal_w = manifold.normal_w;
     contact.axis = manifold.axis;
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-    contact.count = manifold.count;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-      contact.points[i].position_w = manifold.points[i].position_w;
-      contact.points[i].distance = manifold.points[i].distance;
-      contact.points[i].feature = manifold.points[i].feature;
-      report.deepest_overlap = std::max(report.deepest_overlap, -manifold.points[i].distance);
-    }
+    set_points(manifold, contact);
+    for (int i = 0; i < manifold.count; ++i)
+      report.deepest_overlap = std::max(report.deepest_overlap, -manifold.points[at(i)].distance);
     stamp(bodies, contact);
     report.points += contact.count;
     out.push_back(contact);

@@ -9,6 +9,35 @@
 
 namespace tumble {
 
+/// Contact points of two bodies, either of which may be the ground.
+/// \param world       their constant parts
+/// \param states      poses of all bodies
+/// \param pair        the two, by index
+/// \param margin      [m] surfaces up to this far apart count as touching, at least 0
+/// \param remembered  the axis that the pair had before, or kNoAxis
+/// \param out         is overwritten; the normal points from the first to the second
+/// \return whether there is a point
+bool touch_pair(const World& world, std::span<const BodyState> states, const IndexPair& pair,
+                double margin, AxisIndex remembered, Manifold& out);
+
+/// A contact without points: bodies, friction (the geometric mean of the two coefficients) and
+/// restitution (the larger).
+/// \param world  the bodies
+/// \param pair   the two, by index
+/// \return the contact
+Contact contact_of(const World& world, const IndexPair& pair);
+
+/// Takes over normal and points.
+/// \param manifold  as touch_pair() finds it
+/// \param contact   in and out; the impulses of its points stay
+void set_points(const Manifold& manifold, Contact& contact);
+
+/// The speed at which a pair approaches at its fastest point.
+/// \param contact  its points
+/// \param bodies   how they move
+/// \return [m/s] the least normal velocity; below 0 they approach
+double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies);
+
 /// What gather_contacts() did.
 struct GatherReport {
   std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at
@@ -44,7 +73,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 /// of their size.
 /// \param world       the bodies
 /// \param bodies      how they move: one for each body index
-/// \param pairs       who is about to touch
+/// \param pairs       bodies that are about to touch
 /// \param resolution  [s] of the search
 /// \return [m]
 [[nodiscard]] double search_margin(const World& world, std::span<const MovingBody> bodies,
@@ -52,7 +81,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 
 /// Gives points that touched before the impulses that they had, as a start for iterative solvers.
 ///
-/// A point is the same if its pair and its feature are. What is left of the friction impulse
+/// A point is the same if its pair and its feature are. The rest of the friction impulse
 /// across the new normal is kept.
 /// \param previous  contacts of an earlier step, sorted by id
 /// \param contacts  contacts of this step, sorted by id; impulses in and out

@@ -2,8 +2,8 @@
 /// \brief Who rests on whom: the order in which things are held up (thesis 4.4).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <cstddef>
 #include <span>

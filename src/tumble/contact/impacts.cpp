@@ -60,6 +60,14 @@ double fastest_approach(std::span<const Contact> contacts, std::span<const Movin
   return fastest;
 }
 
+void book(const ImpactResult& impact, StepReport& report) {
+  report.impulses += impact.impulses;
+  report.iterations += impact.passes;
+  report.pivots += impact.pivots;
+  report.energy.restitution += impact.restitution_energy;
+  report.energy.friction += impact.friction_energy;
+}
+
 ImpactResult ImpactSolver::resolve(std::span<Contact> contacts, std::span<MovingBody> bodies,
                                    const ImpactOptions& options) {
   require::within(options.settled, 0.0, 1.0, "options.settled");
@@ -108,7 +116,7 @@ void ImpactSolver::one_after_the_other(std::span<Contact> contacts, std::span<Mo
       const SimultaneousResult collision =
           one[0].count == 1 ? collide_alone(one[0], bodies) : block_.solve(one, bodies);
       add(collision, result);
-      // One that pushed nobody (an approach of rounding size) would do so in every pass.
+      // One without an impulse (an approach of rounding size) would do so in every pass.
       if (collision.impulses > 0) quiet = false;
     }
   }

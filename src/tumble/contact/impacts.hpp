@@ -3,8 +3,9 @@
 #pragma once
 
 #include "tumble/base/options.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/simultaneous_impacts.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/dynamics/technique.hpp"
 
 namespace tumble {
 
@@ -71,6 +72,11 @@ struct ImpactResult {
   double friction_energy = 0.0;     ///< [J] work of tangential impulses
   double worst_approach = 0.0;      ///< [m/s] fastest approach left, 0 or above
 };
+
+/// Adds impulses, passes, pivots and energy to the report of a step.
+/// \param impact  what was done; its collisions are not added, for a pair may bounce twice at once
+/// \param report  in and out
+void book(const ImpactResult& impact, StepReport& report);
 
 /// Resolves collisions of any number of bodies at one instant.
 ///

@@ -11,15 +11,6 @@
 namespace tumble {
 namespace {
 
-// Refuses a contact of a body that there is not.
-void check(const IndexPair& contact, int count) {
-  const auto in_range = [&](int body) { return body >= 0 && body < count; };
-  if (in_range(contact.first) && in_range(contact.second)) return;
-  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
-                           std::to_string(contact.second) + ": give indices below " +
-                           std::to_string(count));
-}
-
 // Sorts the numbers 0, 1, ... by the island of each into one list with a start for each island.
 // Equal ones keep their order. Numbers of no island are left out.
 void sort_by_island(std::span<const int> island, int islands, std::vector<int>& sorted,
@@ -38,6 +29,14 @@ void sort_by_island(std::span<const int> island, int islands, std::vector<int>& 
 }
 
 }  // namespace
+
+void require_bodies(const IndexPair& contact, int count) {
+  const auto in_range = [&](int body) { return body >= 0 && body < count; };
+  if (in_range(contact.first) && in_range(contact.second)) return;
+  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
+                           std::to_string(contact.second) + ": give indices below " +
+                           std::to_string(count));
+}
 
 void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts,
                     std::span<const char> walls) {
@@ -59,7 +58,7 @@ void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
   parent_.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) parent_[b] = static_cast<int>(b);
   for (const IndexPair& contact : contacts) {
-    check(contact, static_cast<int>(bodies.size()));
+    require_bodies(contact, static_cast<int>(bodies.size()));
     if (!movable(at(contact.first)) || !movable(at(contact.second))) continue;
     int lower = root_of(contact.first);
     int upper = root_of(contact.second);

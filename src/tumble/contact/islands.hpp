@@ -11,6 +11,12 @@
 
 namespace tumble {
 
+/// Checks the bodies of a contact.
+/// \param contact  the two, by index
+/// \param count    how many bodies there are
+/// \throws std::invalid_argument for an index out of range
+void require_bodies(const IndexPair& contact, int count);
+
 /// Movable bodies that are connected through contacts.
 ///
 /// An immovable body passes nothing on, so two heaps on one ground are two islands. Every movable
@@ -26,15 +32,15 @@ namespace tumble {
 class Islands {
  public:
   /// Finds the islands.
-  /// \param bodies    the constant parts, for who is immovable
+  /// \param bodies    the constant parts, for the immovable ones
   /// \param contacts  bodies that touch; only their indices `first` and `second` are read
-  /// \param walls     by body index, not 0: counts as immovable. May be empty: nobody else does
+  /// \param walls     by body index, not 0: counts as immovable. May be empty: no other body does
   /// \throws std::invalid_argument for an index out of range, or walls of another length
   void build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts,
              std::span<const char> walls = {});
 
   /// Finds the islands from pairs of bodies that touch; their places count as those of contacts.
-  /// \param bodies  the constant parts, for who is immovable
+  /// \param bodies  the constant parts, for the immovable ones
   /// \param pairs   indices of bodies that touch, each pair in either order
   /// \param walls   see build()
   /// \throws std::invalid_argument for an index out of range, or walls of another length

@@ -19,10 +19,8 @@ MovingBody moving_body_of(const BodyProperties& body, const BodyState& state) {
 void store_moving_body(const MovingBody& moving, const BodyProperties& body, BodyState& state) {
   if (!moving.changed || !body.movable()) return;
   state.linear_momentum_w = body.mass * moving.velocity_w;
-  // L = R I_b R' omega, from right to left: three rotations of a vector, no matrix product.
-  const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
-  const Vec3 omega_b = axes_w.transpose() * moving.angular_velocity_w;
-  state.angular_momentum_w = axes_w * Vec3(body.inertia_b.cwiseProduct(omega_b));
+  state.angular_momentum_w =
+      angular_momentum(body, state.orientation_wb, moving.angular_velocity_w);
 }
 
 void load_moving_bodies(const World& world, std::vector<MovingBody>& out) {

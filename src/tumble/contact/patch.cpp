@@ -2,7 +2,7 @@
 /// \brief Pressure and friction of a contact area: all points of one contact together.
 #include "tumble/contact/patch.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 

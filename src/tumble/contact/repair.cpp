@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -61,7 +62,7 @@ RepairReport OverlapRepair::run(World& world, std::span<const IndexPair> pairs) 
       move_apart(candidate);
       ++report.moves;
     }
-    // Whom did these moves push into whom?
+    // Which bodies did these moves push into each other?
     report.deepest_after = measure_all(world, report);
     overlapping = any_too_deep();
   }
@@ -193,6 +194,12 @@ void OverlapRepair::store(World& world, RepairReport& report) const {
     report.energy -= world.bodies()[b].mass * world.gravity_w.dot(boxes_[b].center_w - position_w);
     position_w = boxes_[b].center_w;
   }
+}
+
+void book(const RepairReport& repaired, StepReport& report) {
+  report.pair_tests += repaired.pair_tests;
+  report.energy.repair += repaired.energy;
+  report.deepest_overlap = std::max(report.deepest_overlap, repaired.deepest_before);
 }
 
 void repair_bounds(const World& world, double margin, std::vector<Bounds>& out) {

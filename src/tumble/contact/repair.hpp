@@ -2,9 +2,9 @@
 /// \brief Bodies that overlap are moved apart, from the ground up (thesis 4.4).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/graph.hpp"
-#include "tumble/dynamics/world.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <cstdint>
@@ -40,6 +40,11 @@ struct RepairReport {
   double energy = 0.0;                        ///< [J] potential energy added, for booking
 };
 
+/// Adds pair tests, energy and the deepest overlap to the report of a step.
+/// \param repaired  what was done
+/// \param report    in and out
+void book(const RepairReport& repaired, StepReport& report);
+
 /// Bounds in which bodies that overlap are found, and those that may once they are moved apart.
 /// \param world   the bodies
 /// \param margin  [m] pairs up to this far apart are found as well, at least 0
@@ -59,7 +64,7 @@ void repair_bounds(const World& world, double margin, std::vector<Bounds>& out);
 /// - as a push may cause another overlap, pairs are looked at again and sweeps repeated, up to a cap.
 ///
 /// A body that finds itself pushed to and fro takes each time half the step, and so comes to rest in
-/// the middle of a place that is too narrow for it; the status tells.
+/// the middle of a place that is too narrow for it; the status reports it.
 ///
 /// Momenta and orientations stay as they are, so kinetic energy does too. Potential energy does not:
 /// things mostly go up. The report has it.
@@ -79,7 +84,7 @@ class OverlapRepair {
 
   /// Moves bodies apart.
   /// \param world  the bodies; changes positions only
-  /// \param pairs  who is to be looked at, by index, in any order: all that overlap, and all that
+  /// \param pairs  pairs to be looked at, by index, in any order: all that overlap, and all that
   ///               may once bodies move by the depth of the overlaps, so find them with bounds
   ///               that are widened by as much
   /// \return what it did
@@ -87,7 +92,7 @@ class OverlapRepair {
   RepairReport run(World& world, std::span<const IndexPair> pairs);
 
  private:
-  /// A pair that can be moved apart, and what is known of it.
+  /// A pair that can be moved apart, and its last known state.
   struct Candidate {
     IndexPair pair;
     int upper_level = 0;            // of the two bodies

@@ -29,6 +29,7 @@ int SleepingRule::wake_disturbed(World& world) {
   role_.resize(ids.size());
   group_.resize(ids.size());
   disturbed_.clear();
+  woken_.assign(ids.size(), 0);
 
   // Both lists ascend by id. What is only in the old one has been removed, what is only in the
   // new one has been added.
@@ -120,6 +121,7 @@ int SleepingRule::wake_groups(World& world, bool all) {
     if (role_[b] != Role::asleep || !is_disturbed(group_[b])) continue;
     role_[b] = Role::awake;
     world.sleep_states()[b] = SleepState{};
+    woken_[b] = 1;
     ++woken;
   }
   std::erase_if(supports_, [&](const auto& support) { return is_disturbed(support.second); });
@@ -128,20 +130,24 @@ int SleepingRule::wake_groups(World& world, bool all) {
 }
 
 SleepReport SleepingRule::update(World& world, std::span<const Contact> contacts,
-                                 const Islands& islands, double dt) {
+                                 const Islands& islands, double dt, std::span<const char> slow) {
   list_pairs(contacts, pairs_);
-  return update_with_pairs(world, pairs_, islands, dt);
+  return update_with_pairs(world, pairs_, islands, dt, slow);
 }
 
 SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexPair> contacts,
-                                            const Islands& islands, double dt) {
+                                            const Islands& islands, double dt,
+                                            std::span<const char> slow) {
   require::positive(dt, "dt");
+  require::that(slow.empty() || slow.size() == world.states().size(),
+                "sleeping: slow: one entry for each body, or none");
   wake_touched_pairs(world, contacts);  // in case that the technique has not: then one step late
 
   for (std::size_t b = 0; b < role_.size(); ++b) {
     if (role_[b] != Role::awake) continue;
     double& quiet_time = world.sleep_states()[b].quiet_time;
-    quiet_time = slow(world, static_cast<int>(b), dt) ? quiet_time + dt : 0.0;
+    const bool counts = !slow.empty() && slow[b] != 0 && woken_[b] == 0;
+    quiet_time = is_slow(world, static_cast<int>(b), dt, counts) ? quiet_time + dt : 0.0;
   }
   SleepReport report;
   for (int island = 0; island < islands.count(); ++island)
@@ -155,7 +161,7 @@ SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexP
 
 // No point of a body is faster than |v| + |ω| r, r half its diagonal; a body with a momentum that
 // is not finite is not slow, whatever it counts as.
-bool SleepingRule::slow(const World& world, int body, double dt) const {
+bool SleepingRule::is_slow(const World& world, int body, double dt, bool counts) const {
   const BodyProperties& constant = world.bodies()[at(body)];
   const BodyState& state = world.states()[at(body)];
   const double length = constant.size.minCoeff();
@@ -164,8 +170,7 @@ bool SleepingRule::slow(const World& world, int body, double dt) const {
       g > 0.0 ? options_.speed * std::sqrt(g * length) : options_.speed_weightless * length / dt;
   const double fastest = velocity(constant, state).norm() +
                          angular_velocity(constant, state).norm() * 0.5 * constant.size.norm();
-  return fastest <= limit ||
-         (world.sleep_states()[at(body)].counts_as_slow && std::isfinite(fastest));
+  return fastest <= limit || (counts && std::isfinite(fastest));
 }
 
 // Whether all bodies of an island have been slow for long enough. Under gravity nothing rests

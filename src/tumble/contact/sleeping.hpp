@@ -2,8 +2,8 @@
 /// \brief Bodies that rest are left alone until something happens to them (thesis 4.5).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/islands.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/world.hpp"
 
 #include <cstdint>
@@ -34,9 +34,9 @@ struct SleepReport {
 /// The thesis (4.5) asks that a group at rest stay at rest until there is a new interaction; what
 /// that means in detail is ours. An island falls asleep when all its bodies have been slow for a
 /// while and, if there is gravity, it touches something immovable: a body whose speed is 0 for an
-/// instant at the top of its way is neither. SleepState::counts_as_slow makes a body slow that shakes, for
-/// FreezeOnChatter. The momenta of sleepers are 0. They are not to be
-/// advanced, and pairs without an awake body need no test.
+/// instant at the top of its way is neither. A caller may list bodies that count as slow although they
+/// shake. The momenta of sleepers are 0. They are not to be advanced, and pairs without an awake body
+/// need no test.
 ///
 /// The islands that fall asleep become *groups*; a group and the immovable bodies that it touches
 /// stay as they are or wake together. A group wakes when
@@ -108,22 +108,25 @@ class SleepingRule {
   /// \param contacts  those that the step worked with
   /// \param islands   of these contacts
   /// \param dt        [s] above 0
+  /// \param slow      by index, not 0: counts as slow whatever its speed, unless it woke in this step;
+  ///                  empty: none
   /// \return what it did
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
   ///         has not seen these bodies
   SleepReport update(World& world, std::span<const Contact> contacts, const Islands& islands,
-                     double dt);
+                     double dt, std::span<const char> slow = {});
 
   /// The same for pairs of bodies that touch.
   /// \param world    the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param pairs    by index; those that the step worked with
   /// \param islands  of these pairs
   /// \param dt       [s] above 0
+  /// \param slow     as in update()
   /// \return what it did
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
   ///         has not seen these bodies
   SleepReport update_with_pairs(World& world, std::span<const IndexPair> pairs,
-                                const Islands& islands, double dt);
+                                const Islands& islands, double dt, std::span<const char> slow = {});
 
  private:
   /// What a body is to the pair filter.
@@ -144,7 +147,7 @@ class SleepingRule {
   void compare(const World& world, int body, const Seen* before);
   void disturb(const Seen& before);
   int wake_groups(World& world, bool all);
-  [[nodiscard]] bool slow(const World& world, int body, double dt) const;
+  [[nodiscard]] bool is_slow(const World& world, int body, double dt, bool counts) const;
   [[nodiscard]] bool can_sleep(const World& world, std::span<const IndexPair> contacts,
                                const Islands& islands, int island) const;
   void put_to_sleep(World& world, std::span<const IndexPair> contacts, const Islands& islands,
@@ -165,6 +168,7 @@ class SleepingRule {
   std::vector<Role> role_;
   std::vector<BodyId> group_;      // of the sleepers
   std::vector<BodyId> disturbed_;  // groups about to be woken
+  std::vector<char> woken_;        // not 0: woken by this rule
 };
 
 }  // namespace tumble

@@ -2,7 +2,7 @@
 /// \brief Slow collisions stick, so that bouncing comes to an end (thesis 4.3).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <cstdint>
 
@@ -37,7 +37,7 @@ struct StickyScale {
 /// finite time \f$\sqrt{2h/g}\,(1+e)/(1-e)\f$, and each costs a step of its own. A collision below
 /// a speed where it is still seen, but small, is therefore made perfectly *inelastic*: the bodies
 /// stick, and what is left is a resting contact. (The thesis says that such a collision is treated
-/// as elastic, in 4.3 and again in 5.2. That is a slip of the pen: an elastic one never ends, and
+/// as elastic, in 4.3 and again in 5.2. That is a misprint: an elastic one never ends, and
 /// the same sentence has the bodies stick.)
 ///
 /// The threshold has no unit, so that small and large boxes come to rest alike: the speed scale

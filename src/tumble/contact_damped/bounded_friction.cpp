@@ -2,6 +2,8 @@
 /// \brief Friction of an area: force and moment under one bound.
 #include "tumble/contact_damped/bounded_friction.hpp"
 
+#include "tumble/contact_damped/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,7 @@ Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit
     const double square = p.squaredNorm();
     const double most = limit * d;
     const double excess = std::sqrt(square) - most;
-    if (excess <= 1e-14 * most)
+    if (excess <= tolerance::friction_rounding * most)
       return -p / d;  // stopped (beta = 0), or the bound is met to rounding
     // lambda' = -(A + beta I)^-1 lambda; one division leads to the next beta.
     const Vec3 follows = adjoined(beta, p);

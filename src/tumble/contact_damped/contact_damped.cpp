@@ -4,6 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/integrate.hpp"
 
 #include <algorithm>
@@ -76,7 +78,8 @@ StepReport ContactDamped::step(World& world, double dt) {
   // [S6.3.1:step]
   account(world, dt, report);
   if (options_.sleeping)
-    report.energy.damping += sleeping_.update_with_pairs(world, touching_, islands_, dt).energy;
+    report.energy.damping +=
+        sleeping_.update_with_pairs(world, touching_, islands_, dt, slow_bodies()).energy;
   last_dt_ = dt;
   world.finish_step(dt);
   return report;

@@ -4,7 +4,6 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/contact/pivot_update.hpp"

@@ -1,8 +1,10 @@
 /// \file
 /// \brief The default technique: bounces, repair and the books.
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/patch_solver.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>

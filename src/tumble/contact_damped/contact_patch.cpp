@@ -2,8 +2,9 @@
 /// \brief One contact area as a unit.
 #include "tumble/contact_damped/contact_patch.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>

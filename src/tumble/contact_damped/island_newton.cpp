@@ -1,9 +1,9 @@
 /// \file
 /// \brief All contact areas of a island together: the last digits.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact_damped/island_parts.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

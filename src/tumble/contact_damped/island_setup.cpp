@@ -1,9 +1,10 @@
 /// \file
 /// \brief All contact areas of a island together: what is solved, and its matrix.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact_damped/island_parts.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "tumble/contact_damped/island_solver.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact_damped/island_parts.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <array>

@@ -2,8 +2,9 @@
 /// \brief Impulses of one contact area.
 #include "tumble/contact_damped/patch_solver.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/bounded_friction.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -257,7 +258,7 @@ double solve_patch(ContactPatch& block, MovingBody& first, MovingBody& second, i
       rub(block, motion, change, most);
       press(block, motion, change, most);
       corrected = std::max(corrected, most);
-      if (most < 1e-4 * corrected) break;
+      if (most < tolerance::patch_settled * corrected) break;
     }
   }
   if (corrected > 0.0) apply(change, block, first, second);

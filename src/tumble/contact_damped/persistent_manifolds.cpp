@@ -3,7 +3,7 @@
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 
 #include <algorithm>

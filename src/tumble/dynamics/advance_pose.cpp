@@ -2,7 +2,6 @@
 /// \brief Moving a body at constant momenta: four rules for the rotation (thesis 3.1).
 #include "tumble/dynamics/advance_pose.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 

@@ -81,15 +81,20 @@ BodyState make_state(const BodyProperties& body, const Vec3& position_w, const Q
     return state;
   }
   state.linear_momentum_w = body.mass * velocity_w;
-  // L = R I R' ω, through the body frame, where the inertia is diagonal.
-  const Mat3 rotation_wb = orientation_wb.toRotationMatrix();
-  const Vec3 angular_velocity_b = rotation_wb.transpose() * angular_velocity_w;
-  state.angular_momentum_w = rotation_wb * body.inertia_b.cwiseProduct(angular_velocity_b);
+  state.angular_momentum_w = angular_momentum(body, orientation_wb, angular_velocity_w);
   return state;
 }
 
 Vec3 velocity(const BodyProperties& body, const BodyState& state) {
   return body.inverse_mass * state.linear_momentum_w;
+}
+
+// From right to left: two rotations of a vector, no product of matrices.
+Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
+                      const Vec3& angular_velocity_w) {
+  const Mat3 rotation_wb = orientation_wb.toRotationMatrix();
+  const Vec3 angular_velocity_b = rotation_wb.transpose() * angular_velocity_w;
+  return rotation_wb * body.inertia_b.cwiseProduct(angular_velocity_b);
 }
 
 Vec3 angular_velocity(const BodyProperties& body, const BodyState& state) {

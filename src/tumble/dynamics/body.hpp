@@ -124,6 +124,14 @@ Vec3 velocity(const BodyProperties& body, const BodyState& state);
 /// \return [rad/s] world frame; 0 for an immovable body
 Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
 
+/// Angular momentum of an angular velocity, \f$L = R\,I_b R^{\mathsf T} \omega\f$.
+/// \param body                the body's constant part
+/// \param orientation_wb      [-] body to world, length 1
+/// \param angular_velocity_w  [rad/s] world frame
+/// \return [kg m²/s] world frame
+Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
+                      const Vec3& angular_velocity_w);
+
 /// Inverse inertia in the world frame, \f$R\,I_b^{-1} R^{\mathsf T}\f$.
 /// \param body            the body's constant part
 /// \param orientation_wb  [-] body to world, length 1

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/integrate.hpp"
+#include "tumble/dynamics/world.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/swept.hpp"
 
@@ -19,7 +20,7 @@ namespace tumble {
 struct Flight {
   std::span<const BodyProperties> bodies;  ///< by index
   std::span<const BodyState> states;       ///< by index, each at its valid time
-  /// [s] by index: the valid times, when bodies have different ones as in the timewarp (thesis
+  /// [s] by index: the valid times, when bodies have different ones (thesis
   /// 5.1). Empty: all are 0.
   std::span<const double> valid_times = {};
   /// [m/s²] by index, world frame: what each body's centre is accelerated by, for a caller that
@@ -39,7 +40,7 @@ struct Flight {
 /// \param body   its constant part
 /// \param state  its state
 /// \param rule   how it turns
-/// \return true for cubes, but for rk4, and for whoever cannot move
+/// \return true for cubes, but for rk4, and for an immovable body
 [[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state,
                                 RotationRule rule);
 
@@ -91,7 +92,7 @@ Vec3 acceleration_of(const Flight& flight, int body);
 /// \param flight  how bodies move
 /// \param pair    the two
 /// \param time    [s]
-/// \return as gap_between() tells it
+/// \return as gap_between() has it
 /// \throws std::invalid_argument if an angular momentum is not finite
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
@@ -106,6 +107,26 @@ Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 ///         chord; those of the body alone if it is immovable
 Bounds bounds_of_flight(const BodyProperties& body, const BodyState& start, const Vec3& gravity_w,
                         double time, double reach);
+
+/// Pairs of bodies that may meet in free flight: those whose ways, as wide as their reach, overlap.
+/// \param world        the bodies
+/// \param time         [s] of the flight
+/// \param reach        gets an index; gives that body's reach, see bounds_of_flight() [m]
+/// \param broad_phase  finds them
+/// \param bounds       storage; overwritten
+/// \param pairs        overwritten, sorted
+template <class Reach>
+void find_flight_pairs(const World& world, double time, const Reach& reach, BroadPhase& broad_phase,
+                       std::vector<Bounds>& bounds, std::vector<IndexPair>& pairs) {
+  // [S4.1]
+  // Bodies may meet in the time that is left if their ways overlap.
+  bounds.clear();
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    bounds.push_back(
+        bounds_of_flight(world.bodies()[k], world.states()[k], world.gravity_w, time, reach(k)));
+  broad_phase.find_pairs(bounds, pairs);
+  // [S4.1]
+}
 
 /// How fast the gap of two bodies along a fixed direction can close from a time to an end.
 ///

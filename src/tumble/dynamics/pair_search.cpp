@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/safe_flight.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \brief When two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 #include "tumble/math/bracket.hpp"
 
@@ -84,12 +84,18 @@ PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, cons
                                const SearchOptions& options);
 
 /// Conservative advancement of two bodies that are apart at the start.
+///
+/// A separating direction found at one time stays one for as long as the bodies cannot close their gap
+/// along it, so the time may be advanced by that much and the gap measured again.
 /// \param flight   how bodies move
 /// \param pair     the two
 /// \param start    [s] from when
 /// \param end      [s] until when
 /// \param options  resolution and cap
 /// \return found, none, or cap_reached
+/// \see Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis, 1996.
+/// \algorithm{Swept volumes: section 3.2}
+/// \verified{Between two spinning bars no overlap is missed that a fine grid of times shows}
 PairCollision advance_to_collision(const Flight& flight, const IndexPair& pair, double start,
                                    double end, const SearchOptions& options);
 

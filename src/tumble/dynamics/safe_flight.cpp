@@ -3,6 +3,7 @@
 #include "tumble/dynamics/safe_flight.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

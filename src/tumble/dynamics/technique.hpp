@@ -4,6 +4,7 @@
 
 #include "tumble/dynamics/event_log.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/math/dense.hpp"
 
 #include <memory>
 #include <span>
@@ -53,8 +54,14 @@ struct StepReport {
   BookedEnergy energy;                   ///< energy added and removed, by cause
 };
 
+/// A file about a failed step that a technique offers, to be looked at or solved again.
+struct Diagnostic {
+  std::string_view file;     ///< its name, for example "unsolved_A.mtx"
+  std::string_view comment;  ///< what the matrix is, for the head of the file
+  MatX matrix;               ///< what it holds
+};
+
 class Observer;
-struct LcpProblem;
 
 /// A way to advance a world by one time step.
 ///
@@ -84,10 +91,9 @@ class Technique {
   /// \return valid until the next step; each at the pose that it belongs to
   [[nodiscard]] virtual std::span<const ContactRecord> contacts() const { return {}; }
 
-  /// The problem that a step could not solve, to be kept in a file and solved again.
-  /// \return nullptr unless the last step ended as StepStatus::unsolved and there is such a problem;
-  ///         valid until the next step
-  [[nodiscard]] virtual const LcpProblem* unsolved_problem() const { return nullptr; }
+  /// Files about a failed last step.
+  /// \return empty unless the last step ended as StepStatus::unsolved and there is something to keep
+  [[nodiscard]] virtual std::vector<Diagnostic> diagnostics() const { return {}; }
 
   /// What this technique leaves out of a world's physics.
   /// \param world the bodies
@@ -100,6 +106,12 @@ class Technique {
   /// Whom to tell about events during a step.
   /// \param observer  told during every step until changed; nullptr: nobody. Not owned
   void observe(Observer* observer) { observer_ = observer; }
+
+  /// Makes bodies count as slow when the technique's sleeping rule decides about them, whatever their
+  /// speed; without such a rule it changes nothing.
+  /// \param bodies  by index, not 0 for such a body; empty: none. Not owned, so it has to be taken back
+  ///                before it ends
+  void count_as_slow(std::span<const char> bodies) { slow_bodies_ = bodies; }
 
  protected:
   Technique() = default;
@@ -115,7 +127,12 @@ class Technique {
   /// \return nullptr: nobody
   [[nodiscard]] Observer* observer() const { return observer_; }
 
+  /// See count_as_slow().
+  /// \return by index, or empty
+  [[nodiscard]] std::span<const char> slow_bodies() const { return slow_bodies_; }
+
  private:
+  std::span<const char> slow_bodies_;
   Observer* observer_ = nullptr;
 };
 

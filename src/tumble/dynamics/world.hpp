@@ -18,9 +18,6 @@ namespace tumble {
 struct SleepState {
   double quiet_time = 0.0;  ///< [s] how long it has been slower than the sleeping speed
   bool asleep = false;      ///< not simulated until something wakes it
-  /// Counts as slow whatever its speed. Only during a step: set by who knows that a body gets nowhere
-  /// (FreezeOnChatter), false at all other times, so it is no part of a world's hash.
-  bool counts_as_slow = false;
 };
 
 class BodyView;

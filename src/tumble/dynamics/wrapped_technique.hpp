@@ -12,19 +12,19 @@
 
 namespace tumble {
 
-/// A technique that changes when or with which marks another one steps: all else it leaves to that one.
+/// A technique that changes when another one steps, or which bodies count as slow in it: all else it leaves to that one.
 class WrappedTechnique : public Technique {
  public:
   ~WrappedTechnique() override = default;
 
   /// What users call it is the technique that is wrapped.
-  /// \return for example "damped"
+  /// \return for example "basic"
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return inner_->contacts();
   }
-  [[nodiscard]] const LcpProblem* unsolved_problem() const override {
-    return inner_->unsolved_problem();
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const override {
+    return inner_->diagnostics();
   }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override {
     return inner_->ignores(world);
@@ -41,10 +41,11 @@ class WrappedTechnique : public Technique {
       : Technique(other), inner_(other.inner_->clone()) {}
   WrappedTechnique& operator=(const WrappedTechnique&) = delete;
 
-  /// What steps, watched by whoever watches the wrapper.
+  /// The technique that steps, with the wrapper's observer and slow bodies.
   /// \return the technique
   [[nodiscard]] Technique& inner() {
     inner_->observe(observer());
+    inner_->count_as_slow(slow_bodies());
     return *inner_;
   }
 

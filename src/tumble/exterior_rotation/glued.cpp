@@ -5,7 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
 
@@ -66,7 +66,7 @@ double kinetic_energy_of(const World& world) {
 }  // namespace
 
 Glued::Glued(const GluedOptions& options) : options_(options) {
-  require::within(options.accuracy, 1e-14, 1.0, "accuracy");
+  require::within(options.accuracy, tolerance::least_rotation_accuracy, 1.0, "accuracy");
   require::that(options.pose == PoseUpdate::separate || table_of(options.scheme) == nullptr,
                 "pose = exponential: scheme = " + std::string(name_of(options.scheme)) +
                     " moves bodies by its stages; expected forward_euler, semi_implicit, impulse "

@@ -9,6 +9,7 @@
 #include "tumble/exterior_rotation/joint_events.hpp"
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 #include "tumble/exterior_rotation/simple_steps.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <memory>
 #include <span>
@@ -55,8 +56,8 @@ struct GluedOptions {
   PoseUpdate pose = PoseUpdate::separate;       ///< of the schemes that find forces once
   GluedJoints joints = GluedJoints::bilateral;  ///< whether they can open
   GluedEvents events = GluedEvents::located;    ///< when that is noticed
-  double accuracy =
-      1e-9;  ///< [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
+  /// [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
+  double accuracy = tolerance::rotation_accuracy;
 };
 
 /// Names the options to a visitor, see options.hpp.
@@ -73,7 +74,7 @@ void describe(GluedOptions& o, Visitor& v) {
   v.word("events", o.events,
          {{"located", GluedEvents::located}, {"step_end", GluedEvents::step_end}},
          "joints=unilateral: time at which joints open or close");
-  v.number("accuracy", o.accuracy, 1e-14, 1.0, "-",
+  v.number("accuracy", o.accuracy, tolerance::least_rotation_accuracy, 1.0, "-",
            "scheme=dormand_prince: error allowed in a step, in edges and radians");
 }
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Names of the schemes of the glued technique.
-#include "tumble/base/error.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include <array>

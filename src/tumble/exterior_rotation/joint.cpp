@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

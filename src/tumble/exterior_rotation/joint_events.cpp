@@ -3,8 +3,8 @@
 #include "tumble/exterior_rotation/joint_events.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

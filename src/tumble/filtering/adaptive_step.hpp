@@ -2,9 +2,9 @@
 /// \brief A step that is halved as often as the bodies need it (thesis 6.3.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/corner_motion.hpp"
+#include "tumble/filtering/tolerances.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <memory>

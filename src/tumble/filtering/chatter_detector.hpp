@@ -2,10 +2,10 @@
 /// \brief Telling from earlier frames whether a body chatters, rests or goes somewhere (thesis 6.3.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/filtering/display_frames.hpp"
 #include "tumble/filtering/motion_history.hpp"
+#include "tumble/filtering/tolerances.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 /// \brief Frames between two steps.
 #include "tumble/filtering/display_frames.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/filtering/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,21 +11,18 @@
 namespace tumble {
 namespace {
 
-// Sets the marks of calm bodies, and takes them away again however the step ends.
-class Marks {
+// Makes bodies count as slow, and takes that back however the step ends.
+class CountedAsSlow {
  public:
-  Marks(World& world, const CalmBodies& calm) : world_(world) {
-    for (std::size_t k = 0; k < world.ids().size(); ++k)
-      world.sleep_states()[k].counts_as_slow = calm.calm(world.ids()[k]);
+  CountedAsSlow(Technique& technique, std::span<const char> bodies) : technique_(technique) {
+    technique.count_as_slow(bodies);
   }
-  Marks(const Marks&) = delete;
-  Marks& operator=(const Marks&) = delete;
-  ~Marks() {
-    for (SleepState& rest : world_.sleep_states()) rest.counts_as_slow = false;
-  }
+  CountedAsSlow(const CountedAsSlow&) = delete;
+  CountedAsSlow& operator=(const CountedAsSlow&) = delete;
+  ~CountedAsSlow() { technique_.count_as_slow({}); }
 
  private:
-  World& world_;
+  Technique& technique_;
 };
 
 }  // namespace
@@ -72,8 +70,11 @@ std::unique_ptr<Technique> FreezeOnChatter::clone() const {
 StepReport FreezeOnChatter::step(World& world, double dt) {
   if (world.time() < last_time_) calm_ = CalmBodies(calm_.detector().options());
   const StepReport report = [&] {
-    const Marks marks(world, calm_);
-    return inner().step(world, dt);
+    slow_.clear();
+    for (const BodyId id : world.ids()) slow_.push_back(calm_.calm(id) ? 1 : 0);
+    Technique& technique = inner();
+    const CountedAsSlow counted(technique, slow_);
+    return technique.step(world, dt);
   }();
   mark_contacts(world, contacts(), in_contact_);
   calm_.add(world, in_contact_);

@@ -65,7 +65,7 @@ class CalmBodies {
 /// \par Cost
 /// A step of the detector for each body, asleep or not; telling for each that is not calm.
 /// \algorithm{Chatter told from earlier steps: section 6.3.1}
-/// \verified{A heap that only chatters falls asleep if chatter is told from history and not else}
+/// \verified{A heap that only chatters falls asleep if chatter is detected from history, and not otherwise}
 class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.
@@ -86,6 +86,7 @@ class FreezeOnChatter : public WrappedTechnique {
   CalmBodies calm_;
   double last_time_ = 0.0;        // [s] of the world after the last step
   std::vector<char> in_contact_;  // storage
+  std::vector<char> slow_;        // storage: the calm bodies by index
 };
 
 }  // namespace tumble

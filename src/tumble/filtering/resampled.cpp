@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/filtering/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace tumble {
 namespace {
 
-constexpr double kMostFrames = 1e8;
+constexpr double kMostIntervals = 1e8;
 
 BodyState between(const BodyState& a, const BodyState& b, double share) {
   BodyState out = a;
@@ -72,8 +72,8 @@ Trajectory resampled(const Trajectory& run, double interval) {
   const double first = run.frame(0).time;
   const double near = tolerance::on_the_grid * interval;
   const double intervals = (run.frame(run.count() - 1).time - first + near) / interval;
-  require::that(intervals < kMostFrames, "interval of resampled() = " + shortest_text(interval) +
-                                             " s: expected fewer than 1e8 frames");
+  require::that(intervals < kMostIntervals, "interval of resampled() = " + shortest_text(interval) +
+                                                " s: expected fewer than 1e8 frames");
   Mixer mixer;
   int at = 0;  // the last frame that is not after the time
   for (int k = 0; static_cast<double>(k) <= intervals; ++k) {

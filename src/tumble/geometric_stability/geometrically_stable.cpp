@@ -5,7 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>

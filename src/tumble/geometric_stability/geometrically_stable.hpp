@@ -4,9 +4,10 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -92,7 +93,7 @@ std::string told(const World& world, std::span<const Contact> contacts,
 /// somebody. The result does not depend on the order of contacts. No allocation once warm.
 /// \algorithm{SETGEOMETRICALLYSTABLE: section 5.4 and appendix A.2}
 /// \deviation{Vetoes come first and hold for both bodies; immovable bodies keep their mark; comparisons have tolerances.}
-/// \verified{Who stands firm does not depend on the order of contacts}
+/// \verified{Which bodies stand firm does not depend on the order of contacts}
 class GeometricStability {
  public:
   /// The outline of a body as seen from above: its corners [m], x and z, in any order.

@@ -3,6 +3,8 @@
 #include "tumble/geometric_stability/load_proof.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>

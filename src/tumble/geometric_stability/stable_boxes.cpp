@@ -4,6 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/contact/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
@@ -24,15 +27,6 @@ enum Motion : char {
 
 constexpr char hold(Hold how) { return static_cast<char>(how); }
 
-// Refuses a contact of a body that there is not.
-void check(const Contact& contact, int count) {
-  const auto in_range = [&](int body) { return body >= 0 && body < count; };
-  if (in_range(contact.first) && in_range(contact.second)) return;
-  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
-                           std::to_string(contact.second) + ": give indices below " +
-                           std::to_string(count));
-}
-
 }  // namespace
 
 std::span<const char> StableBoxes::find(const World& world, std::span<const MovingBody> bodies,
@@ -40,7 +34,8 @@ std::span<const char> StableBoxes::find(const World& world, std::span<const Movi
   if (bodies.size() != world.bodies().size())
     require::that(false, "bodies: " + std::to_string(bodies.size()) + " entries; " +
                              std::to_string(world.bodies().size()) + " are needed");
-  for (const Contact& contact : contacts) check(contact, world.count());
+  for (const Contact& contact : contacts)
+    require_bodies({contact.first, contact.second}, world.count());
   find_motion(world, bodies, contacts);
   report_ = {};
   report_.remembered = unchanged(world, contacts);
@@ -77,7 +72,7 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
     if (v.norm() + reach * omega.norm() <= tolerance::standstill * unit) motion = kStill;
     if (!world.bodies()[b].movable()) motion = kStill;
   }
-  // Contact forces let a gap close; who is held would hover above it.
+  // Contact forces let a gap close; a held body would hover above it.
   for (const Contact& contact : contacts) {
     double size = std::numeric_limits<double>::infinity();
     for (const int b : {contact.first, contact.second})
@@ -99,7 +94,7 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
     return false;
   for (std::size_t b = 0; b < basis_.inverse_masses.size(); ++b)
     if (world.bodies()[b].inverse_mass != basis_.inverse_masses[b]) return false;
-  // A support that is smaller than what lies on it tells nothing of where that is.
+  // A support that is smaller than what lies on it says nothing of where that is.
   const auto stays = [&](int body) {
     const BodyState& now = world.states()[at(body)];
     const BodyState& then = basis_.states[at(body)];

@@ -4,7 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/math/elementary.hpp"
 
 #include <algorithm>

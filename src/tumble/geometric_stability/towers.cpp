@@ -3,8 +3,8 @@
 #include "tumble/geometric_stability/towers.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>

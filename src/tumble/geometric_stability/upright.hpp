@@ -4,7 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/world.hpp"
 
 #include <algorithm>

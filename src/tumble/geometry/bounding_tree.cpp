@@ -2,7 +2,7 @@
 /// \brief A tree of bounds.
 #include "tumble/geometry/bounding_tree.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

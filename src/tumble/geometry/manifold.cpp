@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
 #include "tumble/geometry/separation_pair.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief Clips a parallelogram to a rectangle: the core of contact areas (thesis 3.2).
 ///
-/// Internal to geometry: callers use rectangle.hpp and manifold.hpp.
+/// Internal to geometry: callers use manifold.hpp.
 #pragma once
 
 #include <array>

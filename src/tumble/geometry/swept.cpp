@@ -2,7 +2,7 @@
 /// \brief Swept boxes, and the bound that conservative advancement needs.
 #include "tumble/geometry/swept.hpp"
 
-#include "tumble/math/rotation.hpp"
+#include "tumble/base/tolerances.hpp"
 
 namespace tumble {
 namespace {
@@ -83,47 +83,6 @@ double safe_time(double distance, const ClosingBound& bound) {
   if (squared < 0.0) return kNever;  // turns back before it gets there
   if (u > 0.0) return 2.0 * distance / (u + std::sqrt(squared));
   return a > 0.0 ? (std::sqrt(squared) - u) / a : kNever;
-}
-
-Box box_at(const RigidMotion& motion, double time) {
-  Box box = motion.start;
-  box.center_w += time * (motion.velocity_w + 0.5 * time * motion.acceleration_w);
-  box.axes_w = rotation_from_vector(time * motion.angular_velocity_w).toRotationMatrix() *
-               motion.start.axes_w;
-  return box;
-}
-
-ClosingBound closing_bound(const RigidMotion& first, const RigidMotion& second,
-                           const Vec3& normal_w, double time) {
-  const Vec3 acceleration_w = first.acceleration_w - second.acceleration_w;
-  const Vec3 velocity_w = first.velocity_w - second.velocity_w + time * acceleration_w;
-  const double turning =
-      normal_w.cross(first.angular_velocity_w).norm() * first.start.half.norm() +
-      normal_w.cross(second.angular_velocity_w).norm() * second.start.half.norm();
-  return {normal_w.dot(velocity_w) + turning, normal_w.dot(acceleration_w)};
-}
-
-AdvanceResult first_contact(const RigidMotion& first, const RigidMotion& second, double duration,
-                            AdvanceLimits limits) {
-  for (const RigidMotion* motion : {&first, &second}) {
-    require::finite(motion->velocity_w, "velocity_w");
-    require::finite(motion->angular_velocity_w, "angular_velocity_w");
-    require::finite(motion->acceleration_w, "acceleration_w");
-  }
-  require::not_negative(duration, "duration");
-  if (limits.gap == 0.0) {
-    const double shortest = std::min(first.start.half.minCoeff(), second.start.half.minCoeff());
-    limits.gap = tolerance::contact_gap * 2.0 * shortest;
-  }
-  SeparationOptions exact;
-  exact.prefer_faces = false;
-  exact.enough = kNever;
-  return advance_conservatively(
-      [&](double time) { return separation(box_at(first, time), box_at(second, time), exact); },
-      [&](double time, const Separation& then) {
-        return closing_bound(first, second, then.normal_w, time);
-      },
-      0.0, duration, limits);
 }
 
 }  // namespace tumble

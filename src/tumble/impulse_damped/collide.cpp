@@ -3,22 +3,13 @@
 #include "tumble/impulse_damped/collide.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/gather.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace tumble {
 namespace {
-
-// [m/s] of the point that approaches fastest; below 0: it does
-double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
-  double least = 0.0;
-  for (int p = 0; p < contact.count; ++p)
-    least = std::min(least, contact.normal_w.dot(relative_velocity(
-                                bodies[at(contact.first)], bodies[at(contact.second)],
-                                contact.points[at(p)].position_w)));
-  return least;
-}
 
 // Kinetic energy for the books. The work of an impulse is that times the mean of the velocities before
 // and after, when gravity has acted for half of the step: half of what is ahead does not count.

@@ -2,9 +2,7 @@
 /// \brief Normals and restitution varied at random.
 #include "tumble/impulse_damped/collision_noise.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"

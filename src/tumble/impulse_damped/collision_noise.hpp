@@ -3,8 +3,8 @@
 #pragma once
 
 #include "tumble/base/random.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include <string_view>
 

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 
@@ -45,14 +46,14 @@ StepReport Damped::step(World& world, double dt) {
   begin(world, dt, report);
   DampedStage stage{world,   dt,        options_.rotation, options_.sleeping ? &sleeping_ : nullptr,
                     bodies_, gatherer_, collide_,          collisions_,
-                    told_,   report};
+                    pushed_, report};
   const Random random = Random(options_.seed).fork(static_cast<std::uint64_t>(world.steps()));
 
   // [DAMPEDINTEGRATION:1-2]
   // Impulses: what is about to meet collides, and what gravity
   // presses together is stopped.
   resolve_collisions(stage, options_.collision_passes, options_.noise, random);
-  tell_collisions(world, dt, report);
+  report_collisions(world, dt, report);
   resolve_contacts(stage, options_.contact_passes);
   // [DAMPEDINTEGRATION:1-2]
   if (options_.shock == ShockRule::velocity) shock_.run(stage, options_.contact_passes);
@@ -86,12 +87,12 @@ StepReport Damped::step(World& world, double dt) {
   // [DAMPEDINTEGRATION:7]
 }
 
-// Wakes whoever is touched, and reads velocities and marks.
+// Wakes bodies that are touched, and reads velocities and marks.
 void Damped::begin(World& world, double dt, StepReport& report) {
-  told_.clear();
+  pushed_.clear();
   if (options_.sleeping) {
     sleeping_.wake_disturbed(world);
-  } else {  // whoever another technique has put to sleep
+  } else {  // bodies that another technique has put to sleep
     for (SleepState& rest : world.sleep_states()) rest.asleep = false;
   }
   stable_.assign(world.bodies().size(), 0);
@@ -108,7 +109,7 @@ void Damped::begin(World& world, double dt, StepReport& report) {
   bodies_.load(world, stable_);
 }
 
-// Whether a body was marked, and nobody has done anything to it since.
+// Whether a body was marked, and nothing has been done to it since.
 bool Damped::keeps_mark(const World& world, std::size_t body) const {
   const auto found = std::lower_bound(stable_ids_.begin(), stable_ids_.end(), world.ids()[body]);
   if (found == stable_ids_.end() || *found != world.ids()[body]) return false;
@@ -128,7 +129,7 @@ void Damped::integrate_object_velocities(World& world, double dt) const {
   }
 }
 
-// Who stands firm, who falls asleep, and what there is to tell.
+// Marks of bodies that stand firm, sleep, and the records of the step.
 void Damped::end(World& world, double dt, StepReport& report) {
   double margin = 0.0;  // [m] of the largest body
   for (const BodyProperties& body : world.bodies())
@@ -141,40 +142,35 @@ void Damped::end(World& world, double dt, StepReport& report) {
   // [DAMPEDINTEGRATION:6]
   stability_.run(world, collisions_, options_.stable_boxes, options_.numbers.eps9, stable_);
   // [DAMPEDINTEGRATION:6]
-  stable_ids_.clear();
-  for (std::size_t k = 0; k < stable_.size(); ++k)
-    if (stable_[k] != 0 && world.bodies()[k].movable()) stable_ids_.push_back(world.ids()[k]);
-
   if (options_.sleeping) {
     islands_.build(world.bodies(), collisions_);
-    report.energy.damping += sleeping_.update(world, collisions_, islands_, dt).energy;
+    report.energy.damping +=
+        sleeping_.update(world, collisions_, islands_, dt, slow_bodies()).energy;
   }
+  stable_ids_.clear();
   stable_left_.clear();
-  for (const BodyId id : stable_ids_)
-    stable_left_.push_back(world.states()[static_cast<std::size_t>(world.index_of(id))]);
+  for (std::size_t k = 0; k < stable_.size(); ++k) {
+    if (stable_[k] == 0 || !world.bodies()[k].movable()) continue;
+    stable_ids_.push_back(world.ids()[k]);
+    stable_left_.push_back(world.states()[k]);
+  }
   stable_under_w_ = world.gravity_w;
   record(world, dt, report);
   world.finish_step(dt);
 }
 
 // Collisions of the first stage, for observers.
-void Damped::tell_collisions(const World& world, double dt, StepReport& report) {
+void Damped::report_collisions(const World& world, double dt, StepReport& report) {
   Event moment;
   moment.time = world.time() + dt;
-  report.events += static_cast<std::int64_t>(told_.size());
-  if (observer() == nullptr) return;
-  for (const Contact& contact : told_) {
-    const std::optional<Event> event = event_of(contact, moment);
-    if (event) observer()->on_event(*event);
-  }
+  report.events += static_cast<std::int64_t>(pushed_.size());
+  for (const Contact& contact : pushed_) report_collision(contact, moment, observer());
 }
 
 // The points of this step with their impulses, at the predicted poses where they were found.
 void Damped::record(const World& world, double dt, StepReport& report) {
   records_.clear();
-  for (const Contact& contact : told_)
-    for (int p = 0; p < contact.count; ++p)
-      records_.push_back(record_of(contact, p, world.time() + dt));
+  add_records(pushed_, world.time() + dt, records_);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }
 

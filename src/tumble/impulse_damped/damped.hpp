@@ -6,10 +6,9 @@
 #include "tumble/contact/islands.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
+#include "tumble/impulse_damped/damped_stage.hpp"
 #include "tumble/impulse_damped/dampen_objects.hpp"
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
-#include "tumble/impulse_damped/resolve_collisions.hpp"
-#include "tumble/impulse_damped/resolve_contacts.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -17,10 +16,10 @@
 
 namespace tumble {
 
-/// How what is left of overlap is answered.
+/// The answer to the remaining overlap.
 enum class ShockRule : std::uint8_t {
   position,  ///< bodies are pushed up: the thesis's (4.4)
-  velocity   ///< velocities are stopped from the ground up: Guendelman's; nobody is pushed
+  velocity   ///< velocities are stopped from the ground up: Guendelman's; no body is moved
 };
 
 /// Options of damped integration.
@@ -30,10 +29,10 @@ struct DampedOptions {
   NormalRule normals = NormalRule::last_face;       ///< which normal a pair has
   PointRule points = PointRule::one;                ///< where it is pushed
   ShockRule shock = ShockRule::position;            ///< see there
-  StableRule stable_boxes = StableRule::corners;    ///< who is geometrically stable
+  StableRule stable_boxes = StableRule::corners;    ///< which bodies are geometrically stable
   DampingParts damping;                             ///< which parts of the damping are used
   DampedNumbers numbers;                            ///< ε and k
-  NoiseOptions noise;                               ///< what is left to chance
+  NoiseOptions noise;                               ///< the share of chance
   bool sleeping = false;                            ///< whether bodies at rest are left alone (4.5)
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   std::uint64_t seed = 1;                           ///< of chance
@@ -82,7 +81,7 @@ void describe(DampedOptions& o, Visitor& v) {
 /// Damped integration: impulses, then damping, then pushes.
 ///
 /// Built on the impulses of Guendelman, Bridson and Fedkiw. A step lets bodies that are about to
-/// overlap collide, stops those that gravity presses together, adds gravity, slows down what is in
+/// overlap collide, stops those that gravity presses together, adds gravity, slows down bodies in
 /// contact and moves all bodies, pushes apart what still overlaps, and marks the bodies that stand
 /// firm: for the next step these count as immovable downwards.
 ///
@@ -90,7 +89,7 @@ void describe(DampedOptions& o, Visitor& v) {
 ///
 /// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
 /// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
-/// damping gets the step; who is pushed or moved between two steps, or gets another gravity, has no
+/// damping gets the step; a body that is pushed or moved between two steps, or gets another gravity, has no
 /// mark in the second one; overlap is looked for again where bodies have come to, for the pushes
 /// and, within tolerance::stability_margin, for the marks. The list of the last pass would be of
 /// places that no body has taken.
@@ -117,7 +116,7 @@ class Damped : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
-  /// Who is geometrically stable since the last step.
+  /// The bodies that are geometrically stable since the last step.
   /// \return ids of movable bodies, ascending
   [[nodiscard]] std::span<const BodyId> stable_bodies() const { return stable_ids_; }
 
@@ -126,7 +125,7 @@ class Damped : public Technique {
   [[nodiscard]] bool keeps_mark(const World& world, std::size_t body) const;
   void integrate_object_velocities(World& world, double dt) const;
   void end(World& world, double dt, StepReport& report);
-  void tell_collisions(const World& world, double dt, StepReport& report);
+  void report_collisions(const World& world, double dt, StepReport& report);
   void record(const World& world, double dt, StepReport& report);
 
   DampedOptions options_;
@@ -148,7 +147,7 @@ class Damped : public Technique {
   GeometricStability stability_;
   Islands islands_;
   ContactList collisions_;
-  ContactList told_;
+  ContactList pushed_;
   std::vector<char> stable_;
   std::vector<ContactRecord> records_;
 };

@@ -3,19 +3,11 @@
 #include "tumble/impulse_damped/damped_bodies.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-Vec3 angular_momentum_of(const World& world, std::size_t k, const Vec3& angular_velocity_w) {
-  const Mat3 r = world.states()[k].orientation_wb.toRotationMatrix();
-  return r * world.bodies()[k].inertia_b.cwiseProduct(r.transpose() * angular_velocity_w);
-}
-
-}  // namespace
 
 void DampedBodies::load(const World& world, std::span<const char> firmly) {
   load_moving_bodies(world, moving);
@@ -34,7 +26,8 @@ int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
     state = world.states()[k];
     if (moving[k].changed) {
       state.linear_momentum_w = body.mass * moving[k].velocity_w;
-      state.angular_momentum_w = angular_momentum_of(world, k, moving[k].angular_velocity_w);
+      state.angular_momentum_w =
+          angular_momentum(body, state.orientation_wb, moving[k].angular_velocity_w);
     }
     state.linear_momentum_w += dt * body.mass * world.gravity_w;
     advance_pose(body, state, dt, rule);
@@ -81,9 +74,10 @@ void DampedBodies::set_ease(const World& world, int body) {
 double kinetic_energy_of(const World& world, int body, const MovingBody& moving) {
   const BodyProperties& properties = world.bodies()[at(body)];
   if (!properties.movable()) return 0.0;
+  const Vec3 momentum_w = angular_momentum(properties, world.states()[at(body)].orientation_wb,
+                                           moving.angular_velocity_w);
   return 0.5 * properties.mass * moving.velocity_w.squaredNorm() +
-         0.5 * moving.angular_velocity_w.dot(
-                   angular_momentum_of(world, at(body), moving.angular_velocity_w));
+         0.5 * moving.angular_velocity_w.dot(momentum_w);
 }
 
 }  // namespace tumble

@@ -2,8 +2,8 @@
 /// \brief The constants of damped integration, for bodies of any size and mass (thesis 5.3, A.2).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/body.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 namespace tumble {
 

@@ -30,9 +30,9 @@ void DampedStage::run(Contact& collision, double restitution, TemporaryGravity g
   const auto before = [](const Contact& a, const Contact& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   };
-  const auto place = std::lower_bound(told.begin(), told.end(), collision, before);
-  if (place == told.end() || before(collision, *place)) {
-    told.insert(place, collision);
+  const auto place = std::lower_bound(pushed_pairs.begin(), pushed_pairs.end(), collision, before);
+  if (place == pushed_pairs.end() || before(collision, *place)) {
+    pushed_pairs.insert(place, collision);
     return;
   }
   double sum = 0.0;

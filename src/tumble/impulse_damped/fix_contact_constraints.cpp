@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include <algorithm>

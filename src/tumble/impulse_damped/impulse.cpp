@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/gather.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -54,7 +55,7 @@ StepReport Impulse::step(World& world, double dt) {
   for (int pass = 0; pass < options_.collision_passes; ++pass)
     if (!collide_deepest_first(world, dt, report)) break;
   // [S2.5.2:collision]
-  tell_collisions(world, report);
+  report_collisions(world, report);
 
   // [S2.5.2:velocity]
   // 2. Velocities: v + h g.
@@ -95,7 +96,7 @@ StepReport Impulse::step(World& world, double dt) {
 
 const SleepingRule* Impulse::sleeping() const { return options_.sleeping ? &sleeping_ : nullptr; }
 
-// Velocities and predicted poses; who is touched where it sleeps, and so wakes, has to be known before.
+// Velocities and predicted poses; a body that is touched where it sleeps wakes, which has to be known before.
 void Impulse::begin(World& world, double dt, StepReport& report) {
   if (!options_.sleeping)
     for (SleepState& rest : world.sleep_states()) rest.asleep = false;
@@ -173,15 +174,13 @@ bool Impulse::collide_deepest_first(const World& world, double dt, StepReport& r
 }
 
 // One event for each pair that collided; then impulses are counted anew, those of contacts.
-void Impulse::tell_collisions(const World& world, StepReport& report) {
+void Impulse::report_collisions(const World& world, StepReport& report) {
   Event moment;
   moment.time = world.time();
   for (const int number : pairs_.all()) {
     Contact& contact = pairs_[number].contact;
-    const std::optional<Event> event = event_of(contact, moment);
-    if (!event) continue;
+    if (!report_collision(contact, moment, observer())) continue;
     ++report.events;
-    if (observer() != nullptr) observer()->on_event(*event);
     for (int k = 0; k < contact.count; ++k) {
       contact.points[at(k)].normal_impulse = 0.0;
       contact.points[at(k)].friction_impulse_w.setZero();
@@ -189,7 +188,7 @@ void Impulse::tell_collisions(const World& world, StepReport& report) {
   }
 }
 
-// Who holds up whom. Two boxes of a stack that all fall together do not come nearer; each alone
+// Which bodies hold up which. Two boxes of a stack that all fall together do not come nearer; each alone
 // would. So all pairs count that are as near as gravity brings a body to one that stays.
 void Impulse::build_graph(const World& world) {
   pairs_.find(world, bodies_, sleeping());
@@ -275,7 +274,7 @@ void Impulse::repair_overlap(World& world, StepReport& report) {
   report.energy.repair += repaired.energy;
 }
 
-// What is told of the step; and what rests may fall asleep.
+// Records of the step; bodies at rest may fall asleep.
 void Impulse::finish(World& world, double dt, StepReport& report) {
   for (const int number : pairs_.find(world, bodies_, sleeping()))
     report.deepest_overlap = std::max(report.deepest_overlap, pairs_[number].depth);
@@ -291,7 +290,7 @@ void Impulse::finish(World& world, double dt, StepReport& report) {
   keep_pushed(world);
   if (options_.sleeping) {
     islands_.build(world.bodies(), contacts_);
-    report.energy.damping += sleeping_.update(world, contacts_, islands_, dt).energy;
+    report.energy.damping += sleeping_.update(world, contacts_, islands_, dt, slow_bodies()).energy;
   }
   world.finish_step(dt);
 }

@@ -161,7 +161,7 @@ class Impulse : public Technique {
   void begin(World& world, double dt, StepReport& report);
   [[nodiscard]] const SleepingRule* sleeping() const;
   bool collide_deepest_first(const World& world, double dt, StepReport& report);
-  void tell_collisions(const World& world, StepReport& report);
+  void report_collisions(const World& world, StepReport& report);
   void build_graph(const World& world);
   bool hold_by_level(const World& world, double share, bool freeze, double dt, StepReport& report);
   bool hold_level(const World& world, std::span<const int> pairs, double share, bool rising,

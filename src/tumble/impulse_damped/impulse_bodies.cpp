@@ -3,7 +3,7 @@
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 namespace tumble {
 
@@ -34,11 +34,9 @@ void ImpulseBodies::predict(const World& world, int body) {
   MovingBody& moving = moving_[k];
   BodyState& state = predicted_[k];
   state = world.states()[k];
-  if (moving.changed) {  // L = R I_b R' omega, at the pose of the start
-    const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
-    const Vec3 omega_b = axes_w.transpose() * moving.angular_velocity_w;
-    state.angular_momentum_w = axes_w * Vec3(constant.inertia_b.cwiseProduct(omega_b));
-  }
+  if (moving.changed)
+    state.angular_momentum_w =
+        angular_momentum(constant, state.orientation_wb, moving.angular_velocity_w);
   state.linear_momentum_w = constant.mass * (moving.velocity_w + ahead_w_);
   if (carried_.carries(body)) {
     carried_.set_velocity(body, moving);

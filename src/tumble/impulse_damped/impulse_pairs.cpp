@@ -3,29 +3,12 @@
 #include "tumble/impulse_damped/impulse_pairs.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/geometry/ground.hpp"
+#include "tumble/contact/gather.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tumble {
 namespace {
-
-// The geometry of a pair, the normal from the first to the second.
-bool touch(const World& world, std::span<const BodyState> poses, const IndexPair& pair,
-           double margin, Manifold& out) {
-  const BodyProperties& a = world.bodies()[at(pair.first)];
-  const BodyProperties& b = world.bodies()[at(pair.second)];
-  if (a.shape == Shape::ground)
-    return collide_with_ground(box_of(b, poses[at(pair.second)]), margin, out);
-  const Box box = box_of(a, poses[at(pair.first)]);
-  if (b.shape == Shape::ground) {
-    const bool found = collide_with_ground(box, margin, out);
-    flip(out);
-    return found;
-  }
-  return collide(box, box_of(b, poses[at(pair.second)]), margin, kNoAxis, out);
-}
 
 // Hands impulses on to the points found anew: by name; those of points that are gone are spread
 // over all, so that the contact as a whole has pushed as before.
@@ -95,12 +78,7 @@ void ImpulsePairs::add_new(const World& world, const SleepingRule* sleeping) {
     added.size = a.shape == Shape::ground   ? b.size.minCoeff()
                  : b.shape == Shape::ground ? a.size.minCoeff()
                                             : std::min(a.size.minCoeff(), b.size.minCoeff());
-    added.contact.first = pair.first;
-    added.contact.second = pair.second;
-    added.contact.first_id = world.ids()[at(pair.first)];
-    added.contact.second_id = world.ids()[at(pair.second)];
-    added.contact.friction = std::sqrt(a.friction * b.friction);
-    added.contact.restitution = std::max(a.restitution, b.restitution);
+    added.contact = contact_of(world, pair);
   }
   std::sort(sorted_.begin(), sorted_.end(), before);
 }
@@ -114,7 +92,7 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
   pair.second_version = second;
   ++tests_;
   Manifold manifold;
-  pair.near = touch(world, bodies.predicted(), pair.bodies, margin_, manifold);
+  pair.near = touch_pair(world, bodies.predicted(), pair.bodies, margin_, kNoAxis, manifold);
   pair.overlaps = false;
   pair.depth = 0.0;
   if (!pair.near) return pair;

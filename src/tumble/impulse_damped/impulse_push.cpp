@@ -3,24 +3,14 @@
 #include "tumble/impulse_damped/impulse_push.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/contact/collision_law.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tumble {
-
-double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
-  double least = 0.0;
-  for (int k = 0; k < contact.count; ++k) {
-    const Vec3 u_w = relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
-                                       contact.points[at(k)].position_w);
-    const double speed = contact.normal_w.dot(u_w);
-    least = k == 0 ? speed : std::min(least, speed);
-  }
-  return least;
-}
 
 // Copies the points without their impulses. Returns whether the pair approaches.
 bool ImpulsePush::load(const ImpulsePair& pair, std::span<const MovingBody> bodies, double dt) {

@@ -92,10 +92,4 @@ class ImpulsePush {
   SimultaneousImpacts block_;
 };
 
-/// The speed at which a pair approaches at its fastest point.
-/// \param contact  its points
-/// \param bodies   how they move
-/// \return [m/s] the least normal velocity; below 0 they approach
-double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies);
-
 }  // namespace tumble

@@ -4,9 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/suggestion.hpp"
-#include "tumble/geometry/ground.hpp"
-#include "tumble/geometry/signed_distance.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/geometry/overlap_normals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,36 +16,6 @@
 
 namespace tumble {
 namespace {
-
-// s(n) along a face axis, 0 to 5, with the normal from the first box to the second.
-Separation along_face(const Box& first, const Box& second, AxisIndex axis) {
-  const Vec3 n_w = axis < 3 ? first.axes_w.col(axis) : second.axes_w.col(axis - 3);
-  const double along = n_w.dot(second.center_w - first.center_w);
-  return Separation{std::abs(along) - reach(first, n_w) - reach(second, n_w),
-                    along < 0.0 ? Vec3(-n_w) : n_w, axis};
-}
-
-// A surface point of one box, and the other box's distance there.
-struct Probe {
-  double distance = 0.0;  // [m] of the deepest point found so far; 0: none is inside
-  AxisIndex axis = kNoAxis;
-  Vec3 outward_w = Vec3::Zero();
-};
-
-// Looks at 26 points of `probing` from the distance function of `box`, whose axes have the numbers
-// base to base + 2. A point must be deeper than what was found by more than a tie.
-void probe(const Box& probing, const Box& box, AxisIndex base, double tie, Probe& deepest) {
-  for (int i = 0; i < 27; ++i) {
-    const Vec3 unit(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    if (unit.isZero(0.0)) continue;
-    const Vec3 point_w = probing.center_w + probing.axes_w * unit.cwiseProduct(probing.half);
-    const SignedDistance found = signed_distance(box, point_w);
-    if (!(found.distance < deepest.distance - tie)) continue;
-    int axis = 0;  // inside, the gradient is one of the box's axes
-    (box.axes_w.transpose() * found.gradient_w).cwiseAbs().maxCoeff(&axis);
-    deepest = Probe{found.distance, base + axis, found.gradient_w};
-  }
-}
 
 // The centre of the points that overlap, each weighted by its depth.
 void reduce_to_one(Contact& contact) {
@@ -74,30 +44,6 @@ void reduce_to_one(Contact& contact) {
 }
 
 }  // namespace
-
-Separation closest_face(const Box& first, const Box& second) {
-  const double tie = tolerance::face_tie * std::min(first.half.minCoeff(), second.half.minCoeff());
-  Separation best = along_face(first, second, 0);
-  for (AxisIndex axis = 1; axis < 6; ++axis) {
-    const Separation found = along_face(first, second, axis);
-    if (found.distance > best.distance + tie) best = found;
-  }
-  return best;
-}
-
-Separation deepest_gradient(const Box& first, const Box& second) {
-  const double tie = tolerance::face_tie * std::min(first.half.minCoeff(), second.half.minCoeff());
-  Probe deepest;
-  probe(second, first, 0, tie, deepest);
-  const AxisIndex of_first = deepest.axis;
-  probe(first, second, 3, tie, deepest);
-  if (deepest.axis == kNoAxis) return {};
-  // The second box leaves the first along the first one's gradient, or against its own.
-  const Vec3 normal_w = deepest.axis == of_first ? deepest.outward_w : Vec3(-deepest.outward_w);
-  const double along = normal_w.dot(second.center_w - first.center_w);
-  return Separation{along - reach(first, normal_w) - reach(second, normal_w), normal_w,
-                    deepest.axis};
-}
 
 PairGatherer::PairGatherer(NormalRule normals, PointRule points)
     : normals_(normals), points_(points), broad_phase_(make_broad_phase("bounding_tree")) {}
@@ -129,31 +75,14 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;
 
-    Contact contact;
-    contact.first = pair.first;
-    contact.second = pair.second;
-    contact.first_id = world.ids()[at(pair.first)];
-    contact.second_id = world.ids()[at(pair.second)];
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-    const bool ground_first = a.shape == Shape::ground;
-    if (ground_first || b.shape == Shape::ground) {
-      const int box = ground_first ? pair.second : pair.first;
-      Manifold manifold;
-      if (!collide_with_ground(box_of(bodies[at(box)], now[at(box)]), margin, manifold)) continue;
-      contact.normal_w = ground_first ? manifold.normal_w : Vec3(-manifold.normal_w);
-      contact.count = manifold.count;
-      for (int p = 0; p < manifold.count; ++p) {
-        const ManifoldPoint& point = manifold.points[at(p)];
-        contact.points[at(p)].position_w = point.position_w;
-        contact.points[at(p)].distance = point.distance;
-        contact.points[at(p)].feature = point.feature;
-      }
-    } else if (!touch(box_of(a, now[at(pair.first)]), box_of(b, now[at(pair.second)]),
-                      box_of(a, last[at(pair.first)]), box_of(b, last[at(pair.second)]), margin,
-                      contact)) {
-      continue;
-    }
+    Manifold manifold;
+    if (!touch_pair(world, now, pair, margin, kNoAxis, manifold)) continue;
+    Contact contact = contact_of(world, pair);
+    set_points(manifold, contact);
+    if (a.shape == Shape::box && b.shape == Shape::box)
+      turn_normal(box_of(a, now[at(pair.first)]), box_of(b, now[at(pair.second)]),
+                  box_of(a, last[at(pair.first)]), box_of(b, last[at(pair.second)]), margin,
+                  manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[at(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(contact);
@@ -163,11 +92,10 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
 }
 
 // [S3.3.2:normal]
-// Whether two boxes touch, and if so, along which normal and where.
-bool PairGatherer::touch(const Box& first, const Box& second, const Box& first_last,
-                         const Box& second_last, double margin, Contact& contact) const {
-  Manifold manifold;
-  if (!collide(first, second, margin, kNoAxis, manifold)) return false;
+// The normal of two boxes that touch by the rule, and where they touch along it.
+void PairGatherer::turn_normal(const Box& first, const Box& second, const Box& first_last,
+                               const Box& second_last, double margin, Manifold& manifold,
+                               Contact& contact) const {
   Separation found{0.0, manifold.normal_w, manifold.axis};
   if (normals_ == NormalRule::last_face) {
     // The face that was closest when the step began, turned with its body since. The normal keeps
@@ -192,16 +120,9 @@ bool PairGatherer::touch(const Box& first, const Box& second, const Box& first_l
     find_manifold(first, second, found, margin, manifold);
     if (manifold.count == 0) manifold = exact;
   }
+  set_points(manifold, contact);
   contact.normal_w = found.normal_w;
   contact.axis = found.axis;
-  contact.count = manifold.count;
-  for (int p = 0; p < manifold.count; ++p) {
-    const ManifoldPoint& point = manifold.points[at(p)];
-    contact.points[at(p)].position_w = point.position_w;
-    contact.points[at(p)].distance = point.distance;
-    contact.points[at(p)].feature = point.feature;
-  }
-  return true;
 }
 // [S3.3.2:normal]
 

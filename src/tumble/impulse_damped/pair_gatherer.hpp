@@ -27,28 +27,6 @@ enum class PointRule : std::uint8_t {
   area  ///< all points of the contact area
 };
 
-/// The face of two boxes that is closest to the other box.
-///
-/// Along the normal n of a face the boxes are
-/// \f$s(n) = |d\cdot n| - \sum_i a_i|A_i\cdot n| - \sum_j b_j|B_j\cdot n|\f$ apart; the face with
-/// the largest s is the closest. Of faces that tie (tolerance::face_tie) the one with the lowest
-/// number is taken.
-/// \param first   the box that the normal leaves
-/// \param second  the box that the normal enters
-/// \return its axis, 0 to 5, the way from the first box to the second along it, and s
-[[nodiscard]] Separation closest_face(const Box& first, const Box& second);
-
-/// The direction in which the distance function of one box grows where the other one is deepest in
-/// it.
-///
-/// Looked at are 26 points of each box's surface: corners, middles of edges and of faces.
-/// \param first   the box that the normal leaves
-/// \param second  the box that the normal enters
-/// \return a face's axis, 0 to 5, the normal and how far the boxes are apart along it; axis kNoAxis
-///         if no point of either lies in the other, as where two edges cross
-/// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 4.
-[[nodiscard]] Separation deepest_gradient(const Box& first, const Box& second);
-
 /// What gathering did.
 struct PairReport {
   std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at
@@ -58,7 +36,7 @@ struct PairReport {
 /// Finds the pairs of bodies that overlap at given poses, for methods that let bodies sink into
 /// each other and answer by impulses.
 ///
-/// Whether two bodies overlap is always told by the separating axis test; touching counts. The
+/// Whether two bodies overlap is always decided by the separating axis test; touching counts. The
 /// normal is that of the rule:
 /// - `last_face`: the face that was closest at the poses of the step's start, which are those at
 ///   which the last step ended, as it has turned since. It is wrong where edges meet, and where the
@@ -96,10 +74,10 @@ class PairGatherer {
   /// Friction and restitution are combined as gather_contacts() does it. Impulses and approach
   /// speeds are 0 (see stamp_approach_speeds()). Pairs of two immovable or two sleeping bodies are
   /// left out.
-  /// \param world     who the bodies are; its poses are not looked at
+  /// \param world     the bodies; its poses are not looked at
   /// \param last      poses at which the step began, one for each body index
   /// \param now       poses at which overlap is looked for, ditto
-  /// \param sleeping  whom to leave out besides (SleepingRule::needs_test()); nullptr: nobody
+  /// \param sleeping  pairs to leave out besides (SleepingRule::needs_test()); nullptr: none
   /// \param margin    [m] surfaces up to this far apart count as touching, at least 0
   /// \param out       is overwritten; sorted by id
   /// \return counts
@@ -109,8 +87,9 @@ class PairGatherer {
                     ContactList& out);
 
  private:
-  bool touch(const Box& first, const Box& second, const Box& first_last, const Box& second_last,
-             double margin, Contact& contact) const;
+  void turn_normal(const Box& first, const Box& second, const Box& first_last,
+                   const Box& second_last, double margin, Manifold& manifold,
+                   Contact& contact) const;
 
   NormalRule normals_;
   PointRule points_;

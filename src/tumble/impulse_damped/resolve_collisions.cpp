@@ -1,6 +1,6 @@
 /// \file
 /// \brief The listing RESOLVECOLLISIONS.
-#include "tumble/impulse_damped/resolve_collisions.hpp"
+#include "tumble/impulse_damped/damped_stage.hpp"
 
 namespace tumble {
 
@@ -8,7 +8,7 @@ void resolve_collisions(DampedStage& stage, int passes, const NoiseOptions& nois
                         const Random& random) {
   // [RESOLVECOLLISIONS:1-7]
   // Several passes. In each one all bodies are advanced as if
-  // nothing were in their way; who overlaps there collides, one
+  // nothing were in their way; those that overlap there collide, one
   // pair after the other by age. The places were copies: there
   // is nothing to put back but these.
   for (int pass = 1; pass <= passes; ++pass) {

@@ -1,6 +1,6 @@
 /// \file
 /// \brief The listing RESOLVECONTACTS, and shock propagation.
-#include "tumble/impulse_damped/resolve_contacts.hpp"
+#include "tumble/impulse_damped/damped_stage.hpp"
 
 #include <algorithm>
 

@@ -4,10 +4,10 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/block_cholesky.hpp"
 #include "tumble/lcp_solvers/block_rows.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 namespace tumble {
 

@@ -2,7 +2,7 @@
 /// \brief Baraff's pivoting, with equalities.
 #include "tumble/lcp_solvers/baraff.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 

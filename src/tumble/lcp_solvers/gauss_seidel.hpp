@@ -2,8 +2,8 @@
 /// \brief Contact forces by projected Gauss-Seidel sweeps (thesis 2.6, 3.3.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 namespace tumble {
 

@@ -6,7 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
 #include "tumble/lcp_solvers/augmented_lagrangian.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"

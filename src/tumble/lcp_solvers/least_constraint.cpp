@@ -5,8 +5,9 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/lcp_solvers/mass_root.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

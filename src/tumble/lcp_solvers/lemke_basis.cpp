@@ -3,7 +3,8 @@
 #include "tumble/lcp_solvers/lemke_basis.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>

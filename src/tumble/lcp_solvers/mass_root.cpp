@@ -2,7 +2,7 @@
 /// \brief A root of a body's inverse inertia (thesis 2.6.2).
 #include "tumble/lcp_solvers/mass_root.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "tumble/math/complementarity_check.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/math/complementarity.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \brief Small dense matrices of run-time size, with a fixed order of sums.
 #include "tumble/math/dense.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>

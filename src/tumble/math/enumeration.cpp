@@ -3,7 +3,7 @@
 #include "tumble/math/enumeration.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// \brief Chatter on display frames.
 #include "tumble/record/chatter.hpp"
 
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 

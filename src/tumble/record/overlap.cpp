@@ -2,8 +2,8 @@
 /// \brief Distances of all pairs that are near.
 #include "tumble/record/overlap.hpp"
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/flight.hpp"
+#include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>

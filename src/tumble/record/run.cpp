@@ -4,8 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
 #include "tumble/dynamics/step_report.hpp"
+#include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>

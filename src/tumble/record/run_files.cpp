@@ -4,13 +4,14 @@
 
 #include "tumble/base/version.hpp"
 #include "tumble/filtering/filters.hpp"
-#include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/metrics_table.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace tumble {
 namespace {
@@ -20,12 +21,10 @@ constexpr std::string_view kEventsHeader =
 constexpr std::string_view kContactsHeader =
     "time_s,first,second,px_m,py_m,pz_m,nx,ny,nz,fx,fy,fz,unit,state";
 
-constexpr std::string_view kUnsolvedMatrix = "unsolved_A.mtx";
-constexpr std::string_view kUnsolvedVector = "unsolved_b.mtx";
-
+// The last two are diagnostics of techniques.
 constexpr std::array<std::string_view, 10> kFiles = {
-    kTrajectoryFile, kFilteredFile,  "metrics.csv", "events.csv",    "contacts.csv",
-    "scene.toml",    "summary.json", "timing.csv",  kUnsolvedMatrix, kUnsolvedVector};
+    kTrajectoryFile, kFilteredFile,  "metrics.csv", "events.csv",     "contacts.csv",
+    "scene.toml",    "summary.json", "timing.csv",  "unsolved_A.mtx", "unsolved_b.mtx"};
 
 std::string metrics_header() {
   std::string out = "time_s,status";
@@ -105,12 +104,10 @@ void RunFiles::on_event(const World& world, const Event& event) {
   events_.cell(std::int64_t{event.rewinds}).cell(std::int64_t{event.restarts}).end_row();
 }
 
-void RunFiles::write_unsolved(const LcpProblem& problem) {
-  const auto write = [&](std::string_view name, const MatRef& matrix, std::string_view comment) {
-    write_file(folder_.path() / name, to_matrix_market(matrix, comment));
-  };
-  write(kUnsolvedMatrix, problem.A, "A of the problem a = A f + b that ended the run");
-  write(kUnsolvedVector, problem.b, "b of the problem a = A f + b that ended the run");
+void RunFiles::write_diagnostic(const Diagnostic& diagnostic) {
+  assert(std::find(kFiles.begin(), kFiles.end(), diagnostic.file) != kFiles.end());
+  write_file(folder_.path() / diagnostic.file,
+             to_matrix_market(diagnostic.matrix, diagnostic.comment));
 }
 
 std::string RunFiles::filter_refusal() const {

@@ -51,12 +51,12 @@ class RunFiles : public RunObserver {
   /// \throws CannotWrite if something cannot be written
   void finish(const RunResult& result);
 
-  /// Writes the problem that ended a run into unsolved_A.mtx and unsolved_b.mtx, with 17 digits, so
-  /// that `tumble lcp` solves the very same one.
-  /// \param problem  see Technique::unsolved_problem()
+  /// Writes a file about the step that ended a run: a matrix with 17 digits, so that `tumble lcp` solves
+  /// the very same problem.
+  /// \param diagnostic  one of Technique::diagnostics(), called unsolved_A.mtx or unsolved_b.mtx
   /// \throws CannotWrite if something cannot be written
   /// \throws std::invalid_argument if a number in it is not finite
-  void write_unsolved(const LcpProblem& problem);
+  void write_diagnostic(const Diagnostic& diagnostic);
 
   /// Why trajectory_filtered.csv ends before the run does.
   /// \return what the filter said of the frame that it refused; empty if it refused none

@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/separation.hpp"
 

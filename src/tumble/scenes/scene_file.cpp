@@ -5,7 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 // Some bad files, such as "[[[", break what toml++ takes for granted: it would end the process, or with

@@ -12,7 +12,7 @@
 namespace tumble::recipes {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 // Everything is as heavy as it is large: 1 kg/m³.
 SceneBox solid_at(const std::string& name, const Vec3& size, const Vec3& position_w) {
@@ -20,7 +20,7 @@ SceneBox solid_at(const std::string& name, const Vec3& size, const Vec3& positio
 }
 
 Quat about_vertical(double degrees) {
-  return rotation_from_vector(Vec3(0.0, degrees * kDegree, 0.0));
+  return rotation_from_vector(Vec3(0.0, degrees * kRadiansPerDegree, 0.0));
 }
 
 void add_friction(Parameters& p) {

@@ -2,6 +2,7 @@
 /// \brief Pairs that collide again and again are left to the end of the frame.
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/timewarp/instant_impacts.hpp"
 
 #include <vector>

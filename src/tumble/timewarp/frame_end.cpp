@@ -1,5 +1,5 @@
 /// \file
-/// \brief The end of a timewarp's frame: who rests is stopped, who overlaps is moved apart (thesis
+/// \brief The end of a timewarp's frame: resting bodies are stopped, overlapping ones moved apart (thesis
 ///        A.1: fixInterpenetration).
 #include "tumble/timewarp/frame_end.hpp"
 
@@ -24,17 +24,12 @@ void FrameEnd::settle(World& world, double dt, double resolution, std::span<cons
     const InstantReport impact = impacts_.resolve(
         world, resting_, {.resolution = resolution, .bounce = false, .dt = dt, .margin = reach},
         report);
-    for (const Contact& contact : impact.contacts)
-      for (int p = 0; p < contact.count; ++p)
-        records.push_back(record_of(contact, p, world.time() + dt));
+    add_records(impact.contacts, world.time() + dt, records);
   }
-  const RepairReport repaired = repair_.run(world, candidates_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
-  report.deepest_overlap = repaired.deepest_before;
+  book(repair_.run(world, candidates_), report);
 }
 
-// Adds who touches those that rest, directly or over others.
+// Adds bodies that touch those that rest, directly or over others.
 void FrameEnd::join_touching(const World& world, double reach, StepReport& report) {
   const auto movable = [&](int body) { return world.bodies()[at(body)].movable(); };
   const auto join = [&](const IndexPair& pair) {

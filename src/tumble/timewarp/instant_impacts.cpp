@@ -4,8 +4,10 @@
 #include "tumble/timewarp/instant_impacts.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +46,8 @@ bool only_rounding(const World& world, const Event& event, double time) {
 
 void tell_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
                  double dt, std::vector<ContactRecord>& records, std::vector<Event>& events) {
+  add_records(contacts, moment.time, records);
   for (const Contact& contact : contacts) {
-    for (int p = 0; p < contact.count; ++p) records.push_back(record_of(contact, p, moment.time));
     const std::optional<Event> event = event_of(contact, moment);
     if (event && !only_rounding(world, *event, dt)) events.push_back(*event);
   }
@@ -138,11 +140,7 @@ void InstantImpacts::resolve_together(std::span<Contact> contacts, InstantReport
   const ImpactResult impact = solver_.resolve(contacts, moving_, how);
   out.status = std::max(out.status, impact.status);
   out.approach_left = std::max(out.approach_left, impact.worst_approach);
-  report.impulses += impact.impulses;
-  report.iterations += impact.passes;
-  report.pivots += impact.pivots;
-  report.energy.restitution += impact.restitution_energy;
-  report.energy.friction += impact.friction_energy;
+  book(impact, report);
 }
 
 }  // namespace tumble

@@ -3,6 +3,7 @@
 ///        collideTwoObjects).
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/islands.hpp"

@@ -1,10 +1,11 @@
 /// \file
-/// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+/// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/timewarp/near_pairs.hpp"
 
 #include <algorithm>
 
@@ -83,16 +84,9 @@ void TimewarpFrame::find_all_collisions(CollisionHeap& heap) {
 
 void TimewarpFrame::add_collisions_of(std::span<const int> bodies, CollisionHeap& heap) {
   for (const int body : bodies) bounds_[at(body)] = bounds_of_body(body);
-  for (const int body : bodies) {
-    if (!movable(body)) continue;
-    for (int other = 0; other < world_->count(); ++other) {
-      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
-      const bool again =
-          other < body && movable(other) && std::binary_search(bodies.begin(), bodies.end(), other);
-      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
-    }
-  }
+  for_each_near_pair(
+      bodies, [&](int body) { return movable(body); }, bounds_,
+      [&](const IndexPair& pair) { search(pair, heap); });
 }
 
 void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {
@@ -178,14 +172,14 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
     report.status = std::max(report.status, StepStatus::event_cap);
   const int moved = static_cast<int>(pushed_.size());
   report.rewinds += moved;
-  tell(impact.contacts, time, moved);
+  report_collisions(impact.contacts, time, moved);
   stage_.release_pushed(*world_, pushed_, before_, dt_);
   for (const IndexPair& pair : pairs)
     stage_.count(pair, impacts_.separation_speed(*world_, pair, dt_), world_->gravity_w.norm());
 }
 
-// Tells about the collisions of one time.
-void TimewarpFrame::tell(std::span<const Contact> contacts, double time, int rewinds) {
+// Reports the collisions of one time.
+void TimewarpFrame::report_collisions(std::span<const Contact> contacts, double time, int rewinds) {
   Event moment;
   moment.time = world_->time() + time;
   moment.rewinds = rewinds;

@@ -1,8 +1,9 @@
 /// \file
-/// \brief What the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+/// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #pragma once
 
 #include "tumble/base/options.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/collision_heap.hpp"
@@ -52,7 +53,7 @@ void require_step(double dt, const TimewarpOptions& options, double steps = 1.0)
 /// \throws std::invalid_argument naming a body whose place or momenta are not finite
 void require_finite_states(const World& world);
 
-/// What a synchronised timewarp knows between two collisions, for whoever wants to look.
+/// The state of a synchronised timewarp between two collisions, for observers.
 struct TimewarpLook {
   const ForeseenCollision* current = nullptr;   ///< the one resolved last; nullptr: none yet
   std::span<const ForeseenCollision> foreseen;  ///< the queue, the earliest first
@@ -61,7 +62,7 @@ struct TimewarpLook {
   std::span<const BodyState> test;      ///< by index: the states at the end of the frame
 };
 
-/// Somebody who looks at a synchronised timewarp at work.
+/// An observer of a synchronised timewarp.
 class TimewarpWatcher {
  public:
   virtual ~TimewarpWatcher() = default;
@@ -75,13 +76,13 @@ class TimewarpWatcher {
 ///
 /// Times are counted from the start of the frame. The **valid state** of a body is in the world; it
 /// belongs to the body's **valid time**. Its **test state** is where it will be at the end of the frame
-/// if it meets nobody. A collision of two bodies is searched from the later of their valid times,
-/// each flown there from its own valid state in one go (S4, S8), and the last time at which they
-/// are apart is taken (S7). Two bodies that overlap when their search begins collide at once if
+/// if it meets no other. A collision of two bodies is searched from the later of their valid times,
+/// each flown there from its own valid state in one go (T4, T8), and the last time at which they
+/// are apart is taken (T7). Two bodies that overlap when their search begins collide at once if
 /// they go deeper.
 ///
 /// Which pairs are searched: *discrete*, as in the thesis, those whose test states overlap; a pair
-/// that has met and parted by then, or changed places, is missed (S5). *Conservative*: those whose
+/// that has met and parted by then, or changed places, is missed (T5). *Conservative*: those whose
 /// ways may meet, which misses nothing that overlaps for one resolution.
 ///
 /// Immovable bodies are valid at all times: they are not integrated and nothing that was foreseen
@@ -105,7 +106,7 @@ class TimewarpFrame {
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
   /// \param dt        [s] its length
-  /// \param observer  told about collisions; may be nullptr
+  /// \param observer  gets the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
 
@@ -134,7 +135,7 @@ class TimewarpFrame {
   /// \param heap    gets the collisions
   void add_collisions_of(std::span<const int> bodies, CollisionHeap& heap);
 
-  /// Who may have met one of two bodies by a time, the two included: findNearObjects. Everybody
+  /// The bodies that may have met one of two by a time, the two included: findNearObjects. Those
   /// whose bounds, swept from its valid time until then, meet those of one of the two.
   /// \param collision  the two, and the time
   /// \return indices, ascending; valid until the next call
@@ -149,11 +150,11 @@ class TimewarpFrame {
                                                   const ForeseenCollision& other);
 
   /// Resolves collisions at one time: collideTwoObjects. The valid states must be of that time.
-  /// \param pairs  who, sorted
+  /// \param pairs  the bodies, sorted
   /// \param time   [s] since the start of the frame
   void collide(std::span<const IndexPair> pairs, double time);
 
-  /// Resolves those who rest (see FrameEnd), repairs what overlaps (fixInterpenetration) and ends
+  /// Resolves contacts at rest (see FrameEnd), repairs what overlaps (fixInterpenetration) and ends
   /// the frame. The valid states must be of its end.
   void finish();
 
@@ -162,7 +163,7 @@ class TimewarpFrame {
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
   /// Shows the state of affairs to a watcher.
-  /// \param watcher  nullptr: nobody
+  /// \param watcher  nullptr: none
   /// \param current  the collision resolved last; nullptr: none yet
   /// \param heap     the queue
   void show(TimewarpWatcher* watcher, const ForeseenCollision* current,
@@ -173,7 +174,7 @@ class TimewarpFrame {
   [[nodiscard]] Bounds bounds_of_body(int body) const;
   void search(const IndexPair& pair, CollisionHeap& heap);
   std::optional<double> first_collision(const IndexPair& pair, double end);
-  void tell(std::span<const Contact> contacts, double time, int rewinds);
+  void report_collisions(std::span<const Contact> contacts, double time, int rewinds);
 
   TimewarpOptions options_;
   SearchMethod method_;

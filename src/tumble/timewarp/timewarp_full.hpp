@@ -78,7 +78,7 @@ struct TimewarpWork {
 /// \deviation{Bodies that stay in contact are left to the end of the frame, where the paper flies contact groups together.}
 /// \see Mirtich, "Timewarp rigid body simulation", SIGGRAPH 2000; Jefferson, "Virtual time", ACM
 ///      Trans. Program. Lang. Syst. 7, 1985.
-/// \verified{Swept, full timewarp and a search over all bodies tell the same story}
+/// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
 class TimewarpFull final : public Technique {
  public:
   /// Makes the technique.

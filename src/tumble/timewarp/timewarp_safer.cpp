@@ -9,7 +9,7 @@
 namespace tumble {
 
 TimewarpSafer::TimewarpSafer(const TimewarpOptions& options)
-    : frame_(options, SearchMethod::discrete) {}
+    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
 
 std::unique_ptr<Technique> TimewarpSafer::clone() const {
   return std::make_unique<TimewarpSafer>(*this);
@@ -19,7 +19,7 @@ std::unique_ptr<Technique> TimewarpSafer::clone() const {
 // |---------------|----------------------------------------------------------|------|
 // | valid         | states that are known to be right, each at its own time  |      |
 // | valid_times   | those times, since the start of the frame                | s    |
-// | test          | states at the end of the frame, if nobody is met; those  |      |
+// | test          | states at the end of the frame, if it meets no other;    |      |
 // |               | near a collision for a while at its time                 |      |
 StepReport TimewarpSafer::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
@@ -33,7 +33,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   };
 
   // [SAFERSYNCTIMEWARP:1-4]
-  // Every body flies to the end of the frame, as if it met nobody.
+  // Every body flies to the end of the frame, as if it met no other.
   for (int i = 0; i < world.count(); ++i) {
     valid_times[at(i)] = 0.0;
     test_at(i, dt);
@@ -41,7 +41,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:1-4]
 
   // [SAFERSYNCTIMEWARP:5-7]
-  // Who overlaps at the end has collided; the earliest first.
+  // Bodies that overlap at the end have collided; the earliest first.
   collision_heap_.reset(world.count());
   frame_.find_all_collisions(collision_heap_);
   frame_.show(watcher_, nullptr, collision_heap_);
@@ -50,7 +50,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     // [SAFERSYNCTIMEWARP:5-7]
 
     // [SAFERSYNCTIMEWARP:8-13]
-    // Everybody who may have met one of the two by then, the two
+    // Every body that may have met one of the two by then, the two
     // included, flies to that time. Do some of them overlap
     // there, other than the two themselves (F6)?
     const std::span<const int> near = frame_.find_near(current);
@@ -94,7 +94,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
 
     // [SAFERSYNCTIMEWARP:25-29]
     // Both fly to the end of the frame anew, and then it is looked
-    // at whom they meet there.
+    // at what they meet there.
     for (const int index : both) test_at(index, dt);
     frame_.add_collisions_of(both, collision_heap_);
     // [SAFERSYNCTIMEWARP:25-29]
@@ -102,7 +102,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   }
 
   // [SAFERSYNCTIMEWARP:30-32]
-  // Nobody meets anybody any more: the test states are valid.
+  // No bodies meet any more: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
     valid[at(i)] = test[at(i)];
     valid_times[at(i)] = dt;

@@ -9,7 +9,7 @@
 namespace tumble {
 
 TimewarpSimple::TimewarpSimple(const TimewarpOptions& options)
-    : frame_(options, SearchMethod::discrete) {}
+    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
 
 std::unique_ptr<Technique> TimewarpSimple::clone() const {
   return std::make_unique<TimewarpSimple>(*this);
@@ -19,7 +19,7 @@ std::unique_ptr<Technique> TimewarpSimple::clone() const {
 // |---------------|----------------------------------------------------------|------|
 // | valid         | states that are known to be right, each at its own time  |      |
 // | valid_times   | those times, since the start of the frame                | s    |
-// | test          | states at the end of the frame, if nobody is met         |      |
+// | test          | states at the end of the frame, if it meets no other     |      |
 StepReport TimewarpSimple::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
   const std::span<BodyState> valid = world.states();
@@ -27,7 +27,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   std::vector<double>& valid_times = frame_.valid_times;
 
   // [SIMPLESYNCTIMEWARP:1-4]
-  // Every body flies to the end of the frame, as if it met nobody.
+  // Every body flies to the end of the frame, as if it met no other.
   // What is known for certain is its state at the start.
   for (int i = 0; i < world.count(); ++i) {
     test[at(i)] = valid[at(i)];
@@ -37,7 +37,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:1-4]
 
   // [SIMPLESYNCTIMEWARP:5]
-  // Who overlaps at the end has collided; when is searched for.
+  // Bodies that overlap at the end have collided; the time is searched for.
   collision_heap_.reset(world.count());
   frame_.find_all_collisions(collision_heap_);
   // [SIMPLESYNCTIMEWARP:5]
@@ -53,7 +53,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
 
     // [SIMPLESYNCTIMEWARP:8-12]
     // Its two bodies go to that time, both of them before they
-    // collide (S1, S2). Whatever else was foreseen for them is
+    // collide (T1, T2). Whatever else was foreseen for them is
     // void.
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
@@ -69,8 +69,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
 
     // [SIMPLESYNCTIMEWARP:14-18]
     // Both fly to the end of the frame anew. Only then is it
-    // looked at whom they meet there (S3), each pair from the
-    // later of its two valid times on (S4).
+    // searched for what they meet there (T3), each pair from the
+    // later of its two valid times on (T4).
     for (const int index : both) {
       test[at(index)] = valid[at(index)];
       frame_.integrate_forward(test[at(index)], index, dt - valid_times[at(index)]);
@@ -81,7 +81,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   }
 
   // [SIMPLESYNCTIMEWARP:19-21]
-  // Nobody meets anybody any more: the test states are valid.
+  // No bodies meet any more: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
     valid[at(i)] = test[at(i)];
     valid_times[at(i)] = dt;

@@ -9,7 +9,7 @@
 namespace tumble {
 
 TimewarpSwept::TimewarpSwept(const TimewarpSweptOptions& options)
-    : options_(options), frame_(options, SearchMethod::conservative) {}
+    : SynchronisedTimewarp(options, SearchMethod::conservative), options_(options) {}
 
 std::unique_ptr<Technique> TimewarpSwept::clone() const {
   return std::make_unique<TimewarpSwept>(*this);

@@ -4,14 +4,14 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/timewarp/timewarp_frame.hpp"
+#include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
 
 /// What becomes of collisions closer in time than the resolution.
 enum class TieRule : std::uint8_t {
-  /// Those that follow one within a resolution are resolved with it at one stroke: order cannot be
-  /// told, so none is made up.
+  /// Those that follow one within a resolution are resolved with it at one stroke: their order is not
+  /// known, so none is made up.
   together,
   /// One after the other by their times as found, as the thesis's forms do it: they may be in the
   /// wrong order.
@@ -36,14 +36,14 @@ void describe(TimewarpSweptOptions& o, Visitor& v) {
 /// TimewarpSimple with the cure that the thesis names: whose swept volumes meet is searched, and
 /// times are found by conservative advancement, rotation included.
 ///
-/// Everybody who overlaps for one resolution or longer is found, wherever in the frame. So each
+/// Every pair that overlaps for one resolution or longer is found, wherever in the frame. So each
 /// collision is foreseen before it is its turn, none is resolved too early, and the order is that of a
 /// search over all bodies, while only those that collide are taken back.
 /// \par Cost
 /// As TimewarpSimple; searches take more tests, the faster bodies spin.
 /// \algorithm{Timewarp with swept volumes: section 5.1}
-/// \verified{Swept, full timewarp and a search over all bodies tell the same story}
-class TimewarpSwept final : public Technique {
+/// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
+class TimewarpSwept final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
   /// \param options see there
@@ -53,21 +53,11 @@ class TimewarpSwept final : public Technique {
   [[nodiscard]] std::string_view name() const override { return "timewarp_swept"; }
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
-  [[nodiscard]] std::span<const ContactRecord> contacts() const override {
-    return frame_.contacts();
-  }
-
-  /// Whom to show the queue to, collision by collision.
-  /// \param watcher  nullptr: nobody. Not owned
-  void watch(TimewarpWatcher* watcher) { watcher_ = watcher; }
 
  private:
   void take_moment(const World& world);
 
   TimewarpSweptOptions options_;
-  TimewarpFrame frame_;
-  CollisionHeap collision_heap_;
-  TimewarpWatcher* watcher_ = nullptr;
   ForeseenCollision first_;
   std::vector<IndexPair> pairs_;  // of one moment
   std::vector<int> bodies_;       // ditto

@@ -3,9 +3,10 @@
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/tolerance.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
+#include "tumble/geometric_stability/tolerances.hpp"
 
 #include <array>
 #include <string>

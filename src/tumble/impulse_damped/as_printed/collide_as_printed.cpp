@@ -12,7 +12,7 @@ namespace {
 
 // How easily a body is changed by the impulse. Erratum C4: as any other body. Mended, a stable one
 // can neither be moved vertically nor tilted.
-MovingBody as_impulse_sees_it(const PrintedObject& o, const ErrataSet& repaired) {
+MovingBody as_impulse_sees_it(const PrintedObject& o, const DampedErrata& repaired) {
   MovingBody body = o.moving;
   if (!o.geometrically_stable || !repaired.has("C4")) return body;
   body.inverse_mass.y() = 0.0;
@@ -24,7 +24,7 @@ MovingBody as_impulse_sees_it(const PrintedObject& o, const ErrataSet& repaired)
 
 // Applies the impulse at the point that was found, and tells of it.
 void apply_newtonian_impulse(PrintedObject& first, PrintedObject& second, const Contact& collision,
-                             double restitution, const ErrataSet& repaired,
+                             double restitution, const DampedErrata& repaired,
                              PrintedCollision& report) {
   const MovingBody a = as_impulse_sees_it(first, repaired);
   const MovingBody b = as_impulse_sees_it(second, repaired);
@@ -79,7 +79,7 @@ Vec3 find_contact_point(const Contact& collision) {
 PrintedCollision collide_as_printed(PrintedObject& first, PrintedObject& second,
                                     const Contact& collision, double restitution,
                                     PrintedGravity gravity, const PrintedCollide& how) {
-  const ErrataSet& repaired = how.repaired;
+  const DampedErrata& repaired = how.repaired;
   const std::array<PrintedObject*, 2> objects{&first, &second};
   PrintedCollision report;
   // [COLLIDE:1-4]

@@ -15,7 +15,7 @@ enum class PrintedGravity : std::uint8_t {
 
 /// What COLLIDE takes from the step around it.
 struct PrintedCollide {
-  ErrataSet repaired;             ///< C1 to C4, C6 and C7 are looked at
+  DampedErrata repaired;          ///< C1 to C4, C6 and C7 are looked at
   Vec3 gravity_w = Vec3::Zero();  ///< [m/s²] GRAVITY_VECTOR, world frame
   double dt = 0.0;                ///< [s] used only where C1 is mended, above 0
   /// [-] Number of a vector's first component (C10). The [1] of the listing is y if it is 0, and x

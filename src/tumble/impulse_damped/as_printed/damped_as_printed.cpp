@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 
@@ -215,7 +216,7 @@ void DampedAsPrinted::set_geometrically_stable(World& world, StepReport& report)
   if (options_.repaired.has("D4") && std::isfinite(shortest))
     gather_again(world, tolerance::stability_margin * shortest, collisions_, report);
 
-  const ErrataSet& mended = options_.repaired;
+  const DampedErrata& mended = options_.repaired;
   const PrintedStabilityRepairs repairs{
       .both_bodies = mended.has("G2"),
       .vetoes_last = mended.has("G3"),

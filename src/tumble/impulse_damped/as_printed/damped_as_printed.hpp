@@ -4,9 +4,9 @@
 /// Uses the chapter geometric_stability for its listing SETGEOMETRICALLYSTABLE.
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 #include "tumble/impulse_damped/as_printed/printed_objects.hpp"
 #include "tumble/impulse_damped/as_printed/resolve_as_printed.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
@@ -19,7 +19,7 @@ namespace tumble {
 
 /// Options of damped integration as printed.
 struct DampedAsPrintedOptions {
-  ErrataSet repaired;     ///< which errata are mended
+  DampedErrata repaired;  ///< which errata are mended
   DampedNumbers numbers;  ///< ε and k; taken for the first movable body and for 1/60 s (DM8, DM15)
   int collision_passes = 5;      ///< [-] NUM_COLLISION_ITERATIONS, at least 0
   int contact_passes = 10;       ///< [-] NUM_CONTACT_ITERATIONS, at least 0
@@ -33,7 +33,7 @@ struct DampedAsPrintedOptions {
 };
 
 /// The thesis's damped integration, each listing of its appendix A.2 statement by statement, with
-/// every slip of the print, or without some of them.
+/// every misprint of the print, or without some of them.
 ///
 /// It is there to be compared with the reading as meant: a run with all errata mended but one shows
 /// what that one does. What the listings do not say is taken in the simplest way, and told where it
@@ -58,7 +58,7 @@ struct DampedAsPrintedOptions {
 /// 5 + 10 times a broad phase and a test of two boxes for each near pair. Allocates.
 /// \algorithm{Damped integration as printed: appendix A.2}
 /// \deviation{Pushes are capped, and immovable bodies keep their place whatever is done to their velocity.}
-/// \verified{With all slips mended the printed listings keep a cube at rest where it is}
+/// \verified{With all misprints mended the printed listings keep a cube at rest where it is}
 /// \verified{Damped integration as printed ends every step with finite numbers, whatever is mended}
 class DampedAsPrinted final : public Technique {
  public:

@@ -25,7 +25,7 @@ Vec3 upward_axis(const Quat& orientation_wb) {
 }
 
 // Whether a face is across gravity. The listing hands over nothing: then it must be so exactly.
-bool check_y_axis_alignment(const BodyState& o, double tolerance, const ErrataSet& repaired) {
+bool check_y_axis_alignment(const BodyState& o, double tolerance, const DampedErrata& repaired) {
   const double cosine = upward_axis(o.orientation_wb).y();
   return repaired.has("DM16") ? cosine >= elementary::cos(tolerance) : cosine == 1.0;
 }
@@ -41,18 +41,18 @@ void tilt_towards_y_axis(BodyState& o, double most) {
 }
 
 // How far two orientations differ, as the listing subtracts them, or as an angle.
-double rotation_length(const Quat& now, const Quat& before, const ErrataSet& repaired) {
+double rotation_length(const Quat& now, const Quat& before, const DampedErrata& repaired) {
   if (repaired.has("DM13")) return angle_between(now, before);
   return (now.coeffs() - before.coeffs()).norm();
 }
 
 // Erratum DM4: small is what is less, also if it is very negative.
-bool is_small(double x, double threshold, const ErrataSet& repaired) {
+bool is_small(double x, double threshold, const DampedErrata& repaired) {
   return (repaired.has("DM4") ? std::abs(x) : x) < threshold;
 }
 
 // The loop over the components of a body's momenta.
-void dampen_components(BodyState& o, const PrintedNumbers& numbers, const ErrataSet& repaired) {
+void dampen_components(BodyState& o, const PrintedNumbers& numbers, const DampedErrata& repaired) {
   const auto& [eps, k] = numbers;
   Vec3& momentum = o.linear_momentum_w;
   Vec3& spin = o.angular_momentum_w;
@@ -100,7 +100,7 @@ void dampen_components(BodyState& o, const PrintedNumbers& numbers, const Errata
 
 // What is done to one object.
 void dampen_object(BodyState& o, bool touched, const PrintedNumbers& numbers,
-                   const ErrataSet& repaired) {
+                   const DampedErrata& repaired) {
   const auto& [eps, k] = numbers;
   Vec3& momentum = o.linear_momentum_w;
   Vec3& spin = o.angular_momentum_w;
@@ -129,7 +129,7 @@ void dampen_object(BodyState& o, bool touched, const PrintedNumbers& numbers,
 
 // Moves all bodies. Erratum D5: with the momentum that a further g Δt would give.
 int integrate_object_positions(World& world, double dt, RotationRule rotation,
-                               const ErrataSet& repaired) {
+                               const DampedErrata& repaired) {
   int moved = 0;
   for (std::size_t index = 0; index < world.states().size(); ++index) {
     const BodyProperties& body = world.bodies()[index];
@@ -146,7 +146,7 @@ int integrate_object_positions(World& world, double dt, RotationRule rotation,
 
 DampenReport dampen_objects_as_printed(World& world, std::span<const std::uint8_t> touched,
                                        const PrintedNumbers& numbers, double dt,
-                                       RotationRule rotation, const ErrataSet& repaired) {
+                                       RotationRule rotation, const DampedErrata& repaired) {
   require::positive(dt, "dt");
   require::that(touched.size() == world.states().size(),
                 "touched: " + std::to_string(touched.size()) + " flags for " +

@@ -2,9 +2,9 @@
 /// \brief The listing DAMPENOBJECTS as it is printed (thesis A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
 #include <cstdint>
@@ -48,9 +48,9 @@ struct DampenReport {
 /// \return its account
 /// \throws std::invalid_argument if there is not one flag for each body, or for a dt not above 0
 /// \algorithm{DAMPENOBJECTS as printed: appendix A.2}
-/// \verified{With all its slips, the listing ends whatever is negative along y and z}
+/// \verified{With all its misprints, the listing ends whatever is negative along y and z}
 DampenReport dampen_objects_as_printed(World& world, std::span<const std::uint8_t> touched,
                                        const PrintedNumbers& numbers, double dt,
-                                       RotationRule rotation, const ErrataSet& repaired);
+                                       RotationRule rotation, const DampedErrata& repaired);
 
 }  // namespace tumble

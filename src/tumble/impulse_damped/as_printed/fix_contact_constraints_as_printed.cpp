@@ -27,7 +27,7 @@ bool movable(const World& world, int body) {
 
 // What the mended readings make of a contact: X1, the direction in which the bodies part now, and
 // the upper one as it tells; X2, the body that moves is one that can be moved.
-PrintedContact mended(const World& world, PrintedContact c, const ErrataSet& repaired) {
+PrintedContact mended(const World& world, PrintedContact c, const DampedErrata& repaired) {
   if (repaired.has("X1")) {
     c.lower_to_upper_w = gap_of(world, c.lower, c.upper).normal_w;
     if (c.lower_to_upper_w.y() < 0.0) {
@@ -46,7 +46,7 @@ PrintedContact mended(const World& world, PrintedContact c, const ErrataSet& rep
 
 PrintedFixReport fix_contact_constraints_as_printed(World& world, std::span<const Contact> contacts,
                                                     double eps1, std::int64_t cap,
-                                                    const ErrataSet& repaired) {
+                                                    const DampedErrata& repaired) {
   require::positive(eps1, "eps1");
   require::that(cap >= 1, "cap = " + std::to_string(cap) + ": give at least 1");
   PrintedFixReport report;

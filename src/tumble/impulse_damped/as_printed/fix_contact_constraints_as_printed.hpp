@@ -2,9 +2,9 @@
 /// \brief The listing FIXCONTACTCONSTRAINTS as it is printed (thesis 4.4, A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/world.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 
 #include <cstdint>
 #include <span>
@@ -40,6 +40,6 @@ struct PrintedFixReport {
 /// \verified{A loop of pushes that does not end is left at the cap and reported}
 PrintedFixReport fix_contact_constraints_as_printed(World& world, std::span<const Contact> contacts,
                                                     double eps1, std::int64_t cap,
-                                                    const ErrataSet& repaired);
+                                                    const DampedErrata& repaired);
 
 }  // namespace tumble

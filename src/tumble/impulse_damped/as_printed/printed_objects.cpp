@@ -41,7 +41,7 @@ double PrintedObject::kinetic_energy(const Vec3& boost_w) const {
 }
 
 void PrintedObjects::begin(const World& world, std::span<const std::uint8_t> stable,
-                           std::span<const Vec3> fixed_w, const ErrataSet& repaired) {
+                           std::span<const Vec3> fixed_w, const DampedErrata& repaired) {
   require::that(stable.size() == world.states().size() && fixed_w.size() == world.states().size(),
                 "stable, fixed_w: one entry for each body of the world is needed");
   whole_pose_ = repaired.has("RC4");
@@ -59,17 +59,13 @@ void PrintedObjects::begin(const World& world, std::span<const std::uint8_t> sta
     o.mass = body.mass;
     o.linear_momentum_w = state.linear_momentum_w;
     o.angular_momentum_w = state.angular_momentum_w;
-    o.moving.position_w = state.position_w;
+    o.moving = moving_body_of(body, state);
     if (!o.movable) {
       o.moving.velocity_w = fixed_w[k];
       continue;
     }
     const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
     o.inertia_w = axes_w * body.inertia_b.asDiagonal() * axes_w.transpose();
-    o.moving.inverse_mass.setConstant(body.inverse_mass);
-    o.moving.inverse_inertia_w = inverse_inertia_w(body, state.orientation_wb);
-    o.moving.velocity_w = velocity(body, state);
-    o.moving.angular_velocity_w = angular_velocity(body, state);
   }
 }
 

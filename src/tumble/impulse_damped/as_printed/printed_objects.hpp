@@ -2,9 +2,9 @@
 /// \brief Bodies as the listings of damped integration see them (thesis A.2).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
+#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 
 #include <cstdint>
 #include <span>
@@ -62,7 +62,7 @@ class PrintedObjects {
   /// \param fixed_w   [m/s] by index: velocities that immovable bodies were given (D6)
   /// \param repaired  C6 and RC4 are looked at
   void begin(const World& world, std::span<const std::uint8_t> stable,
-             std::span<const Vec3> fixed_w, const ErrataSet& repaired);
+             std::span<const Vec3> fixed_w, const DampedErrata& repaired);
 
   /// integrateObjectPositions of the listings, \f$x + \Delta t\,(v + a)\f$.
   /// \param world    poses in and out; momenta are not touched

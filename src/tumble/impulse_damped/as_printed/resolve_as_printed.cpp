@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/as_printed/resolve_as_printed.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 namespace tumble {
@@ -51,7 +52,7 @@ void collide(PrintedStage& stage, const Contact& c, double restitution, PrintedG
 }
 
 // Erratum RK1: the quotient of two integers.
-double restitution_of_pass(int i, int passes, const ErrataSet& repaired) {
+double restitution_of_pass(int i, int passes, const DampedErrata& repaired) {
   if (repaired.has("RK1")) return -1.0 + static_cast<double>(i) / passes;
   // [RESOLVECONTACTS:5]
   return -1 + (i / passes);

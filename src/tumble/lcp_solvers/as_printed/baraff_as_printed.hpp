@@ -2,8 +2,8 @@
 /// \brief Baraff's pivoting the way the thesis describes its own program (thesis 3.3.1).
 #pragma once
 
-#include "tumble/base/tolerance.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 namespace tumble {
 

@@ -34,7 +34,7 @@ void PrintedQueries::collide_valid(const PrintedMoment& moment) {
   }
   missed_.clear();
   collide_approaching(approaching_, 0.0, moment.time);
-  // As printed a pair need not touch when it is its turn (S1, S3, S4).
+  // As printed a pair need not touch when it is its turn (T1, T3, T4).
   const std::vector<IndexPair> apart = std::exchange(missed_, {});
   for (const IndexPair& pair : apart) {
     const double margin = kMore * std::max(gap_of(world_->states(), pair), 0.0);

@@ -2,19 +2,21 @@
 /// \brief Which collisions the listings of the synchronised timewarp find, as printed (thesis A.1).
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 
+#include "tumble/timewarp/near_pairs.hpp"
+
 #include <algorithm>
 
 namespace tumble {
 
 PrintedQueries::PrintedQueries(const TimewarpAsPrintedOptions& options)
     : options_(options),
-      mended_{.valid_times = options.repaired.has("S4"),
-              .ways = options.repaired.has("S5"),
-              .contact_stage = options.repaired.has("S6"),
-              .apart = options.repaired.has("S7"),
-              .exact_flight = options.repaired.has("S8"),
-              .together = options.repaired.has("S9"),
-              .movable_only = options.repaired.has("S10"),
+      mended_{.valid_times = options.repaired.has("T4"),
+              .ways = options.repaired.has("T5"),
+              .contact_stage = options.repaired.has("T6"),
+              .apart = options.repaired.has("T7"),
+              .exact_flight = options.repaired.has("T8"),
+              .together = options.repaired.has("T9"),
+              .movable_only = options.repaired.has("T10"),
               .strictly_before = options.repaired.has("F6"),
               .swept = options.repaired.has("F7")},
       method_(mended_.ways ? SearchMethod::conservative : SearchMethod::discrete),
@@ -41,7 +43,7 @@ void PrintedQueries::begin(World& world, double dt, Observer* observer) {
 
 bool PrintedQueries::stamped(int body) const { return movable(body) || !mended_.movable_only; }
 
-// Erratum S8: one step of semi-implicit Euler, however long; after two steps a body is elsewhere
+// Erratum T8: one step of semi-implicit Euler, however long; after two steps a body is elsewhere
 // than after one of both lengths.
 void PrintedQueries::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
@@ -54,12 +56,12 @@ void PrintedQueries::integrate_forward(BodyState& state, int body, double time) 
 }
 
 // The flight in which integrate_forward() puts bodies: x + t (v + t g) is the parabola of twice the
-// gravity (S8).
+// gravity (T8).
 Vec3 PrintedQueries::gravity_of_flight() const {
   return mended_.exact_flight ? world_->gravity_w : Vec3(2.0 * world_->gravity_w);
 }
 
-// Erratum S4: the listings hand no valid times to a search.
+// Erratum T4: the listings hand no valid times to a search.
 Flight PrintedQueries::flight() const {
   return Flight{.bodies = world_->bodies(),
                 .states = world_->states(),
@@ -68,7 +70,7 @@ Flight PrintedQueries::flight() const {
                 .rule = options_.rotation};
 }
 
-// Erratum S5: where the body is at the end. Mended: its way there.
+// Erratum T5: where the body is at the end. Mended: its way there.
 Bounds PrintedQueries::bounds_of_body(int body) const {
   const BodyProperties& properties = world_->bodies()[at(body)];
   if (!mended_.ways) return bounds_of(properties, test[at(body)]);
@@ -88,7 +90,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
   const ForeseenCollision first = heap.remove_first();
   out.time = first.time;
   out.pairs.assign(1, first.pair);
-  // Erratum S9 mended: and what cannot be told from it in time.
+  // Erratum T9 mended: and what cannot be distinguished from it in time.
   const double last = first.time + options_.resolution;
   while (mended_.together && !heap.empty() && heap.first().time <= last)
     out.pairs.push_back(heap.remove_first().pair);
@@ -103,16 +105,9 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
 
 void PrintedQueries::add_collisions_for(std::span<const int> bodies, CollisionHeap& heap) {
   for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
-  for (const int body : bodies) {
-    if (!stamped(body)) continue;
-    for (int other = 0; other < world_->count(); ++other) {
-      if (other == body || !overlap(bounds_[at(body)], bounds_[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
-      const bool again =
-          other < body && stamped(other) && std::binary_search(bodies.begin(), bodies.end(), other);
-      if (!again) search({std::min(body, other), std::max(body, other)}, heap);
-    }
-  }
+  for_each_near_pair(
+      bodies, [&](int body) { return stamped(body); }, bounds_,
+      [&](const IndexPair& pair) { search(pair, heap); });
 }
 
 void PrintedQueries::search(const IndexPair& pair, CollisionHeap& heap) {
@@ -129,7 +124,7 @@ double PrintedQueries::gap_of(std::span<const BodyState> states, const IndexPair
 
 // When two bodies collide before an end. They do if their test states overlap; the time is searched
 // between the start, which is the later of their valid times, and the end, with both flown from
-// their valid states. So test states that do not belong to the valid ones (S3) are a collision at
+// their valid states. So test states that do not belong to the valid ones (T3) are a collision at
 // the end.
 std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
@@ -139,7 +134,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
     return gap_at(all, pair, time).distance;
   };
   if (!mended_.ways && gap_of(test, pair) >= 0.0) return std::nullopt;
-  // Erratum S7: who overlaps to begin with collides now, and now again.
+  // Erratum T7: a pair that overlaps to begin with collides now, and now again.
   if (!(start < end)) {
     const bool now = !mended_.apart && (!mended_.ways || gap(end) < 0.0);
     return now ? std::optional(end) : std::nullopt;

@@ -2,9 +2,10 @@
 /// \brief What the listings of the synchronised timewarp call, as printed (thesis A.1).
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/options.hpp"
+#include "tumble/base/tolerances.hpp"
+#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include <memory>
@@ -23,10 +24,10 @@ enum class TimewarpListing : std::uint8_t {
 /// Options of the timewarp as printed.
 struct TimewarpAsPrintedOptions {
   TimewarpListing listing = TimewarpListing::simple;  ///< which one
-  ErrataSet repaired;                                 ///< which errata are mended
+  TimewarpErrata repaired;                            ///< which errata are mended
   double resolution = tolerance::event_resolution;    ///< [s] how exactly times are searched for
   int cap = 1000;  ///< [-] passes of the main loop in a frame until it is given up, at least 1
-  int pair_events = ContactRule{}.pair_events;  ///< see ContactRule; used where S6 is mended
+  int pair_events = ContactRule{}.pair_events;  ///< see ContactRule; used where T6 is mended
   /// Whether collideTwoObjects bounces bodies that part, too. The listings do not say.
   bool collide_separating = false;
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
@@ -49,7 +50,7 @@ enum class CollidedObjects : std::uint8_t {
   test    ///< testObjects
 };
 
-/// The collision that the main loop is at: curCollision. One pair; if S9 is mended, all pairs that
+/// The collision that the main loop is at: curCollision. One pair; if T9 is mended, all pairs that
 /// collide within a resolution.
 struct PrintedMoment {
   double time = 0.0;             ///< [s] since the start of the frame
@@ -62,17 +63,17 @@ struct PrintedMoment {
 ///
 /// | errata | as printed                            | mended                                     |
 /// |--------|---------------------------------------|--------------------------------------------|
-/// | S4     | states count as of the frame's start  | as of their valid times                    |
-/// | S5     | overlapping test states are searched  | whose ways may meet                        |
-/// | S6     | a pair may collide for ever           | ContactStage                               |
-/// | S7     | the bracket's overlapping end is kept | the end that is apart                      |
-/// | S8     | integrateForward is an Euler step     | fly()                                      |
-/// | S9     | collisions come one by one            | those within a resolution together         |
+/// | T4     | states count as of the frame's start  | as of their valid times                    |
+/// | T5     | overlapping test states are searched  | whose ways may meet                        |
+/// | T6     | a pair may collide for ever           | ContactStage                               |
+/// | T7     | the bracket's overlapping end is kept | the end that is apart                      |
+/// | T8     | integrateForward is an Euler step     | fly()                                      |
+/// | T9     | collisions come one by one            | those within a resolution together         |
 /// | F6     | the present pair is in its group      | is not, and what is found must be earlier  |
 /// | F7     | near is whose test state is near      | whose way is, from its valid time on       |
 ///
-/// S7 says, too, what becomes of bodies that overlap when their search begins: as printed they
-/// collide there, and mended only if they go deeper. The Euler step of S8 is the semi-implicit one.
+/// T7 says, too, what becomes of bodies that overlap when their search begins: as printed they
+/// collide there, and mended only if they go deeper. The Euler step of T8 is the semi-implicit one.
 /// "Earlier" in F6 is by more than a resolution, and as printed any time will do.
 ///
 /// The other errata are in the lines of the listings themselves: see TimewarpAsPrinted.
@@ -102,7 +103,7 @@ class PrintedQueries {
 
   /// Whether lines that stamp a body are meant for this one.
   /// \param body  its index
-  /// \return S10: always; mended, if it can move
+  /// \return T10: always; mended, if it can move
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
@@ -117,7 +118,7 @@ class PrintedQueries {
 
   /// removeFirstCollision.
   /// \param heap  is not empty
-  /// \param out   gets the collision, and those that come with it (S9)
+  /// \param out   gets the collision, and those that come with it (T9)
   void remove_first_collision(CollisionHeap& heap, PrintedMoment& out) const;
 
   /// addCollisionsForObject, for one body or for several, each pair once.
@@ -142,7 +143,7 @@ class PrintedQueries {
   /// \param moment   who, and when
   void collide_two_objects(CollidedObjects objects, const PrintedMoment& moment);
 
-  /// fixInterpenetration. Also ends the frame, with the pairs in the contact stage if S6 is mended.
+  /// fixInterpenetration. Also ends the frame, with the pairs in the contact stage if T6 is mended.
   void fix_interpenetration();
 
   /// The contact points of this frame, each at the time of its collision.
@@ -152,13 +153,13 @@ class PrintedQueries {
  private:
   // Which errata of this file are mended.
   struct Mended {
-    bool valid_times = false;      // S4
-    bool ways = false;             // S5
-    bool contact_stage = false;    // S6
-    bool apart = false;            // S7
-    bool exact_flight = false;     // S8
-    bool together = false;         // S9
-    bool movable_only = false;     // S10
+    bool valid_times = false;      // T4
+    bool ways = false;             // T5
+    bool contact_stage = false;    // T6
+    bool apart = false;            // T7
+    bool exact_flight = false;     // T8
+    bool together = false;         // T9
+    bool movable_only = false;     // T10
     bool strictly_before = false;  // F6
     bool swept = false;            // F7
   };
@@ -187,7 +188,7 @@ class PrintedQueries {
   double dt_ = 0.0;         // [s]
   Observer* observer_ = nullptr;
   std::vector<BodyState> start_;  // of the frame
-  std::vector<double> zeros_;     // [s] S4: the valid times that searches believe in
+  std::vector<double> zeros_;     // [s] T4: the valid times that searches believe in
   std::vector<Bounds> bounds_;    // by index
   std::vector<IndexPair> candidates_;
   std::vector<MovingBody> moving_;  // of the bodies of a collision, before it

@@ -4,8 +4,8 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/base/errata_set.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
+#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 
 #include <memory>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-/// The thesis's two listings of a synchronised timewarp, statement by statement, with every slip of
+/// The thesis's two listings of a synchronised timewarp, statement by statement, with every misprint of
 /// the print, or without some of them.
 ///
 /// It is there to be compared with the reading as meant: a run with all errata mended but one shows
@@ -22,19 +22,19 @@ namespace tumble {
 ///
 /// | errata | as printed                                        | mended                       |
 /// |--------|---------------------------------------------------|------------------------------|
-/// | S1     | one body collides before the other one is there   | both go there first          |
-/// | S2     | two nested loops share a counter, and end at once | each has its own             |
-/// | S3     | a body is searched against an old test state      | both test states first       |
-/// | S10    | immovable bodies are stamped, and searched anew   | they are not                 |
+/// | T1     | one body collides before the other one is there   | both go there first          |
+/// | T2     | two nested loops share a counter, and end at once | each has its own             |
+/// | T3     | a body is searched against an old test state      | both test states first       |
+/// | T10    | immovable bodies are stamped, and searched anew   | they are not                 |
 /// | F1     | test states collide, and are overwritten          | the valid states do          |
 /// | F2     | valid times stay at the frame's start             | they do not                  |
 /// | F3     | neighbours are not put back                       | they are                     |
 /// | F4     | what is put back flies to the collision           | to the end of the frame      |
 /// | F5     | an earlier collision makes the present one lost   | it waits, with its states    |
 ///
-/// S2 shows only where S1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
-/// where S7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
-/// slip in a caption; mending them changes nothing. S5 and S9 are choices, too: mended they make of
+/// T2 shows only where T1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
+/// where T7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
+/// misprint in a caption; mending them changes nothing. T5 and T9 are choices, too: mended they make of
 /// the simple listing what TimewarpSwept is.
 /// \par How it ends
 /// `event_cap` if the main loop has met its cap: test states then become valid as they are.
@@ -43,7 +43,7 @@ namespace tumble {
 /// As TimewarpSimple and TimewarpSafer, but each body that has collided costs n bounds. Allocates.
 /// \algorithm{Timewarp as printed: appendix A.1}
 /// \deviation{The main loop is capped.}
-/// \verified{With all slips mended the printed timewarps tell the story of the forms as meant to the last bit}
+/// \verified{With all misprints mended the printed timewarps tell the story of the forms as meant to the last bit}
 /// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
 class TimewarpAsPrinted final : public Technique {
  public:

@@ -14,10 +14,10 @@ namespace tumble {
 // | test          | testObjects: states at the end of the frame, or of line 12   |      |
 // | current       | curCollision                                                 |      |
 // | near          | nearIndices                                                  |      |
-// | both          | how many bodies `current` has: 2, or more if S9 is mended    |      |
+// | both          | how many bodies `current` has: 2, or more if T9 is mended    |      |
 void TimewarpAsPrinted::safer(World& world, double dt) {
-  const ErrataSet& repaired = options_.repaired;
-  const bool test_states_first = repaired.has("S3");
+  const TimewarpErrata& repaired = options_.repaired;
+  const bool test_states_first = repaired.has("T3");
   const bool collides_valid = repaired.has("F1");
   const bool advances_times = repaired.has("F2");
   const bool each_neighbour = repaired.has("F3");
@@ -91,7 +91,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         index = current.indices[at(i)];
         near.erase(std::remove(near.begin(), near.end(), index), near.end());
         // [SAFERSYNCTIMEWARP:17-19]
-        if (!queries_.stamped(index)) continue;  // erratum S10 mended
+        if (!queries_.stamped(index)) continue;  // erratum T10 mended
         // [SAFERSYNCTIMEWARP:20]
         // ... and what else was foreseen for them is void.
         collision_heap_.forget(index);
@@ -130,7 +130,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         test[at(moved)] = valid[at(moved)];
         queries_.integrate_forward(test[at(moved)], moved, dt - current.time);
         // [SAFERSYNCTIMEWARP:25-28]
-        // Erratum S3: at once, while the other's test state is the old one.
+        // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
         // [SAFERSYNCTIMEWARP:29]
         // Search for what the body meets now.

@@ -11,11 +11,11 @@ namespace tumble {
 // | valid_times   | validTimes: those times, since the start of the frame        | s    |
 // | test          | testObjects: states at the end of the frame                  |      |
 // | current       | curCollision                                                 |      |
-// | both          | how many bodies it has: 2, or more if S9 is mended           |      |
+// | both          | how many bodies it has: 2, or more if T9 is mended           |      |
 void TimewarpAsPrinted::simple(World& world, double dt) {
-  const bool own_counter = options_.repaired.has("S2");
-  const bool both_first = options_.repaired.has("S1");
-  const bool test_states_first = options_.repaired.has("S3");
+  const bool own_counter = options_.repaired.has("T2");
+  const bool both_first = options_.repaired.has("T1");
+  const bool test_states_first = options_.repaired.has("T3");
   const std::span<BodyState> valid = world.states();
   std::vector<BodyState>& test = queries_.test;
   std::vector<double>& valid_times = queries_.valid_times;
@@ -45,7 +45,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
     // [SIMPLESYNCTIMEWARP:7]
     const int both = static_cast<int>(current.indices.size());
     int i = 0;
-    // Erratum S2: the inner loop counts with the i of the outer one, which
+    // Erratum T2: the inner loop counts with the i of the outer one, which
     // is over when the inner one is. Mended: each with its own.
     int own = 0;
     int& inner = own_counter ? own : i;
@@ -54,7 +54,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
     for (i = 0; i < both; ++i) {
       const int index = current.indices[at(i)];
       // [SIMPLESYNCTIMEWARP:8-9]
-      if (queries_.stamped(index)) {  // erratum S10: immovable ones, too
+      if (queries_.stamped(index)) {  // erratum T10: immovable ones, too
         // [SIMPLESYNCTIMEWARP:10-12]
         // forget what else was foreseen for it, and put it where it
         // collides.
@@ -63,7 +63,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
         valid_times[at(index)] = current.time;
         // [SIMPLESYNCTIMEWARP:10-12]
       }
-      // Erratum S1: what follows is done for each of the two, while the
+      // Erratum T1: what follows is done for each of the two, while the
       // other one is not there yet. Mended: once, when both are.
       if (both_first && i + 1 < both) continue;
       // [SIMPLESYNCTIMEWARP:13]
@@ -77,7 +77,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
         test[at(moved)] = valid[at(moved)];
         queries_.integrate_forward(test[at(moved)], moved, dt - current.time);
         // [SIMPLESYNCTIMEWARP:14-17]
-        // Erratum S3: at once, while the other's test state is the old one.
+        // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
         // [SIMPLESYNCTIMEWARP:18]
         // Search for what the body meets now.
@@ -98,7 +98,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:19-21]
   // [SIMPLESYNCTIMEWARP:22-23]
   // Move apart what overlaps; this may move what line 20 has made
-  // valid (S10).
+  // valid (T10).
   queries_.fix_interpenetration();
   return;
   // [SIMPLESYNCTIMEWARP:22-23]

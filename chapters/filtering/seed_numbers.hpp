@@ -1,0 +1,72 @@
+/// \file
+/// \brief Numbers of several random scenes: means and ratios with their intervals, as columns of a table.
+#pragma once
+
+#include "driver/statistics.hpp"
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tumble::chapters {
+
+/// A number of each seed.
+/// \param seeds   what each seed gave
+/// \param number  of one of them: a function or a member
+/// \return in the order of the seeds
+template <class Seed, class Number>
+std::vector<double> numbers_of(const std::vector<Seed>& seeds, const Number& number) {
+  std::vector<double> values;
+  for (const Seed& seed : seeds) values.push_back(static_cast<double>(std::invoke(number, seed)));
+  return values;
+}
+
+/// The mean over the seeds.
+/// \param name    of the quantity
+/// \param unit    of the quantity
+/// \param seeds   what each seed gave
+/// \param number  of one of them
+/// \return with its interval
+template <class Seed, class Number>
+Quantity mean_of(std::string name, std::string unit, const std::vector<Seed>& seeds,
+                 const Number& number) {
+  return mean_over_seeds(std::move(name), std::move(unit), numbers_of(seeds, number));
+}
+
+/// The ratio of two sums over the seeds.
+/// \param name   of the quantity
+/// \param unit   of the quantity
+/// \param above  by seed
+/// \param below  by seed, as many
+/// \return with its interval
+/// \throws std::runtime_error if the sum below is not above 0
+inline Quantity ratio_of_sums(std::string name, std::string unit, const std::vector<double>& above,
+                              const std::vector<double>& below) {
+  if (!(sum_without(below, -1) > 0.0)) throw std::runtime_error("nothing to compare: " + name);
+  return over_seeds(
+      std::move(name), std::move(unit), static_cast<int>(above.size()),
+      [&](int left_out) { return sum_without(above, left_out) / sum_without(below, left_out); });
+}
+
+/// A quantity as three cells of a row.
+/// \param quantity  over seeds
+/// \return its value and the ends of its interval
+inline std::array<double, 3> with_interval(const Quantity& quantity) {
+  return {quantity.value, quantity.low, quantity.high};
+}
+
+/// The columns of with_interval(): the name, and with "_low" and "_high".
+/// \param name     of the first
+/// \param unit     of all
+/// \param meaning  of all
+/// \param table    gets them
+inline void add_interval_columns(const std::string& name, const std::string& unit,
+                                 const std::string& meaning, Table& table) {
+  for (const char* end : {"", "_low", "_high"})
+    table.columns.push_back({name + end, unit, meaning});
+}
+
+}  // namespace tumble::chapters

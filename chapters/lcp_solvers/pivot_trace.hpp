@@ -1,0 +1,34 @@
+/// \file
+/// \brief The steps of Baraff's algorithm (thesis 3.3.1).
+#pragma once
+
+#include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
+
+#include <vector>
+
+namespace tumble::chapters {
+
+/// How a step of Baraff's algorithm ends.
+enum class StepEnd : std::uint8_t {
+  rests,    ///< the driven contact has stopped to sink: it goes to C
+  lets_go,  ///< a force of C is used up: its contact goes to NC
+  returns   ///< a contact of NC would begin to sink: it goes to C
+};
+
+/// One step, copied.
+struct TracedStep {
+  int driven = 0;                 ///< the contact whose force grew
+  int ended_by = 0;               ///< the contact that ended the step
+  StepEnd end = StepEnd::rests;   ///< how
+  std::vector<BaraffSet> during;  ///< (n) the sets while it grew
+  std::vector<double> f;          ///< [N] (n) after the step
+  std::vector<double> a;          ///< [m/s²] (n) after the step
+};
+
+/// Runs the algorithm as the thesis describes it and keeps every step.
+/// \param problem  symmetric and positive semidefinite
+/// \param result   the answer
+/// \return the steps, in their order
+std::vector<TracedStep> trace_baraff(const LcpProblem& problem, LcpResult& result);
+
+}  // namespace tumble::chapters

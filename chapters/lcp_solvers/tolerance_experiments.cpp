@@ -1,0 +1,267 @@
+/// \file
+/// \brief The tolerance of the thesis's program, and its negative forces.
+#include "tumble/base/index.hpp"
+#include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
+#include "tumble/math/elementary.hpp"
+
+#include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
+#include "driver/statistics.hpp"
+#include "lcp_solvers/redundant_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::chapters {
+namespace {
+
+// Stacks of one to four cubes, pushed about at random by up to a tenth of their weight.
+LcpProblem random_stack(Random& random) {
+  LcpProblem problem;
+  problem.factors = stack_on_corners(1 + static_cast<int>(random.below(4)));
+  std::vector<Load> loads(problem.factors.bodies.size());
+  for (Load& load : loads) {
+    load.linear_w = random.in_cube(0.1 * kGravity) - Vec3(0.0, kGravity, 0.0);
+    load.angular_w = random.in_cube(0.6 * kGravity);
+  }
+  problem.b = constant_part(problem.factors, loads);
+  multiply_out(problem.factors, problem.A);
+  return problem;
+}
+
+std::vector<LcpProblem> many(int count, LcpProblem (*make)(Random&)) {
+  Random random(1);
+  std::vector<LcpProblem> problems;
+  for (int k = 0; k < count; ++k) problems.push_back(make(random));
+  return problems;
+}
+
+// How the thesis's program ended with a tolerance.
+struct Endings {
+  std::array<double, 6> share{};  // by LcpStatus
+  double pivots = 0.0;            // on average
+  std::vector<bool> solved;
+};
+
+Endings endings(const std::vector<LcpProblem>& problems, double eps) {
+  BaraffAsPrintedSolver solver({.eps = eps});
+  LcpResult result;
+  Endings all;
+  for (const LcpProblem& problem : problems) {
+    solver.solve(problem, result);
+    const double one = 1.0 / static_cast<double>(problems.size());
+    all.share[static_cast<std::size_t>(result.status)] += one;
+    all.pivots += one * result.pivots;
+    all.solved.push_back(result.status == LcpStatus::solved);
+  }
+  return all;
+}
+
+Table endings_table(const std::string& suffix, const std::vector<LcpProblem>& problems) {
+  Table table{suffix,
+              {{"eps", "m/s²", "tolerance; 1e-17 stands for 0"},
+               {"solved", "-", "share of the problems that the loop ends"},
+               {"infeasible", "-", "a force seems to grow for ever"},
+               {"cap", "-", "not ended after 50 (n + 1) pivots"},
+               {"singular", "-", "elimination meets a column of zeros"},
+               {"pivots", "-", "on average"}}};
+  for (const double eps : {0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7,
+                           1e-6, 1e-5, 1e-4, 1e-3}) {
+    const Endings all = endings(problems, eps);
+    const auto share = [&](LcpStatus s) { return all.share[static_cast<std::size_t>(s)]; };
+    table.add(std::max(eps, 1e-17), share(LcpStatus::solved), share(LcpStatus::infeasible),
+              share(LcpStatus::cap_reached), share(LcpStatus::singular), all.pivots);
+  }
+  return table;
+}
+
+Quantity saved_by_tolerance(const char* name, const std::vector<LcpProblem>& problems) {
+  const Endings without = endings(problems, 0.0);
+  const Endings with = endings(problems, tolerance::sinking);
+  std::int64_t saved = 0;
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (!without.solved[i] && with.solved[i]) ++saved;
+  return share_of_trials(name, saved, static_cast<std::int64_t>(problems.size()));
+}
+
+// [N] The most negative force of the thesis's program before it sets negative ones to 0, over all problems
+// that it ends.
+double most_negative_force(const std::vector<LcpProblem>& problems) {
+  BaraffAsPrintedSolver leave({.clamp = false});
+  LcpResult result;
+  double least = 0.0;
+  for (const LcpProblem& problem : problems) {
+    leave.solve(problem, result);
+    if (result.status == LcpStatus::solved)
+      least = std::min(least, *std::min_element(result.f.begin(), result.f.end()));
+  }
+  return least;
+}
+
+// Cubes on corners whose loads move about slowly. Forces are worked out anew at every step, and nothing
+// is repaired: the acceleration is constant during a step, x = v dt + a dt²/2 exactly, and what is
+// wrong with the acceleration is there for ever. Angles stay so small that A does not change. Where
+// the solver does not come to an end, the library's stands in and is counted.
+class Rest {
+ public:
+  Rest(LcpSolver& solver, int cubes, double weight)
+      : solver_(solver), weight_(weight), loads_(static_cast<std::size_t>(cubes)) {
+    problem_.factors = stack_on_corners(cubes);
+    multiply_out(problem_.factors, problem_.A);
+    gap_.assign(at(4 * cubes), 0.0);
+    speed_ = gap_;
+  }
+
+  // The load of each cube goes round its middle, 0.2 m from it and once in some ten seconds.
+  void step(double time, double dt) {
+    for (std::size_t k = 0; k < loads_.size(); ++k) {
+      const double angle = 2.0 * std::numbers::pi * time / (9.0 + static_cast<double>(k));
+      const Vec3 place(0.2 * elementary::cos(angle), 0.0, 0.2 * elementary::sin(angle));
+      loads_[k].linear_w = Vec3(0.0, -weight_, 0.0);
+      loads_[k].angular_w = 6.0 * place.cross(Vec3(0.0, -weight_, 0.0));
+    }
+    problem_.b = constant_part(problem_.factors, loads_);
+    solver_.solve(problem_, result_);
+    if (result_.status != LcpStatus::solved) {
+      unsolved += 1.0;
+      baraff_.solve(problem_, result_);
+    }
+    const double sinking = -*std::min_element(result_.a.begin(), result_.a.end());
+    if (sinking > tolerance::sinking) wrong += 1.0;
+    fastest_sinking = std::max(fastest_sinking, sinking);
+    if (result_.status != LcpStatus::solved)
+      throw std::runtime_error("a stack at rest: " + std::string(name_of(result_.status)));
+    for (std::size_t i = 0; i < gap_.size(); ++i) {
+      gap_[i] += dt * speed_[i] + 0.5 * dt * dt * result_.a[i];
+      speed_[i] += dt * result_.a[i];
+      least_force = std::min(least_force, result_.f[i]);
+    }
+  }
+
+  [[nodiscard]] double depth() const {
+    return std::max(0.0, -*std::min_element(gap_.begin(), gap_.end()));
+  }
+
+  double least_force = 0.0;      // [N]
+  double unsolved = 0.0;         // steps
+  double wrong = 0.0;            // steps whose answer counts as found, though a contact sinks
+  double fastest_sinking = 0.0;  // [m/s²]
+
+ private:
+  LcpSolver& solver_;
+  BaraffSolver baraff_;
+  double weight_;  // [m/s²]
+  std::vector<Load> loads_;
+  LcpProblem problem_;
+  LcpResult result_;
+  std::vector<double> gap_;    // [m]
+  std::vector<double> speed_;  // [m/s]
+};
+
+// The slope of depth against time, both logarithmic, over the last tenfold of time; NaN without depth.
+double exponent(const Table& table, std::size_t column) {
+  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  const double end = table.rows.back()[0];
+  for (const std::vector<double>& row : table.rows) {
+    if (row[0] < 0.1 * end || !(row[column] > 0.0)) continue;
+    const double x = elementary::log(row[0]);
+    const double y = elementary::log(row[column]);
+    n += 1.0;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  if (n < 3.0) return std::numeric_limits<double>::quiet_NaN();
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+Result measure_tolerance(const Parameters& settings) {
+  const int count = settings.count("problems");
+  const std::vector<LcpProblem> stacks = many(count, random_stack);
+  const std::vector<LcpProblem> repeated = many(count, repeated_contacts);
+  return {
+      {endings_table("", stacks), endings_table("repeated", repeated)},
+      {saved_by_tolerance("problems that the loop does not end with eps = 0 and ends with eps = "
+                          "1e-5, over all problems",
+                          stacks),
+       saved_by_tolerance("the same, contacts anywhere and every third given twice", repeated),
+       {"most negative force, contacts given twice", "N", most_negative_force(repeated)}}};
+}
+
+const Registered claim_3_3_1a_tolerance_figure{
+    {.name = "claim_3_3_1a_tolerance",
+     .parameters =
+         Parameters{}.add_whole("problems", 2000, 100, 100000, "random problems of each kind"),
+     .quick = {"problems=300"},
+     .experiment = measure_tolerance}};
+
+Result measure_negative_forces(const Parameters& settings) {
+  const double duration = settings.number("duration");
+  const int cubes = settings.count("cubes");
+  constexpr double dt = 1.0 / 60.0;
+  constexpr double light = 0.9 * tolerance::sinking;
+
+  BaraffAsPrintedSolver leave({.clamp = false});
+  BaraffAsPrintedSolver zero;
+  BaraffSolver relative;
+  Rest left(leave, cubes, kGravity);
+  Rest zeroed(zero, cubes, kGravity);
+  Rest below(leave, 1, light);
+  Rest below_relative(relative, 1, light);
+  Rest stack_relative(relative, cubes, kGravity);
+  const std::array<Rest*, 5> runs = {&left, &zeroed, &below, &below_relative, &stack_relative};
+
+  Table table{"",
+              {{"time_s", "s", "time"},
+               {"left_m", "m", "stack, negative forces left: deepest corner"},
+               {"zeroed_m", "m", "stack, negative forces set to 0"},
+               {"light_m", "m", "one cube, its weight 0.9 of the tolerance"},
+               {"light_relative_m", "m", "the same, tolerance relative to the load"},
+               {"relative_m", "m", "stack, tolerance relative to the load"}}};
+  double shown = 1.0;  // [s] the next moment of the table: a twentieth of a power of ten apart
+  const auto steps = static_cast<std::int64_t>(std::floor(duration / dt + 0.5));
+  for (std::int64_t k = 0; k < steps; ++k) {
+    for (Rest* run : runs) run->step(static_cast<double>(k) * dt, dt);
+    const double time = static_cast<double>(k + 1) * dt;
+    if (time < shown && k + 1 < steps) continue;
+    std::array<double, 5> depths{};
+    std::transform(runs.begin(), runs.end(), depths.begin(),
+                   [](const Rest* run) { return run->depth(); });
+    table.add(time, depths);
+    while (shown <= time) shown *= 1.122;
+  }
+
+  return {
+      {table},
+      {{"exponent of the depth against time, negative forces being left", "-", exponent(table, 1)},
+       {"the same, a load below the tolerance", "-", exponent(table, 3)},
+       {"depth at the end, negative forces left", "m", left.depth()},
+       {"depth at the end, negative forces set to 0", "m", zeroed.depth()},
+       {"P5: depth of a load below the tolerance, at the end", "m", below.depth()},
+       {"P5: the same with a tolerance relative to the load", "m", below_relative.depth()},
+       {"depth at the end, stack, tolerance relative to the load", "m", stack_relative.depth()},
+       {"most negative force", "N", left.least_force},
+       {"steps whose answer is wrong though the loop ends, stack", "-", left.wrong},
+       {"fastest sinking in these", "m/s²", left.fastest_sinking},
+       {"steps that the loop does not end, stack", "-",
+        left.unsolved / static_cast<double>(steps)}}};
+}
+
+const Registered claim_3_3_1b_negative_forces_figure{
+    {.name = "claim_3_3_1b_negative_forces",
+     .parameters = Parameters{}
+                       .add_number("duration", 600.0, 10.0, 36000.0, "s", "length of the runs")
+                       .add_whole("cubes", 3, 1, 20, "in the stack"),
+     .quick = {"duration=60"},
+     .experiment = measure_negative_forces}};
+
+}  // namespace
+}  // namespace tumble::chapters

@@ -1,0 +1,33 @@
+/// \file
+/// \brief The pairs that have to be searched again once some bodies have collided.
+#pragma once
+
+#include "tumble/base/index.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace tumble {
+
+/// Visits each pair of one of some bodies with any other whose bounds meet its own, once.
+/// \param bodies    indices, ascending
+/// \param searched  gets an index; false: the body starts no pair
+/// \param bounds    of all bodies
+/// \param visit     gets the pair
+template <class Searched, class Visit>
+void for_each_near_pair(std::span<const int> bodies, const Searched& searched,
+                        std::span<const Bounds> bounds, const Visit& visit) {
+  for (const int body : bodies) {
+    if (!searched(body)) continue;
+    for (int other = 0; other < static_cast<int>(bounds.size()); ++other) {
+      if (other == body || !overlap(bounds[at(body)], bounds[at(other)])) continue;
+      // A pair of two of these bodies is met twice.
+      const bool again = other < body && searched(other) &&
+                         std::binary_search(bodies.begin(), bodies.end(), other);
+      if (!again) visit(IndexPair{std::min(body, other), std::max(body, other)});
+    }
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,85 @@
+/// \file
+/// \brief Painlevé's rod.
+#include "tumble/lcp_solvers/lemke.hpp"
+
+#include "analytic_lcp/painleve_rod.hpp"
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::chapters;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+TEST_CASE("Painlevé's rod has one force below a friction of 4/3, and none or two above the curve",
+          "[exact][analytic_lcp]") {
+  const auto critical = [](double degrees) { return critical_friction(degrees * kDegree); };
+  // Twelve digits were written down.
+  CHECK(critical(30.0) == Approx(2.50185116649).epsilon(1e-11));
+  CHECK(critical(45.0) == Approx(1.66666666667).epsilon(1e-11));
+  CHECK(critical(60.0) == Approx(1.34715062811).epsilon(1e-11));
+  CHECK(critical(75.0) == Approx(1.60128252576).epsilon(1e-11));
+  CHECK(critical(63.4349488229) == Approx(4.0 / 3.0).epsilon(1e-11));
+
+  const double angle = 60.0 * kDegree;
+  CHECK(push_response({angle, 1.0, 0.0}) == Approx(0.450961894323).epsilon(1e-11));
+  REQUIRE(possible_forces({angle, 1.0, 0.0}).size() == 1);
+  CHECK(possible_forces({angle, 1.0, 0.0})[0] == Approx(21.7535009576).epsilon(1e-11));
+
+  CHECK(push_response({angle, 1.5, 0.0}) == Approx(-0.198557158515).epsilon(1e-11));
+  CHECK(free_acceleration({angle, 1.5, 0.0}) == -9.81);
+  CHECK(possible_forces({angle, 1.5, 0.0}).empty());
+
+  CHECK(free_acceleration({angle, 1.5, 5.0}) == Approx(11.8406350946).epsilon(1e-11));
+  const std::vector<double> two = possible_forces({angle, 1.5, 5.0});
+  REQUIRE(two.size() == 2);
+  CHECK(two[0] == 0.0);
+  CHECK(two[1] == Approx(59.633383068).epsilon(1e-11));
+  CHECK(std::abs(free_acceleration({angle, 1.5, 3.36565183605})) < 1e-10);  // [m/s²] measured 5e-12
+}
+
+TEST_CASE("A time step of Painlevé's rod has an answer where no force exists",
+          "[exact][analytic_lcp]") {
+  const double angle = 60.0 * kDegree;
+  LemkeSolver lemke;
+  // Nine digits were written down.
+  const RodStep jams = step_rod({angle, 1.5, 0.0}, 1.0 / 60.0, lemke);
+  CHECK(jams.status == LcpStatus::solved);
+  CHECK(jams.normal_impulse == Approx(0.457603276).epsilon(2e-9));
+  CHECK(jams.friction_impulse == Approx(0.490598183).epsilon(2e-9));
+  CHECK(std::abs(jams.slip) < 1e-14);
+  CHECK(std::abs(jams.lift) < 1e-14);
+  CHECK(jams.spin == Approx(0.588206553).epsilon(2e-9));
+
+  const RodStep slides = step_rod({angle, 1.0, 0.0}, 1.0 / 60.0, lemke);
+  CHECK(slides.normal_impulse == Approx(0.362558349).epsilon(2e-9));
+  CHECK(slides.friction_impulse == Approx(0.362558349).epsilon(2e-9));
+  CHECK(slides.slip == Approx(-0.292662476).epsilon(2e-9));
+
+  // However short the step, the impulse stays: 3 sin cos / 4 and 7/16.
+  const RodStep limit = step_rod({angle, 1.5, 0.0}, 1e-12, lemke);
+  CHECK(limit.normal_impulse == Approx(3.0 * std::sqrt(3.0) / 16.0).epsilon(1e-10));
+  CHECK(limit.friction_impulse == Approx(0.4375).epsilon(1e-10));
+}
+
+TEST_CASE("The map of Painlevé's rod has its edge on the closed form, and every step is solved",
+          "[claims][analytic_lcp]") {
+  const FigureUnderTest figure("painleve_map");
+  // Half a cell of 3/30: measured 0.049.
+  CHECK(figure.number("largest distance of the map's edge from the closed form") < 0.05);
+  CHECK(figure.number("steps tried") == 224.0);
+  CHECK(figure.number("of these, the end lifts off") == 0.0);
+  // Rods that a step leaves sliding are all below the curve.
+  int beyond = 0;
+  for (const std::vector<double>& row : figure.result.tables.front().rows)
+    if (row[2] == 1.0 && row[1] > critical_friction(row[0] * kDegree)) ++beyond;
+  CHECK(beyond == 0);
+}

@@ -1,0 +1,42 @@
+/// \file
+/// \brief Bodies and contacts without geometry, for tests of islands.
+#pragma once
+
+#include "tumble/contact/contact.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tumble::test {
+
+/// One body for each letter.
+/// \param letters  f: fixed; any other one: movable
+/// \return as many
+inline std::vector<BodyProperties> bodies_from(std::string_view letters) {
+  std::vector<BodyProperties> bodies;
+  for (const char letter : letters)
+    bodies.push_back(letter == 'f' ? fixed_box_properties(Vec3::Ones())
+                                   : box_properties(Vec3::Ones(), 1.0));
+  return bodies;
+}
+
+/// A contact of two bodies, wherever it is.
+/// \param first   index of a body
+/// \param second  index of the other one
+/// \return without points
+inline Contact touching(int first, int second) {
+  Contact contact;
+  contact.first = first;
+  contact.second = second;
+  return contact;
+}
+
+/// Numbers that can be compared.
+/// \param numbers  some
+/// \return a copy
+inline std::vector<int> list(std::span<const int> numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace tumble::test

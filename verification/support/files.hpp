@@ -1,0 +1,50 @@
+/// \file
+/// \brief Files and folders of tests.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace tumble::test {
+
+/// Reads a whole file.
+/// \param path the file
+/// \return its bytes; empty if there is none
+inline std::string content(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+/// Reads the lines of a file.
+/// \param path the file
+/// \return them without their ends
+inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A folder of its own for a test: not there at its start, and gone at its end.
+struct Folder {
+  /// Makes sure that it is not there.
+  /// \param name no other test's
+  explicit Folder(const std::string& name)
+      : path(std::filesystem::temp_directory_path() / ("tumble_test_" + name)) {
+    std::filesystem::remove_all(path);
+  }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  /// Names the folder.
+  /// \return as the command line takes it
+  [[nodiscard]] std::string text() const { return path.string(); }
+  std::filesystem::path path;  ///< where it is
+};
+
+}  // namespace tumble::test

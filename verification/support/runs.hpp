@@ -1,0 +1,66 @@
+/// \file
+/// \brief Small worlds of cubes, their steps and their speeds, for tests of techniques.
+#pragma once
+
+#include "tumble/dynamics/technique.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tumble::test {
+
+/// Does steps of one length.
+/// \param world      in and out
+/// \param technique  steps it
+/// \param steps      how many
+/// \param dt         [s] of each
+/// \return how many of them did not end as done
+inline int run(World& world, Technique& technique, int steps, double dt = 1.0 / 60.0) {
+  int failed = 0;
+  for (int k = 0; k < steps; ++k)
+    if (technique.step(world, dt).status != StepStatus::done) ++failed;
+  return failed;
+}
+
+/// The largest speed in a world.
+/// \param world the bodies
+/// \return [m/s] of a centre, or [rad/s] of a spin
+inline double fastest(const World& world) {
+  double speed = 0.0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    speed = std::max({speed, velocity(world.bodies()[k], world.states()[k]).norm(),
+                      angular_velocity(world.bodies()[k], world.states()[k]).norm()});
+  return speed;
+}
+
+/// Cubes of 1 m and 1 kg on top of each other on the ground.
+/// \param count        how many
+/// \param friction     [-] of all, the ground too
+/// \param restitution  [-] ditto
+/// \return at rest
+inline World stack_of(int count, double friction = 0.5, double restitution = 0.0) {
+  World world;
+  world.add_ground(friction, restitution);
+  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, friction, restitution);
+  for (int k = 0; k < count; ++k) world.add(cube, make_state(cube, Vec3(0.0, k + 0.5, 0.0)));
+  return world;
+}
+
+/// A flat box on a plane that is tilted by an angle, seen from a camera that is tilted with it:
+/// gravity has a part along x. A sliding box of this shape stays flat.
+/// \param degrees   of the tilt
+/// \param friction  [-] of box and plane
+/// \param speed     [m/s] downhill
+/// \return the two
+inline World tilted_plane(double degrees, double friction, double speed = 0.0) {
+  World world;
+  world.add_ground(friction);
+  const double angle = degrees * std::numbers::pi / 180.0;
+  world.gravity_w = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
+  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+  return world;
+}
+
+}  // namespace tumble::test

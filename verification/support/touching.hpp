@@ -1,0 +1,97 @@
+/// \file
+/// \brief Bodies that touch, and their contacts, for tests of what comes after geometry.
+#pragma once
+
+#include "tumble/contact/gather.hpp"
+
+#include <vector>
+
+namespace tumble::test {
+
+/// All pairs of bodies.
+/// \param world the bodies
+/// \return by index, sorted
+inline std::vector<IndexPair> all_pairs(const World& world) {
+  std::vector<IndexPair> pairs;
+  for (int a = 0; a < world.count(); ++a)
+    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
+  return pairs;
+}
+
+/// The contacts of all pairs of bodies.
+/// \param world   the bodies
+/// \param margin  [m] surfaces up to this far apart count as touching
+/// \return as gather_contacts() finds them
+inline ContactList contacts_within(const World& world, double margin) {
+  std::vector<MovingBody> moving;
+  load_moving_bodies(world, moving);
+  ContactList contacts;
+  gather_contacts(world, moving, all_pairs(world), margin, {}, contacts);
+  return contacts;
+}
+
+/// A contact of one point, put down by hand.
+/// \param first       index of a body
+/// \param second      index of the other one
+/// \param position_w  [m]
+/// \param normal_w    [-] from the first to the second
+/// \param friction    [-]
+/// \return it
+inline Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w,
+                          double friction = 0.0) {
+  Contact contact;
+  contact.first = first;
+  contact.second = second;
+  contact.normal_w = normal_w;
+  contact.friction = friction;
+  contact.count = 1;
+  contact.points[0].position_w = position_w;
+  return contact;
+}
+
+/// Boxes at rest that touch.
+struct Pile {
+  World world;           ///< the bodies
+  ContactList contacts;  ///< where they touch; empty: not gathered yet
+  double margin = 1e-9;  ///< [m] surfaces up to this far apart count as touching
+
+  /// Adds a movable box.
+  /// \param position_w      [m]
+  /// \param size            [m] full edges
+  /// \param mass            [kg]
+  /// \param friction        [-]
+  /// \param orientation_wb  [-]
+  /// \return its index
+  int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0,
+          double friction = 0.0, const Quat& orientation_wb = Quat::Identity()) {
+    return put(box_properties(size, mass, friction), position_w, orientation_wb);
+  }
+
+  /// Adds an immovable box.
+  /// \param position_w      [m]
+  /// \param size            [m] full edges
+  /// \param friction        [-]
+  /// \param orientation_wb  [-]
+  /// \return its index
+  int add_fixed(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double friction = 0.0,
+                const Quat& orientation_wb = Quat::Identity()) {
+    return put(fixed_box_properties(size, friction), position_w, orientation_wb);
+  }
+
+  /// Adds a body; what was gathered is forgotten.
+  /// \param body            its constant part
+  /// \param position_w      [m]
+  /// \param orientation_wb  [-]
+  /// \return its index
+  int put(const BodyProperties& body, const Vec3& position_w,
+          const Quat& orientation_wb = Quat::Identity()) {
+    world.add(body, make_state(body, position_w, orientation_wb));
+    contacts.clear();
+    return world.count() - 1;
+  }
+
+  /// Finds the contacts.
+  void gather() { contacts = contacts_within(world, margin); }
+};
+
+}  // namespace tumble::test
