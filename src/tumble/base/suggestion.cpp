@@ -2,7 +2,6 @@
 /// \brief Distance between words.
 #include "tumble/base/suggestion.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <vector>
