@@ -45,20 +45,38 @@ class OptionDeclarer {
   explicit OptionDeclarer(Parameters& parameters) : parameters_(parameters) {}
 
   /// A number.
+  /// \param key      as typed by a user
+  /// \param field    its place in the struct
+  /// \param low      smallest value accepted
+  /// \param high     largest value accepted
+  /// \param unit     "-" without one
+  /// \param meaning  one line
   void number(std::string_view key, double field, double low, double high, std::string_view unit,
               std::string_view meaning) {
     parameters_.add_number(std::string(key), field, low, high, std::string(unit),
                            std::string(meaning));
   }
   /// A whole number.
+  /// \param key      as typed by a user
+  /// \param field    its place in the struct
+  /// \param low      smallest value accepted
+  /// \param high     largest value accepted
+  /// \param meaning  one line
   void whole(std::string_view key, int field, int low, int high, std::string_view meaning) {
     parameters_.add_whole(std::string(key), field, low, high, std::string(meaning));
   }
   /// A switch.
+  /// \param key      as typed by a user
+  /// \param field    its place in the struct
+  /// \param meaning  one line
   void flag(std::string_view key, bool field, std::string_view meaning) {
     parameters_.add_flag(std::string(key), field, std::string(meaning));
   }
-  /// A choice of words; the default comes first, the others in the order given.
+  /// A choice of words.
+  /// \param key      as typed by a user
+  /// \param field    its place in the struct
+  /// \param words    the choices; the list for users begins with the default
+  /// \param meaning  one line
   template <class Value>
   void word(std::string_view key, const Value& field, const Words<Value>& words,
             std::string_view meaning) {
@@ -70,6 +88,9 @@ class OptionDeclarer {
     parameters_.add_word(std::string(key), std::move(choices), std::string(meaning));
   }
   /// A text.
+  /// \param key      as typed by a user
+  /// \param field    its place in the struct
+  /// \param meaning  one line
   void text(std::string_view key, const std::string& field, std::string_view meaning) {
     parameters_.add_text(std::string(key), field, std::string(meaning));
   }
@@ -78,24 +99,21 @@ class OptionDeclarer {
   Parameters& parameters_;
 };
 
-/// Reads options from Parameters, which have checked them.
+/// Reads options from Parameters, which have checked them; with the functions of OptionDeclarer.
 class OptionReader {
  public:
   /// \param parameters  as an OptionDeclarer made them, with values changed
   explicit OptionReader(const Parameters& parameters) : parameters_(parameters) {}
 
-  /// A number.
+  /// \cond the same functions as those of OptionDeclarer
   void number(std::string_view key, double& field, double, double, std::string_view,
               std::string_view) {
     field = parameters_.number(key);
   }
-  /// A whole number.
   void whole(std::string_view key, int& field, int, int, std::string_view) {
     field = parameters_.count(key);
   }
-  /// A switch.
   void flag(std::string_view key, bool& field, std::string_view) { field = parameters_.flag(key); }
-  /// A choice of words.
   template <class Value>
   void word(std::string_view key, Value& field, const Words<Value>& words, std::string_view) {
     const auto chosen = std::find_if(words.begin(), words.end(), [&](const Word<Value>& word) {
@@ -103,10 +121,11 @@ class OptionReader {
     });
     field = chosen->value;  // Parameters accepts no other word
   }
-  /// A text.
   void text(std::string_view key, std::string& field, std::string_view) {
     field = parameters_.text(key);
   }
+
+  /// \endcond
 
  private:
   const Parameters& parameters_;
