@@ -33,7 +33,7 @@ class Series : public RunObserver {
 
 struct Outcome {
   std::string technique;
-  std::string end;  // as the tables tell it
+  std::string end;  // as in the tables
   RunResult result;
   double wall = 0.0;  // [s]
 };
@@ -107,8 +107,8 @@ Outcome run_one(const Request& request, ResolvedRequest& resolved, double limit,
   try {
     ProgressLine progress(out.technique, request.run.duration, request.quiet);
     const std::array<RunObserver*, 2> observers = {&recorder, &progress};
-    out.result = run_scene(resolved.scene, *resolved.technique, request.run, observers,
-                           [&] { return stop_signal() != 0 || passed() > limit; });
+    out.result = run(resolved.simulation, request.run, observers,
+                     [&] { return stop_signal() != 0 || passed() > limit; });
     out.end = name_of(out.result.end);
     if (out.result.end == RunEnd::interrupted && stop_signal() == 0) out.end = "time_limit";
   } catch (const std::invalid_argument& error) {
@@ -146,7 +146,7 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
                                 (std::filesystem::path(request.scene).stem().string() + "-compare")
                           : std::filesystem::path(request.out);
   const OutputFolder folder(path, kFiles.front(), kFiles);
-  write_file(path / "scene.toml", to_toml(resolved.front().scene));
+  write_file(path / "scene.toml", to_toml(resolved.front().simulation.scene()));
   if (names.size() == 1)
     std::fprintf(stderr, "note: one technique only (%s), so there is nothing to compare it with\n",
                  names.front().c_str());

@@ -10,7 +10,10 @@
 
 #include "request.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace tumble::app {
 namespace {
@@ -31,6 +34,21 @@ std::string range_of(const Parameter& p) {
   return words;
 }
 
+constexpr std::size_t kRangeWidth = 30;
+constexpr std::size_t kMeaningWidth = 60;
+
+// A text in lines of at most so many characters where it can be broken behind a separator.
+std::vector<std::string> wrapped(const std::string& text, char separator, std::size_t most) {
+  std::vector<std::string> lines = {""};
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size() - 1) + 1;
+    if (!lines.back().empty() && lines.back().size() + end - begin > most) lines.emplace_back();
+    lines.back().append(text, begin, end - begin);
+    begin = end;
+  }
+  return lines;
+}
+
 void print_settings(const Parameters& settings) {
   if (settings.all().empty()) std::printf("  (no settings)\n");
   std::size_t key = 3;
@@ -39,16 +57,31 @@ void print_settings(const Parameters& settings) {
   for (const Parameter& p : settings.all()) {
     key = std::max(key, p.key.size());
     value = std::max(value, p.value.size());
-    range = std::max(range, range_of(p).size());
+    for (const std::string& line : wrapped(range_of(p), '|', kRangeWidth))
+      range = std::max(range, line.size());
   }
   const auto row = [&](const std::string& k, const std::string& v, const std::string& u,
                        const std::string& r, const std::string& m) {
-    std::printf("  %-*s  %-*s  %-6s  %-*s  %s\n", static_cast<int>(key), k.c_str(),
-                static_cast<int>(value), v.c_str(), u.c_str(), static_cast<int>(range), r.c_str(),
-                m.c_str());
+    std::string line;
+    const auto column = [&](const std::string& text, std::size_t width) {
+      line.append("  ").append(text).append(std::max(width, text.size()) - text.size(), ' ');
+    };
+    column(k, key);
+    column(v, value);
+    column(u, 4);
+    column(r, range);
+    column(m, 0);
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::printf("%s\n", line.c_str());
   };
   row("key", "default", "unit", "range", "meaning");
-  for (const Parameter& p : settings.all()) row(p.key, p.value, p.unit, range_of(p), p.meaning);
+  for (const Parameter& p : settings.all()) {
+    const std::vector<std::string> ranges = wrapped(range_of(p), '|', kRangeWidth);
+    const std::vector<std::string> meanings = wrapped(p.meaning, ' ', kMeaningWidth);
+    for (std::size_t k = 0; k < std::max(ranges.size(), meanings.size()); ++k)
+      row(k == 0 ? p.key : "", k == 0 ? p.value : "", k == 0 ? p.unit : "",
+          k < ranges.size() ? ranges[k] : "", k < meanings.size() ? meanings[k] : "");
+  }
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace {
 volatile std::sig_atomic_t g_signal = 0;
 volatile std::sig_atomic_t g_asked = 0;  // how often
 
-// Who asks a third time does not want to wait for the step to end. The second time may be the first
-// one again: timeout(1) signals its child, and then the group that the child is in.
+// A third signal kills, without waiting for the step to end. The second may be the first one again:
+// timeout(1) signals its child, and then the group of the child.
 extern "C" void remember_signal(int number) {
   g_signal = number;
   g_asked = g_asked + 1;
@@ -45,7 +45,7 @@ void catch_stop_signals() {
 
 int run(const Request& request) {
   ResolvedRequest r = resolve(request);
-  RunFiles files(r.folder, r.description, r.scene);
+  RunFiles files(r.folder, r.description, r.simulation.scene());
   RunResult result;
   try {
     TimingFile timing(r.folder);
@@ -54,14 +54,13 @@ int run(const Request& request) {
     ProgressLine progress(r.description.scene + ", " + r.description.technique,
                           request.run.duration, request.quiet);
     const std::array<RunObserver*, 3> observers = {&timing, &files, &progress};
-    result =
-        run_scene(r.scene, *r.technique, request.run, observers, [] { return stop_signal() != 0; });
+    result = tumble::run(r.simulation, request.run, observers, [] { return stop_signal() != 0; });
     timing.finish();
     files.finish(result);
     if (const std::string why = files.filter_refusal(); !why.empty())
       std::fprintf(stderr, "trajectory_filtered.csv has only the frames before a bad one: %s\n",
                    why.c_str());
-    for (const Diagnostic& diagnostic : r.technique->diagnostics()) {
+    for (const Diagnostic& diagnostic : r.simulation.technique().diagnostics()) {
       files.write_diagnostic(diagnostic);
       std::fprintf(stderr, "see %s: %s\n", (r.folder / diagnostic.file).c_str(),
                    std::string(diagnostic.comment).c_str());

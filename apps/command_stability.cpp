@@ -1,5 +1,5 @@
 /// \file
-/// \brief `tumble stability`: who of a scene stands firm at its start, why, and what moves if not.
+/// \brief `tumble stability`: stable boxes at the start of a scene, the reasons, and the motion of the others.
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
@@ -23,7 +23,7 @@ namespace tumble::app {
 namespace {
 
 constexpr std::array<std::string_view, 4> kRules = {"corners", "hull", "load_proof", "equilibrium"};
-constexpr std::size_t kMostMoving = 10;  // of who begins to move, so many are told
+constexpr std::size_t kMostMoving = 10;  // printed of the boxes that begin to move
 
 // A body's line of the table.
 struct Line {
@@ -72,7 +72,7 @@ class Levels {
     std::vector<char> ignored;
     geometric_.run(world, start.contacts, thesis, tolerance::resting_speed, ignored);
     towers_.run(world, start.contacts, by_thesis_);
-    // Who is at rest in balance is no matter: that keeps the rest small.
+    // Boxes that rest in balance are left out, which keeps the problem small.
     balance_.solve(world, {.contacts = start.contacts, .loads = {}, .held = at_rest_});
   }
 
@@ -102,14 +102,15 @@ class Levels {
     return towers_.states()[at(body)] == TowerState::carried ? "tower" : "balance";
   }
   [[nodiscard]] static std::string own_reason(const std::string& level) {
-    if (level == "load_proof") return "whatever is put on it is carried, maybe by neighbours too";
-    if (level == "tower") return "its weight and its load are over what is below";
+    if (level == "load_proof") return "it carries any load, neighbours may help";
+    if (level == "tower") return "its weight and its load are above its supports";
     return "contact forces balance the weights";
   }
   [[nodiscard]] std::string loose_reason(int body) const {
     if (start_of(start_.world, balance_, body) > 0.0) return "begins to move, see below";
-    if (balance_.balanced()[at(body)] == 0) return "belongs to a group of which some begin to move";
-    return "moves, or touches somebody who does";
+    if (balance_.balanced()[at(body)] == 0)
+      return "belongs to a group in which some boxes begin to move";
+    return "moves, or touches a box that moves";
   }
 
   const Start& start_;
@@ -142,7 +143,7 @@ void print_vector(const Vec3& v) {
   for (const double value : v) std::printf(" %9.4f", std::abs(value) < 5e-5 ? 0.0 : value);
 }
 
-// Who begins to move, the fastest first; what is equal in six digits in the order of the scene.
+// The boxes that begin to move, the fastest first; equal in six digits: in the order of the scene.
 void print_motion(const Start& start, const Levels& levels, int width) {
   const World& world = start.world;
   const StaticEquilibrium& balance = levels.balance();
@@ -163,10 +164,10 @@ void print_motion(const Start& start, const Levels& levels, int width) {
               rough.solve(world, task).balanced
                   ? "; with friction there are forces that balance them"
                   : ", nor with it");
-  std::printf("what begins to move, from rest and without friction:\n");
+  std::printf("initial accelerations, from rest and without friction:\n");
   std::printf("%-*s   acceleration x y z [m/s2]       turning x y z [rad/s2]\n", width, "box");
-  const std::size_t told = std::min(list.size(), kMostMoving);
-  for (std::size_t k = 0; k < told; ++k) {
+  const std::size_t shown = std::min(list.size(), kMostMoving);
+  for (std::size_t k = 0; k < shown; ++k) {
     const int body = list[k].second;
     std::printf("%-*s ", width, world.name(body).c_str());
     print_vector(balance.motion()[at(body)].linear_w);
@@ -174,7 +175,7 @@ void print_motion(const Start& start, const Levels& levels, int width) {
     print_vector(balance.motion()[at(body)].angular_w);
     std::printf("\n");
   }
-  if (list.size() > told) std::printf("and %zu more\n", list.size() - told);
+  if (list.size() > shown) std::printf("and %zu more\n", list.size() - shown);
 }
 
 }  // namespace

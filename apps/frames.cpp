@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who is seen, and in which colour.
+/// \brief The boxes in view and their colours.
 #include "frames.hpp"
 
 #include "tumble/pictures/world_picture.hpp"
@@ -39,7 +39,7 @@ bool stands_in_front(const RecordedRun& run, const RecordedFrame& frame, const B
   return false;
 }
 
-// All boxes that there ever are: their colours do not depend on who is there.
+// All boxes that there ever are: colours do not depend on which are present.
 std::vector<PictureBox> coloured(const Scene& scene) {
   World world;
   for (const SceneBox& box : scene.boxes) {

@@ -20,11 +20,11 @@ namespace {
 
 using tumble::app::Request;
 
-// The name of a sub-command is the first word; what is said about it tells which are known.
+// The first word is a sub-command; the message about an unknown one lists these.
 constexpr std::array<std::string_view, 8> kCommands = {
     "run", "compare", "render", "lcp", "scenes", "stability", "techniques", "filters"};
 
-// What a user has typed that is no number is told with what would be one.
+// A word that is no number is refused with the expected form.
 CLI::Validator number() {
   return CLI::Validator(
       [](std::string& text) {
@@ -45,25 +45,25 @@ CLI::Validator whole(std::uint64_t most) {
       "");
 }
 
-// What `run` alone has.
+// The options of `run` alone.
 void add_recording_options(CLI::App& run, Request& request) {
-  run.add_option("--technique", request.technique, "how to simulate (tumble techniques)");
+  run.add_option("--technique", request.technique, "technique (list: tumble techniques)");
   run.add_option("--halvings", request.halvings,
-                 "halve a step up to N times where bodies are fast, overlap or chatter")
+                 "halve a step up to N times if bodies are fast, overlap or chatter")
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
-  run.add_option("--every", request.run.every, "record the trajectory every N steps")
+  run.add_option("--every", request.run.every, "steps from one recorded frame to the next")
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
-  run.add_flag("--contacts", request.contacts, "write contacts.csv too");
+  run.add_flag("--contacts", request.contacts, "write contacts.csv as well");
   run.add_option("--filter", request.filter,
-                 "write trajectory_filtered.csv too, as a filter shows the run (tumble filters), "
-                 "for example box:5");
+                 "write trajectory_filtered.csv as well, through a filter, for example box:5 "
+                 "(list: tumble filters)");
 }
 
 // The options that `run` and `compare` share.
 void add_run_options(CLI::App& command, Request& request) {
-  command.add_option("scene", request.scene, "a built-in scene (tumble scenes) or a .toml file")
+  command.add_option("scene", request.scene, "built-in scene (list: tumble scenes) or .toml file")
       ->required();
   command.add_option("--dt", request.run.dt, "time step [s]")
       ->check(number())
@@ -71,46 +71,49 @@ void add_run_options(CLI::App& command, Request& request) {
   command.add_option("--duration", request.run.duration, "simulated time [s]")
       ->check(number())
       ->capture_default_str();
-  command.add_option("--seed", request.run.seed, "of everything random")
+  command.add_option("--seed", request.run.seed, "random seed")
       ->check(whole(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command
       .add_option("--set", request.settings,
-                  "key=value, scene.key=value or technique.key=value; may be repeated")
+                  "change a setting: key=value, scene.key=value or technique.key=value; repeatable")
       ->allow_extra_args(false);
-  command.add_option("--out", request.out, "folder for the files");
-  command.add_flag("--quiet", request.quiet, "no progress line, no summary");
+  command.add_option("--out", request.out, "output folder");
+  command.add_flag("--quiet", request.quiet, "no progress line and no summary");
 }
 
 void add_render_options(CLI::App& command, tumble::app::RenderRequest& request) {
-  command.add_option("folder", request.folder, "of a run")->required();
+  command.add_option("folder", request.folder, "folder of a recorded run")->required();
   command
-      .add_option("--as", request.form,
-                  "svg or png: a picture; gif or mp4: a film; gltf: a scene that moves")
+      .add_option(
+          "--as", request.form,
+          "format: svg or png for a picture, gif or mp4 for a film, gltf for an animated scene")
       ->required();
-  command
-      .add_option("--at", request.at, "picture: time of the frame [s]; the last one if not given")
+  command.add_option("--at", request.at, "picture: time of the frame [s]; default: the last one")
       ->expected(1)
       ->check(number());
-  command.add_option("--strip", request.strip, "picture: times of several frames, with commas [s]")
+  command
+      .add_option("--strip", request.strip,
+                  "picture: times of several frames, separated by commas [s]")
       ->delimiter(',')
       ->check(number());
-  command.add_flag("--filtered", request.filtered, "as the filter of the run showed it");
-  command.add_option("--view", request.view, "direction from the boxes to the eye, X,Y,Z")
+  command.add_flag("--filtered", request.filtered, "draw the filtered trajectory of the run");
+  command.add_option("--view", request.view, "direction from the boxes to the camera, X,Y,Z")
       ->delimiter(',')
       ->check(number());
-  command.add_option("--from", request.from, "film, gltf: begins at this time [s]")
-      ->check(number());
-  command.add_option("--to", request.to, "film, gltf: ends at this time [s]")->check(number());
+  command.add_option("--from", request.from, "film, gltf: start time [s]")->check(number());
+  command.add_option("--to", request.to, "film, gltf: end time [s]")->check(number());
   command
       .add_option("--fps", request.rate,
-                  "film, gltf: frames per second; 25, and for gltf those of the run if not given")
+                  "film, gltf: frames per second; default: 25, for gltf those of the run")
       ->check(number());
   command
       .add_option("--speed", request.speed,
-                  "film, gltf: 1 if not given; 0.25 is four times slower than the run")
+                  "film, gltf: speed; default: 1; 0.25 is four times slower than the run")
       ->check(number());
-  command.add_option("--width", request.width, "film: in pixels; 480 for gif, 960 for mp4")
+  command
+      .add_option("--width", request.width,
+                  "film: width in pixels; default: 480 for gif, 960 for mp4")
       ->check(whole(std::numeric_limits<int>::max()));
 }
 
@@ -125,10 +128,10 @@ void print_mistake(const CLI::ParseError& error, int argc, char** argv) {
         "unknown command " + std::string(first) + ": " + tumble::expected_names(first, kCommands);
   std::replace(message.begin(), message.end(), '\n', ' ');
   const std::string help = known ? "tumble " + std::string(first) + " --help" : "tumble --help";
-  std::fprintf(stderr, "tumble: %s (%s tells more)\n", message.c_str(), help.c_str());
+  std::fprintf(stderr, "tumble: %s (more: %s)\n", message.c_str(), help.c_str());
 }
 
-// What was printed may not have arrived: the disk behind > can be full.
+// The output may not have arrived: the disk behind > can be full.
 int printed(int code) {
   const bool good = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (good || code != tumble::app::kDone) return code;
@@ -144,7 +147,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   Request request;
-  CLI::App* run = app.add_subcommand("run", "simulate a scene and write what happened");
+  CLI::App* run = app.add_subcommand("run", "simulate a scene and record it");
   add_run_options(*run, request);
   add_recording_options(*run, request);
 
@@ -152,51 +155,53 @@ int main(int argc, char** argv) {
   std::vector<std::string> techniques;
   double limit = 60.0;
   add_run_options(*compare, request);
-  compare->add_option("--techniques", techniques, "names, separated by commas; none: all")
+  compare->add_option("--techniques", techniques, "names, separated by commas; default: all")
       ->delimiter(',');
   compare->add_option("--limit", limit, "wall-clock limit of each technique [s]")
       ->check(number())
       ->capture_default_str();
 
   tumble::app::RenderRequest picture;
-  CLI::App* render =
-      app.add_subcommand("render", "draw a run that was recorded, as pictures or as a film");
+  CLI::App* render = app.add_subcommand(
+      "render", "draw a recorded run as pictures, as a film or as an animated scene");
   add_render_options(*render, picture);
 
   tumble::app::LcpRequest problem;
   bool list_solvers = false;
   CLI::App* lcp = app.add_subcommand("lcp", "solve f >= 0, a = A f + b >= 0, f'a = 0 from files");
-  lcp->add_option("--matrix", problem.matrix, "A, a Matrix Market file");
-  lcp->add_option("--vector", problem.vector, "b, one with a single column");
-  lcp->add_option("--solver", problem.solver, "see --list")->capture_default_str();
+  lcp->add_option("--matrix", problem.matrix, "A: a Matrix Market file");
+  lcp->add_option("--vector", problem.vector, "b: a Matrix Market file with one column");
+  lcp->add_option("--solver", problem.solver, "solver (list: --list)")->capture_default_str();
   lcp->add_flag("--list", list_solvers, "list the solvers");
 
   std::string rule = "equilibrium";
-  CLI::App* stability =
-      app.add_subcommand("stability", "tell who stands firm at the start of a scene, and why");
-  stability->add_option("scene", request.scene, "a built-in scene or a .toml file")->required();
-  stability->add_option("--rule", rule, "corners, hull, load_proof or equilibrium")
+  CLI::App* stability = app.add_subcommand(
+      "stability", "report which boxes are stable at the start of a scene, and why");
+  stability->add_option("scene", request.scene, "built-in scene or .toml file")->required();
+  stability->add_option("--rule", rule, "rule: corners, hull, load_proof or equilibrium")
       ->capture_default_str();
-  stability->add_option("--set", request.settings, "key=value")->allow_extra_args(false);
-  stability->add_option("--seed", request.run.seed, "of everything random")
+  stability->add_option("--set", request.settings, "change a setting: key=value")
+      ->allow_extra_args(false);
+  stability->add_option("--seed", request.run.seed, "random seed")
       ->check(whole(std::numeric_limits<std::uint64_t>::max()));
 
   std::string name;
   bool as_toml = false;
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or describe one");
-  scenes->add_option("name", name, "a scene");
+  scenes->add_option("name", name, "scene to describe");
   scenes->add_flag("--toml", as_toml, "print it as a scene file");
-  scenes->add_option("--set", request.settings, "key=value")->allow_extra_args(false);
-  scenes->add_option("--seed", request.run.seed, "of everything random")
+  scenes->add_option("--set", request.settings, "change a setting: key=value")
+      ->allow_extra_args(false);
+  scenes->add_option("--seed", request.run.seed, "random seed")
       ->check(whole(std::numeric_limits<std::uint64_t>::max()));
   CLI::App* list = app.add_subcommand("techniques", "list the techniques, or describe one");
-  list->add_option("name", name, "a technique");
-  CLI::App* filters = app.add_subcommand("filters", "list the filters of what is shown of a run");
+  list->add_option("name", name, "technique to describe");
+  CLI::App* filters = app.add_subcommand("filters", "list the filters for recorded runs");
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    app.exit(help);  // prints what was asked for
+    app.exit(help);  // prints the help
     return printed(tumble::app::kDone);
   } catch (const CLI::ParseError& error) {
     print_mistake(error, argc, argv);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Which frames a film has, and how it gets into its file.
+/// \brief The frames of a film, and writing it.
 #include "moving.hpp"
 
 #include "tumble/base/error.hpp"
@@ -44,7 +44,7 @@ Range range_of(const RenderRequest& request, const RecordedRun& run) {
                                   " s: run it for longer, or draw it with --as svg");
   // As with --at, half a frame outside is the first or the last one: a run of 5 s ends with rounding.
   const auto recorded = [&](double time) {
-    static_cast<void>(nearest_frame(run, time));  // refuses what is farther outside
+    static_cast<void>(nearest_frame(run, time));  // refuses times farther outside
     return std::clamp(time, first, last);
   };
   const Range range{recorded(request.from.value_or(first)), recorded(request.to.value_or(last))};
@@ -80,7 +80,7 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
   return frames;
 }
 
-// One line on a terminal that tells how far the film is, and nothing elsewhere.
+// One progress line on a terminal, and nothing elsewhere.
 class FilmLine {
  public:
   explicit FilmLine(std::size_t frames) : frames_(frames), shown_(isatty(STDERR_FILENO) != 0) {}
@@ -89,7 +89,7 @@ class FilmLine {
   }
   FilmLine(const FilmLine&) = delete;
   FilmLine& operator=(const FilmLine&) = delete;
-  void tell(int frame) const {
+  void show(int frame) const {
     if (shown_) std::fprintf(stderr, "\r\x1b[Kframe %d of %zu", frame + 1, frames_);
   }
 
@@ -122,7 +122,7 @@ void write_film(const RenderRequest& request, const RecordedRun& run,
   const FilmLine line(frames.size());
   const auto paint = [&](int frame) {
     if (stop_signal() != 0) throw CannotWrite("tumble: interrupted");
-    line.tell(frame);
+    line.show(frame);
     return painter.painted(frame);
   };
   if (gif) {

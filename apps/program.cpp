@@ -20,7 +20,7 @@ namespace {
   throw CannotWrite("tumble: cannot start " + program + ": " + std::strerror(errno));
 }
 
-// Writes all of it; false if nobody reads any more.
+// Writes all of it; false if the reader has ended.
 bool write_all(int pipe, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(pipe, bytes.data(), bytes.size());
@@ -40,7 +40,7 @@ int run_program(const std::vector<std::string>& words, const std::filesystem::pa
   arguments.push_back(nullptr);
   std::array<int, 2> ends{-1, -1};  // of the pipe: for reading, for writing
   if (feed && pipe2(ends.data(), O_CLOEXEC) != 0) fail(words[0]);
-  // Who writes to a program that has ended is told so by write().
+  // For a program that has ended, write() fails.
   const auto before = feed ? std::signal(SIGPIPE, SIG_IGN) : SIG_DFL;
   const pid_t child = fork();
   if (child == 0) {

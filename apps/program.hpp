@@ -10,10 +10,10 @@
 
 namespace tumble::app {
 
-/// The exit code of a program that there is not, as a shell tells it.
+/// The exit code of a program that does not exist, as in a shell.
 inline constexpr int kNoProgram = 127;
 
-/// What a program reads: hands on some bytes, and tells whether they were taken.
+/// Input of a program: hands on some bytes, and returns whether they were taken.
 using Feeder = std::function<bool(std::string_view bytes)>;
 
 /// Runs a program and waits for its end. No shell reads the words, so none needs quotes.

@@ -9,7 +9,7 @@
 
 namespace tumble::app {
 
-/// One line on a terminal that tells how far a run is; nothing where there is no terminal.
+/// The progress of a run in one line of a terminal; nothing without a terminal.
 class ProgressLine : public RunObserver {
  public:
   /// Prepares the line.
@@ -40,7 +40,7 @@ class TimingFile : public RunObserver {
   void on_begin(const World& world) override;
   void on_step(const World& world, const Technique& technique, const StepReport& report,
                const Metrics& metrics) override;
-  /// Writes what is left.
+  /// Writes the rest.
   void finish() { table_.flush(); }
 
  private:

@@ -13,14 +13,20 @@
 namespace tumble::app {
 namespace {
 
-// A built-in name is one wherever it is typed, even beside a file that is called so.
-bool is_file_name(const std::string& scene) {
+// The recipe of a built-in scene, nullptr for a file. A built-in name is one even beside a file of this name.
+const SceneRecipe* recipe_of(const std::string& scene) {
   const std::filesystem::path path(scene);
-  if (path.extension() == ".toml" || path.has_parent_path()) return true;
+  if (path.extension() == ".toml" || path.has_parent_path()) return nullptr;
   for (const SceneRecipe& recipe : scene_library())
-    if (recipe.name == scene) return false;
+    if (recipe.name == scene) return &recipe;
   std::error_code failed;
-  return std::filesystem::exists(path, failed);
+  return std::filesystem::exists(path, failed) ? nullptr : &scene_recipe(scene);  // which throws
+}
+
+// Not checked yet.
+Scene made(const Request& request, const SceneRecipe* recipe, const Parameters& settings) {
+  if (recipe == nullptr) return read_scene(request.scene);
+  return recipe->build(settings, Random(request.run.seed));
 }
 
 void apply_one(const std::string& setting, Parameters& scene, Parameters& technique) {
@@ -53,19 +59,16 @@ void apply(const std::vector<std::string>& settings, Parameters& scene, Paramete
 }
 
 Scene resolve_scene(const Request& request) {
-  const bool from_file = is_file_name(request.scene);
-  Parameters settings;
+  const SceneRecipe* recipe = recipe_of(request.scene);
+  Parameters settings = recipe != nullptr ? recipe->parameters() : Parameters();
   Parameters no_technique;
-  if (!from_file) settings = scene_recipe(request.scene).parameters();
   apply(request.settings, settings, no_technique);
-  if (from_file) return read_scene(request.scene);
-  return checked(scene_recipe(request.scene).build(settings, Random(request.run.seed)));
+  return made(request, recipe, settings);
 }
 
 ResolvedRequest resolve(const Request& request) {
   require_valid(request.run);
-  ResolvedRequest out;
-  RunDescription& d = out.description;
+  RunDescription d;
   d.scene = request.scene;
   d.technique = request.technique.empty() ? std::string(kDefaultTechnique) : request.technique;
   d.run = request.run;
@@ -74,23 +77,21 @@ ResolvedRequest resolve(const Request& request) {
   d.halvings = request.halvings;
   const TechniqueRecipe& technique = technique_recipe(d.technique);
   d.technique_settings = technique.options();
-  const bool from_file = is_file_name(request.scene);
-  if (!from_file) d.scene_settings = scene_recipe(request.scene).parameters();
+  const SceneRecipe* recipe = recipe_of(request.scene);
+  if (recipe != nullptr) d.scene_settings = recipe->parameters();
   apply(request.settings, d.scene_settings, d.technique_settings);
-  out.scene =
-      from_file
-          ? read_scene(request.scene)
-          : checked(scene_recipe(request.scene).build(d.scene_settings, Random(request.run.seed)));
-  out.technique = technique.make(d.technique_settings, request.run.seed);
+  Scene scene = made(request, recipe, d.scene_settings);
+  std::unique_ptr<Technique> stepper = technique.make(d.technique_settings, request.run.seed);
   if (d.halvings > 0)
-    out.technique = std::make_unique<AdaptiveStep>(std::move(out.technique),
-                                                   AdaptiveStepOptions{.halvings = d.halvings});
-  d.ignored = out.technique->ignores(build_world(out.scene));
+    stepper = std::make_unique<AdaptiveStep>(std::move(stepper),
+                                             AdaptiveStepOptions{.halvings = d.halvings});
+  Simulation simulation(std::move(scene), std::move(stepper));
+  d.ignored = simulation.technique().ignores(simulation.world());
   const std::string scene_name = std::filesystem::path(request.scene).stem().string();
-  out.folder = request.out.empty()
-                   ? std::filesystem::path("runs") / (scene_name + "-" + d.technique)
-                   : std::filesystem::path(request.out);
-  return out;
+  std::filesystem::path folder =
+      request.out.empty() ? std::filesystem::path("runs") / (scene_name + "-" + d.technique)
+                          : std::filesystem::path(request.out);
+  return {std::move(simulation), std::move(d), std::move(folder)};
 }
 
 }  // namespace tumble::app

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a user asked for on the command line, resolved.
+/// \brief Requests of the command line, as typed and resolved.
 #pragma once
 
 #include "tumble/record/run_files.hpp"
@@ -10,19 +10,19 @@
 #include <string>
 #include <vector>
 
-/// The command `tumble`: what is behind its sub-commands.
+/// The command `tumble`: its sub-commands.
 namespace tumble::app {
 
 /// Exit codes of every command.
 enum ExitCode : int {
-  kDone = 0,          ///< all went well
+  kDone = 0,          ///< success
   kOurMistake = 1,    ///< an assumption of the program was wrong
   kBadInput = 2,      ///< the user's mistake; nothing was run
   kMathematical = 3,  ///< event cap, no solution, not finite
   kCannotWrite = 4    ///< disk full, no permission, no program to draw with
 };
 
-/// A scene, a technique and their settings, as typed.
+/// A scene, a technique and their settings, as typed by a user.
 struct Request {
   std::string scene;                  ///< a built-in name or a TOML file
   std::string technique;              ///< a name; empty: the default
@@ -37,10 +37,9 @@ struct Request {
 
 /// The same, looked up and checked.
 struct ResolvedRequest {
-  Scene scene;                           ///< checked
-  std::unique_ptr<Technique> technique;  ///< with its options
-  RunDescription description;            ///< for the files
-  std::filesystem::path folder;          ///< where the files go
+  Simulation simulation;         ///< at its start
+  RunDescription description;    ///< for the files
+  std::filesystem::path folder;  ///< of the files
 };
 
 /// Changes settings as `--set` asks for: "scene.rows=13", "technique.impacts=sequential", or a bare
@@ -60,7 +59,7 @@ ResolvedRequest resolve(const Request& request);
 
 /// Looks up the scene alone, for commands that run nothing.
 /// \param request what was typed: scene, settings, seed
-/// \return the scene, checked
+/// \return the scene, not checked yet
 /// \throws std::invalid_argument for an unknown scene or key, or a value out of range
 Scene resolve_scene(const Request& request);
 
@@ -141,7 +140,8 @@ int list_filters();
 /// \return 0 while there was none
 int stop_signal();
 
-/// Lets SIGINT and SIGTERM end a run at the next step instead of killing it (the third one kills); and lets a limit on file sizes be told like a full disk.
+/// Lets SIGINT and SIGTERM end a run at the next step instead of killing it (the third one kills); a limit on file
+/// sizes is reported like a full disk.
 void catch_stop_signals();
 
 }  // namespace tumble::app

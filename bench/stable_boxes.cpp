@@ -62,9 +62,15 @@ double median(std::vector<double> times) {
   return times[times.size() / 2];
 }
 
-void measure(const Pile& pile, const char* solver, const char* rule) {
+constexpr tumble::Word<tumble::StableRule> kRules[] = {
+    {"off", tumble::StableRule::off},
+    {"corners", tumble::StableRule::corners},
+    {"hull", tumble::StableRule::hull},
+    {"equilibrium", tumble::StableRule::equilibrium}};
+
+void measure(const Pile& pile, const char* solver, const tumble::Word<tumble::StableRule>& rule) {
   const tumble::ContactForceOptions options{
-      .solver = solver, .friction = false, .stable_boxes = tumble::stable_rule_from(rule)};
+      .solver = solver, .friction = false, .stable_boxes = rule.value};
   std::vector<double> searched;
   std::vector<double> remembered;
   double sum = 0.0;
@@ -76,7 +82,8 @@ void measure(const Pile& pile, const char* solver, const char* rule) {
     sum += searched.back() + remembered.back();
   }
   std::printf("  %-20s %-12s %5d boxes left out %6d unknowns %10.3f ms %10.3f ms remembered\n",
-              solver, rule, report.stable, report.unknowns, median(searched), median(remembered));
+              solver, rule.word.data(), report.stable, report.unknowns, median(searched),
+              median(remembered));
 }
 
 }  // namespace
@@ -91,8 +98,7 @@ int main(int argc, char** argv) {
     const Pile pile = pyramid(rows);
     std::printf("\n%d rows, %d boxes\n", rows, pile.world.count() - 1);
     for (const char* solver : {"augmented_lagrangian", "baraff"})
-      for (const char* rule : {"off", "corners", "hull", "equilibrium"})
-        measure(pile, solver, rule);
+      for (const auto& rule : kRules) measure(pile, solver, rule);
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What there is to choose from, for the page's lists.
+/// \brief The lists of the page: scenes, techniques and their settings.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tumble;
 
-// In most techniques the heaps take minutes at their full size, natively too.
+// In most techniques large scenes take minutes at full size, natively too.
 struct Size {
   std::string_view scene;
   std::vector<std::pair<std::string_view, std::string_view>> settings;
@@ -32,18 +32,18 @@ const std::vector<Size> kSmaller = {
     {"fig6_7", {{"per_edge", "2"}}},
 };
 
-// The scene's settings; the size is told as KEY=VALUE,KEY=VALUE or "-".
-Parameters settings_of(const SceneRecipe& scene, bool full, std::string& told) {
+// The scene's settings; `text` becomes KEY=VALUE,KEY=VALUE or "-".
+Parameters settings_of(const SceneRecipe& scene, bool full, std::string& text) {
   Parameters settings = scene.parameters();
-  told.clear();
+  text.clear();
   for (const Size& size : kSmaller) {
     if (full || size.scene != scene.name) continue;
     for (const auto& [key, value] : size.settings) {
       settings.set(key, value);
-      told.append(told.empty() ? "" : ",").append(key).append("=").append(value);
+      text.append(text.empty() ? "" : ",").append(key).append("=").append(value);
     }
   }
-  if (told.empty()) told.append("-");
+  if (text.empty()) text.append("-");
   return settings;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief A run with boxes thrown in and taken away, and what is drawn of it.
+/// \brief A simulation with boxes thrown in and taken away, and the numbers that are drawn.
 #include "session.hpp"
 
 #include "tumble/analytic_lcp/touch.hpp"
@@ -31,7 +31,7 @@ void append(const BodyState& state, std::vector<double>& out) {
   out.insert(out.end(), {q.x(), q.y(), q.z(), q.w()});
 }
 
-// Calls see(name, value) for each number that a session tells.
+// Calls see(name, value) for each number of a session.
 template <class See>
 void each_number(const World& world, const StepReport& report, const Metrics& metrics,
                  const See& see) {
@@ -58,7 +58,7 @@ void each_number(const World& world, const StepReport& report, const Metrics& me
   see("fallbacks", report.fallbacks);
 }
 
-// Who touches in a record, by index; nothing if one was taken away since.
+// The two bodies of a record, by index; nothing if one was taken away since.
 template <class Record>
 std::optional<IndexPair> bodies_of(const World& world, const Record& record) {
   const auto first = world.find(record.first);
@@ -67,15 +67,15 @@ std::optional<IndexPair> bodies_of(const World& world, const Record& record) {
   return IndexPair{*first, *second};
 }
 
-// Pairs of bodies that push each other, as the points of the last step tell.
+// Pairs of bodies that push each other, from the contact points of the last step.
 std::vector<PushedPair> pushed_pairs(const World& world, std::span<const ContactRecord> records) {
   std::vector<PushedPair> pairs;
   double sum = 0.0;  // of the normal pushes of the pair that is being added up
   for (const ContactRecord& record : records) {
-    const auto who = bodies_of(world, record);
+    const auto pair = bodies_of(world, record);
     const double push = record.push_w.dot(record.normal_w);
-    if (!who || !(push > 0.0)) continue;
-    const auto [first, second] = *who;
+    if (!pair || !(push > 0.0)) continue;
+    const auto [first, second] = *pair;
     if (pairs.empty() || pairs.back().first != first || pairs.back().second != second) {
       pairs.push_back({first, second, Vec3::Zero(), record.normal_w, PushedState::unknown});
       sum = 0.0;
@@ -95,13 +95,13 @@ void Session::EventList::on_event(const Event& event) {
 
 Session::Session(std::string_view request) : Session(make_setup(request)) {}
 
-Session::Session(Setup setup)
-    : technique_(std::move(setup.technique)), run_(std::move(setup.scene), *technique_) {
-  technique_->observe(&events_);
+Session::Session(Setup setup) : run_(std::move(setup.scene), std::move(setup.technique)) {
+  run_.observe(meter_);
+  run_.observe(events_);
 }
 
 StepStatus Session::step(double dt) {
-  run_.settle();  // so that who comes in now has a pose before the step
+  run_.settle();  // so that a box that enters now has a pose before the step
   const World& world = run_.world();
   ids_before_.assign(world.ids().begin(), world.ids().end());
   states_before_.assign(world.states().begin(), world.states().end());
@@ -135,7 +135,7 @@ void Session::look(unsigned wanted) {
   if ((wanted & kLookContacts) != 0) look_at_contacts();
   events_.log.clear();
   numbers_.clear();
-  each_number(run_.world(), report_, run_.metrics(), [&](std::string_view, auto value) {
+  each_number(run_.world(), report_, meter_.metrics(), [&](std::string_view, auto value) {
     numbers_.push_back(static_cast<double>(value));
   });
 }
@@ -169,7 +169,7 @@ void Session::look_at_bodies(unsigned wanted) {
     bodies_.push_back(static_cast<double>(number_of(id)));
     append(world.states()[i], bodies_);
     append(body.size, bodies_);
-    // Who was not there before the step has come in since.
+    // A body that was not there before the step has entered since.
     const auto before = std::lower_bound(ids_before_.begin(), ids_before_.end(), id);
     const bool was = before != ids_before_.end() && *before == id;
     const auto place = static_cast<std::size_t>(before - ids_before_.begin());
@@ -188,16 +188,16 @@ void Session::look_at_bodies(unsigned wanted) {
 void Session::look_at_contacts() {
   const World& world = run_.world();
   const auto add = [&](const auto& record, const Vec3& push_w, bool is_impulse, double state) {
-    const auto who = bodies_of(world, record);
-    if (!who) return;
-    contacts_.insert(contacts_.end(), {record.time, static_cast<double>(who->first),
-                                       static_cast<double>(who->second)});
+    const auto pair = bodies_of(world, record);
+    if (!pair) return;
+    contacts_.insert(contacts_.end(), {record.time, static_cast<double>(pair->first),
+                                       static_cast<double>(pair->second)});
     append(record.point_w, contacts_);
     append(record.normal_w, contacts_);
     append(push_w, contacts_);
     contacts_.insert(contacts_.end(), {is_impulse ? 1.0 : 0.0, state});
   };
-  for (const ContactRecord& c : technique_->contacts())
+  for (const ContactRecord& c : run_.technique().contacts())
     add(c, c.push_w, c.is_impulse, static_cast<double>(c.state));
   for (const Event& e : events_.log) add(e, e.impulse_w, true, 3.0);
 }
@@ -216,8 +216,8 @@ void Session::find_stable(bool balanced) {
 void Session::find_islands() {
   const World& world = run_.world();
   std::vector<IndexPair> pairs;
-  for (const ContactRecord& record : technique_->contacts())
-    if (const auto who = bodies_of(world, record)) pairs.push_back(*who);
+  for (const ContactRecord& record : run_.technique().contacts())
+    if (const auto pair = bodies_of(world, record)) pairs.push_back(*pair);
   Islands islands;
   islands.build_from_pairs(world.bodies(), pairs);
   for (int b = 0; b < world.count(); ++b) island_of_[at(b)] = islands.island_of(b);
@@ -228,7 +228,7 @@ void Session::find_pivots() {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
   PivotUpdate carried;
-  carried.find(world.bodies(), moving, pushed_pairs(world, technique_->contacts()));
+  carried.find(world.bodies(), moving, pushed_pairs(world, run_.technique().contacts()));
   for (const int b : carried.bodies())
     if (const auto arm_w = carried.arm_w(b))
       pivots_w_[at(b)] = world.states()[at(b)].position_w - *arm_w;

@@ -1,9 +1,9 @@
 /// \file
-/// \brief One simulation that a person plays with: opened by a text, stepped, thrown at, looked at.
+/// \brief One interactive simulation: opened by a text request, stepped, changed by throws, and drawn.
 #pragma once
 
-#include "tumble/record/overlap.hpp"
-#include "tumble/record/scene_run.hpp"
+#include "tumble/record/metrics.hpp"
+#include "tumble/scenes/simulation.hpp"
 
 #include <memory>
 #include <string>
@@ -19,7 +19,7 @@ struct Setup {
   std::unique_ptr<Technique> technique;  ///< with no step done
 };
 
-/// Makes what a request asks for.
+/// Reads a request.
 ///
 /// A request is a text of lines, in any order:
 /// - `scene NAME` or, as the last line, `toml` followed by a scene file;
@@ -31,14 +31,14 @@ struct Setup {
 /// \throws std::invalid_argument saying which word is wrong and what would be right
 Setup make_setup(std::string_view request);
 
-/// What is to be found out for a look besides poses. Bits.
+/// Parts of a look besides poses. Bits.
 enum Look : unsigned {
   kLookContacts = 1U,   ///< contact points
-  kLookStable = 2U,     ///< who is geometrically stable, by the hull of its supports (thesis 5.4)
-  kLookIslands = 4U,    ///< who touches whom, directly or over others
-  kLookOverlap = 8U,    ///< how deep each body is in another
+  kLookStable = 2U,     ///< geometrically stable boxes, by the hull of their supports (thesis 5.4)
+  kLookIslands = 4U,    ///< islands: bodies that touch, directly or over others
+  kLookOverlap = 8U,    ///< depth of each body in another
   kLookPivots = 16U,    ///< the points about which bodies turn (thesis 6.2)
-  kLookBalanced = 32U,  ///< who is stable by balance too; instead of kLookStable
+  kLookBalanced = 32U,  ///< boxes stable by static equilibrium too; in place of kLookStable
 };
 
 /// Numbers of one body in a look: id, position now (3), orientation now (x y z w), size (3), position
@@ -48,7 +48,7 @@ inline constexpr int kBodyNumbers = 24;
 /// the second (3), whether that is an impulse, and ContactState (3: a collision).
 inline constexpr int kContactNumbers = 14;
 
-/// What a body is, in a look. Bits.
+/// Kinds of bodies in a look. Bits.
 enum Kind : unsigned {
   kFixed = 1U,   ///< immovable
   kAsleep = 2U,  ///< sleeps
@@ -56,7 +56,7 @@ enum Kind : unsigned {
   kThrown = 8U,  ///< was thrown in
 };
 
-/// A run with what the page draws of it.
+/// A simulation with the numbers that the page draws.
 class Session {
  public:
   /// Most boxes that can be thrown in: each stays until the session ends.
@@ -76,13 +76,13 @@ class Session {
   StepStatus step(double dt);
 
   /// Throws a box; called thrown1, thrown2, ..., whatever is free in the scene.
-  /// \param box as SceneRun::throw_in() takes it
+  /// \param box as Simulation::throw_in() takes it
   /// \throws std::invalid_argument as that, and after kMostThrown boxes
   void throw_in(SceneBox box);
 
   /// Takes a box away.
   /// \param id of a body
-  /// \throws std::invalid_argument as SceneRun::take_away()
+  /// \throws std::invalid_argument as Simulation::take_away()
   void take_away(BodyId id);
 
   /// Fills bodies(), contacts() and numbers().
@@ -99,17 +99,20 @@ class Session {
   /// In the order of number_names().
   /// \return as of the last look()
   [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
-  /// What the numbers are called.
+  /// Names of the numbers.
   /// \return one for each of numbers()
   static const std::vector<std::string_view>& number_names();
 
-  /// The run.
+  /// The simulation.
   /// \return its world and scene
-  [[nodiscard]] const SceneRun& run() const { return run_; }
-  /// What the technique leaves out.
+  [[nodiscard]] const Simulation& run() const { return run_; }
+  /// Energies, overlap and chatter.
+  /// \return after the last step
+  [[nodiscard]] const Metrics& metrics() const { return meter_.metrics(); }
+  /// Parts of the physics that the technique leaves out.
   /// \return words such as "friction"
   [[nodiscard]] std::vector<std::string> ignored() const {
-    return technique_->ignores(run_.world());
+    return run_.technique().ignores(run_.world());
   }
 
  private:
@@ -126,8 +129,8 @@ class Session {
   void find_stable(bool balanced);
   void find_islands();
 
-  std::unique_ptr<Technique> technique_;
-  SceneRun run_;
+  Simulation run_;
+  MetricsMeter meter_;
   EventList events_;
   StepReport report_;
   std::vector<BodyId> ids_before_;  // of the last step

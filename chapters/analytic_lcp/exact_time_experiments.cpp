@@ -65,7 +65,7 @@ struct Cost {
 Cost run(const std::string& name, int cubes, double step, const Parameters& settings) {
   const double restitution = settings.number("restitution");
   World world = cubes_in_a_row(cubes, restitution);
-  const auto technique = technique_with(name, {});
+  const auto technique = make_technique(name, {});
   const auto looks = static_cast<int>(std::lround(settings.number("duration") / kLook));
   const auto steps_a_look = static_cast<int>(std::lround(kLook / step));
   Cost cost{step};

@@ -100,7 +100,7 @@ Result measure_joined(const Parameters& settings) {
   World world = five_things();
   const World start = world;
   const auto technique =
-      technique_with("analytic", {"sticky=" + full_text(kStickSpeed / std::sqrt(kGravity)),
+      make_technique("analytic", {"sticky=" + full_text(kStickSpeed / std::sqrt(kGravity)),
                                   "friction=coulomb", "resolution=1e-9"});
   Watcher watcher(world);
   technique->observe(&watcher);

@@ -66,7 +66,7 @@ struct Fall {
 };
 
 Fall drop(World world, double threshold) {
-  const auto technique = technique_with("analytic", {"sticky=" + full_text(threshold)});
+  const auto technique = make_technique("analytic", {"sticky=" + full_text(threshold)});
   // It counts as off the ground above a thousandth of its edge for at least one frame.
   constexpr double off = 1e-3 * kEdge;
   Fall fall;

@@ -52,7 +52,7 @@ RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double
   settings.duration = duration;
   After observer(after);
   const std::array<RunObserver*, 1> observers = {&observer};
-  return run_scene(scene, *technique_with(played.name, played.settings), settings, observers);
+  return run_scene(scene, *make_technique(played.name, played.settings), settings, observers);
 }
 
 std::string number_name(const std::string& technique, const std::string& what) {

@@ -73,17 +73,17 @@ std::span<const ComparedScene> compared_scenes() {
 TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& played, double rate,
                             const std::vector<std::string>& settings) {
   PlayedScene run(scene_with(scene.name, settings), played);
-  const World start = run.world;
+  const World start = run.world();
   const std::vector<Joint> joints = find_joints(start, tolerance::glue_margin);
   const auto steps = static_cast<int>(std::lround(scene.time * rate));
   TechniqueGaps found;
   for (int k = 0; k < steps; ++k) {
-    const StepReport report = run.technique->step(run.world, 1.0 / rate);
+    const StepReport report = run.technique().step(run.world(), 1.0 / rate);
     if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
       throw std::runtime_error("a step of " + played.name + " failed");
     if (report.status == StepStatus::event_cap) ++found.capped;
     for (const Joint& joint : joints) {
-      const JointGap gap = gap_of(joint, run.world.states());
+      const JointGap gap = gap_of(joint, run.world().states());
       found.opening = std::max(found.opening, gap.opening);
       found.overlap = std::max(found.overlap, gap.overlap);
       // Of the three scenes the larger box is the one that is immovable.
@@ -92,7 +92,7 @@ TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& p
       way = std::max(way, gap.apart);
     }
   }
-  found.angle_error = angle_error(scene, start, run.world, steps / rate);
+  found.angle_error = angle_error(scene, start, run.world(), steps / rate);
   return found;
 }
 

@@ -40,7 +40,7 @@ struct Sides {
 SteppedSeed settle_seed(const Parameters& settings, int seed, const AdaptiveStepOptions& options) {
   const auto chance = static_cast<std::uint64_t>(seed);
   SteppedRun run = settle_in_steps(clump_scene(settings.count("per_edge"), chance),
-                                   technique_with("damped", {}, chance), options,
+                                   make_technique("damped", {}, chance), options,
                                    settings.number("settling"), settings.number("watched"));
   return {measure_resting(run.run), run.substeps, run.work};
 }

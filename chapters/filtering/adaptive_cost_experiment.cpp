@@ -29,7 +29,7 @@ struct Outcome {
 using Make = std::function<std::unique_ptr<Technique>(std::uint64_t seed)>;
 
 Make damped_set_to(const std::vector<std::string>& settings) {
-  return [=](std::uint64_t seed) { return technique_with("damped", settings, seed); };
+  return [=](std::uint64_t seed) { return make_technique("damped", settings, seed); };
 }
 
 // With pushes of another size.

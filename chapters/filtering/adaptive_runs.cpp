@@ -49,10 +49,9 @@ AdaptiveStepOptions fixed_steps(int halvings) {
 
 SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique> technique,
                            const AdaptiveStepOptions& options, double settling, double watched) {
-  PlayedScene played(scene, {"damped", {}});
   auto divided = std::make_unique<AdaptiveStep>(std::move(technique), options);
   const AdaptiveStep& steps = *divided;
-  played.technique = std::move(divided);
+  PlayedScene played(scene, std::move(divided));
   SteppedRun out;
   out.run = record_run(
       played, settling, watched,
@@ -107,7 +106,7 @@ double share_through(double speed, int throws, const AdaptiveStepOptions& option
     const double distance = 0.5 + speed * kStep * (k + 0.5) / throws;  // [m] of the centres
     const BodyId id = world.add(
         cube, make_state(cube, Vec3(-distance, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-    AdaptiveStep technique(technique_with("damped", {}, 1), options);
+    AdaptiveStep technique(make_technique("damped", {}, 1), options);
     // Until it would be half a metre behind it, and some frames.
     const double end = (distance + 0.5) / speed + 4.0 * kStep;
     while (world.time() < end) technique.step(world, kStep);

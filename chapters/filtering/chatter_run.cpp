@@ -41,9 +41,9 @@ double ChatterRun::acceleration() const { return largest(resting, &BodyChatter::
 ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double settling,
                       double watched, std::uint64_t seed) {
   PlayedScene now(scene, played, seed);
-  const std::vector<BodyState> start(now.world.states().begin(), now.world.states().end());
+  const std::vector<BodyState> start(now.world().states().begin(), now.world().states().end());
   ChatterRun run;
-  for (const BodyProperties& body : now.world.bodies())
+  for (const BodyProperties& body : now.world().bodies())
     if (body.movable()) ++run.bodies;
   const auto first = std::lround(settling / kStep);
   const auto half_seconds = std::lround(watched / kStep) / (ChatterMeter::kWindow - 1);
@@ -51,8 +51,8 @@ ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double 
   OverlapMeter near;
   ChatterMeter meter;
   const auto look = [&] {
-    near.look(now.world.bodies(), now.world.states());
-    meter.add(now.world, near.in_contact());
+    near.look(now.world().bodies(), now.world().states());
+    meter.add(now.world(), near.in_contact());
   };
   try {
     for (run.steps = 0; run.steps < last;) {
@@ -64,7 +64,7 @@ ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double 
       run.last_collisions += report.events;
       look();
       if ((run.steps - first) % (ChatterMeter::kWindow - 1) != 0) continue;
-      const std::vector<BodyChatter> each = meter.each(now.world.gravity_w.norm());
+      const std::vector<BodyChatter> each = meter.each(now.world().gravity_w.norm());
       run.resting =
           run.steps - first < ChatterMeter::kWindow ? each : resting_in_both(run.resting, each);
     }
@@ -79,7 +79,7 @@ ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, double 
   }
   for (std::size_t k = 0; k < start.size(); ++k)
     run.displaced =
-        std::max(run.displaced, (now.world.states()[k].position_w - start[k].position_w).norm());
+        std::max(run.displaced, (now.world().states()[k].position_w - start[k].position_w).norm());
   return run;
 }
 

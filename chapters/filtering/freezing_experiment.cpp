@@ -64,8 +64,8 @@ SleepRun play(const Parameters& settings, std::uint64_t seed, const PlayedTechni
   std::vector<char> touches;
   SleepRun run;
   played.advance(settling + settings.number("watched"), [&](const StepReport& report) {
-    const World& world = played.world;
-    mark_contacts(world, played.technique->contacts(), touches);
+    const World& world = played.world();
+    mark_contacts(world, played.technique().contacts(), touches);
     Look look;
     double movable = 0.0;
     for (std::size_t k = 0; k < world.states().size(); ++k) {

@@ -100,8 +100,9 @@ Trajectory fall(double height, double duration) {
   Trajectory run;
   const auto record = [&] {
     const std::size_t cube = scene.index("cube");
-    run.record(Frame{scene.world.time(), scene.world.steps(), scene.world.ids().subspan(cube, 1),
-                     scene.world.states().subspan(cube, 1)});
+    run.record(Frame{scene.world().time(), scene.world().steps(),
+                     scene.world().ids().subspan(cube, 1),
+                     scene.world().states().subspan(cube, 1)});
   };
   record();
   scene.advance(duration, [&](const StepReport&) { record(); });

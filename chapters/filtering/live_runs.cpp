@@ -76,17 +76,17 @@ LiveRun play_live(PlayedScene& played, const std::vector<std::unique_ptr<PoseFil
                   double duration, double removal) {
   LiveRun run;
   std::vector<FilteringObserver> viewers;
-  for (const auto& filter : filters) viewers.emplace_back(played.world, *filter);
-  run.computed.record(played.world);
+  for (const auto& filter : filters) viewers.emplace_back(played.world(), *filter);
+  run.computed.record(played.world());
   run.held_back.assign(filters.size(), 0);
   played.advance(duration, [&](const StepReport& report) {
-    if (played.world.time() > removal) {
-      remove_one(played.world);
+    if (played.world().time() > removal) {
+      remove_one(played.world());
       removal = std::numeric_limits<double>::infinity();
     }
-    run.computed.record(played.world);
+    run.computed.record(played.world());
     for (std::size_t k = 0; k < viewers.size(); ++k) {
-      viewers[k].on_step(played.world, report);
+      viewers[k].on_step(played.world(), report);
       run.held_back[k] =
           std::max(run.held_back[k], run.computed.count() - viewers[k].shown().count());
     }

@@ -30,8 +30,8 @@ SettledRun record_run(PlayedScene& played, double settling, double watched,
                       const std::function<void(const StepReport&)>& after) {
   SettledRun run;
   const auto record = [&] {
-    run.frames.record(played.world);
-    touches(played.world, run.touches.emplace_back());
+    run.frames.record(played.world());
+    touches(played.world(), run.touches.emplace_back());
   };
   record();
   played.advance(settling + watched, [&](const StepReport& report) {
@@ -39,7 +39,7 @@ SettledRun record_run(PlayedScene& played, double settling, double watched,
     if (after) after(report);
   });
   run.first = static_cast<int>(std::lround(settling / kStep));
-  run.world = played.world;
+  run.world = played.world();
   return run;
 }
 
@@ -47,7 +47,7 @@ SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, doubl
                         double watched, std::uint64_t seed) {
   PlayedScene now(scene, played, seed);
   return record_run(now, settling, watched, [&](const World& world, std::vector<char>& touches) {
-    mark_contacts(world, now.technique->contacts(), touches);
+    mark_contacts(world, now.technique().contacts(), touches);
   });
 }
 

@@ -159,7 +159,7 @@ BalanceWork work_of(const RestingPile& structure) {
 bool stays(const RestingPile& scene, std::string_view technique,
            const std::vector<std::string>& settings, double seconds) {
   constexpr double moved = 0.01;  // [m]
-  const std::unique_ptr<Technique> runs = technique_with(technique, settings);
+  const std::unique_ptr<Technique> runs = make_technique(technique, settings);
   World world = scene.world;
   while (world.time() < seconds - 0.5 * kStep) {
     const StepReport report = runs->step(world, kStep);

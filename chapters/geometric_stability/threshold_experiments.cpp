@@ -213,8 +213,8 @@ Result measure_weakly_stable(const Parameters& settings) {
   World damped = wedged(friction);
   World analytic = damped;
   const auto fallen = [](const World& world) { return 3.0 - world.states()[2].position_w.y(); };
-  const std::unique_ptr<Technique> first = technique_with("contact_damped", {});
-  const std::unique_ptr<Technique> second = technique_with("analytic", {});
+  const std::unique_ptr<Technique> first = make_technique("contact_damped", {});
+  const std::unique_ptr<Technique> second = make_technique("analytic", {});
   while (damped.time() < settings.number("duration") + 0.5 * kStep) {
     const double t = damped.time();
     falls.add(t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t);

@@ -32,9 +32,9 @@ std::uint32_t colour_of(double amplitude) {
 }
 
 void watch(const PlayedScene& played, ChatterMeter& meter) {
-  const World& world = played.world;
+  const World& world = played.world();
   std::vector<char> touches(static_cast<std::size_t>(world.count()), 0);
-  for (const ContactRecord& contact : played.technique->contacts())
+  for (const ContactRecord& contact : played.technique().contacts())
     for (const BodyId id : {contact.first, contact.second})
       touches[static_cast<std::size_t>(world.index_of(id))] = 1;
   meter.add(world, touches);
@@ -59,17 +59,17 @@ Result measure_clump_settles(const Parameters& settings) {
   PlayedScene played(scene_with("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge")),
                                            setting("speed", settings.number("speed"))}),
                      {"damped"});
-  std::vector<std::vector<PictureBox>> frames = {picture_boxes(played.world)};
-  const double from_axis = distance_to_axis(played.world);
+  std::vector<std::vector<PictureBox>> frames = {picture_boxes(played.world())};
+  const double from_axis = distance_to_axis(played.world());
   ChatterMeter meter;
   std::vector<FilmFrame> film = {{0.0, frames.front()}};
   played.advance(duration, [&](const StepReport&) {
-    const double time = played.world.time();
+    const double time = played.world().time();
     if (time > duration - 0.6) watch(played, meter);
     const double next = film.back().time + 1.0 / kFilmRate - 0.5 * kStep;
-    if (time > next && time < kFilmEnds) film.push_back({time, picture_boxes(played.world)});
+    if (time > next && time < kFilmEnds) film.push_back({time, picture_boxes(played.world())});
   });
-  frames.push_back(picture_boxes(played.world));
+  frames.push_back(picture_boxes(played.world()));
 
   constexpr std::uint32_t moving = 0x8a8a8a;  // does not rest, so chatter does not apply
   Table table{"",
@@ -81,11 +81,11 @@ Result measure_clump_settles(const Parameters& settings) {
   std::vector<double> amplitudes;
   double travelling = 0.0;
   std::size_t drawn = 0;
-  const std::vector<BodyChatter> resting = meter.each(played.world.gravity_w.norm());
+  const std::vector<BodyChatter> resting = meter.each(played.world().gravity_w.norm());
   auto next = resting.begin();  // both are in the order of ids
-  for (std::size_t k = 0; k < played.world.bodies().size(); ++k) {
-    if (!played.world.bodies()[k].movable()) continue;
-    const bool rests = next != resting.end() && next->id == played.world.ids()[k];
+  for (std::size_t k = 0; k < played.world().bodies().size(); ++k) {
+    if (!played.world().bodies()[k].movable()) continue;
+    const bool rests = next != resting.end() && next->id == played.world().ids()[k];
     const double amplitude = rests ? 1e3 * (next++)->amplitude : 0.0;
     frames[0][drawn].colour = 0xc9c9c4;
     frames[1][drawn++].colour = rests ? colour_of(amplitude) : moving;
@@ -93,7 +93,7 @@ Result measure_clump_settles(const Parameters& settings) {
     if (!rests) travelling += 1.0;
     table.rows.push_back({static_cast<double>(drawn),
                           rests ? amplitude : std::numeric_limits<double>::quiet_NaN(),
-                          played.world.states()[k].position_w.y()});
+                          played.world().states()[k].position_w.y()});
   }
   std::sort(amplitudes.begin(), amplitudes.end());
   const auto count_of = [&](double least) {
@@ -126,7 +126,7 @@ Result measure_clump_settles(const Parameters& settings) {
            {"median chatter of those that rest", "mm", middle},
            {"largest chatter of those that rest", "mm", worst},
            {"mean distance from the axis at the start", "m", from_axis},
-           {"mean distance from the axis in the end", "m", distance_to_axis(played.world)}},
+           {"mean distance from the axis in the end", "m", distance_to_axis(played.world())}},
           drawings,
           [film, direction_w] {
             return to_gif(film_of(film, direction_w, 480, 320, true), kFilmRate);

@@ -36,18 +36,18 @@ Speeds speeds_of(const Scene& scene, const PlayedTechnique& technique,
   Speeds speeds;
   speeds.speed.resize(names.size());
   const auto note = [&](const StepReport&) {
-    speeds.time.push_back(played.world.time());
+    speeds.time.push_back(played.world().time());
     double momentum = 0.0;
     for (std::size_t k = 0; k < names.size(); ++k) {
       speeds.speed[k].push_back(played.speed(names[k]));
-      momentum += played.world.states()[played.index(names[k])].linear_momentum_w.x();
+      momentum += played.world().states()[played.index(names[k])].linear_momentum_w.x();
     }
     speeds.momentum.push_back(momentum);
   };
   note({});
   played.advance(duration, note);
   for (const std::string& name : names)
-    speeds.end_w.push_back(played.world.states()[played.index(name)].position_w);
+    speeds.end_w.push_back(played.world().states()[played.index(name)].position_w);
   return speeds;
 }
 

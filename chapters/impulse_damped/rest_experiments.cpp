@@ -53,7 +53,7 @@ Settled settled(int per_edge, int seed, double duration, const PlayedTechnique& 
                      technique, static_cast<std::uint64_t>(seed));
   played.advance(duration);
   Settled end;
-  const World& world = played.world;
+  const World& world = played.world();
   for (std::size_t k = 0; k < world.bodies().size(); ++k) {
     if (!world.bodies()[k].movable()) continue;
     end.tilts.push_back(tilt_of(world.states()[k]));
@@ -156,7 +156,7 @@ Result measure_frame_work(const Parameters& settings) {
   const auto work = [&](const Scene& scene, const PlayedTechnique& technique) {
     PlayedScene played(scene, technique);
     double boxes = 0.0;
-    for (const BodyProperties& body : played.world.bodies()) boxes += body.movable() ? 1.0 : 0.0;
+    for (const BodyProperties& body : played.world().bodies()) boxes += body.movable() ? 1.0 : 0.0;
     double steps = 0.0, tests = 0.0, impulses = 0.0, largest = 0.0;
     played.advance(duration, [&](const StepReport& report) {
       steps += 1.0;

@@ -38,11 +38,11 @@ constexpr double kFilmTimes[] = {-0.3, 3.0};  // [s] since the shot
 
 // Takes a frame of the film, if it is time for one: every third step is.
 void take(const PlayedScene& played, double shot, std::vector<FilmFrame>& frames) {
-  const double time = played.world.time() - shot;
+  const double time = played.world().time() - shot;
   const double next = frames.empty() ? kFilmTimes[0] : frames.back().time + 1.0 / kFilmRate;
   constexpr double half = 0.5 * kStep;
   if (time < next - half || time > kFilmTimes[1] + half) return;
-  frames.push_back({time, picture_boxes(played.world)});
+  frames.push_back({time, picture_boxes(played.world())});
 }
 
 Scene shot_scene(const Parameters& settings) {
@@ -64,8 +64,8 @@ double farthest_moved(const World& world, const std::vector<BodyState>& from) {
 double leaning(const PlayedScene& played) {
   constexpr double level = 0.99939;  // [-] cosine of two degrees
   double count = 0.0;
-  for (const SceneBox& box : played.scene.boxes) {
-    const BodyState& state = played.world.states()[played.index(box.name)];
+  for (const SceneBox& box : played.scene().boxes) {
+    const BodyState& state = played.world().states()[played.index(box.name)];
     const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
     count += axes_w.row(1).cwiseAbs().maxCoeff() < level ? 1.0 : 0.0;
   }
@@ -75,9 +75,9 @@ double leaning(const PlayedScene& played) {
 // Boxes that are lower than at the start by more than half an edge.
 double fallen(const PlayedScene& played) {
   double count = 0.0;
-  for (const SceneBox& box : played.scene.boxes) {
+  for (const SceneBox& box : played.scene().boxes) {
     if (box.appears > 0.0) continue;
-    const BodyState& state = played.world.states()[played.index(box.name)];
+    const BodyState& state = played.world().states()[played.index(box.name)];
     count += state.position_w.y() < box.position_w.y() - 0.5 ? 1.0 : 0.0;
   }
   return count;
@@ -105,12 +105,12 @@ CratePath crate_path(const Scene& scene, const PlayedTechnique& technique) {
   PlayedScene played(scene, technique);
   CratePath path;
   played.advance(5.0, [&](const StepReport&) {
-    const double x = played.world.states()[played.index("crate")].position_w.x();
+    const double x = played.world().states()[played.index("crate")].position_w.x();
     if (path.passes > 0.0 || x < kEdge) return;
-    path.passes = played.world.time();
+    path.passes = played.world().time();
     path.speed = played.speed("crate");
   });
-  const BodyState& crate = played.world.states()[played.index("crate")];
+  const BodyState& crate = played.world().states()[played.index("crate")];
   const double level = crate.orientation_wb.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
   path.rests_w = crate.position_w;
   path.tilt = degrees(elementary::acos(std::min(1.0, level)));
@@ -123,17 +123,17 @@ Result measure_projectile(const Parameters& settings) {
   const double appears = settings.number("appears");
   PlayedScene played(shot_scene(settings), {"damped"});
   const auto poses = [&] {
-    return std::vector<BodyState>(played.world.states().begin(), played.world.states().end());
+    return std::vector<BodyState>(played.world().states().begin(), played.world().states().end());
   };
   // Its boxes are built to touch exactly, and settle a little in the beginning.
   const std::vector<BodyState> built = poses();
   played.advance(0.5);
-  const double settles = farthest_moved(played.world, built);
+  const double settles = farthest_moved(played.world(), built);
   const std::vector<BodyState> stands = poses();
   Film film;
   const auto watch = [&](const StepReport&) { take(played, appears, film.frames); };
   played.advance(appears - 2.0 * kStep, watch);
-  const double moves = farthest_moved(played.world, stands);
+  const double moves = farthest_moved(played.world(), stands);
 
   Table table{"", {{"time_s", "s", "since the shot"}, {"fallen", "-", "boxes that have fallen"}}};
   std::vector<std::vector<PictureBox>> frames;
@@ -141,13 +141,13 @@ Result measure_projectile(const Parameters& settings) {
     const double time = settings.number(std::string("t").append(std::to_string(k + 1)));
     played.advance(appears + time, watch);
     table.rows.push_back({time, fallen(played)});
-    frames.push_back(picture_boxes(played.world));
+    frames.push_back(picture_boxes(played.world()));
   }
   PlayedScene other(shot_scene(settings), coulomb_technique());
-  other.advance(played.world.time());
+  other.advance(played.world().time());
 
   // From behind and above the one who shoots.
-  const SceneBox& shot = played.scene.boxes.back();
+  const SceneBox& shot = played.scene().boxes.back();
   Camera camera;
   camera.eye_w = shot.position_w + Vec3(3.5, 4.5, 9.0);
   camera.target_w = Vec3(0.0, 0.47 * settings.count("rows"), 0.0);
@@ -160,7 +160,7 @@ Result measure_projectile(const Parameters& settings) {
   return {{table},
           {{"farthest that a box moves in the first half second", "mm", 1e3 * settles},
            {"farthest that a box moves from then to the shot", "mm", 1e3 * moves},
-           {"boxes of the pyramid", "-", static_cast<double>(played.scene.boxes.size()) - 1.0},
+           {"boxes of the pyramid", "-", static_cast<double>(played.scene().boxes.size()) - 1.0},
            {"boxes that have fallen in the last frame", "-", table.rows.back()[1]},
            {"the same, Coulomb", "-", fallen(other)}},
           drawings_of(frames, camera),
@@ -171,7 +171,7 @@ Result measure_projectile_curves(const Parameters& settings) {
   const double appears = settings.number("appears");
   PlayedScene played(shot_scene(settings), {"damped"});
   MetricsMeter meter;
-  meter.begin(played.world);
+  meter.begin(played.world());
   Table table{"",
               {{"time_s", "s", "since the shot"},
                {"kinetic_J", "J", "kinetic energy"},
@@ -186,20 +186,21 @@ Result measure_projectile_curves(const Parameters& settings) {
   double last_total = 0.0;
   std::array<double, 3> worst{};  // overlap [mm], chatter [mm], acceleration [-] after the shot
   Metrics m;
-  int bodies = played.world.count();
+  int bodies = played.world().count();
   bool shot = false;
   played.advance(appears + settings.number("duration"), [&](const StepReport& report) {
-    m = meter.measure(played.world, report);
-    const double time = played.world.time() - appears;
+    m = meter.measure(played.world(), report);
+    const double time = played.world().time() - appears;
     const double total = m.kinetic + m.potential;
-    const bool enters = played.world.count() > bodies;  // with its energy
-    bodies = played.world.count();
+    const bool enters = played.world().count() > bodies;  // with its energy
+    bodies = played.world().count();
     shot = shot || enters;
     if (!shot) {
       rest = m.potential;
       deepest_before = std::max(deepest_before, m.deepest_overlap);
       // The meter looks half a second back, and the first half second is for settling.
-      if (played.world.time() > 1.0) chatter_before = std::max(chatter_before, m.chatter.amplitude);
+      if (played.world().time() > 1.0)
+        chatter_before = std::max(chatter_before, m.chatter.amplitude);
     } else if (!enters) {
       most_gained = std::max(most_gained, total - last_total);
       worst = {std::max(worst[0], 1e3 * m.deepest_overlap),
@@ -247,12 +248,12 @@ Result measure_crate(const Parameters& settings) {
     for (int k = 0; k < kCrateFrames; ++k) {
       const double time = settings.number(std::string("t").append(std::to_string(k + 1)));
       played.advance(path.passes + time);
-      const BodyState& crate = played.world.states()[played.index("crate")];
+      const BodyState& crate = played.world().states()[played.index("crate")];
       const double up = (crate.orientation_wb * Vec3::UnitY()).y();
       table.rows.push_back({frames.size() < kCrateFrames ? 0.0 : 1.0, time,
                             crate.position_w.x() - kEdge, crate.position_w.y(),
                             degrees(elementary::acos(std::clamp(up, -1.0, 1.0)))});
-      frames.push_back(picture_boxes(played.world));
+      frames.push_back(picture_boxes(played.world()));
       frames.back().back().colour = 0xd55e00;
     }
   };

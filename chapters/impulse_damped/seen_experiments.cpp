@@ -36,7 +36,7 @@ Seen play(const Scene& scene, const PlayedTechnique& technique, int seed, double
   played.advance(duration);
   Seen seen;
   for (const SceneBox& box : scene.boxes) {
-    const BodyState& end = played.world.states()[played.index(box.name)];
+    const BodyState& end = played.world().states()[played.index(box.name)];
     const Mat3 axes_w = end.orientation_wb.toRotationMatrix();
     const double way = flat_across(end.position_w - box.position_w);
     seen.travel += way;

@@ -53,8 +53,8 @@ Work work_of(const Parameters& settings, int moving, const PlayedTechnique& tech
   for (int m = 0; m < moving; ++m) {
     const int stack = m * count / moving;
     for (int level = 0; level < boxes; ++level)
-      played.world.set_velocity(
-          played.world.ids()[static_cast<std::size_t>(1 + stack * boxes + level)],
+      played.world().set_velocity(
+          played.world().ids()[static_cast<std::size_t>(1 + stack * boxes + level)],
           Vec3(0.0, 0.0, settings.number("speed")), Vec3::Zero());
   }
   Work work;
@@ -64,7 +64,7 @@ Work work_of(const Parameters& settings, int moving, const PlayedTechnique& tech
     work.pair_tests += static_cast<double>(report.pair_tests);
     work.impulses += static_cast<double>(report.impulses);
     work.integrations += static_cast<double>(report.integrations);
-    work.asleep += asleep(played.world);
+    work.asleep += asleep(played.world());
   });
   for (double* part : {&work.pair_tests, &work.impulses, &work.integrations, &work.asleep})
     *part /= steps;
@@ -88,13 +88,13 @@ Waking wake(int boxes, const PlayedTechnique& technique, int level) {
   PlayedScene played(stacks(2, boxes), technique);
   played.advance(kAsleep);
   Waking result;
-  result.slept = asleep(played.world);
+  result.slept = asleep(played.world());
   const std::string name = "stack1_" + std::to_string(level);
-  played.world.remove(*played.world.find(name));
+  played.world().remove(*played.world().find(name));
   const double left = static_cast<double>(2 * boxes - 1);
   for (int step = 1; step <= 240; ++step) {
     played.step();
-    const double awake = left - asleep(played.world);
+    const double awake = left - asleep(played.world());
     if (awake > result.woken) {
       result.woken = awake;
       result.steps_to_wake = step;
@@ -115,15 +115,15 @@ struct Nudge {
 Nudge nudge(const PlayedTechnique& technique) {
   PlayedScene played(scene_with("pyramid", {}), technique);
   played.advance(kAsleep);
-  played.world.set_velocity(played.world.ids().back(), Vec3(0.0, 0.0, 0.5), Vec3::Zero());
-  const World before = played.world;
+  played.world().set_velocity(played.world().ids().back(), Vec3(0.0, 0.0, 0.5), Vec3::Zero());
+  const World before = played.world();
   Nudge result;
   for (const BodyProperties& body : before.bodies()) result.boxes += body.movable() ? 1.0 : 0.0;
   played.advance(kAsleep + 1.0, [&](const StepReport&) {
-    result.woken = std::max(result.woken, result.boxes - asleep(played.world));
+    result.woken = std::max(result.woken, result.boxes - asleep(played.world()));
   });
   for (std::size_t k = 0; k < before.states().size(); ++k) {
-    const Vec3 way_w = played.world.states()[k].position_w - before.states()[k].position_w;
+    const Vec3 way_w = played.world().states()[k].position_w - before.states()[k].position_w;
     if (way_w.norm() > 1e-3 * before.bodies()[k].size.minCoeff()) result.moved += 1.0;
   }
   return result;

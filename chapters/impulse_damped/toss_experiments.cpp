@@ -23,18 +23,18 @@ using Outcomes = std::vector<TossNumbers>;
 TossOutcome toss(const PlayedTechnique& technique, std::uint64_t seed) {
   PlayedScene played(scene_with("toss", {}, seed), technique, seed);
   const std::size_t cube = played.index("cube");
-  const Vec3 start_w = played.world.states()[cube].position_w;
+  const Vec3 start_w = played.world().states()[cube].position_w;
   TossOutcome outcome;
-  while (played.world.time() < kTossSeconds &&
-         played.world.time() < outcome.time_to_rest + kQuiet) {
+  while (played.world().time() < kTossSeconds &&
+         played.world().time() < outcome.time_to_rest + kQuiet) {
     played.step();
-    const BodyProperties& body = played.world.bodies()[cube];
-    const BodyState& state = played.world.states()[cube];
+    const BodyProperties& body = played.world().bodies()[cube];
+    const BodyState& state = played.world().states()[cube];
     outcome.rests = velocity(body, state).norm() < toss_still &&
                     angular_velocity(body, state).norm() < 10.0 * toss_still;
-    if (!outcome.rests) outcome.time_to_rest = played.world.time();
+    if (!outcome.rests) outcome.time_to_rest = played.world().time();
   }
-  const Vec3 way_w = played.world.states()[cube].position_w - start_w;
+  const Vec3 way_w = played.world().states()[cube].position_w - start_w;
   outcome.travel = std::hypot(way_w.x(), way_w.z());
   return outcome;
 }

@@ -54,7 +54,7 @@ World led_cage(const CageStretch& stretch, int seed) {
   set_all(p, {"count=" + std::to_string(stretch.count), "speed=" + full_text(stretch.speed),
               "spin=" + full_text(stretch.spin)});
   World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
-  run(*technique_with("timewarp_swept"), world, stretch.dt, stretch.lead);
+  run(*make_technique("timewarp_swept"), world, stretch.dt, stretch.lead);
   return world;
 }
 
@@ -62,12 +62,12 @@ SettledCage settled_cage(const World& led, const CageStretch& stretch) {
   SettledCage cage{led, led};
   multiply_velocities(cage.before, stretch.factor);
   cage.after = cage.before;
-  run(*technique_with("timewarp_swept"), cage.after, stretch.dt, stretch.settle);
+  run(*make_technique("timewarp_swept"), cage.after, stretch.dt, stretch.settle);
   return cage;
 }
 
 CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const TimewarpForm& form) {
-  const std::unique_ptr<Technique> technique = technique_with(form.name, form.settings);
+  const std::unique_ptr<Technique> technique = make_technique(form.name, form.settings);
   World world = form.settles ? cage.before : cage.after;
   if (form.settles) run(*technique, world, stretch.dt, stretch.settle);
   return run(*technique, world, stretch.dt, stretch.frames);

@@ -70,7 +70,7 @@ std::vector<std::size_t> longest_ascending(const std::vector<std::size_t>& numbe
 }  // namespace
 
 std::unique_ptr<Technique> search_over_all(double resolution) {
-  return technique_with("basic", {"search=conservative", "event_cap=100000",
+  return make_technique("basic", {"search=conservative", "event_cap=100000",
                                   "resolution=" + shortest_text(resolution)});
 }
 

@@ -92,7 +92,7 @@ Result measure_order_of_five(const Parameters& settings) {
   const double edge = settings.number("size");
   std::vector<Telling> tellings;
   for (const char* name : {"timewarp_simple", "timewarp_safer", "timewarp_swept"})
-    tellings.push_back(tell(start, *technique_with(name), frame));
+    tellings.push_back(tell(start, *make_technique(name), frame));
   tellings.push_back(tell(start, *search_over_all(), frame, settings.count("reference_steps")));
   const Telling& reference = tellings.back();
   const std::vector<std::string> names = {"simple", "safer", "swept", "reference"};

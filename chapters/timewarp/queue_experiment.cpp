@@ -202,7 +202,7 @@ Result measure_queue_at_work(const Parameters& settings) {
   const std::vector<Collision> reference =
       story_of(*search_over_all(), start, frame / steps, steps);
   for (const std::string form : {"safer", "simple"}) {
-    const auto technique = technique_with("timewarp_" + form);
+    const auto technique = make_technique("timewarp_" + form);
     const StoryDifference difference =
         compare_stories(reference, story_of(*technique, start, frame));
     quantities.push_back(

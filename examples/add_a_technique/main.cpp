@@ -80,7 +80,7 @@ void compare(const Words& words, bool recorded) {
 
 }  // namespace
 
-/// Runs what is asked for, ten seconds of it, and prints a line for each technique.
+/// Runs ten seconds of each scene, and prints a line for each technique.
 /// \param count      of the arguments
 /// \param arguments  a scene and its settings, recorded into runs/; nothing: those above
 /// \return 0, or 2 for a scene or a setting that there is not

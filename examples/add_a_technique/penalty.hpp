@@ -14,16 +14,26 @@
 namespace example {
 
 // [options]
-/// What a user can set.
+/// Options of the technique.
 struct PenaltyOptions {
   double spring = 0.25;  ///< [-] share of its overlap that a point alone ends in a substep
   double damper = 1.0;   ///< [-] share of its approach that a point alone ends in a substep
-  int substeps = 8;      ///< in which a step is done, each with contacts of its own
+  int substeps = 8;      ///< of a step, each with contacts of its own
 };
+
+/// Names the options to a visitor: key, field, range, unit, meaning.
+template <class Visitor>
+void describe(PenaltyOptions& o, Visitor& v) {
+  v.number("spring", o.spring, 1e-6, 4.0, "-",
+           "share of its overlap that a point ends in a substep");
+  v.number("damper", o.damper, 0.0, 2.0, "-",
+           "share of its approach that a point ends in a substep");
+  v.whole("substeps", o.substeps, 1, 10000, "substeps of a step");
+}
 // [options]
 
 // [class]
-/// Penalty forces: nothing is solved; each point pushes by what it sees of its two bodies.
+/// Penalty forces: nothing is solved; each point pushes by the overlap and approach of its two bodies.
 class Penalty : public tumble::Technique {
  public:
   /// Makes the technique.

@@ -1,13 +1,9 @@
 /// \file
-/// \brief What a program does with scenes: read them from TOML, play them, and record runs that are drawn.
+/// \brief A program that reads scenes from TOML, simulates them, and records runs that can be drawn.
 #include <array>
 #include <cstdio>
 #include <stdexcept>
-#include <tumble/contact_damped/contact_damped.hpp>
-#include <tumble/record/run_files.hpp>
-#include <tumble/record/scene_run.hpp>
-#include <tumble/scenes/library.hpp>
-#include <tumble/scenes/scene_file.hpp>
+#include <tumble/tumble.hpp>
 
 namespace {
 
@@ -40,7 +36,7 @@ appears = 0.5
 // [text]
 
 // [mistake]
-// A mistake is told with file, line, key and what would be right.
+// The message of a mistake has file, line, key and the values that are accepted.
 void read_a_bad_scene() {
   std::string text = kTower;
   text.replace(text.find("2.0"), 3, "-2.0");
@@ -53,28 +49,29 @@ void read_a_bad_scene() {
 // [mistake]
 
 // [play]
-// Step by step, with a box thrown and one taken away. All of it is in the scene that is left.
+// With a box thrown in and one taken away. Both are written into the scene that is returned.
 Scene play() {
-  ContactDamped technique;
-  SceneRun run(parse_scene(kTower, "tower.toml"), technique);
-  for (int k = 0; k < 90; ++k) run.step(1.0 / 60.0);
+  Simulation run(parse_scene(kTower, "tower.toml"));
+  MetricsMeter meter;
+  run.observe(meter);
+  run.run_for(1.5);
   SceneBox ball;
   ball.size = Vec3(0.3, 0.3, 0.3);
   ball.position_w = Vec3(-3.0, 1.5, 0.0);
   ball.velocity_w = Vec3(6.0, 1.0, 0.0);
   const std::string name = run.throw_in(ball);
-  for (int k = 0; k < 90; ++k) run.step(1.0 / 60.0);
+  run.run_for(1.5);
   run.take_away("foot");
-  for (int k = 0; k < 120; ++k) run.step(1.0 / 60.0);
+  run.run_for(2.0);
   std::printf("played: threw %s, overlap at the end %s 1 mm, state hash %s\n", name.c_str(),
-              run.metrics().deepest_overlap < 1e-3 ? "below" : "above",
+              meter.metrics().deepest_overlap < 1e-3 ? "below" : "above",
               run.world().hash().text().c_str());
   return run.scene();
 }
 // [play]
 
 // [record]
-// The same scene as tumble run would do it; `tumble render runs/tower --as svg` draws what is left.
+// The same as `tumble run` of this scene; `tumble render runs/tower --as svg` draws the files.
 std::string record(const Scene& scene) {
   ContactDamped technique;
   RunDescription description;
@@ -91,7 +88,7 @@ std::string record(const Scene& scene) {
 // [record]
 
 // [builtin]
-// A built-in scene with a setting of its own, as --set count=5 gives it.
+// A built-in scene with a setting changed, as with --set count=5.
 Scene stack_of_five() {
   const SceneRecipe& recipe = scene_recipe("stack");
   Parameters settings = recipe.parameters();
@@ -102,7 +99,7 @@ Scene stack_of_five() {
 
 }  // namespace
 
-/// Does each of these once; leaves the folder runs/tower.
+/// Runs each of these once and leaves the folder runs/tower.
 /// \return 0, or 4 if the folder cannot be written
 int main() try {
   read_a_bad_scene();

@@ -1,11 +1,9 @@
 /// \file
-/// \brief What a program does with worlds and techniques: step, read, change, keep, share out to threads.
+/// \brief A program that steps, reads, changes and copies worlds, and uses several threads.
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
-#include <tumble/contact_damped/contact_damped.hpp>
-#include <tumble/dynamics/snapshot.hpp>
-#include <tumble/techniques.hpp>
+#include <tumble/tumble.hpp>
 
 namespace {
 
@@ -35,21 +33,15 @@ bool run_one_second(World& world, Technique& technique) {
 // [step]
 
 // [read]
-// Ids stay, places in the arrays do not: look up the place when it is needed.
-void print_body(const World& world, BodyId id) {
-  const int index = world.index_of(id);
-  const BodyProperties& body = world.bodies()[static_cast<std::size_t>(index)];
-  const BodyState& state = world.states()[static_cast<std::size_t>(index)];
-  const Vec3 v = velocity(body, state);             // [m/s]
-  const Vec3 spin = angular_velocity(body, state);  // [rad/s] world frame
-  std::printf("%s: at (%.3f, %.3f, %.3f) m, %.3f m/s, %.3f rad/s\n", world.name(index).c_str(),
-              state.position_w.x(), state.position_w.y(), state.position_w.z(), v.norm(),
-              spin.norm());
+void print_body(const BodyView& body) {
+  const Vec3& at = body.position_w();  // [m]
+  std::printf("%s: at (%.3f, %.3f, %.3f) m, %.3f m/s, %.3f rad/s\n", body.name().c_str(), at.x(),
+              at.y(), at.z(), body.velocity_w().norm(), body.angular_velocity_w().norm());
 }
 // [read]
 
 // [contacts]
-// [N] What the ground pushes up with: impulses of the last step, over its length.
+// [N] Push of the ground: impulses of the last step, over its length.
 double push_of_ground(const World& world, const Technique& technique, double dt) {
   double sum = 0.0;
   for (const ContactRecord& contact : technique.contacts()) {
@@ -62,7 +54,7 @@ double push_of_ground(const World& world, const Technique& technique, double dt)
 // [contacts]
 
 // [errors]
-// What is refused is told with its name and value, and nothing has happened.
+// The message of a refusal has name and value, and nothing has changed.
 void make_mistakes(World world, Technique& technique) {
   const std::string before = world.hash().text();
   try {
@@ -110,7 +102,7 @@ void run_in_threads() {
 
 }  // namespace
 
-/// Does each of these once and prints what came of it, the same on every machine.
+/// Runs each of these once and prints the outcome, the same on every machine.
 /// \return 0, or 3 if a step was not simulated to its end
 int main() {
   World world = two_crates();
@@ -122,14 +114,11 @@ int main() {
   // [technique]
 
   if (!run_one_second(world, technique)) return 3;
-  print_body(world, *world.find("upper"));
+  print_body(world.body("upper"));
   std::printf("the ground pushes with %.1f N\n", push_of_ground(world, technique, 1.0 / 60.0));
 
   // [named]
-  const TechniqueRecipe& recipe = technique_recipe("damped");
-  Parameters settings = recipe.options();
-  settings.set("damping", "none");
-  const std::unique_ptr<Technique> other = recipe.make(settings, 1);
+  const std::unique_ptr<Technique> other = make_technique("damped", {"damping=none"});
   // [named]
   std::printf("made by name: %s\n", std::string(other->name()).c_str());
 
@@ -142,8 +131,8 @@ int main() {
   world.remove(*world.find("lower"));
   // [change]
   if (!run_one_second(world, technique)) return 3;
-  print_body(world, upper);
-  print_body(world, *world.find("cube"));
+  print_body(world.body(upper));
+  print_body(world.body("cube"));
 
   make_mistakes(world, technique);
   go_on_twice(world, technique);

@@ -5,159 +5,207 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/base/error.hpp"
+#include "tumble/base/options.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/basic_colliding/basic.hpp"
-#include "tumble/techniques/options.hpp"
+#include "tumble/contact_damped/contact_damped_options.hpp"
+#include "tumble/exterior_rotation/glued.hpp"
+#include "tumble/filtering/freezing.hpp"
+#include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
+#include "tumble/impulse_damped/damped.hpp"
+#include "tumble/impulse_damped/impulse.hpp"
+#include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
+#include "tumble/timewarp/timewarp_full.hpp"
+#include "tumble/timewarp/timewarp_safer.hpp"
+#include "tumble/timewarp/timewarp_simple.hpp"
+#include "tumble/timewarp/timewarp_swept.hpp"
 
-#include <string>
+#include <algorithm>
+#include <initializer_list>
 
 namespace tumble {
 namespace {
 
-Parameters basic_options() {
-  const BasicOptions standard;
-  Parameters p;
-  p.add_number("resolution", standard.resolution, 1e-15, 1.0, "s",
-               "how exactly the moment of an impact is searched for");
-  p.add_whole("event_cap", standard.event_cap, 1, 1000000, "collisions allowed in one step");
-  p.add_word("impacts", {"simultaneous", "sequential"},
-             "how collisions at the same moment are resolved");
-  p.add_word("search", {"discrete", "conservative"},
-             "look at the end of a step only (thesis 3.2), or never pass a contact");
-  p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn in flight");
-  return p;
+// --- techniques whose options are one struct ------------------------------------------------------
+
+template <class Made, class Options>
+std::unique_ptr<Technique> make(const Parameters& p, std::uint64_t /*seed*/) {
+  return std::make_unique<Made>(read_options<Options>(p));
 }
 
-std::unique_ptr<Technique> make_basic(const Parameters& p, std::uint64_t) {
-  BasicOptions options;
-  options.resolution = p.number("resolution");
-  options.event_cap = p.count("event_cap");
-  options.impacts =
-      p.word("impacts") == "simultaneous" ? ImpactOrder::simultaneous : ImpactOrder::sequential;
-  options.search =
-      p.word("search") == "discrete" ? SearchMethod::discrete : SearchMethod::conservative;
-  options.rotation = rotation_rule_from(p.word("rotation"));
-  return std::make_unique<Basic>(options);
+// --- techniques that can sleep, and so be frozen by the filter FreezeOnChatter -------------------
+
+// Visits the option `freeze` behind `sleeping`.
+template <class Visitor>
+struct WithFreeze : Visitor {
+  bool& freeze;
+  void flag(std::string_view key, bool& field, std::string_view meaning) {
+    Visitor::flag(key, field, meaning);
+    if (key == "sleeping")
+      Visitor::flag("freeze", freeze,
+                    "sleeping=on: islands that only chatter fall asleep too (thesis 6.3.1)");
+  }
+};
+
+template <class Options>
+struct Freezable {
+  Options options;
+  bool freeze = false;
+};
+
+template <class Options, class Visitor>
+void describe(Freezable<Options>& o, Visitor& v) {
+  WithFreeze<Visitor> both{v, o.freeze};
+  describe(o.options, both);
 }
 
-// All solvers, the one of the default first, but for the one that tries everything: it is for eight
-// contacts at most.
-std::vector<std::string> solver_names(const std::string& first) {
-  std::vector<std::string> names = {first};
-  for (const LcpRecipe& recipe : lcp_solvers())
-    if (recipe.name != first && recipe.name != "enumeration") names.emplace_back(recipe.name);
-  return names;
+template <class Made, class Options>
+std::unique_ptr<Technique> freezable(const Freezable<Options>& o) {
+  auto made = std::make_unique<Made>(o.options);
+  if (!o.freeze) return made;
+  require::that(o.options.sleeping, "freeze = on: expected sleeping = on beside it");
+  return std::make_unique<FreezeOnChatter>(std::move(made));
 }
 
-Parameters analytic_options() {
-  const AnalyticOptions standard;
-  Parameters p;
-  p.add_word("friction", {"coulomb", "none", "damping"},
-             "Coulomb's, none, or none and bodies in contact are slowed down (thesis 5.3)");
-  p.add_word("stable_boxes", {"off", "corners", "hull", "equilibrium"},
-             "friction=none or damping: who is left out of the forces as geometrically stable "
-             "(thesis 5.4)");
-  p.add_word("directions", {"8", "4"}, "of the pyramid of friction in contacts");
-  p.add_word("solver", solver_names(standard.solver), "of contact forces without friction");
-  p.add_word("impacts", {"simultaneous", "sequential"},
-             "how collisions at the same moment are resolved");
-  p.add_number("sticky", standard.sticky.threshold, 0.0, 1e6, "-",
-               "collisions slower than this share of sqrt(g L) stick (thesis 4.3)");
-  p.add_number("resolution", standard.resolution, 1e-15, 1.0, "s",
-               "how exactly the moment of an impact is searched for");
-  p.add_whole("event_cap", standard.event_cap, 1, 1000000,
-              "collisions and ends of sliding allowed in one step");
-  p.add_number("damping_velocity", standard.damping.velocity, 0.0, 1.0, "-",
-               "friction=damping: what 1/60 s leaves of velocities (k1 of the thesis)");
-  p.add_number("damping_spin", standard.damping.spin, 0.0, 1.0, "-",
-               "friction=damping: what 1/60 s leaves of angular velocities (k2)");
-  p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn in flight");
-  add_pose(p);
-  return p;
+template <class Made, class Options>
+std::unique_ptr<Technique> make_freezable(const Parameters& p, std::uint64_t /*seed*/) {
+  return freezable<Made>(read_options<Freezable<Options>>(p));
 }
 
-std::unique_ptr<Technique> make_analytic(const Parameters& p, std::uint64_t) {
-  AnalyticOptions options;
-  const std::string_view friction = p.word("friction");
-  options.friction = friction == "coulomb" ? AnalyticFriction::coulomb
-                     : friction == "none"  ? AnalyticFriction::none
-                                           : AnalyticFriction::damping;
-  options.stable_boxes = stable_rule_from(p.word("stable_boxes"));
-  options.directions = p.word("directions") == "8" ? 8 : 4;
-  options.solver = p.word("solver");
-  options.impacts =
-      p.word("impacts") == "simultaneous" ? ImpactOrder::simultaneous : ImpactOrder::sequential;
-  options.sticky.threshold = p.number("sticky");
-  options.resolution = p.number("resolution");
-  options.event_cap = p.count("event_cap");
-  options.damping = {p.number("damping_velocity"), p.number("damping_spin")};
-  options.rotation = rotation_rule_from(p.word("rotation"));
-  options.pose = pose_update_from(p.word("pose"));
-  return std::make_unique<Analytic>(options);
+// --- techniques that can be read as printed ------------------------------------------------------
+
+struct Reading {
+  bool as_printed = false;
+  std::string repaired = "none";
+};
+
+template <class Visitor>
+void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata) {
+  v.word("reading", o.as_printed, {{"as_meant", false}, {"as_printed", true}},
+         "the listings of appendix " + std::string(appendix) +
+             " with their misprints mended, or as they are printed");
+  v.text("repaired", o.repaired,
+         "reading=as_printed: errata that are mended all the same, as " + std::string(errata) +
+             "; or all, or none");
 }
 
-Parameters time_stepping_options() {
-  Parameters p;
-  p.add_word("form", {"stewart_trinkle", "anitescu_potra"},
-             "close gaps and no more, or look at points that touch only");
-  p.add_word("directions", {"4", "8"}, "of friction's pyramid");
-  p.add_word("sticky", {"speed", "step_size", "off"},
-             "how a collision is told to be too slow to bounce (thesis 4.3)");
-  p.add_word("rotation", {"splitting", "frozen", "midpoint", "rk4"}, "how bodies turn");
-  add_pose(p);
-  return p;
+void refuse_unless_printed(std::string_view key, const std::string& given,
+                           const std::string& usual) {
+  require::that(given == usual, std::string(key) + " = " + given + ": expected " + usual +
+                                    " unless reading=as_printed");
 }
 
-std::unique_ptr<Technique> make_time_stepping(const Parameters& p, std::uint64_t) {
-  TimeSteppingOptions options;
-  options.velocities.form = p.word("form") == "stewart_trinkle" ? SteppingForm::stewart_trinkle
-                                                                : SteppingForm::anitescu_potra;
-  options.velocities.directions = p.word("directions") == "8" ? 8 : 4;
-  const std::string_view sticky = p.word("sticky");
-  options.velocities.sticky.rule = sticky == "speed"       ? StickyRule::speed
-                                   : sticky == "step_size" ? StickyRule::step_size
-                                                           : StickyRule::off;
-  options.rotation = rotation_rule_from(p.word("rotation"));
-  options.pose = pose_update_from(p.word("pose"));
-  return std::make_unique<TimeStepping>(options);
+struct DampedSettings {
+  Freezable<DampedOptions> meant;
+  Reading reading;
+};
+
+template <class Visitor>
+void describe(DampedSettings& o, Visitor& v) {
+  describe(o.meant, v);
+  describe(o.reading, v, "A.2", "C1,DM3");
+}
+
+// The listings as printed have no other options than these; a value that they do not have is refused.
+std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const DampedSettings& o) {
+  const auto only = [&](const char* key, std::initializer_list<std::string_view> possible) {
+    const std::string& word = p.word(key);
+    require::that(std::find(possible.begin(), possible.end(), word) != possible.end(),
+                  std::string(key) + " = " + word + ": reading=as_printed has only " +
+                      std::string(*possible.begin()));
+  };
+  only("points", {"one"});
+  only("shock", {"position"});
+  only("damping", {"all"});
+  only("randomness", {"off", "fast"});  // fast is the default; the listings have no chance
+  only("stable_boxes", {"corners", "off"});
+  const DampedOptions& meant = o.meant.options;
+  require::that(!meant.sleeping, "sleeping = on: reading=as_printed has no sleeping");
+  require::that(!o.meant.freeze, "freeze = on: reading=as_printed has no sleeping");
+  DampedAsPrintedOptions options;
+  options.repaired = DampedErrata(o.reading.repaired);
+  options.numbers = meant.numbers;
+  options.collision_passes = meant.collision_passes;
+  options.contact_passes = meant.contact_passes;
+  options.stable_boxes = meant.stable_boxes != StableRule::off;
+  options.normals = meant.normals;
+  options.rotation = meant.rotation;
+  return std::make_unique<DampedAsPrinted>(options);
+}
+
+std::unique_ptr<Technique> make_damped(const Parameters& p, std::uint64_t seed) {
+  auto o = read_options<DampedSettings>(p);
+  if (o.reading.as_printed) return make_damped_as_printed(p, o);
+  refuse_unless_printed("repaired", o.reading.repaired, "none");
+  o.meant.options.seed = seed;
+  return freezable<Damped>(o.meant);
+}
+
+struct TimewarpSettings {
+  TimewarpOptions meant;
+  Reading reading;
+  TimewarpAsPrintedOptions printed;
+};
+
+template <class Visitor>
+void describe(TimewarpSettings& o, Visitor& v) {
+  describe(o.meant, v);
+  describe(o.reading, v, "A.1", "T1,F6");
+  describe(o.printed, v);
+}
+
+// One of the two listings, in the reading that is asked for.
+template <class AsMeant, TimewarpListing listing>
+std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*seed*/) {
+  const auto o = read_options<TimewarpSettings>(p);
+  if (!o.reading.as_printed) {
+    refuse_unless_printed("repaired", o.reading.repaired, "none");
+    refuse_unless_printed("cap", std::to_string(o.printed.cap),
+                          std::to_string(TimewarpAsPrintedOptions{}.cap));
+    refuse_unless_printed("separating", p.word("separating"), "ignored");
+    return std::make_unique<AsMeant>(o.meant);
+  }
+  TimewarpAsPrintedOptions options = o.printed;
+  options.listing = listing;
+  options.repaired = TimewarpErrata(o.reading.repaired);
+  options.resolution = o.meant.resolution;
+  options.pair_events = o.meant.pair_events;
+  options.rotation = o.meant.rotation;
+  return std::make_unique<TimewarpAsPrinted>(options);
 }
 
 }  // namespace
 
-void add_pose(Parameters& p) {
-  p.add_word("pose", {"separate", "exponential"},
-             "how bodies that push each other are moved: each by itself, or about the point it "
-             "stands on (thesis 6.2)");
-}
-
 const std::vector<TechniqueRecipe>& technique_library() {
   static const std::vector<TechniqueRecipe> library = {
-      {"contact_damped", "6.3.1", "contact areas that stick, slide or let go, solved stiff",
-       contact_damped_options, make_contact_damped},
+      {"contact_damped", "6.3.1", "contact patches that stick, slide or separate, solved together",
+       declared_options<Freezable<ContactDampedOptions>>,
+       make_freezable<ContactDamped, ContactDampedOptions>},
       {"basic", "2.1", "advance, find an overlap, search back for the impact, resolve, go on",
-       basic_options, make_basic},
+       declared_options<BasicOptions>, make<Basic, BasicOptions>},
       {"analytic", "3.3.1, 4.3, 5.3",
-       "collisions in the order of their times, exact contact forces in between", analytic_options,
-       make_analytic},
-      {"time_stepping", "2.6.3", "impacts and contacts of a step at one stroke, with friction",
-       time_stepping_options, make_time_stepping},
+       "collisions in the order of their times, exact contact forces in between",
+       declared_options<AnalyticOptions>, make<Analytic, AnalyticOptions>},
+      {"time_stepping", "2.6.3", "impacts and contacts of a step solved together, with friction",
+       declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2", "collisions, gravity, contacts and shock propagation by impulses",
-       impulse_options, make_impulse},
+       declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
-       "impulses, damping in place of friction, pushes out of overlap", damped_options,
-       make_damped},
+       "impulses, damping in place of friction, pushes out of overlap",
+       declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
-       "collisions in the order of their times, two bodies taken back", timewarp_listing_options,
-       make_timewarp_simple},
-      {"timewarp_safer", "5.1, A.1", "as timewarp_simple, looking for earlier collisions nearby",
-       timewarp_listing_options, make_timewarp_safer},
-      {"timewarp_swept", "5.1", "as timewarp_simple, with swept volumes that miss nothing",
-       timewarp_swept_options, make_timewarp_swept},
+       "collisions in the order of their times; rolls back the two bodies that collide",
+       declared_options<TimewarpSettings>, make_listing<TimewarpSimple, TimewarpListing::simple>},
+      {"timewarp_safer", "5.1, A.1",
+       "as timewarp_simple, with a search for earlier collisions nearby",
+       declared_options<TimewarpSettings>, make_listing<TimewarpSafer, TimewarpListing::safer>},
+      {"timewarp_swept", "5.1", "as timewarp_simple, with swept volumes that miss no collision",
+       declared_options<TimewarpSweptOptions>, make<TimewarpSwept, TimewarpSweptOptions>},
       {"timewarp_full", "2.4.3",
-       "every body has a time of its own; who flew past a collision goes back",
-       timewarp_full_options, make_timewarp_full},
-      {"glued", "6.2", "what touches at the start sticks for ever, integrated in seven ways",
-       glued_options, make_glued},
+       "a time of its own for every body; a body that flew past a collision is rolled back",
+       declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
+      {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
+       declared_options<GluedOptions>, make<Glued, GluedOptions>},
   };
   return library;
 }
@@ -171,6 +219,15 @@ const TechniqueRecipe& technique_recipe(std::string_view name) {
   require::that(false,
                 "unknown technique " + std::string(name) + ": " + expected_names(name, names));
   return technique_library().front();  // not reached
+}
+
+std::unique_ptr<Technique> make_technique(std::string_view name,
+                                          const std::vector<std::string>& settings,
+                                          std::uint64_t seed) {
+  const TechniqueRecipe& recipe = technique_recipe(name);
+  Parameters options = recipe.options();
+  for (const std::string& setting : settings) options.assign(setting);
+  return recipe.make(options, seed);
 }
 
 }  // namespace tumble

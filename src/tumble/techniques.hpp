@@ -6,6 +6,7 @@
 #include "tumble/dynamics/technique.hpp"
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,10 +30,20 @@ inline constexpr std::string_view kDefaultTechnique = "contact_damped";
 /// \return in the order in which `tumble techniques` lists them
 const std::vector<TechniqueRecipe>& technique_library();
 
-/// One technique.
+/// The recipe of a technique.
 /// \param name its name
 /// \return the recipe
 /// \throws std::invalid_argument listing the names if there is none of this name
 const TechniqueRecipe& technique_recipe(std::string_view name);
+
+/// A technique with some of its options changed.
+/// \param name      its name
+/// \param settings  each as key=value
+/// \param seed      random seed
+/// \return the technique
+/// \throws std::invalid_argument for a name, a key or a value that does not exist
+std::unique_ptr<Technique> make_technique(std::string_view name,
+                                          const std::vector<std::string>& settings = {},
+                                          std::uint64_t seed = 1);
 
 }  // namespace tumble

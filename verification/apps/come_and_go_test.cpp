@@ -13,7 +13,8 @@ using namespace tumble::test;
 }  // namespace
 
 TEST_CASE(
-    "A run of a scene in which boxes come and go repeats its hash and has rows for who is there",
+    "A run of a scene in which boxes come and go repeats its hash and has rows for the boxes that "
+    "are there",
     "[unit][command]") {
   const Folder files("come_and_go");
   const Folder one("come_and_go_one");

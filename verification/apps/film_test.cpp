@@ -1,5 +1,5 @@
 /// \file
-/// \brief `tumble render --as gif|mp4|gltf`: films of a run, what they need, and what is refused.
+/// \brief `tumble render --as gif|mp4|gltf`: films of a run, their needs, and refusals.
 #include "apps/command.hpp"
 #include "live/json.hpp"
 #include "support/catch.hpp"
@@ -98,7 +98,7 @@ TEST_CASE("A video is made by ffmpeg from frames that are in no file", "[unit][c
   CHECK(words.find("-video_size 120x80 -framerate 10 ") != std::string::npos);
   fs::remove(folder.path / "film.mp4");
 
-  // One that stops reading, and one that is not there: both are told, and leave nothing behind.
+  // One that stops reading, and one that is not there: both are reported, and leave nothing behind.
   write_ffmpeg(programs, "for last; do :; done\necho x >\"$last\"\nexit 1\n");
   const Outcome failed = with_programs();
   INFO(failed.text);
@@ -143,8 +143,7 @@ TEST_CASE("A run becomes a glTF file with a key for each recorded frame", "[unit
   CHECK(keys("--fps 100 --speed 0.25") == std::pair(201.0, 2.0));
 }
 
-TEST_CASE("What a film cannot be made of is told in one line with what would be right",
-          "[unit][command]") {
+TEST_CASE("A film that cannot be made is refused in one line with a remedy", "[unit][command]") {
   const Folder folder("film_wrong");
   run_a_die(folder);
   const std::size_t files = files_in(folder);
@@ -170,11 +169,11 @@ TEST_CASE("What a film cannot be made of is told in one line with what would be 
       {"gif --view 1,2", "--view: expected X,Y,Z"},
       {"gif --filtered", "run the scene with --filter"},
   };
-  for (const auto& [options, told] : wrong) {
+  for (const auto& [options, message] : wrong) {
     const Outcome outcome = run_tumble("render " + folder.text() + " --as " + options);
     INFO(options << ": " << outcome.text);
     CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(told) != std::string::npos);
+    CHECK(outcome.text.find(message) != std::string::npos);
     CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
   }
   CHECK(files_in(folder) == files);

@@ -186,9 +186,9 @@ TEST_CASE("Filters are listed with the form in which they are written",
           "[unit][command][filtering]") {
   const Outcome outcome = run_tumble("filters");
   CHECK(outcome.code == 0);
-  for (const char* told :
+  for (const char* message :
        {"box:FRAMES[,causal]", "envelope:RADIUS,ANGLE", "soft_envelope:RADIUS", "one_euro:CUTOFF"})
-    CHECK(outcome.text.find(told) != std::string::npos);
+    CHECK(outcome.text.find(message) != std::string::npos);
   CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 4);
   CHECK(run_tumble("run --help").text.find("tumble filters") != std::string::npos);
   CHECK(run_tumble("filers").text.find("did you mean filters?") != std::string::npos);

@@ -49,7 +49,7 @@ std::vector<double> list_of(const std::string& json, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("The command tells forces and accelerations of a problem in files", "[unit][command]") {
+TEST_CASE("The command prints forces and accelerations of a problem in files", "[unit][command]") {
   const Files files("lcp_hand");
   // Three contacts in a row: the middle one parts.
   files.write(MatX({{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}}), MatX({{-1}, {2}, {-1}}));
@@ -81,7 +81,7 @@ TEST_CASE(
     if (name.find("as_printed") != std::string::npos) continue;  // may fail, that is its point
     const Outcome outcome = files.solve("--solver " + name);
     INFO(outcome.text);
-    if (name == "least_constraint") {  // works on bodies, which files do not tell
+    if (name == "least_constraint") {  // works on bodies, which files do not have
       CHECK(outcome.code == 2);
       CHECK_THAT(outcome.text, Contains("factors"));
       continue;

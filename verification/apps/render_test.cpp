@@ -1,5 +1,5 @@
 /// \file
-/// \brief `tumble compare` and `tumble render`: pictures, and what is said where none can be drawn.
+/// \brief `tumble compare` and `tumble render`: pictures, and messages where none can be drawn.
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
@@ -39,7 +39,8 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
   CHECK(content(one.path / "compare.svg") == content(two.path / "compare.svg"));
 }
 
-TEST_CASE("A technique that takes too long is told as such in the comparison", "[unit][command]") {
+TEST_CASE("A technique that takes too long is marked as such in the comparison",
+          "[unit][command]") {
   const Folder folder("limit");
   const Outcome outcome =
       run_tumble("compare cage --duration 100000 --limit 0.1 --quiet --out " + folder.text());

@@ -1,5 +1,5 @@
 /// \file
-/// \brief `tumble stability` from outside: who stands, by which level, what moves, messages.
+/// \brief `tumble stability` from outside: stable boxes, levels, initial motion, messages.
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
@@ -37,7 +37,7 @@ const std::string kTwoBoxes =
 
 }  // namespace
 
-TEST_CASE("The command tells who stands firm, by which level and why", "[unit][command]") {
+TEST_CASE("The command reports which boxes are stable, by which level and why", "[unit][command]") {
   const SceneFile file("stability_levels", kTwoBoxes + "[0.3, 1.5, 0]\n");
   const Outcome hull = run_tumble("stability " + file.path + " --rule hull");
   INFO(hull.text);
@@ -57,7 +57,7 @@ TEST_CASE("The command tells who stands firm, by which level and why", "[unit][c
              Contains("1 of 2 movable boxes are stable by corners"));
 }
 
-TEST_CASE("The command tells what begins to move, and how fast", "[exact][command]") {
+TEST_CASE("The command prints the boxes that begin to move, and how fast", "[exact][command]") {
   // The centre is d = 0.6 from the middle of the lower cube and 0.1 beyond its edge: about the edge,
   // which slides, a cube turns with g d / (I/m + d²) = 9.81 * 0.1 / (1/6 + 0.01) and its centre sinks
   // with a tenth of that.
@@ -99,7 +99,7 @@ TEST_CASE("The levels of the command are hull, balance and loads on top", "[unit
              Contains("the contact of lower and upper is not below or above"));
 }
 
-TEST_CASE("Scenes that move, without ground or with gravity from the side are told too",
+TEST_CASE("Scenes that move, without ground or with gravity from the side are reported too",
           "[unit][command]") {
   const Outcome drop = run_tumble("stability box_drop");
   INFO(drop.text);
@@ -113,12 +113,12 @@ TEST_CASE("Scenes that move, without ground or with gravity from the side are to
   CHECK_THAT(line_of(side.text, "lower"), Contains("gravity does not act straight down"));
   const SceneFile rising("stability_rising", kTwoBoxes + "[0, 1.5, 0]\nvelocity = [0, 1, 0]\n");
   CHECK_THAT(line_of(run_tumble("stability " + rising.path).text, "upper"),
-             Contains("moves, or touches somebody who does"));
+             Contains("moves, or touches a box that moves"));
   CHECK_THAT(line_of(run_tumble("stability " + rising.path + " --rule hull").text, "upper"),
              Contains("goes up, sinks or tips"));
 }
 
-TEST_CASE("Mistakes of who asks for stability end with code 2 and one line", "[unit][command]") {
+TEST_CASE("Mistakes in a request for stability end with code 2 and one line", "[unit][command]") {
   const Folder folder("stability_bad");
   std::filesystem::create_directories(folder.path);
   std::ofstream(folder.path / "bad.toml") << "[[box]]\nsize = [1, 1, -1]\n";

@@ -447,8 +447,6 @@ TEST_CASE("Carrying asks for no memory once it is warm, and rejects what does no
                     Contains("moving"));
   const std::vector<PushedPair> strange = {{0, 9, Vec3::Zero(), Vec3::UnitY()}};
   CHECK_THROWS_WITH(carried.find(scene.world.bodies(), moving, strange), Contains("pairs"));
-  CHECK_THROWS_WITH(pose_update_from("twist"), Contains("separate, exponential"));
-  for (const PoseUpdate update : pose_updates()) CHECK(pose_update_from(name_of(update)) == update);
 }
 
 TEST_CASE("A body that stands has its arm from the point on which it stands, and others have none",

@@ -160,7 +160,7 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
   World smooth = world_of("slide", {{"friction", "0"}});
   const std::unique_ptr<Technique> technique = contact_damped();
   run(smooth, *technique, 2.0);
-  CHECK(velocity_of(smooth, "box").x() == near(3.0).margin(1e-12));
+  CHECK(smooth.body("box").velocity_w().x() == near(3.0).margin(1e-12));
   // 0.2 m/s is less than mu g h = 1.6 m/s, and too slow to tip the box.
   World rough = world_of("slide", {{"friction", "10"}, {"speed", "0.2"}});
   const World start = rough;

@@ -56,7 +56,7 @@ TEST_CASE("A loaded see-saw tips, one with equal loads stays",
     World world = world_of("seesaw", set);
     const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, seconds);
-    const Vec3 along = state_of(world, "plank").orientation_wb * Vec3::UnitX();
+    const Vec3 along = world.body("plank").state().orientation_wb * Vec3::UnitX();
     return std::asin(along.y()) / kDegree;  // [degrees] above 0: the left end is down
   };
   CHECK(tilt_after({}, 1.0) > 5.0);

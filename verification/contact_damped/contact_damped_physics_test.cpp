@@ -26,14 +26,14 @@ class SlopeRun {
     Settings all = set;
     all.emplace_back("angle", text(degrees));
     world_ = world_of("slope", all);
-    start_ = state_of(world_, "box");
+    start_ = world_.body("box").state();
   }
 
   Slider after(double seconds) {
     run(world_, *technique_, seconds);
-    const BodyState& state = state_of(world_, "box");
+    const BodyState& state = world_.body("box").state();
     return {along_.dot(state.position_w - start_.position_w),
-            along_.dot(velocity_of(world_, "box")),
+            along_.dot(world_.body("box").velocity_w()),
             angle_between(state.orientation_wb, start_.orientation_wb)};
   }
 
@@ -57,7 +57,7 @@ TEST_CASE("A box slides as far as Coulomb's law says, within half a step",
     World world = world_of("slide");
     const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 1.5, 1.0 / steps_a_second);
-    const double far = state_of(world, "box").position_w.x();
+    const double far = world.body("box").state().position_w.x();
     INFO("stopped after " << far << " m");
     CHECK(std::abs(far - 1.529051988) <= 0.5 * 3.0 / steps_a_second);
     CHECK(fastest_of(world) < 1e-6);  // [m/s]
@@ -70,11 +70,11 @@ TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
   World world = world_of("slide");
   const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 61.0 * kFrame);
-  CHECK(velocity_of(world, "box").x() > 0.001);  // [m/s] 3 - 61 mu g h = 0.00795
+  CHECK(world.body("box").velocity_w().x() > 0.001);  // [m/s] 3 - 61 mu g h = 0.00795
   run(world, *technique, kFrame);
-  CHECK(std::abs(velocity_of(world, "box").x()) < 1e-6);  // [m/s] residual of the sweeps
+  CHECK(std::abs(world.body("box").velocity_w().x()) < 1e-6);  // [m/s] residual of the sweeps
   // [m] a residual of 1e-6 of the impulse of a step in each of 62 steps.
-  CHECK(std::abs(state_of(world, "box").position_w.x() - 1.5041075) < 1e-5);
+  CHECK(std::abs(world.body("box").state().position_w.x() - 1.5041075) < 1e-5);
 }
 
 TEST_CASE("A box slides equally far in every direction, straight on and without turning",
@@ -86,11 +86,11 @@ TEST_CASE("A box slides equally far in every direction, straight on and without 
   double most = 0.0;
   for (const char* heading : {"0", "15", "30", "45", "60", "90", "110", "-135"}) {
     World world = world_of("slide", {{"heading", heading}});
-    const Vec3 ahead = velocity_of(world, "box").normalized();
+    const Vec3 ahead = world.body("box").velocity_w().normalized();
     const World start = world;
     const std::unique_ptr<Technique> technique = contact_damped();
     run(world, *technique, 1.5);
-    const Vec3 way = state_of(world, "box").position_w - state_of(start, "box").position_w;
+    const Vec3 way = world.body("box").state().position_w - start.body("box").state().position_w;
     const double far = way.dot(ahead);
     least = std::min(least, far);
     most = std::max(most, far);
@@ -193,11 +193,11 @@ TEST_CASE("Friction drags the lower block of figure 5.2 along until both have on
   World world = world_of("fig5_2");
   const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.2);
-  CHECK(std::abs(velocity_of(world, "A").x() - 1.019) < 1e-3);
-  CHECK(std::abs(velocity_of(world, "B").x() - 0.4905) < 1e-3);
+  CHECK(std::abs(world.body("A").velocity_w().x() - 1.019) < 1e-3);
+  CHECK(std::abs(world.body("B").velocity_w().x() - 0.4905) < 1e-3);
   run(world, *technique, 0.3);
-  CHECK(std::abs(velocity_of(world, "A").x() - 2.0 / 3.0) < 1e-4);
-  CHECK(std::abs(velocity_of(world, "B").x() - 2.0 / 3.0) < 1e-4);
+  CHECK(std::abs(world.body("A").velocity_w().x() - 2.0 / 3.0) < 1e-4);
+  CHECK(std::abs(world.body("B").velocity_w().x() - 2.0 / 3.0) < 1e-4);
   CHECK(std::abs(linear_momentum(world).x() - 2.0) < 1e-9);  // [kg m/s] nothing else pushes
 }
 
@@ -209,12 +209,13 @@ TEST_CASE("A stack on a sled moves along with it, the upper box too",
   World world = world_of("sled");
   const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.05);
-  CHECK(std::abs(velocity_of(world, "load2").x() - velocity_of(world, "load1").x()) < 1e-4);
-  CHECK(velocity_of(world, "load2").x() > 0.2);  // [m/s] 0.245 after three steps of mu g h
+  CHECK(std::abs(world.body("load2").velocity_w().x() - world.body("load1").velocity_w().x()) <
+        1e-4);
+  CHECK(world.body("load2").velocity_w().x() > 0.2);  // [m/s] 0.245 after three steps of mu g h
   run(world, *technique, 0.95);
   for (const char* body : {"sled", "load1", "load2"}) {
     INFO(body);
-    CHECK(std::abs(velocity_of(world, body).x() - 2.0 / 3.0) < 1e-4);
+    CHECK(std::abs(world.body(body).velocity_w().x() - 2.0 / 3.0) < 1e-4);
   }
 }
 
@@ -237,7 +238,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height after
   double highest = 0.0;
   while (bounces < 4 && world.time() < 5.0) {
     booked += technique->step(world, dt).energy.total();
-    const double v = velocity_of(world, "cube").y();
+    const double v = world.body("cube").velocity_w().y();
     const double height = state_of(world, "cube").position_w.y() - 0.5;
     highest = std::max(highest, before > 0.0 ? height : 0.0);
     if (before > 0.0 && v <= 0.0) {

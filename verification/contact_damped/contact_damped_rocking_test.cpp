@@ -57,8 +57,8 @@ Seen rock(const Rocking& block, double dt) {
   double before = 1.0;
   for (double time = dt; time < 3.0; time += dt) {
     technique->step(world, dt);
-    const double tilt = rotation_vector(state_of(world, "block").orientation_wb).z();
-    const double omega = -spin_of(world, "block").z();
+    const double tilt = rotation_vector(world.body("block").state().orientation_wb).z();
+    const double omega = -world.body("block").angular_velocity_w().z();
     if (seen.quarter == 0.0) {
       if (tilt > kUpright * block.alpha) {
         seen.before = std::max(seen.before, omega);
@@ -147,12 +147,12 @@ TEST_CASE("A block falls over if it is pushed faster than its centre needs to pa
           world_of("rocking_block",
                    {{"width", c.width}, {"height", c.height}, {"tilt", "0"}, {"friction", "2"}});
       const Vec3 omega(0.0, 0.0, share * c.least);
-      const BodyState start = state_of(world, "block");
+      const BodyState start = world.body("block").state();
       const Vec3 from_edge = start.position_w - Vec3(-0.5 * std::stod(c.width), 0.0, 0.0);
       world.set_velocity(*world.find("block"), omega.cross(from_edge), omega);
       const std::unique_ptr<Technique> technique = contact_damped();
       run(world, *technique, 4.0, kFrame / 4.0);
-      const double tilt = rotation_vector(state_of(world, "block").orientation_wb).z();
+      const double tilt = rotation_vector(world.body("block").state().orientation_wb).z();
       INFO(c.width << " by " << c.height << " at " << share);
       // [rad] it rocks, or lies on its side
       if (share < 1.0) CHECK(std::abs(tilt) < std::atan2(std::stod(c.width), std::stod(c.height)));
@@ -206,11 +206,11 @@ TEST_CASE("A block that bounces on its corners does what Siconos' event-driven r
   double spin = 0.0;
   while (times.size() < 2 && world.time() < 1.0) {
     technique->step(world, dt);
-    const double now = velocity_of(world, "block").y();
+    const double now = world.body("block").velocity_w().y();
     if (before < 0.0 && now > 0.0) {  // it falls before an impact and rises after it
       times.push_back(world.time());
-      if (times.size() == 1) after = velocity_of(world, "block");
-      if (times.size() == 1) spin = spin_of(world, "block").z();
+      if (times.size() == 1) after = world.body("block").velocity_w();
+      if (times.size() == 1) spin = world.body("block").angular_velocity_w().z();
     }
     before = now;
   }

@@ -349,14 +349,6 @@ TEST_CASE("A body without spin keeps its orientation to the last bit", "[unit][a
   }
 }
 
-TEST_CASE("Rotation rules have names, and other names are refused with the choices",
-          "[unit][advance_pose]") {
-  for (const RotationRule rule : rotation_rules()) CHECK(rotation_rule_from(name_of(rule)) == rule);
-  CHECK_THROWS_WITH(rotation_rule_from("euler"),
-                    "tumble: rotation rule \"euler\": expected one of frozen, midpoint, rk4, "
-                    "splitting");
-}
-
 TEST_CASE("A momentum that is not finite is refused by every rule", "[unit][advance_pose]") {
   const BodyProperties body = asymmetric();
   for (const RotationRule rule : rotation_rules()) {

@@ -20,15 +20,6 @@ using namespace tumble::test;
 
 }  // namespace
 
-TEST_CASE("Schemes of the glued technique are found by their names, and no others",
-          "[unit][exterior_rotation]") {
-  CHECK(glued_schemes().size() == 7);
-  for (const GluedScheme scheme : glued_schemes())
-    CHECK(glued_scheme_from(name_of(scheme)) == scheme);
-  CHECK_THROWS_WITH(glued_scheme_from("rk5"),
-                    Catch::Contains("rk5") && Catch::Contains("rk4, dormand_prince, midpoint"));
-}
-
 TEST_CASE("A copy of the glued technique made during a run goes on to the same bits",
           "[unit][exterior_rotation]") {
   for (const GluedJoints joints : {GluedJoints::bilateral, GluedJoints::unilateral})

@@ -79,7 +79,7 @@ TEST_CASE("The amplitude of a run is that of the bodies that rest", "[exact][fil
 TEST_CASE("A run in adaptive steps has the frames of one in fixed steps, and all its work",
           "[unit][filtering]") {
   const Scene scene = scene_with("fig6_7", {"per_edge=2"});
-  const auto technique = [&] { return PlayedScene(scene, {"damped", {}}).technique; };
+  const auto technique = [&] { return make_technique("damped", {}); };
   const SteppedRun fixed = settle_in_steps(scene, technique(), fixed_steps(0), 1.0, 0.5);
   const SteppedRun fine = settle_in_steps(scene, technique(), fixed_steps(2), 1.0, 0.5);
   const SteppedRun adaptive = settle_in_steps(scene, technique(), {}, 1.0, 0.5);

@@ -108,7 +108,7 @@ TEST_CASE("Bits are counted one by one, and those of missing frames and bodies a
 
 TEST_CASE("In a live run bodies come, and one is taken away", "[unit][filtering]") {
   PlayedScene scene(scene_with("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
-  const int at_first = scene.world.count();
+  const int at_first = scene.world().count();
   const auto filters = live_filters();
   const LiveRun run = play_live(scene, filters, 0.4, 0.2);
   CHECK(run.computed.count() == 25);
@@ -124,6 +124,6 @@ TEST_CASE("In a live run bodies come, and one is taken away", "[unit][filtering]
   PlayedScene longer(scene_with("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
   const LiveRun second = play_live(longer, filters, 1.0, 0.5);
   REQUIRE(second.computed.count() == 61);
-  CHECK(longer.world.time() > 1.0);
+  CHECK(longer.world().time() > 1.0);
   CHECK(static_cast<int>(second.computed.frame(60).ids.size()) == at_first);
 }

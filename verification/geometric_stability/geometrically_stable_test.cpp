@@ -184,8 +184,6 @@ TEST_CASE("A hull contains what is in it", "[exact][geometric_stability]") {
   std::vector<Vec2> none;
   convex_hull(none, hull);
   CHECK_FALSE(hull_contains(hull, Vec2::Zero(), 1.0));
-  CHECK(stable_rule_from("hull") == StableRule::hull);
-  CHECK_THROWS_WITH(stable_rule_from("corner"), Catch::Matchers::Contains("corners"));
 }
 
 TEST_CASE("A verdict names what speaks against a body: motion, a side, a support, a corner",

@@ -158,10 +158,3 @@ TEST_CASE("Every overlap that the separating axis test sees is gathered, by ever
   }
   CHECK(overlapping > 300);  // 349
 }
-
-TEST_CASE("A rule by a wrong name is refused with the choices", "[unit][impulse_damped]") {
-  CHECK(normal_rule_from("signed_distance") == NormalRule::signed_distance);
-  CHECK(point_rule_from("area") == PointRule::area);
-  CHECK_THROWS_WITH(normal_rule_from("last_fase"), Catch::Matchers::Contains("last_face"));
-  CHECK_THROWS_AS(point_rule_from("two"), std::invalid_argument);
-}

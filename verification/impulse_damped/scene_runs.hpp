@@ -35,32 +35,6 @@ inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& s
   return recipe.make(options, 1);
 }
 
-/// A body of a world.
-/// \param world  the bodies
-/// \param name   its name; there must be one
-/// \return its state
-inline const BodyState& state_of(const World& world, std::string_view name) {
-  return world.states()[static_cast<std::size_t>(world.index_of(*world.find(name)))];
-}
-
-/// A body's velocity.
-/// \param world  the bodies
-/// \param name   its name; there must be one
-/// \return [m/s] of the centre
-inline Vec3 velocity_of(const World& world, std::string_view name) {
-  const auto index = static_cast<std::size_t>(world.index_of(*world.find(name)));
-  return velocity(world.bodies()[index], world.states()[index]);
-}
-
-/// A body's angular velocity.
-/// \param world  the bodies
-/// \param name   its name; there must be one
-/// \return [rad/s] world frame
-inline Vec3 spin_of(const World& world, std::string_view name) {
-  const auto index = static_cast<std::size_t>(world.index_of(*world.find(name)));
-  return angular_velocity(world.bodies()[index], world.states()[index]);
-}
-
 /// What happened in a stretch of a run.
 struct Course {
   int failed = 0;         ///< steps that did not end as done

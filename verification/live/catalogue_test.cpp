@@ -23,33 +23,33 @@ void check(const JsonValue& list, const Parameters& settings) {
   REQUIRE(list.kind == '[');
   REQUIRE(list.items.size() == settings.all().size());
   for (std::size_t k = 0; k < list.items.size(); ++k) {
-    const JsonValue& told = list.items[k];
+    const JsonValue& entry = list.items[k];
     const Parameter& parameter = settings.all()[k];
     INFO(parameter.key);
-    CHECK(told.at("key").text == parameter.key);
-    CHECK(told.at("value").text == parameter.value);
-    CHECK(told.at("unit").text == parameter.unit);
-    CHECK(told.at("meaning").text == parameter.meaning);
-    const std::string& kind = told.at("kind").text;
+    CHECK(entry.at("key").text == parameter.key);
+    CHECK(entry.at("value").text == parameter.value);
+    CHECK(entry.at("unit").text == parameter.unit);
+    CHECK(entry.at("meaning").text == parameter.meaning);
+    const std::string& kind = entry.at("kind").text;
     const bool bounded = kind == "number" || kind == "whole";
     CHECK((parameter.kind == ParameterKind::number) == (kind == "number"));
     CHECK((parameter.kind == ParameterKind::whole) == (kind == "whole"));
     CHECK((parameter.kind == ParameterKind::flag) == (kind == "flag"));
     CHECK((parameter.kind == ParameterKind::word) == (kind == "word"));
     CHECK((parameter.kind == ParameterKind::text) == (kind == "text"));
-    CHECK(told.fields.count("low") == (bounded ? 1 : 0));
-    CHECK(told.fields.count("high") == (bounded ? 1 : 0));
+    CHECK(entry.fields.count("low") == (bounded ? 1 : 0));
+    CHECK(entry.fields.count("high") == (bounded ? 1 : 0));
     if (bounded) {
-      CHECK(told.at("low").number == parameter.low);
-      CHECK(told.at("high").number == parameter.high);
+      CHECK(entry.at("low").number == parameter.low);
+      CHECK(entry.at("high").number == parameter.high);
       CHECK(parameter.low <= parameter.high);
     }
-    CHECK(told.fields.count("choices") == (parameter.choices.empty() ? 0 : 1));
+    CHECK(entry.fields.count("choices") == (parameter.choices.empty() ? 0 : 1));
     for (std::size_t c = 0; c < parameter.choices.size(); ++c)
-      CHECK(told.at("choices").items.at(c).text == parameter.choices[c]);
+      CHECK(entry.at("choices").items.at(c).text == parameter.choices[c]);
     // The default is one of the values that are accepted.
     Parameters again = settings;
-    CHECK_NOTHROW(again.set(told.at("key").text, told.at("value").text));
+    CHECK_NOTHROW(again.set(entry.at("key").text, entry.at("value").text));
   }
 }
 
@@ -59,12 +59,12 @@ void check_library(const JsonValue& list, const Library& library,
   REQUIRE(list.items.size() == library.size());
   for (std::size_t k = 0; k < library.size(); ++k) {
     INFO(library[k].name);
-    const JsonValue& told = list.items[k];
-    CHECK(told.at("name").text == library[k].name);
-    CHECK(told.at("section").text == library[k].section);
-    CHECK(told.at("summary").text == library[k].summary);
-    CHECK(told.fields.size() == 4);
-    check(told.at("settings"), settings(k));
+    const JsonValue& entry = list.items[k];
+    CHECK(entry.at("name").text == library[k].name);
+    CHECK(entry.at("section").text == library[k].section);
+    CHECK(entry.at("summary").text == library[k].summary);
+    CHECK(entry.fields.size() == 4);
+    check(entry.at("settings"), settings(k));
   }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("The catalogue has every scene, technique and setting as it was declar
   for (std::size_t k = 0; k < names.size(); ++k) CHECK(all.at("numbers").items[k].text == names[k]);
 }
 
-TEST_CASE("A scene or technique of the catalogue opens with the settings that are told there",
+TEST_CASE("A scene or technique of the catalogue opens with the settings that are listed there",
           "[unit][live]") {
   const JsonValue all = JsonReader::read(live::catalogue());
   const auto request = [](const char* what, const JsonValue& entry) {
@@ -96,9 +96,9 @@ TEST_CASE("A scene or technique of the catalogue opens with the settings that ar
   };
   for (const JsonValue& scene : all.at("scenes").items) {
     INFO(scene.at("name").text);
-    const live::Session told(request("scene", scene));
+    const live::Session opened(request("scene", scene));
     const live::Session plain("scene " + scene.at("name").text);
-    CHECK(told.run().world().hash().text() == plain.run().world().hash().text());
+    CHECK(opened.run().world().hash().text() == plain.run().world().hash().text());
   }
   for (const JsonValue& technique : all.at("techniques").items) {
     INFO(technique.at("name").text);

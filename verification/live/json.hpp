@@ -1,5 +1,5 @@
 /// \file
-/// \brief Reading JSON back, for tests of what is written.
+/// \brief Reading JSON back, for tests of written files.
 #pragma once
 
 #include <cctype>

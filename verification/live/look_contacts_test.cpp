@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a look at a session shows of contact points and collisions, and its numbers.
+/// \brief Contact points, collisions and numbers in a look at a session.
 #include "live/seen.hpp"
 #include "session.hpp"
 #include "support/catch.hpp"
@@ -24,7 +24,7 @@ TEST_CASE("Contact points of a look are those of the technique's last step", "[u
   Session session(request);
   // The same by hand.
   Setup setup = make_setup(request);
-  SceneRun run(setup.scene, *setup.technique);
+  Simulation run(setup.scene, *setup.technique);
   for (int k = 0; k < 6; ++k) {
     step(session, 1);
     run.step(kDt);
@@ -48,7 +48,7 @@ TEST_CASE("Contact points of a look are those of the technique's last step", "[u
   session.look(kEverything & ~kLookContacts);
   CHECK(session.contacts().empty());
 
-  // Points of who has gone since are left out, and indices are those of now.
+  // Points of bodies that have gone since are left out, and indices are those of now.
   session.take_away(id_of(session, "lower"));
   session.look(kLookContacts);
   const World& world = session.run().world();
@@ -124,10 +124,10 @@ TEST_CASE("The numbers of a look are those of the run's metrics", "[unit][live]"
   session.look(0);
   REQUIRE(session.numbers().size() == Session::number_names().size());
   CHECK(number(session, "time") == 0.0);
-  CHECK(number(session, "potential") == session.run().metrics().potential);
+  CHECK(number(session, "potential") == session.metrics().potential);
   step(session, 9);
   session.look(0);
-  const Metrics& metrics = session.run().metrics();
+  const Metrics& metrics = session.metrics();
   CHECK(number(session, "time") == 9.0 * kDt);
   CHECK(number(session, "steps") == 9.0);
   CHECK(number(session, "status") == 0.0);

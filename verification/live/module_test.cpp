@@ -137,7 +137,7 @@ TEST_CASE("Two slots of the module are two simulations", "[unit][live]") {
   CHECK(tumble_step(1, 1, kDt) == kOk);
 }
 
-TEST_CASE("Opening tells what the technique leaves out", "[unit][live]") {
+TEST_CASE("Opening reports the parts that the technique leaves out", "[unit][live]") {
   const Closed closed;
   REQUIRE(open(0, "scene stack\ntechnique damped") == kOk);
   CHECK(answer() == "friction");
@@ -198,9 +198,9 @@ TEST_CASE("Throws that make no sense are refused by the module and change nothin
     REQUIRE(tumble_step(0, steps, kDt) == kOk);
     const std::string hash = hash_of(0);
     const std::string scene = scene_of(0);
-    const auto refused = [&](int status, const char* told) {
+    const auto refused = [&](int status, const char* message) {
       CHECK(status == kBadInput);
-      CHECK_THAT(answer(), Contains(told));
+      CHECK_THAT(answer(), Contains(message));
       CHECK(hash_of(0) == hash);
       CHECK(scene_of(0) == scene);
     };
@@ -285,7 +285,7 @@ TEST_CASE("A step without a solution ends with a sentence, and the session can b
   CHECK(seen(0, 2).at(1) <= static_cast<double>(steps));
 }
 
-TEST_CASE("There is no room for a text of an impossible length, and no exception tells so",
+TEST_CASE("There is no room for a text of an impossible length, and no exception is thrown for it",
           "[unit][live]") {
   const Closed closed;
   CHECK(tumble_input(-1) == nullptr);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a look at a session of the live page shows, with names instead of places in a row of numbers.
+/// \brief A look at a session of the live page, with names instead of places in a row of numbers.
 #pragma once
 
 #include "session.hpp"

@@ -79,7 +79,7 @@ TEST_CASE("Throws into a scene that was saved take names that are free there", "
   }
 }
 
-TEST_CASE("Who is not there cannot be taken away", "[unit][live]") {
+TEST_CASE("A box that is not there cannot be taken away", "[unit][live]") {
   Session session("scene box_drop");
   CHECK_THROWS_WITH(session.take_away(BodyId{99}), Contains("there is no such box to take away"));
   CHECK_THROWS_WITH(session.take_away(id_of(session, "ground")),

@@ -120,13 +120,13 @@ TEST_CASE("A mistake in a request is reported in a sentence that says what would
       {"toml\n" + kBox + kBox, "scene.toml:8: box[2].position = [0, 3, 0]: box2 and box1 overlap"},
       {"set scene.count=3\ntoml\n" + kBox, "unknown setting count: there are none"},
   };
-  for (const auto& [request, told] : cases) {
+  for (const auto& [request, message] : cases) {
     INFO(request);
     try {
       (void)make_setup(request);
       FAIL_CHECK("not refused");
     } catch (const std::invalid_argument& error) {
-      CHECK_THAT(std::string(message_of(error)), Catch::Matchers::StartsWith(told));
+      CHECK_THAT(std::string(message_of(error)), Catch::Matchers::StartsWith(message));
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
   }

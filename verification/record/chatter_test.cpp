@@ -115,7 +115,7 @@ TEST_CASE("A hop under gravity has the acceleration 1", "[exact][record][chatter
   CHECK(chatter.acceleration == near(1.0).epsilon(1e-12));
 }
 
-TEST_CASE("A body that slides, lets go on a frame or is seen too short does not count",
+TEST_CASE("A body that slides, loses contact on a frame or is seen too short does not count",
           "[unit][record][chatter]") {
   const auto still = [](double) { return at(Vec3::Zero()); };
   // Net movement in half a second: 9.9 mm of a cube of 1 m rests, 10.1 mm does not.
@@ -159,9 +159,9 @@ TEST_CASE("Bodies that come and go are measured once they have been seen for hal
   CHECK(step() == 1);
 }
 
-TEST_CASE("Each body that rests is told with a chatter of its own", "[exact][record][chatter]") {
+TEST_CASE("Each body that rests is reported with its own chatter", "[exact][record][chatter]") {
   // In turn: one that is fixed, one to and fro in every frame by a, one that slides, one to and fro in
-  // four frames by 3 a, one that lets go, one that is still.
+  // four frames by 3 a, one that loses contact, one that is still.
   const double a = 1e-4;  // [m]
   World world;
   world.add_ground();

@@ -47,7 +47,7 @@ TEST_CASE("All eight forms of the same Matrix Market file give the same matrix",
 TEST_CASE("Capitals, comments, empty lines, other line ends and a missing last one do no harm",
           "[unit][matrix_market]") {
   const std::string text =
-      "%%matrixmarket MATRIX Array Double General\r\n% who\r\n%\r\n\r\n 2\t2 \r\n+1e0\r\n % so\r\n"
+      "%%matrixmarket MATRIX Array Double General\r\n% so\r\n%\r\n\r\n 2\t2 \r\n+1e0\r\n % so\r\n"
       "-2.5E-1\r\n\r\n.5\r\n4.";
   CHECK(parse(text) == rows({{1, 0.5}, {-0.25, 4}}));
   CHECK(parse("%%MatrixMarket matrix array integer general\n2 1\n+7\n-9007199254740992") ==
@@ -89,7 +89,7 @@ TEST_CASE("What cannot be written as a Matrix Market file is refused", "[unit][m
   CHECK_THROWS_WITH(to_matrix_market(rows({{1}}), "a\nb"), Contains("comment"));
 }
 
-TEST_CASE("A mistake in a Matrix Market file is told with its line and what would be right",
+TEST_CASE("A mistake in a Matrix Market file is reported with its line and the expected form",
           "[unit][matrix_market]") {
   struct Case {
     std::string text, message;
@@ -142,7 +142,7 @@ TEST_CASE("A mistake in a Matrix Market file is told with its line and what woul
                     Contains("...: expected a finite number"));
 }
 
-TEST_CASE("A Matrix Market file that is no file is told apart", "[unit][matrix_market]") {
+TEST_CASE("A Matrix Market file that is no file is distinguished", "[unit][matrix_market]") {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   CHECK_THROWS_WITH(read_matrix_market(folder / "tumble_no_such.mtx"),
                     Contains("there is no such file"));

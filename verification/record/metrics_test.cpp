@@ -101,7 +101,8 @@ TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
   }
 }
 
-TEST_CASE("A world that has become infinite is told as such and nothing throws", "[unit][record]") {
+TEST_CASE("A world that has become infinite is reported as such and nothing throws",
+          "[unit][record]") {
   World world;
   world.add_ground();
   add(world, Vec3(0.0, 1.0, 0.0));

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who touches whom, and how deep each body is in others.
+/// \brief Contacts and overlap of bodies.
 #include "tumble/record/overlap.hpp"
 
 #include "tumble/dynamics/world.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("How deep a body is in others is the deepest of its pairs", "[exact][r
   add(world, Vec3(0.0, 1.3125, 0.0));       // 2: 1/16 m in 1
   add(world, Vec3(0.96875, 1.34375, 0.0));  // 3: 1/32 m in 2
   add(world, Vec3(5.0, 0.5, 0.0));          // 4: on the ground
-  add(world, Vec3(9.0, 5.0, 0.0));          // 5: touches nobody
+  add(world, Vec3(9.0, 5.0, 0.0));          // 5: touches no body
   add(world, Vec3(12.0, 0.5, 0.0), true);   // 6 and 7: immovable, in each other
   add(world, Vec3(12.5, 0.5, 0.0), true);
   OverlapMeter meter;
@@ -64,7 +64,7 @@ TEST_CASE(
   CHECK(meter.look(world.bodies(), world.states()) == 0.0);
   CHECK(meter.depths().size() == 2);
 
-  // Nobody at all.
+  // No bodies at all.
   CHECK(meter.look({}, {}) == 0.0);
   CHECK(meter.depths().empty());
 }

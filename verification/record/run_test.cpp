@@ -1,5 +1,5 @@
 /// \file
-/// \brief The loop of a run: how many steps of which length, who is told, how it ends.
+/// \brief The loop of a run: number and length of steps, observers, ends.
 #include "tumble/record/run.hpp"
 
 #include "tumble/base/error.hpp"
@@ -114,7 +114,7 @@ TEST_CASE("Settings that make no run are refused before anything is built", "[un
   CHECK(refused(never).find("every = 0") != std::string::npos);
 }
 
-TEST_CASE("Each observer is told of the start, every step and every event", "[unit][record][run]") {
+TEST_CASE("Each observer gets the start, every step and every event", "[unit][record][run]") {
   Puppet puppet;
   puppet.act = [](World&, int k) {
     StepReport report;
@@ -175,7 +175,7 @@ TEST_CASE("A run ends at a step that solved nothing or made a number infinite",
     CHECK(result.end == RunEnd::failed);
     CHECK(result.worst == (infinite ? StepStatus::not_finite : StepStatus::unsolved));
     CHECK(result.steps == 3);
-    CHECK(counter.steps == 3);  // the step that failed is told too
+    CHECK(counter.steps == 3);  // the step that failed is reported too
   }
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("A run stops when it is asked to, between two steps", "[unit][record][
   CHECK(!result.state_hash.empty());
 }
 
-TEST_CASE("After a run that an observer broke off nobody watches the technique",
+TEST_CASE("After a run that an observer broke off the technique has no observer",
           "[unit][record][run]") {
   Puppet puppet;
   Counter counter;

@@ -82,18 +82,18 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
     }
   };
   const auto path = scratch("full.csv");
-  std::int64_t told = 0;  // the row at which the error came
+  std::int64_t failed = 0;  // the row at which the error came
   {
     TableFile table(path, "number,twice");
     const Limit limit(100000);
-    for (std::int64_t k = 0; k < 100000 && told == 0; ++k) {
+    for (std::int64_t k = 0; k < 100000 && failed == 0; ++k) {
       try {
         table.cell(k).cell(2 * k).end_row();
       } catch (const CannotWrite&) {
-        told = k;
+        failed = k;
       }
     }
-    CHECK(told > 0);
+    CHECK(failed > 0);
     table.cell(std::int64_t{-1}).cell(std::int64_t{-2}).end_row();  // would leave a hole
     CHECK_THROWS_AS(table.flush(), CannotWrite);
     CHECK_THROWS_WITH(write_file(scratch("full.json"), std::string(200000, 'x')),
@@ -112,7 +112,7 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
   }
   CHECK(right);
   CHECK(rows > 1000);
-  CHECK(rows < told);
+  CHECK(rows < failed);
   std::filesystem::remove(path);
 }
 

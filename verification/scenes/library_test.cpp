@@ -173,7 +173,7 @@ TEST_CASE("Scenes can be built at random values of all parameters together", "[u
     for (int trial = 0; trial < 20; ++trial) {
       Parameters p = recipe.parameters();
       const Parameters standard = p;
-      std::string told(recipe.name);
+      std::string settings_text(recipe.name);
       for (const Parameter& parameter : standard.all()) {
         if (parameter.kind == ParameterKind::text) continue;
         const double high = parameter.kind == ParameterKind::whole ? std::min(parameter.high, 12.0)
@@ -188,9 +188,9 @@ TEST_CASE("Scenes can be built at random values of all parameters together", "[u
         if (recipe.name == "fig5_6" && parameter.key == "rows")
           text = shortest_text(2.0 * std::floor(0.5 * value) + 1.0);  // odd, or it is refused
         p.set(parameter.key, text);
-        told.append(" ").append(parameter.key).append("=").append(text);
+        settings_text.append(" ").append(parameter.key).append("=").append(text);
       }
-      INFO(told);
+      INFO(settings_text);
       CHECK_NOTHROW(build_world(recipe.build(p, random.fork(1))));
     }
   }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Scene files: what is read, what is refused and in which words.
+/// \brief Scene files: reading, refusals and their messages.
 #include "tumble/scenes/scene_file.hpp"
 
 #include "tumble/base/random.hpp"
@@ -88,11 +88,11 @@ rotation_deg = [0, 90, 0]
   CHECK(block.orientation_wb.y() == near(std::sqrt(0.5)).epsilon(1e-15));
 }
 
-TEST_CASE("A mistake in a scene file is told with file, line, key, value and remedy",
+TEST_CASE("A mistake in a scene file is reported with file, line, key, value and remedy",
           "[unit][scenes]") {
   struct Case {
     std::string text;
-    std::vector<std::string> told;
+    std::vector<std::string> message;
   };
   const std::vector<Case> cases = {
       {"", {"my.toml", "at least one [[box]]"}},
@@ -138,7 +138,7 @@ TEST_CASE("A mistake in a scene file is told with file, line, key, value and rem
       {kBox + "name = \"a\"\n[[box]]\nname=\"a\"\nsize=[1,1,1]\nmass=1\nposition=[5,1,0]\n",
        {"my.toml:7: box[2].name = a", "two boxes"}},
       {"[ground]\n" + kBox + "name = \"ground\"\n",
-       {"my.toml:6: box[1].name = ground", "the ground is called so"}},
+       {"my.toml:6: box[1].name = ground", "the ground has this name"}},
       {kBox + "name = \"a\\nb\"\n", {"my.toml:5", "control character"}},
       {"[[box]]\nsize = [1,1,1]\nmass = 1e-320\nposition = [0,1,0]\n",
        {"my.toml:1: box[1], box1", "1 / mass = inf"}},
@@ -172,8 +172,8 @@ TEST_CASE("A mistake in a scene file is told with file, line, key, value and rem
     CHECK(!message.empty());
     CHECK(message.size() < 400);
     CHECK(message.find('\n') == std::string::npos);
-    for (const std::string& part : c.told) {
-      INFO("expected to be told: " << part);
+    for (const std::string& part : c.message) {
+      INFO("expected in the message: " << part);
       CHECK(message.find(part) != std::string::npos);
     }
   }

@@ -54,7 +54,8 @@ std::optional<int> height_of(const std::string& folder) {
                                                   {"techniques", 6},
                                                   {"scenes", 6},
                                                   {"record", 6},
-                                                  {"pictures", 6}};
+                                                  {"pictures", 6},
+                                                  {"tumble", 7}};
   const auto found = heights.find(folder);
   if (found == heights.end()) return std::nullopt;
   return found->second;

@@ -24,7 +24,10 @@ TEST_CASE("A word that has a plainer one is found", "[structure]") {
 TEST_CASE("Comments and messages and test names use plain English", "[structure]") {
   const auto files = project_files();
   Complaints complaints;
-  for (const char* folder : {"bench/"}) {
+  for (const char* folder :
+       {"bench/", "src/tumble/scenes/", "src/tumble/record/", "apps/", "live/", "examples/",
+        "verification/scenes/", "verification/record/", "verification/apps/",
+        "verification/techniques/", "verification/live/", "verification/support/"}) {
     const auto more = old_dialect(code_in(files, folder));
     complaints.insert(complaints.end(), more.begin(), more.end());
   }

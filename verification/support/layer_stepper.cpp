@@ -36,7 +36,7 @@ StepReport LayerStepper::step(World& world, double dt) {
   StepReport report;
   sleeping_.wake_disturbed(world);
 
-  // Gravity, on whoever is awake.
+  // Gravity, on bodies that are awake.
   for (int i = 0; i < world.count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (world.bodies()[k].movable() && !world.sleep_states()[k].asleep)

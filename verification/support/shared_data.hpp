@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where to find published data sets that are not part of this project.
+/// \brief The folder of published data sets that are not part of this project.
 #pragma once
 
 #include "support/catch.hpp"

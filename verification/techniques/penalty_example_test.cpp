@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the technique of the example promises besides, and what it does badly.
+/// \brief Further promises of the example's technique, and its weaknesses.
 #include "add_a_technique/penalty.hpp"
 #include "impulse_damped/scene_runs.hpp"
 #include "support/allocation_counter.hpp"
@@ -88,7 +88,7 @@ TEST_CASE("Without gravity springs give back nothing that is not booked", "[exac
   }
 }
 
-TEST_CASE("Springs at their limit throw nobody out of a heap at rest", "[unit][technique]") {
+TEST_CASE("Springs at their limit throw no box out of a pile at rest", "[unit][technique]") {
   // spring + 2 damper just below 4, where a point alone would swing for ever.
   for (const PenaltyOptions& options :
        {PenaltyOptions{1.9, 1.0, 2}, PenaltyOptions{0.9, 1.5, 8}, PenaltyOptions{0.25, 1.8, 8}}) {
@@ -132,7 +132,7 @@ TEST_CASE("The order of the bodies changes nothing under springs but rounding",
   run(forth, first, 1.0);
   run(back, second, 1.0);
   for (int k = 1; k < forth.count(); ++k)
-    CHECK((state_of(back, forth.name(k)).position_w -
+    CHECK((back.body(forth.name(k)).position_w() -
            forth.states()[static_cast<std::size_t>(k)].position_w)
               .norm() < 1e-9);  // [m]
 }

@@ -111,7 +111,7 @@ TEST_CASE("A longest common story leaves out no more collisions than any other c
 
 TEST_CASE("A story goes on over frames and takes its observer away", "[unit][timewarp]") {
   const World start = world_with("line");
-  const auto technique = technique_with("timewarp_simple");
+  const auto technique = make_technique("timewarp_simple");
   CHECK(story_of(*technique, start, 1.0).size() == 3);
   World again = start;
   CHECK_NOTHROW(technique->step(again, 1.0));
@@ -136,7 +136,7 @@ TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]"
       const double frame = std::string(scene) == "line" ? 1.0 : 1.0 / 60.0;
       const World start = world_with(scene);
       World end = start;
-      const EventLog events = events_of(*technique_with(name), end, frame);
+      const EventLog events = events_of(*make_technique(name), end, frame);
       const std::vector<Way> ways = ways_of(start, events, frame);
       REQUIRE(ways.size() == end.states().size());
       for (std::size_t body = 0; body < ways.size(); ++body) {

@@ -9,6 +9,7 @@
 #include "tumble/analytic_lcp/forced_flight.hpp"
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
+#include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/sticky.hpp"
@@ -41,6 +42,41 @@ struct AnalyticOptions {
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other fly
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(AnalyticOptions& o, Visitor& v) {
+  v.word("friction", o.friction,
+         {{"coulomb", AnalyticFriction::coulomb},
+          {"none", AnalyticFriction::none},
+          {"damping", AnalyticFriction::damping}},
+         "Coulomb friction, none, or none and damping of bodies in contact (thesis 5.3)");
+  v.word("stable_boxes", o.stable_boxes,
+         {{"off", StableRule::off},
+          {"corners", StableRule::corners},
+          {"hull", StableRule::hull},
+          {"equilibrium", StableRule::equilibrium}},
+         "friction=none or damping: rule for geometrically stable boxes, which need no contact "
+         "forces (thesis 5.4)");
+  v.word("directions", o.directions, {{"8", 8}, {"4", 4}},
+         "directions of the friction pyramid of contacts");
+  v.word("solver", o.solver, contact_solver_words(), "solver of contact forces without friction");
+  v.word("impacts", o.impacts, impact_words(), kImpactsMeaning);
+  v.number("sticky", o.sticky.threshold, 0.0, 1e6, "-",
+           "collisions slower than this times sqrt(g L) do not bounce (thesis 4.3)");
+  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+           "time resolution of the search for impacts");
+  v.whole("event_cap", o.event_cap, 1, 1000000,
+          "collisions and ends of sliding allowed in one step");
+  v.number("damping_velocity", o.damping.velocity, 0.0, 1.0, "-",
+           "friction=damping: factor of velocities in 1/60 s (k1 of the thesis)");
+  v.number("damping_spin", o.damping.spin, 0.0, 1.0, "-",
+           "friction=damping: factor of angular velocities in 1/60 s (k2)");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+  v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
+}
 
 /// What the thesis could not join (3.3.1): collisions in the order of their times, and contact forces
 /// that are exact.

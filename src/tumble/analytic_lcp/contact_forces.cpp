@@ -19,6 +19,13 @@ Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 
 }  // namespace
 
+std::vector<Word<std::string>> contact_solver_words() {
+  std::vector<Word<std::string>> words;
+  for (const LcpRecipe& recipe : lcp_solvers())
+    if (recipe.name != "enumeration") words.push_back({recipe.name, std::string(recipe.name)});
+  return words;
+}
+
 ContactForces::ContactForces(const ContactForceOptions& options)
     : options_(options), solver_(make_lcp_solver(options.solver)), held_(options.stable_boxes) {
   require::that(options.directions == 4 || options.directions == 8,

@@ -9,6 +9,7 @@
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 #include "tumble/analytic_lcp/held_bodies.hpp"
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/base/options.hpp"
 #include "tumble/contact/islands.hpp"
 
 #include <limits>
@@ -18,6 +19,10 @@
 #include <vector>
 
 namespace tumble {
+
+/// The solvers that can be chosen: all but enumeration, which takes eight contacts at most.
+/// \return each with its name
+std::vector<Word<std::string>> contact_solver_words();
 
 /// How contact forces are found.
 struct ContactForceOptions {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/base/options.hpp"
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -21,6 +22,26 @@ struct TimeSteppingOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(TimeSteppingOptions& o, Visitor& v) {
+  v.word("form", o.velocities.form,
+         {{"stewart_trinkle", SteppingForm::stewart_trinkle},
+          {"anitescu_potra", SteppingForm::anitescu_potra}},
+         "contacts may close their gaps, or only touching points count");
+  v.word("directions", o.velocities.directions, {{"4", 4}, {"8", 8}},
+         "directions of the friction pyramid");
+  v.word("sticky", o.velocities.sticky.rule,
+         {{"speed", StickyRule::speed},
+          {"step_size", StickyRule::step_size},
+          {"off", StickyRule::off}},
+         "rule for collisions that are too slow to bounce (thesis 4.3)");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+  v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
+}
 
 /// No event is searched for: each step finds the velocities at its end, then moves all bodies with
 /// them.

@@ -110,6 +110,12 @@ void Parameters::set(std::string_view key, std::string_view value) {
                            (keys.empty() ? "there are none" : expected_names(key, keys)));
 }
 
+void Parameters::assign(std::string_view setting) {
+  const std::size_t equals = setting.find('=');
+  require::that(equals != std::string_view::npos, std::string(setting) + ": expected key=value");
+  set(setting.substr(0, equals), setting.substr(equals + 1));
+}
+
 bool Parameters::has(std::string_view key) const {
   return std::any_of(items_.begin(), items_.end(),
                      [&](const Parameter& p) { return p.key == key; });

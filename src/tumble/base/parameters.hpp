@@ -16,7 +16,7 @@ enum class ParameterKind : std::uint8_t {
   whole,   ///< a whole number
   flag,    ///< `on` or `off`
   word,    ///< one of a list of words
-  text     ///< any text; whoever uses it checks it
+  text     ///< any text; checked where it is used
 };
 
 /// One setting: its name, what it may be, and what it is now.
@@ -33,7 +33,7 @@ struct Parameter {
 
 /// The settings of one scene, technique or figure, in the order in which they were declared.
 ///
-/// Whoever has settings declares them once, with default, unit and meaning; the command line, the
+/// Settings are declared once, with default, unit and meaning; the command line, the
 /// lists of `tumble scenes NAME` and `tumble techniques NAME`, the chapter drivers and the
 /// recorded files all read the same declaration.
 class Parameters {
@@ -73,7 +73,7 @@ class Parameters {
   /// \return this, for the next declaration
   Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
 
-  /// Declares a text. What it may be is checked by whoever uses it.
+  /// Declares a text. It is checked where it is used.
   /// \param key      its name
   /// \param initial  the default, not empty
   /// \param meaning  one line
@@ -84,8 +84,13 @@ class Parameters {
   /// \param key    its name
   /// \param value  as a user writes it
   /// \throws std::invalid_argument if there is no such key or the value is not accepted; the
-  ///         message lists what is
+  ///         message lists the accepted ones
   void set(std::string_view key, std::string_view value);
+
+  /// Changes a setting.
+  /// \param setting  as a command line has it: key=value
+  /// \throws std::invalid_argument without a "=", and as set()
+  void assign(std::string_view setting);
 
   /// Whether there is a setting of this name.
   /// \param key its name

@@ -2,8 +2,6 @@
 /// \brief Distance between words.
 #include "tumble/base/suggestion.hpp"
 
-#include "tumble/base/error.hpp"
-
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -56,14 +54,6 @@ std::string expected_names(std::string_view word, std::span<const std::string_vi
   if (close.empty()) out = "expected one of: ";
   for (std::size_t k = 0; k < known.size(); ++k) out.append(k > 0 ? ", " : "").append(known[k]);
   return out;
-}
-
-int place_of(std::string_view name, std::string_view what,
-             std::span<const std::string_view> known) {
-  const auto found = std::find(known.begin(), known.end(), name);
-  require::that(found != known.end(),
-                std::string(what) + " = " + std::string(name) + ": " + expected_names(name, known));
-  return static_cast<int>(found - known.begin());
 }
 
 }  // namespace tumble

@@ -24,12 +24,4 @@ std::string_view closest_name(std::string_view word, std::span<const std::string
 /// \return for example "did you mean gravity? Expected one of: title, gravity, ground, box"
 std::string expected_names(std::string_view word, std::span<const std::string_view> known);
 
-/// The place of a name in a list.
-/// \param name   what was typed
-/// \param what   what it is the value of, for the message
-/// \param known  the names that there are
-/// \return from 0
-/// \throws std::invalid_argument if it is none of them, with the closest one
-int place_of(std::string_view name, std::string_view what, std::span<const std::string_view> known);
-
 }  // namespace tumble

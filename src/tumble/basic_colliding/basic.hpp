@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
@@ -24,6 +25,21 @@ struct BasicOptions {
   SearchMethod search = SearchMethod::discrete;     ///< the thesis's, or one that misses nothing
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(BasicOptions& o, Visitor& v) {
+  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+           "time resolution of the search for impacts");
+  v.whole("event_cap", o.event_cap, 1, 1000000, "moments of impact allowed in one step");
+  v.word("impacts", o.impacts, impact_words(), kImpactsMeaning);
+  v.word("search", o.search,
+         {{"discrete", SearchMethod::discrete}, {"conservative", SearchMethod::conservative}},
+         "test for overlap at the end of a step only (thesis 3.2), or miss no contact");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+}
 
 /// Advance, find an overlap, search back for the moment of impact, resolve, go on (thesis 2.1).
 ///

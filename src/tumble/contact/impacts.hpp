@@ -2,6 +2,7 @@
 /// \brief Collisions of several bodies at one instant (thesis 2.5.1, 5.2).
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/contact/simultaneous_impacts.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -32,6 +33,15 @@ enum class ImpactOrder : std::uint8_t {
   /// passes do little for n above 5.
   sequential
 };
+
+/// The names of the orders as words of options.
+/// \return each once
+inline std::vector<Word<ImpactOrder>> impact_words() {
+  return {{"simultaneous", ImpactOrder::simultaneous}, {"sequential", ImpactOrder::sequential}};
+}
+
+/// The meaning of the option `impacts`, wherever a technique has it.
+inline constexpr std::string_view kImpactsMeaning = "resolution of collisions at the same moment";
 
 /// How impacts are resolved.
 struct ImpactOptions {

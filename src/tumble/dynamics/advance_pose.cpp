@@ -2,7 +2,6 @@
 /// \brief Moving a body at constant momenta: four rules for the rotation (thesis 3.1).
 #include "tumble/dynamics/advance_pose.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -120,16 +119,6 @@ std::string_view name_of(RotationRule rule) {
       return "splitting";
   }
   throw std::invalid_argument("tumble: not a rotation rule");
-}
-
-RotationRule rotation_rule_from(std::string_view name) {
-  std::string choices;
-  for (const RotationRule rule : kRules) {
-    if (name == name_of(rule)) return rule;
-    choices.append(choices.empty() ? "" : ", ").append(name_of(rule));
-  }
-  throw std::invalid_argument("tumble: rotation rule \"" + std::string(name) +
-                              "\": expected one of " + choices);
 }
 
 void advance_pose(const BodyProperties& body, BodyState& state, double dt, RotationRule rule) {

@@ -34,16 +34,13 @@ enum class RotationRule : std::uint8_t {
 /// \return each once
 std::span<const RotationRule> rotation_rules();
 
+/// The meaning of the option `rotation`, wherever a technique has it.
+inline constexpr std::string_view kRotationMeaning = "integration rule of rotations";
+
 /// The name that a user calls a rule by.
 /// \param rule one of the four
 /// \return "frozen", "midpoint", "rk4" or "splitting"
 std::string_view name_of(RotationRule rule);
-
-/// The rule that a user means.
-/// \param name its name
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-RotationRule rotation_rule_from(std::string_view name);
 
 /// Moves a body for a time with both momenta constant.
 ///

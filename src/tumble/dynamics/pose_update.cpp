@@ -25,11 +25,4 @@ std::string_view name_of(PoseUpdate update) {
   throw std::invalid_argument("tumble: not a pose update");
 }
 
-PoseUpdate pose_update_from(std::string_view name) {
-  for (const PoseUpdate update : kUpdates)
-    if (name == name_of(update)) return update;
-  throw std::invalid_argument("tumble: pose update \"" + std::string(name) +
-                              "\": expected one of separate, exponential");
-}
-
 }  // namespace tumble

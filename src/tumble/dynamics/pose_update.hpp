@@ -18,6 +18,11 @@ enum class PoseUpdate : std::uint8_t {
   exponential
 };
 
+/// The meaning of the option `pose`, wherever a technique has it.
+inline constexpr std::string_view kPoseMeaning =
+    "motion of bodies that push each other: each by itself, or about its support point (thesis "
+    "6.2)";
+
 /// Both, in the order of the enumeration.
 /// \return each once
 std::span<const PoseUpdate> pose_updates();
@@ -26,11 +31,5 @@ std::span<const PoseUpdate> pose_updates();
 /// \param update one of the two
 /// \return "separate" or "exponential"
 std::string_view name_of(PoseUpdate update);
-
-/// What a user means.
-/// \param name its name
-/// \return the update
-/// \throws std::invalid_argument for any other name, with the list of choices
-PoseUpdate pose_update_from(std::string_view name);
 
 }  // namespace tumble

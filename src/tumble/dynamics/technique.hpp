@@ -136,10 +136,22 @@ class Technique {
   Observer* observer_ = nullptr;
 };
 
-/// Somebody who watches a run.
+/// Watches a run. A technique reports events; whatever steps it, for example a Simulation, reports the rest.
 class Observer {
  public:
   virtual ~Observer() = default;
+
+  /// A run begins, or begins anew because its start was changed.
+  /// \param world the bodies at time 0
+  virtual void on_begin(const World& world) { (void)world; }
+
+  /// Bodies were added or removed from outside, between two steps.
+  /// \param world         the bodies now
+  /// \param energy_added  [J] change of the total energy
+  virtual void on_change(const World& world, double energy_added) {
+    (void)world;
+    (void)energy_added;
+  }
 
   /// A collision has been resolved.
   /// \param event what happened

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
@@ -147,6 +148,22 @@ std::optional<BodyId> World::find(std::string_view name) const {
   if (place == names_.end()) return std::nullopt;
   return ids_[static_cast<std::size_t>(place - names_.begin())];
 }
+
+int World::index_of(std::string_view name) const {
+  const auto place = std::find(names_.begin(), names_.end(), name);
+  if (place == names_.end()) {
+    const std::vector<std::string_view> known(names_.begin(), names_.end());
+    const std::string_view close = closest_name(name, known);
+    std::string message = "there is no body called " + std::string(name);
+    if (!close.empty()) message.append(": did you mean ").append(close).append("?");
+    require::that(false, message);
+  }
+  return static_cast<int>(place - names_.begin());
+}
+
+BodyView World::body(std::string_view name) const { return {*this, index_of(name)}; }
+
+BodyView World::body(BodyId id) const { return {*this, index_of(id)}; }
 
 StateHash World::hash() const {
   StateHash hash;

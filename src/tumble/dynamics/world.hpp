@@ -2,6 +2,7 @@
 /// \brief All bodies of a simulation, as a value.
 #pragma once
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/state_hash.hpp"
 #include "tumble/dynamics/body.hpp"
 
@@ -18,6 +19,8 @@ struct SleepState {
   double quiet_time = 0.0;  ///< [s] how long it has been slower than the sleeping speed
   bool asleep = false;      ///< not simulated until something wakes it
 };
+
+class BodyView;
 
 /// All bodies of a simulation, the ground and gravity. A value: a copy is a snapshot.
 ///
@@ -95,6 +98,25 @@ class World {
   /// \return its id, or nothing
   [[nodiscard]] std::optional<BodyId> find(std::string_view name) const;
 
+  /// The place in the arrays of the body called like this.
+  /// \param name its name
+  /// \return its index. O(n)
+  /// \throws std::invalid_argument if there is no such body, with the closest name
+  [[nodiscard]] int index_of(std::string_view name) const;
+
+  /// The body called like this, to be read.
+  /// \param name its name
+  /// \return see there. O(n)
+  /// \throws std::invalid_argument if there is no such body, with the closest name
+  /// \verified{A body is read by its name, and a name that is missing is answered with the closest one}
+  [[nodiscard]] BodyView body(std::string_view name) const;
+
+  /// A body, to be read.
+  /// \param id the body
+  /// \return see there. O(log n)
+  /// \throws std::invalid_argument if there is no such body
+  [[nodiscard]] BodyView body(BodyId id) const;
+
   /// The constant parts, by index.
   /// \return one for each body
   [[nodiscard]] std::span<const BodyProperties> bodies() const { return bodies_; }
@@ -150,6 +172,48 @@ class World {
   std::int64_t steps_ = 0;
   std::uint32_t next_id_ = 0;
   std::uint32_t boxes_added_ = 0;  // for the default names
+};
+
+/// One body of a world, to be read: pose, velocities, energy. It shows the world as it is when it is asked, and
+/// is valid until a body is added or removed, or the world is moved.
+class BodyView {
+ public:
+  /// The body at a place in the arrays.
+  /// \param world  the bodies
+  /// \param index  its place, at least 0 and below the count
+  BodyView(const World& world, int index) : world_(&world), index_(index) {}
+
+  /// \return its id
+  [[nodiscard]] BodyId id() const { return world_->ids()[at(index_)]; }
+  /// \return its name
+  [[nodiscard]] const std::string& name() const { return world_->name(index_); }
+  /// \return what never changes about it
+  [[nodiscard]] const BodyProperties& properties() const { return world_->bodies()[at(index_)]; }
+  /// \return its pose and momenta
+  [[nodiscard]] const BodyState& state() const { return world_->states()[at(index_)]; }
+  /// \return whether it sleeps
+  [[nodiscard]] bool asleep() const { return world_->sleep_states()[at(index_)].asleep; }
+
+  /// \return [m] its centre of mass
+  [[nodiscard]] const Vec3& position_w() const { return state().position_w; }
+  /// \return [-] its orientation, body to world
+  [[nodiscard]] const Quat& orientation_wb() const { return state().orientation_wb; }
+  /// \return [m/s] velocity of its centre of mass
+  [[nodiscard]] Vec3 velocity_w() const { return velocity(properties(), state()); }
+  /// \return [rad/s] its angular velocity
+  [[nodiscard]] Vec3 angular_velocity_w() const { return angular_velocity(properties(), state()); }
+  /// \return [J] of translation and rotation
+  [[nodiscard]] double kinetic_energy() const {
+    return tumble::kinetic_energy(properties(), state());
+  }
+  /// \return [J] in gravity, 0 with the centre of mass at the origin; 0 for an immovable body
+  [[nodiscard]] double potential_energy() const {
+    return properties().movable() ? -properties().mass * world_->gravity_w.dot(position_w()) : 0.0;
+  }
+
+ private:
+  const World* world_;
+  int index_;
 };
 
 /// Whether all states are numbers: a step that fails leaves others behind.

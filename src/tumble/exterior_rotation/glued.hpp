@@ -4,6 +4,7 @@
 /// Uses the chapter on analytic forces.
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
 #include "tumble/exterior_rotation/runge_kutta.hpp"
@@ -37,12 +38,6 @@ std::span<const GluedScheme> glued_schemes();
 /// \return as in the enumeration
 std::string_view name_of(GluedScheme scheme);
 
-/// The scheme that a user means.
-/// \param name its name
-/// \return the scheme
-/// \throws std::invalid_argument for any other name, with the choices
-GluedScheme glued_scheme_from(std::string_view name);
-
 /// Whether joints can open.
 enum class GluedJoints : std::uint8_t {
   bilateral,  ///< glue: a joint pulls as well as it pushes
@@ -64,6 +59,24 @@ struct GluedOptions {
   /// [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
   double accuracy = tolerance::rotation_accuracy;
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(GluedOptions& o, Visitor& v) {
+  v.word("scheme", o.scheme, words_of(glued_schemes()), "time integration (thesis 6.2)");
+  v.word("pose", o.pose, words_of(pose_updates()),
+         "schemes with one evaluation of forces: centre and orientation apart, or by one twist");
+  v.word("joints", o.joints,
+         {{"bilateral", GluedJoints::bilateral}, {"unilateral", GluedJoints::unilateral}},
+         "glue, or very high friction without pull");
+  v.word("events", o.events,
+         {{"located", GluedEvents::located}, {"step_end", GluedEvents::step_end}},
+         "joints=unilateral: time at which joints open or close");
+  v.number("accuracy", o.accuracy, tolerance::least_rotation_accuracy, 1.0, "-",
+           "scheme=dormand_prince: error allowed in a step, in edges and radians");
+}
 
 /// Bodies that stick where they touch at the start, and know no other contact.
 ///

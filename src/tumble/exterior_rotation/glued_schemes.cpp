@@ -1,6 +1,5 @@
 /// \file
 /// \brief Names of the schemes of the glued technique.
-#include "tumble/base/error.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include <array>
@@ -36,16 +35,6 @@ std::string_view name_of(GluedScheme scheme) {
       return "leapfrog";
   }
   return "";
-}
-
-GluedScheme glued_scheme_from(std::string_view name) {
-  std::string choices;
-  for (const GluedScheme scheme : kSchemes) {
-    if (name == name_of(scheme)) return scheme;
-    choices.append(choices.empty() ? "" : ", ").append(name_of(scheme));
-  }
-  require::that(false, "scheme = " + std::string(name) + ": expected one of " + choices);
-  return GluedScheme::rk4;  // not reached
 }
 
 }  // namespace tumble

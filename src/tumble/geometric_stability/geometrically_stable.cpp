@@ -5,7 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
 #include <algorithm>
@@ -20,11 +19,6 @@ namespace {
 std::string coordinate(double value) { return rounded_text(value, 4); }
 
 }  // namespace
-
-StableRule stable_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 4> kNames{"off", "corners", "hull", "equilibrium"};
-  return static_cast<StableRule>(place_of(name, "stable_boxes", kNames));
-}
 
 void GeometricStability::run(const World& world, std::span<const Contact> contacts, StableRule rule,
                              double rising, std::vector<char>& stable,

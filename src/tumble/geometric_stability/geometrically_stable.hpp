@@ -26,12 +26,6 @@ enum class StableRule : std::uint8_t {
   equilibrium  ///< ours: hull, and whole groups that are in balance under their weight (StableBoxes)
 };
 
-/// The rule that a user means.
-/// \param name "off", "corners", "hull" or "equilibrium"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-StableRule stable_rule_from(std::string_view name);
-
 /// How exact supports have to be.
 struct StabilityTolerances {
   double vertical = tolerance::vertical_normal;  ///< [-] sine of a normal to the vertical

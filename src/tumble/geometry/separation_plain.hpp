@@ -2,6 +2,7 @@
 /// \brief The separating axis test as a plain loop over all fifteen axes (thesis 3.2).
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/box.hpp"
 
 #include <array>
@@ -51,7 +52,8 @@ Vec across(const Vec& p, const Vec& q) {
 /// Fifteen axes, each projected; no allocation.
 /// \verified{The separation of 20000 pairs is that of the plain loop over fifteen axes}
 template <class Real = double>
-Real separation_plain(const Box& first, const Box& second, double parallel = 1e-12) {
+Real separation_plain(const Box& first, const Box& second,
+                      double parallel = tolerance::parallel_edges) {
   using Vec = Eigen::Matrix<Real, 3, 1>;
   // [S3.2:fifteen_axes]
   // The directions that can separate two boxes: the three face

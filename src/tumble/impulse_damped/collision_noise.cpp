@@ -2,9 +2,7 @@
 /// \brief Normals and restitution varied at random.
 #include "tumble/impulse_damped/collision_noise.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -28,11 +26,6 @@ double normal_speed(const Contact& contact, std::span<const MovingBody> bodies) 
 }
 
 }  // namespace
-
-Randomness randomness_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 4> kNames{"off", "fast", "slow", "all"};
-  return static_cast<Randomness>(place_of(name, "randomness", kNames));
-}
 
 // [S4.2]
 NoisyCollision vary(const Contact& contact, std::span<const MovingBody> bodies,

@@ -18,12 +18,6 @@ enum class Randomness : std::uint8_t {
   all    ///< all
 };
 
-/// The rule that a user means.
-/// \param name "off", "fast", "slow" or "all"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-Randomness randomness_from(std::string_view name);
-
 /// How much is left to chance, and when.
 struct NoiseOptions {
   Randomness where = Randomness::fast;      ///< see there

@@ -2,6 +2,7 @@
 /// \brief Damped integration, the thesis's own technique (thesis 5.2 to 5.4, A.2).
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
@@ -36,6 +37,46 @@ struct DampedOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   std::uint64_t seed = 1;                           ///< of chance
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(DampedOptions& o, Visitor& v) {
+  v.word("normals", o.normals,
+         {{"last_face", NormalRule::last_face},
+          {"separation", NormalRule::separation},
+          {"signed_distance", NormalRule::signed_distance}},
+         "contact normal of overlapping pairs: the closest face of the last step (thesis 3.3.2), "
+         "the axis of least overlap, or the gradient of a box's distance");
+  v.word("points", o.points, {{"one", PointRule::one}, {"area", PointRule::area}},
+         "contact points of a pair: one as in the thesis, or the whole contact area");
+  v.word("shock", o.shock, {{"position", ShockRule::position}, {"velocity", ShockRule::velocity}},
+         "remedy for remaining overlap: bodies are pushed up (thesis 4.4), or velocities are "
+         "stopped from the ground up (Guendelman)");
+  v.word("stable_boxes", o.stable_boxes,
+         {{"corners", StableRule::corners}, {"hull", StableRule::hull}, {"off", StableRule::off}},
+         "rule that classifies a box as geometrically stable (thesis 5.4)");
+  v.word("damping", o.damping, damping_words(), "parts of the damping in use (thesis 5.3)");
+  v.word("randomness", o.noise.where,
+         {{"off", Randomness::off},
+          {"fast", Randomness::fast},
+          {"slow", Randomness::slow},
+          {"all", Randomness::all}},
+         "collisions that are varied at random (thesis 4.2)");
+  v.number("random_speed", o.noise.speed, 0.0, 1e6, "-",
+           "threshold of fast collisions over sqrt(g L)");
+  v.number("random_normal", o.noise.normal, 0.0, 1.0, "rad",
+           "standard deviation of the angle of random normals");
+  v.number("random_restitution", o.noise.restitution, 0.0, 1.0, "-",
+           "half the range of random restitution");
+  v.number("eps_scale", o.numbers.eps_scale, 0.0, 1e3, "-", "factor of all damping thresholds");
+  v.number("k_scale", o.numbers.k_scale, 0.0, 1e3, "-", "exponent of all damping factors");
+  v.whole("collision_passes", o.collision_passes, 0, 1000, "passes over collisions");
+  v.whole("contact_passes", o.contact_passes, 0, 1000, "passes over contacts");
+  v.flag("sleeping", o.sleeping, "do not simulate bodies at rest (thesis 4.5)");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+}
 
 /// Damped integration: impulses, then damping, then pushes.
 ///

@@ -91,6 +91,16 @@ DampingParts damping_parts_from(std::string_view names) {
   }
 }
 
+std::vector<Word<DampingParts>> damping_words() {
+  std::vector<Word<DampingParts>> words;
+  for (const std::string_view names :
+       {"all", "none", "scale", "small", "align", "tilt", "freeze", "scale+small",
+        "scale+small+align", "scale+small+align+tilt", "small+align+tilt+freeze",
+        "scale+align+tilt+freeze", "scale+small+tilt+freeze", "scale+small+align+freeze"})
+    words.push_back({names, damping_parts_from(names)});
+  return words;
+}
+
 bool check_y_axis_alignment(const Quat& orientation_wb, double tolerance) {
   const Mat3 axes_w = orientation_wb.toRotationMatrix();
   return axes_w.row(1).cwiseAbs().maxCoeff() >= elementary::cos(tolerance);

@@ -2,6 +2,7 @@
 /// \brief The listing DAMPENOBJECTS: damping in place of friction (thesis 5.3, A.2).
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
@@ -18,13 +19,20 @@ struct DampingParts {
   bool small = true;   ///< lines 11 to 21: slow components shrink or vanish
   bool align = true;   ///< lines 6 to 9: an aligned box stops falling and spins less
   bool tilt = true;    ///< line 10: an aligned box is turned upright
-  bool freeze = true;  ///< lines 23 to 28: who hardly moves stays where it was
+  bool freeze = true;  ///< lines 23 to 28: a body that hardly moves stays where it was
+
+  /// \param other  parts \return whether they are the same
+  bool operator==(const DampingParts& other) const = default;
 };
 
-/// The parts that a user means.
+/// The combinations of parts that the option `damping` accepts.
+/// \return each with its name
+std::vector<Word<DampingParts>> damping_words();
+
+/// Parts of the damping by their names.
 /// \param names  "all", "none", or names joined by +, such as "scale+align"
 /// \return the parts
-/// \throws std::invalid_argument for a name that is none, with the list of choices
+/// \throws std::invalid_argument for an unknown name, with the list of choices
 DampingParts damping_parts_from(std::string_view names);
 
 /// What damping did.

@@ -5,6 +5,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/contact/sticky.hpp"
@@ -44,6 +45,35 @@ struct ImpulseOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(ImpulseOptions& o, Visitor& v) {
+  v.word("shock", o.shock,
+         {{"velocity", ImpulseShock::velocity},
+          {"position", ImpulseShock::position},
+          {"off", ImpulseShock::off}},
+         "remedy for approaches that remain after the contact passes: shock propagation, moving "
+         "bodies apart (thesis 4.4), or none");
+  v.word("shock_restitution", o.shock_restitution,
+         {{"zero", ShockRestitution::zero}, {"rising", ShockRestitution::rising}},
+         "restitution in the sweeps over a level: 0 as in the paper, or -1 + j/S, which turns "
+         "bodies less");
+  v.word("points", o.points, {{"area", ImpulsePoints::area}, {"one", ImpulsePoints::one}},
+         "contact points: the whole contact area, or its centre");
+  v.whole("collision_passes", o.collision_passes, 1, 1000, "passes over colliding pairs");
+  v.whole("contact_passes", o.contact_passes, 1, 1000,
+          "passes over contacts, N of their restitutions -1 + i/N");
+  v.whole("level_sweeps", o.level_sweeps, 1, 1000, "sweeps over the pairs of a level in each pass");
+  v.number("sticky", o.sticky, 0.0, 1e6, "-",
+           "collisions slower than this times sqrt(g L) do not bounce (thesis 4.3)");
+  v.flag("repair", o.repair, "move bodies apart that overlap after the step");
+  v.flag("sleeping", o.sleeping, "do not simulate bodies at rest (thesis 4.5)");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+  v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
+}
 
 /// Everything by impulses, decided where bodies are about to be: five stages in a step.
 ///

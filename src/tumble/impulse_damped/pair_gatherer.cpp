@@ -4,7 +4,6 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometry/overlap_normals.hpp"
@@ -45,17 +44,6 @@ void reduce_to_one(Contact& contact) {
 }
 
 }  // namespace
-
-NormalRule normal_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> kNames{"last_face", "separation",
-                                                          "signed_distance"};
-  return static_cast<NormalRule>(place_of(name, "normals", kNames));
-}
-
-PointRule point_rule_from(std::string_view name) {
-  static constexpr std::array<std::string_view, 2> kNames{"one", "area"};
-  return static_cast<PointRule>(place_of(name, "points", kNames));
-}
 
 PairGatherer::PairGatherer(NormalRule normals, PointRule points)
     : normals_(normals), points_(points), broad_phase_(make_broad_phase("bounding_tree")) {}

@@ -27,18 +27,6 @@ enum class PointRule : std::uint8_t {
   area  ///< all points of the contact area
 };
 
-/// The rule that a user means.
-/// \param name "last_face", "separation" or "signed_distance"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-NormalRule normal_rule_from(std::string_view name);
-
-/// The rule that a user means.
-/// \param name "one" or "area"
-/// \return the rule
-/// \throws std::invalid_argument for any other name, with the list of choices
-PointRule point_rule_from(std::string_view name);
-
 /// What gathering did.
 struct PairReport {
   std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at

@@ -69,7 +69,7 @@ bool ChatterMeter::rests(const Track& track) const {
   const Corners& begin = window(track).front();
   const Corners& end = window(track).back();
   for (std::size_t c = 0; c < begin.size(); ++c)
-    if (!((end[c] - begin[c]).norm() < track.limit)) return false;  // nor does what is not finite
+    if (!((end[c] - begin[c]).norm() < track.limit)) return false;  // nor one that is not finite
   return true;
 }
 

@@ -31,13 +31,13 @@ struct BodyChatter {
 ///
 /// A body rests if it is in contact on every frame of the last half second and each of its corners
 /// is at the end of that window within 1 % of the body's shortest edge of where it was at the
-/// beginning. Two numbers tell how it shakes:
+/// beginning. Two numbers measure its shaking:
 /// - the amplitude, the largest distance between two places of a corner within the window;
 /// - the acceleration, the root mean square of the second differences \f$x_{k+1}-2x_k+x_{k-1}\f$ of
 ///   its corners from frame to frame, over \f$g/60^2\f$.
 ///
 /// Frames are those of a 60 Hz display whatever the time step is, at multiples of 1/60 s. A corner
-/// between two steps is interpolated linearly; whether the body is in contact there is told by
+/// between two steps is interpolated linearly; whether the body is in contact there is decided by
 /// the later step.
 class ChatterMeter {
  public:

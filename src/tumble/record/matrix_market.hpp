@@ -20,10 +20,10 @@ inline constexpr int kMostMatrixRows = 5000;
 /// `array` has all of them column by column, `coordinate` those that are not 0, as row, column (from
 /// 1) and value. Of a symmetric matrix only entries on and below the diagonal are given. Lines that
 /// begin with % and empty ones are skipped.
-/// \param text  what is in the file
+/// \param text  content of the file
 /// \param file  its name, for messages
 /// \return the matrix, all of it
-/// \throws std::invalid_argument as `file:line: what is wrong: what is right`: another form, a line
+/// \throws std::invalid_argument as `file:line: mistake: expected form`: another form, a line
 ///         that cannot be read, a number that is not finite, an integer beyond 2^53, an entry out of
 ///         range or given twice, too few or too many entries, more than kMostMatrixRows rows or columns
 /// \see Boisvert, Pozo, Remington, "The Matrix Market exchange formats: initial design", NIST report

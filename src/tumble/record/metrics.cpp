@@ -14,6 +14,17 @@ constexpr double kEarthGravity = 9.81;  // [m/s²] the unit of accelerations whe
 
 }  // namespace
 
+void MetricsMeter::on_begin(const World& world) {
+  *this = MetricsMeter();
+  metrics_ = begin(world);
+}
+
+void MetricsMeter::on_change(const World&, double energy_added) { allow(energy_added); }
+
+void MetricsMeter::on_step(const World& world, const StepReport& report) {
+  metrics_ = measure(world, report);
+}
+
 Metrics MetricsMeter::begin(const World& world) {
   start_energy_ = energy_of(world).total();
   return measure_now(world);

@@ -25,19 +25,27 @@ struct Metrics {
   int asleep = 0;                          ///< bodies that sleep
 };
 
-/// Measures a run from outside, from poses and momenta alone.
+/// Measures a run from outside, from poses and momenta alone: as an observer of a Simulation, or by hand.
 ///
-/// Overlap is the least translation over the 15 axes that parts two boxes, and the depth of the
-/// lowest corner under the ground. The bodies' own technique is not asked. Pairs of immovable bodies
+/// Overlap is the least translation over the 15 axes that separates two boxes, and the depth of the
+/// lowest corner under the ground; the technique's own contacts are not used. Pairs of immovable bodies
 /// do not count.
-class MetricsMeter {
+class MetricsMeter : public Observer {
  public:
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+  /// The numbers of an observed run.
+  /// \return after the last step; at the start if there was none
+  [[nodiscard]] const Metrics& metrics() const { return metrics_; }
+
   /// Begins with the world at the start.
   /// \param world the bodies at time 0
   /// \return the numbers at the start
   Metrics begin(const World& world);
 
-  /// Bodies came in or were changed from outside: their energy is not the technique's error.
+  /// Allows for bodies that were added, removed or changed from outside: their energy is not the technique's error.
   /// \param energy_added [J] how much the total energy changed by it
   void allow(double energy_added) { start_energy_ += energy_added; }
 
@@ -54,6 +62,7 @@ class MetricsMeter {
   ChatterMeter chatter_;
   BookedEnergy booked_;
   double start_energy_ = 0.0;
+  Metrics metrics_;
 };
 
 }  // namespace tumble

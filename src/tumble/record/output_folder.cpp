@@ -26,7 +26,7 @@ OutputFolder::OutputFolder(fs::path path, std::string_view mark,
   fs::create_directories(path_, failed);
   if (std::error_code unknown; !fs::is_directory(path_, unknown))
     throw CannotWrite("tumble: cannot make the folder " + path_.string() + ": " + failed.message());
-  remove_files();  // what is left of them would not belong to the new output
+  remove_files();  // old ones would not belong to the new output
 }
 
 void OutputFolder::remove_files() const {

@@ -10,7 +10,7 @@ namespace tumble {
 
 /// A folder for files that belong together.
 ///
-/// A folder of somebody else's is never written into: one that is not empty must hold the mark of
+/// A folder of other origin is never written into: one that is not empty must hold the mark of
 /// an earlier output of the same kind, which is then replaced.
 class OutputFolder {
  public:

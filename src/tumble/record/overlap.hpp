@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who touches whom, and how deep bodies are in each other, from poses alone.
+/// \brief Contacts and overlap of bodies, from poses alone.
 #pragma once
 
 #include "tumble/dynamics/body.hpp"
@@ -18,7 +18,7 @@ namespace tumble {
 /// \return [m]
 double touching_distance(const BodyProperties& a, const BodyProperties& b);
 
-/// Looks at poses, whoever made them.
+/// Measures poses of any origin.
 class OverlapMeter {
  public:
   /// Makes the storage.
@@ -35,7 +35,7 @@ class OverlapMeter {
   /// \return [m] by index as of the last look: its deepest penetration, 0 or above
   [[nodiscard]] std::span<const double> depths() const { return depths_; }
 
-  /// Who touches another body.
+  /// Bodies that touch another one.
   /// \return by index as of the last look: 1 for those within touching_distance(), else 0
   [[nodiscard]] std::span<const char> in_contact() const { return in_contact_; }
 

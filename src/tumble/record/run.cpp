@@ -5,10 +5,10 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
-#include "tumble/record/scene_run.hpp"
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,16 +17,11 @@ namespace {
 
 constexpr double kMostSteps = 1e12;  // as many would run for years
 
-// Passes on the events of the steps, with the world for the bodies' names, for as long as it lives.
+// Passes on the events of the steps, with the world for the bodies' names.
 class EventForwarder : public Observer {
  public:
-  EventForwarder(const World& world, std::span<RunObserver* const> observers, Technique& technique)
-      : world_(world), observers_(observers), technique_(technique) {
-    technique_.observe(this);
-  }
-  ~EventForwarder() override { technique_.observe(nullptr); }
-  EventForwarder(const EventForwarder&) = delete;
-  EventForwarder& operator=(const EventForwarder&) = delete;
+  EventForwarder(const World& world, std::span<RunObserver* const> observers)
+      : world_(world), observers_(observers) {}
   void on_event(const Event& event) override {
     for (RunObserver* observer : observers_) observer->on_event(world_, event);
   }
@@ -34,7 +29,22 @@ class EventForwarder : public Observer {
  private:
   const World& world_;
   std::span<RunObserver* const> observers_;
-  Technique& technique_;
+};
+
+// Observes a simulation for as long as it lives.
+class Observation {
+ public:
+  Observation(Simulation& simulation, Observer& observer)
+      : simulation_(simulation), observer_(observer) {
+    simulation_.observe(observer_);
+  }
+  ~Observation() { simulation_.stop_observing(observer_); }
+  Observation(const Observation&) = delete;
+  Observation& operator=(const Observation&) = delete;
+
+ private:
+  Simulation& simulation_;
+  Observer& observer_;
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.
@@ -89,16 +99,18 @@ void require_valid(const RunSettings& settings) {
                     ": expected fewer than 1e12 steps");
 }
 
-RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
-                    std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
-  require_valid(settings);
-  SceneRun run(scene, technique);
-  const World& world = run.world();
+RunResult run(Simulation& simulation, const RunSettings& settings,
+              std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
+  assert(simulation.world().steps() == 0);
+  const World& world = simulation.world();
+  MetricsMeter meter;
+  const Observation measured(simulation, meter);
+  EventForwarder events(world, observers);
+  const Observation forwarded(simulation, events);
   RunResult result;
-  result.last = run.metrics();
+  result.last = meter.metrics();
   keep_worst(result.last, result.worst_metrics);
   for (RunObserver* observer : observers) observer->on_begin(world);
-  const EventForwarder forwarder(world, observers, technique);
 
   const std::int64_t whole = whole_steps(settings);
   const double rest = settings.duration - static_cast<double>(whole) * settings.dt;
@@ -110,7 +122,7 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
     }
     StepReport report;
     try {
-      report = run.step(k < whole ? settings.dt : rest);
+      report = simulation.step(k < whole ? settings.dt : rest);
     } catch (const std::invalid_argument& error) {
       if (k == 0) throw;  // the user's mistake: nothing has been simulated
       result.refusal = error.what();
@@ -122,10 +134,10 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
     add_up(report, result.totals, result.worst_report);
     result.last_report = report;
-    result.last = run.metrics();
+    result.last = meter.metrics();
     keep_worst(result.last, result.worst_metrics);
     for (RunObserver* observer : observers)
-      observer->on_step(world, technique, report, result.last);
+      observer->on_step(world, simulation.technique(), report, result.last);
     if (report.status >= StepStatus::unsolved) {
       result.end = RunEnd::failed;
       break;
@@ -135,6 +147,13 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
   result.time = world.time();
   result.state_hash = world.hash().text();
   return result;
+}
+
+RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
+                    std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
+  require_valid(settings);
+  Simulation simulation(scene, technique);
+  return run(simulation, settings, observers, stop);
 }
 
 std::string_view name_of(StepStatus status) {

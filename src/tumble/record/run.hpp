@@ -1,11 +1,11 @@
 /// \file
-/// \brief A run: a scene, a technique, time steps, and files that say what happened.
+/// \brief A run: a simulation from its start to its end, with its numbers and observers.
 #pragma once
 
 #include "tumble/base/parameters.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/record/metrics.hpp"
-#include "tumble/scenes/scene.hpp"
+#include "tumble/scenes/simulation.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -15,12 +15,12 @@
 
 namespace tumble {
 
-/// What a user asks a run to do.
+/// Settings of a run.
 struct RunSettings {
   double dt = 1.0 / 60.0;  ///< [s] time step; the last one is cut to end at the duration
   double duration = 10.0;  ///< [s] simulated time
-  std::uint64_t seed = 1;  ///< of everything random
-  int every = 1;           ///< record the trajectory at every so many steps
+  std::uint64_t seed = 1;  ///< random seed of the scene and of the technique
+  int every = 1;           ///< steps from one recorded frame to the next
 };
 
 /// Checks settings before anything is made of them.
@@ -36,7 +36,7 @@ enum class RunEnd : std::uint8_t {
   failed        ///< a step ended with a status after which going on makes no sense
 };
 
-/// What a run came to.
+/// The outcome of a run.
 struct RunResult {
   RunEnd end = RunEnd::complete;        ///< how it ended
   StepStatus worst = StepStatus::done;  ///< the worst status of a step
@@ -54,7 +54,7 @@ struct RunResult {
   std::string refusal;
 };
 
-/// Somebody who is told about a run as it goes: files, progress lines, experiments.
+/// Follows a run as it goes: files, progress lines, experiments.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -66,7 +66,7 @@ class RunObserver {
   /// \param world      the bodies after it
   /// \param technique  for its contacts
   /// \param report     what it did
-  /// \param metrics    what it came to
+  /// \param metrics    energies, overlap and chatter after it
   virtual void on_step(const World& world, const Technique& technique, const StepReport& report,
                        const Metrics& metrics) {
     (void)world;
@@ -83,21 +83,30 @@ class RunObserver {
   }
 };
 
-/// Runs a scene.
+/// Runs a simulation from its start to its end.
 ///
-/// Boxes that appear later come in, and boxes that disappear go, before the first step that begins at
-/// their time or after it. A step that leaves something unsolved or not finite is the last one, and so is
-/// one, after the first, that the technique refuses: what was simulated before it is kept.
-/// \param scene      what to start from
+/// A step that leaves something unsolved or not finite is the last one, and so is one, after the first, that
+/// the technique refuses: the result has what was simulated before it.
+/// \param simulation  no step done yet
+/// \param settings    step, duration; valid, see require_valid()
+/// \param observers   called in this order
+/// \param stop        asked before every step; true ends the run as interrupted
+/// \return how it ended, and its numbers
+/// \throws std::invalid_argument for a scene that the technique cannot simulate, from its first step
+/// \throws CannotWrite from an observer that writes
+RunResult run(Simulation& simulation, const RunSettings& settings,
+              std::span<RunObserver* const> observers, const std::function<bool()>& stop = {});
+
+/// Runs a scene, as run() does.
+/// \param scene      the start
 /// \param technique  how to step
 /// \param settings   step, duration
-/// \param observers  told in this order
+/// \param observers  called in this order
 /// \param stop       asked before every step; true ends the run as interrupted
-/// \return how it ended and what it came to
+/// \return how it ended, and its numbers
 /// \throws std::invalid_argument for settings out of range or a scene that the technique cannot
 ///         simulate, from its first step
-/// \throws CannotWrite from an observer that writes; the technique is then watched by nobody, as
-///         after every run
+/// \throws CannotWrite from an observer that writes; the technique has no observer then, as after every run
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
                     std::span<RunObserver* const> observers,
                     const std::function<bool()>& stop = {});

@@ -11,7 +11,7 @@
 
 namespace tumble {
 
-/// What summary.json says about how a run was made.
+/// The settings of a run, for summary.json.
 struct RunDescription {
   std::string scene;                 ///< the name or file that the user gave
   std::string technique;             ///< its name
@@ -19,9 +19,9 @@ struct RunDescription {
   Parameters technique_settings;     ///< options of the technique
   RunSettings run;                   ///< step, duration, seed
   bool contacts = false;             ///< whether contacts.csv is wanted
-  std::string filter;                ///< as filter_of() takes it; empty: what is shown is computed
+  std::string filter;                ///< as filter_of() takes it; empty: no filtered trajectory
   int halvings = 0;                  ///< how often a step may be halved, see AdaptiveStep; 0: never
-  std::vector<std::string> ignored;  ///< what the technique leaves out, for example friction
+  std::vector<std::string> ignored;  ///< parts that the technique leaves out, for example friction
 };
 
 /// Writes trajectory.csv, metrics.csv, events.csv, contacts.csv, scene.toml and summary.json; with a

@@ -29,7 +29,7 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   int reason = all ? 0 : errno;
   if (std::fclose(file) != 0 && reason == 0) reason = errno;
   if (reason == 0) return;
-  std::error_code ignored;  // the first error is the one to tell
+  std::error_code ignored;  // the first error is reported
   if (std::filesystem::symlink_status(path, ignored).type() == std::filesystem::file_type::regular)
     std::filesystem::remove(path, ignored);
   fail(path, reason);
@@ -51,7 +51,7 @@ TableFile::~TableFile() {
   try {
     flush();
   } catch (const CannotWrite&) {
-    // Already cut back to whole rows; whoever wanted to know has called flush() before.
+    // Already cut back to whole rows; errors are reported by flush().
   }
 }
 
@@ -93,7 +93,7 @@ void TableFile::flush() {
     const std::size_t done = std::fwrite(pending_.data(), 1, row_begin_, file_.get());
     if (done != row_begin_) {
       failure_ = errno != 0 ? errno : EIO;
-      std::error_code ignored;  // the first error is the one to tell
+      std::error_code ignored;  // the first error is reported
       std::filesystem::resize_file(path_, written_, ignored);
     }
   }

@@ -42,7 +42,7 @@ class TableFile {
   /// \param header  the names of the columns, with commas
   /// \throws CannotWrite naming the path and the reason
   TableFile(std::filesystem::path path, std::string_view header);
-  /// Writes what is left; errors are not seen here, call flush() before.
+  /// Writes the rest; errors are not seen here, call flush() before.
   ~TableFile();
   TableFile(const TableFile&) = delete;
   TableFile& operator=(const TableFile&) = delete;

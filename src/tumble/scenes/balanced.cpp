@@ -20,11 +20,11 @@ SceneBox fixed_at(const char* name, const Vec3& size, const Vec3& position_w) {
 
 Parameters rocking_parameters() {
   Parameters p;
-  p.add_number("width", 0.4, 1e-3, 1e3, "m", "of the block, along x and z");
-  p.add_number("height", 2.0, 1e-3, 1e3, "m", "of the block");
+  p.add_number("width", 0.4, 1e-3, 1e3, "m", "width of the block, along x and z");
+  p.add_number("height", 2.0, 1e-3, 1e3, "m", "height of the block");
   p.add_number("tilt", 0.5, 0.0, 1.0, "-",
                "at the start, over the angle at which it balances on its edge");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -50,9 +50,9 @@ Parameters seesaw_parameters() {
   Parameters p;
   p.add_number("left", 2.0, 1e-3, 1e3, "kg", "load on the left end");
   p.add_number("right", 1.0, 1e-3, 1e3, "kg", "load on the right end");
-  p.add_number("plank", 1.0, 1e-3, 1e3, "kg", "of the plank");
+  p.add_number("plank", 1.0, 1e-3, 1e3, "kg", "mass of the plank");
   p.add_number("pivot", 0.1, 1e-3, 2.0, "m", "width of the pivot");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -72,8 +72,8 @@ Scene seesaw(const Parameters& p, Random) {
 Parameters fig6_5_parameters() {
   Parameters p;
   p.add_number("mass_ratio", 1.0, 1e-3, 1e3, "-", "mass of the top block over that of a lower one");
-  p.add_number("offset", 0.0, -0.24, 0.24, "m", "of the top block, to the right");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("offset", 0.0, -0.24, 0.24, "m", "offset of the top block, to the right");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -99,10 +99,10 @@ Scene fig6_5(const Parameters& p, Random) {
 Parameters leaning_parameters() {
   Parameters p;
   p.add_whole("count", 3, 1, 100, "planks, side by side, each with a block of its own");
-  p.add_number("angle", 60.0, 45.0, 80.0, "deg", "of a plank, from the ground");
+  p.add_number("angle", 60.0, 45.0, 80.0, "deg", "angle of a plank, from the ground");
   p.add_flag("fixed", false, "whether the blocks are immovable");
-  p.add_number("block_mass", 2.0, 1e-3, 1e3, "kg", "of a block; a plank has 1 kg");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("block_mass", 2.0, 1e-3, 1e3, "kg", "mass of a block; a plank has 1 kg");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -135,9 +135,9 @@ Scene leaning(const Parameters& p, Random) {
 
 Parameters table_parameters() {
   Parameters p;
-  p.add_number("load", 2.0, 1e-3, 1e3, "kg", "of the box on the table; the plate has 1 kg");
-  p.add_number("offset", 0.2, -0.75, 0.75, "m", "of that box from the middle, along x");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("load", 2.0, 1e-3, 1e3, "kg", "mass of the box on the table; the plate has 1 kg");
+  p.add_number("offset", 0.2, -0.75, 0.75, "m", "offset of that box from the middle, along x");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 

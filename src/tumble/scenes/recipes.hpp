@@ -1,5 +1,5 @@
 /// \file
-/// \brief The recipes of the built-in scenes, grouped by what happens in them.
+/// \brief The recipes of the built-in scenes, grouped by subject.
 #pragma once
 
 #include "tumble/scenes/library.hpp"

@@ -63,7 +63,7 @@ void refuse_overlaps(const Scene& scene) {
   }
 }
 
-// Names are how files and messages tell bodies apart; a line break in one would break rows.
+// Files and messages identify bodies by their names; a line break in one would break rows.
 void settle_names(Scene& scene) {
   std::map<std::string, std::size_t> owners;
   if (scene.ground) owners.emplace("ground", scene.boxes.size());
@@ -73,14 +73,14 @@ void settle_names(Scene& scene) {
     for (const char c : name)
       if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f)
         throw SceneMistake(static_cast<int>(i), "name",
-                           ": has a control character in it: expected letters that can be printed");
+                           ": contains a control character: expected printable characters");
     const auto [owner, first] = owners.emplace(name, i);
     if (first) continue;
     std::string message = " = ";
-    message.append(name).append(owner->second == scene.boxes.size() ? ": the ground is"
-                                                                    : ": two boxes are");
+    message.append(name).append(owner->second == scene.boxes.size() ? ": the ground has"
+                                                                    : ": two boxes have");
     throw SceneMistake(static_cast<int>(i), "name",
-                       message.append(" called so: give another name"));
+                       message.append(" this name: choose another one"));
   }
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     std::string& name = scene.boxes[i].name;
@@ -89,6 +89,11 @@ void settle_names(Scene& scene) {
       if (owners.emplace(candidate, i).second) name = candidate;
     }
   }
+}
+
+BodyState state_of(const SceneBox& box, const BodyProperties& body) {
+  return make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
+                    box.angular_velocity_w);
 }
 
 }  // namespace
@@ -113,13 +118,16 @@ std::string_view message_of(const std::invalid_argument& error) {
   return text.substr(0, program.size()) == program ? text.substr(program.size()) : text;
 }
 
-Scene checked(Scene scene) {
+World start_world(Scene& scene) {
   if (scene.boxes.empty()) throw SceneMistake(-1, "box", ": a scene needs at least one");
+  World world;
   try {
     require::finite(scene.gravity_w, "gravity");
+    if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
   } catch (const std::invalid_argument& error) {
     throw SceneMistake(-1, "", std::string(message_of(error)));
   }
+  world.gravity_w = scene.gravity_w;
   settle_names(scene);
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     const SceneBox& box = scene.boxes[i];
@@ -129,36 +137,32 @@ Scene checked(Scene scene) {
                     "disappears = " + shortest_text(box.disappears) + ": expected later than " +
                         shortest_text(box.appears) + " s, when it appears");
       const BodyProperties body = properties_of(box);
-      const BodyState state = make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
-                                         box.angular_velocity_w);
+      const BodyState state = state_of(box, body);
       require::finite(state.linear_momentum_w, "mass times velocity");
       require::finite(state.angular_momentum_w, "inertia times angular_velocity");
+      if (!(box.appears > 0.0)) world.add(body, state, box.name);
     } catch (const std::invalid_argument& error) {
       const std::string name = ", " + box.name + ": ";
       throw SceneMistake(static_cast<int>(i), "", name + std::string(message_of(error)));
     }
   }
   refuse_overlaps(scene);
+  return world;
+}
+
+Scene checked(Scene scene) {
+  start_world(scene);
   return scene;
+}
+
+World build_world(const Scene& scene) {
+  Scene named = scene;
+  return start_world(named);
 }
 
 void add_box(const SceneBox& box, World& world) {
   const BodyProperties body = properties_of(box);
-  world.add(
-      body,
-      make_state(body, box.position_w, box.orientation_wb, box.velocity_w, box.angular_velocity_w),
-      box.name);
-}
-
-World build_world(const Scene& given) {
-  const Scene scene = checked(given);
-  World world;
-  world.gravity_w = scene.gravity_w;
-  if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
-  for (const SceneBox& box : scene.boxes) {
-    if (!(box.appears > 0.0)) add_box(box, world);
-  }
-  return world;
+  world.add(body, state_of(box, body), box.name);
 }
 
 void come_and_go(const Scene& scene, double from, double until, World& world) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief A scene: what stands where at the start of a run.
+/// \brief A scene: the bodies at the start of a run.
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-/// One box of a scene, in the words of a scene file.
+/// One box of a scene; the fields are the keys of scene files.
 struct SceneBox {
   std::string name;                        ///< unique; empty: see checked()
   Vec3 size = Vec3::Ones();                ///< [m] full edge lengths
@@ -36,7 +36,7 @@ struct SceneGround {
   double restitution = 0.0;  ///< [-] 0 sticks, 1 bounces back
 };
 
-/// Everything that a run starts from.
+/// The start of a run.
 struct Scene {
   std::string title;                       ///< one line
   Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);  ///< [m/s²]
@@ -50,20 +50,20 @@ struct Scene {
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties properties_of(const SceneBox& box);
 
-/// A mistake in a scene, with where it is: a reader of files can point at the line.
+/// A mistake in a scene, with its place, so that a reader of files can point at the line.
 class SceneMistake : public std::invalid_argument {
  public:
-  /// Says what is wrong.
+  /// A mistake.
   /// \param box      place of the box in the scene, from 0; -1 if it is about the scene
-  /// \param key      what is wrong about it, as scene files call it; empty: all of it
-  /// \param message  the value and what would be right, for example "= die: two boxes are called so"
+  /// \param key      the wrong key of scene files; empty: the box as a whole
+  /// \param message  the value and the expected one, for example "= die: two boxes have this name"
   SceneMistake(int box, std::string key, const std::string& message);
 
-  /// Which box.
+  /// The box.
   /// \return its place in the scene, from 0; -1 if it is about the scene
   [[nodiscard]] int box() const { return box_; }
-  /// What is wrong about it.
-  /// \return the key of scene files, or nothing
+  /// The wrong key.
+  /// \return of scene files; may be empty
   [[nodiscard]] const std::string& key() const { return key_; }
 
  private:
@@ -71,16 +71,16 @@ class SceneMistake : public std::invalid_argument {
   std::string key_;
 };
 
-/// What the message of a mistake says after the name of the program.
+/// The message of a mistake without the name of the program.
 /// \param error from this library
 /// \return its text without "tumble: "
 std::string_view message_of(const std::invalid_argument& error);
 
-/// Gives every box without a name its default one, "box" and its place from 1, or the next number that
-/// is free, and checks the whole scene.
+/// Checks a scene, names its boxes and builds its world: the ground first, then every box that appears at once.
 ///
-/// \param scene  what a user wrote or a program built
-/// \return the same scene, each box with a name
+/// A box without a name gets "box" and its place from 1, or the next number that is free.
+/// \param scene  as written by a user or built by a program; then each box has a name
+/// \return the world at time 0
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass not above 0, a
 ///         number that is not finite, a quaternion that is not of length 1, a name that is used
 ///         twice, is "ground" beside a ground or has control characters in it, a velocity of
@@ -88,19 +88,25 @@ std::string_view message_of(const std::invalid_argument& error);
 ///         `tolerance::start_overlap` of the smaller one's smallest edge
 /// \par Cost
 /// n log n, and 60 ns for each pair of boxes that are near each other.
+World start_world(Scene& scene);
+
+/// Checks a scene and names its boxes.
+/// \param scene  as start_world() takes it
+/// \return the same scene, each box with a name
+/// \throws SceneMistake as start_world() does
 Scene checked(Scene scene);
 
-/// Adds a box as it is when it appears.
+/// Checks a scene and builds its world.
+/// \param scene  as start_world() takes it
+/// \return the world at time 0
+/// \throws SceneMistake as start_world() does
+World build_world(const Scene& scene);
+
+/// Adds a box in its state of appearance.
 /// \param box    of a scene that is checked
 /// \param world  gets it
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now
 void add_box(const SceneBox& box, World& world);
-
-/// The world at the start of a run: the ground first, then every box that appears at once.
-/// \param scene  a scene; it is checked
-/// \return the world at time 0
-/// \throws SceneMistake as checked() does
-World build_world(const Scene& scene);
 
 /// Takes away the boxes that disappear, and adds those that appear, in the time from `from` (not
 /// included) to `until` (included).

@@ -11,10 +11,10 @@ namespace {
 
 Parameters box_drop_parameters() {
   Parameters p;
-  p.add_number("height", 1.0, 0.0, 1e4, "m", "of the lowest corner over the ground");
+  p.add_number("height", 1.0, 0.0, 1e4, "m", "height of the lowest corner over the ground");
   p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
-  p.add_number("tilt", 30.0, -180.0, 180.0, "deg", "turned about the z axis");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("tilt", 30.0, -180.0, 180.0, "deg", "rotation about the z axis");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -41,7 +41,7 @@ Scene box_drop(const Parameters& p, Random) {
 
 Parameters bouncing_box_parameters() {
   Parameters p;
-  p.add_number("height", 1.0, 0.0, 1e4, "m", "of the lower face over the ground");
+  p.add_number("height", 1.0, 0.0, 1e4, "m", "height of the lower face over the ground");
   p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
   p.add_number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
@@ -62,9 +62,9 @@ Scene bouncing_box(const Parameters& p, Random) {
 
 Parameters tumbling_box_parameters() {
   Parameters p;
-  p.add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "about the longest edge");
-  p.add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "about the middle edge");
-  p.add_number("spin_z", 0.02, -100.0, 100.0, "rad/s", "about the shortest edge");
+  p.add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "angular velocity about the longest edge");
+  p.add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "angular velocity about the middle edge");
+  p.add_number("spin_z", 0.02, -100.0, 100.0, "rad/s", "angular velocity about the shortest edge");
   return p;
 }
 
@@ -84,11 +84,11 @@ Scene tumbling_box(const Parameters& p, Random) {
 
 Parameters two_boxes_parameters() {
   Parameters p;
-  p.add_number("speed", 2.0, 0.0, 1e3, "m/s", "of the left cube");
+  p.add_number("speed", 2.0, 0.0, 1e3, "m/s", "speed of the left cube");
   p.add_number("offset", 0.75, -1.4, 1.4, "m", "height of the right box's centre over the left's");
-  p.add_number("gap", 1.0, 0.0, 1e3, "m", "between the faces at the start");
+  p.add_number("gap", 1.0, 0.0, 1e3, "m", "gap between the faces at the start");
   p.add_number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  p.add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -114,8 +114,8 @@ Scene two_boxes(const Parameters& p, Random) {
 
 Parameters crate_parameters() {
   Parameters p;
-  p.add_number("speed", 3.5, 0.0, 100.0, "m/s", "of the crate along the table");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("speed", 3.5, 0.0, 100.0, "m/s", "speed of the crate along the table");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.1, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -147,9 +147,9 @@ Scene crate_off_table(const Parameters& p, Random) {
 Parameters cradle_parameters() {
   Parameters p;
   p.add_whole("count", 5, 2, 1000, "cubes in all");
-  p.add_whole("moving", 1, 1, 999, "those that arrive together from the left, fewer than count");
+  p.add_whole("moving", 1, 1, 999, "cubes that arrive together from the left, fewer than count");
   p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  p.add_number("gap", 0.5, 0.0, 100.0, "m", "between those that arrive and the row");
+  p.add_number("gap", 0.5, 0.0, 100.0, "m", "gap between the arriving cubes and the row");
   return p;
 }
 
@@ -161,7 +161,7 @@ Scene cradle(const Parameters& p, Random) {
   const std::string count = std::to_string(p.count("count"));
   require::that(p.count("moving") < p.count("count"),
                 "moving = " + std::to_string(p.count("moving")) +
-                    ": expected fewer than count = " + count + ", somebody has to be hit");
+                    ": expected fewer than count = " + count + ", so that there is a cube to hit");
   for (int k = 0; k < p.count("count"); ++k) {
     const bool arrives = k < p.count("moving");
     SceneBox box;

@@ -12,11 +12,12 @@ namespace {
 
 Parameters slide_parameters() {
   Parameters p;
-  p.add_number("speed", 3.0, 0.0, 1e3, "m/s", "of the box at the start");
-  p.add_number("heading", 0.0, -180.0, 180.0, "deg", "of the speed, from the x axis towards -z");
-  p.add_number("width", 1.0, 1e-3, 1e3, "m", "of the box, along x and z");
-  p.add_number("height", 0.2, 1e-3, 1e3, "m", "of the box");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("speed", 3.0, 0.0, 1e3, "m/s", "speed of the box at the start");
+  p.add_number("heading", 0.0, -180.0, 180.0, "deg",
+               "direction of the speed, from the x axis towards -z");
+  p.add_number("width", 1.0, 1e-3, 1e3, "m", "width of the box, along x and z");
+  p.add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -37,11 +38,11 @@ Scene slide(const Parameters& p, Random) {
 
 Parameters slope_parameters() {
   Parameters p;
-  p.add_number("angle", 30.0, 0.0, 80.0, "deg", "of the slope, down along x");
-  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "of the box down the slope at the start");
-  p.add_number("width", 1.0, 1e-3, 5.0, "m", "of the box, along the slope");
-  p.add_number("height", 0.2, 1e-3, 1e3, "m", "of the box");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("angle", 30.0, 0.0, 80.0, "deg", "angle of the slope, down along x");
+  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the box down the slope at the start");
+  p.add_number("width", 1.0, 1e-3, 5.0, "m", "width of the box, along the slope");
+  p.add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
   return p;
 }
 
@@ -69,12 +70,13 @@ Scene slope(const Parameters& p, Random) {
 
 Parameters fig5_2_parameters() {
   Parameters p;
-  p.add_number("speed", 2.0, 0.0, 3.0, "m/s", "of A at the start; B is at rest");
-  p.add_number("mass", 1.0, 1e-3, 1e3, "kg", "of A");
-  p.add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "of B");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of A and B");
-  p.add_number("ground_friction", 0.0, 0.0, 10.0, "-",
-               "of the ground; B on the ground has the root of the product of both");
+  p.add_number("speed", 2.0, 0.0, 3.0, "m/s", "speed of A at the start; B is at rest");
+  p.add_number("mass", 1.0, 1e-3, 1e3, "kg", "mass of A");
+  p.add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "mass of B");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of A and B");
+  p.add_number(
+      "ground_friction", 0.0, 0.0, 10.0, "-",
+      "Coulomb coefficient of the ground; B on the ground has the root of the product of both");
   return p;
 }
 
@@ -94,12 +96,14 @@ Scene fig5_2(const Parameters& p, Random) {
 
 Parameters sled_parameters() {
   Parameters p;
-  p.add_number("speed", 1.0, 0.0, 100.0, "m/s", "of the sled at the start; its load is at rest");
+  p.add_number("speed", 1.0, 0.0, 100.0, "m/s",
+               "speed of the sled at the start; its load is at rest");
   p.add_whole("count", 2, 1, 100, "boxes on the sled, on top of each other");
-  p.add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "of the sled; a box has 1 kg");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of sled and boxes");
+  p.add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "mass of the sled; a box has 1 kg");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of sled and boxes");
   p.add_number("ground_friction", 0.0, 0.0, 10.0, "-",
-               "of the ground; the sled on the ground has the root of the product of both");
+               "Coulomb coefficient of the ground; the sled on the ground has the root of the "
+               "product of both");
   return p;
 }
 

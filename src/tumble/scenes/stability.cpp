@@ -24,14 +24,14 @@ Quat about_vertical(double degrees) {
 }
 
 void add_friction(Parameters& p) {
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of everything");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of all bodies");
 }
 
 Parameters fig5_3_parameters() {
   Parameters p;
   p.add_number("shift", 0.6, 0.0, 0.8, "m",
-               "of the top cube, along x and along -z; tips above 0.5");
-  p.add_number("yaw", 20.0, -45.0, 45.0, "deg", "of the top cube about the vertical");
+               "shift of the top cube, along x and along -z; tips above 0.5");
+  p.add_number("yaw", 20.0, -45.0, 45.0, "deg", "angle of the top cube about the vertical");
   add_friction(p);
   return p;
 }
@@ -52,8 +52,8 @@ Scene fig5_3(const Parameters& p, Random) {
 
 Parameters fig5_4_parameters() {
   Parameters p;
-  p.add_number("offset", 0.0, -0.5, 0.5, "m", "of the top cube from the middle, along x");
-  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "of the top cube along x at the start");
+  p.add_number("offset", 0.0, -0.5, 0.5, "m", "offset of the top cube from the middle, along x");
+  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the top cube along x at the start");
   add_friction(p);
   return p;
 }
@@ -71,8 +71,8 @@ Scene fig5_4(const Parameters& p, Random) {
 
 Parameters fig5_5_parameters() {
   Parameters p;
-  p.add_number("gap", 0.4, 0.0, 0.8, "m", "between the two bottom boxes; 0: they touch");
-  p.add_number("yaw", 0.0, -30.0, 30.0, "deg", "of the top box about the vertical");
+  p.add_number("gap", 0.4, 0.0, 0.8, "m", "gap between the two bottom boxes; 0: they touch");
+  p.add_number("yaw", 0.0, -30.0, 30.0, "deg", "angle of the top box about the vertical");
   add_friction(p);
   return p;
 }
@@ -94,7 +94,8 @@ Scene fig5_5(const Parameters& p, Random) {
 Parameters fig5_6_parameters() {
   Parameters p;
   p.add_whole("rows", 11, 3, 99, "boxes in the lowest row before one is taken out; an odd number");
-  p.add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours in a row, in edges; 0: they touch");
+  p.add_number("gap", 0.05, 0.0, 0.9, "-",
+               "gap between neighbours in a row, in edges; 0: they touch");
   add_friction(p);
   add_scatter(p);
   return p;
@@ -119,9 +120,9 @@ Parameters fig6_4_parameters() {
   Parameters p;
   p.add_whole("count", 5, 1, 100, "blocks on the base");
   p.add_word("pattern", {"to_and_fro", "staircase"},
-             "where a block is shifted: right, left, left, right and so on, or always right");
+             "direction of shifts: right, left, left, right and so on, or always right");
   p.add_number("overhang", 0.25, 0.0, 0.99, "-",
-               "from each block to the one on it, in lengths of a block");
+               "overhang from each block to the one on it, in lengths of a block");
   add_friction(p);
   return p;
 }

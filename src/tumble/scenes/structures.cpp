@@ -22,7 +22,7 @@ void set_surface(const Parameters& p, Scene& scene) {
 
 Parameters with_friction() {
   Parameters p;
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient of everything");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of all bodies");
   return p;
 }
 
@@ -54,7 +54,7 @@ Scene stack(const Parameters& p, Random random) {
 Parameters pyramid_parameters() {
   Parameters p = with_friction();
   p.add_whole("rows", 10, 1, 100, "boxes in the lowest row");
-  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "centre to centre in a row, in edges");
+  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a row, in edges");
   add_scatter(p);
   return p;
 }
@@ -71,7 +71,7 @@ Scene pyramid(const Parameters& p, Random random) {
 Parameters pyramid3d_parameters() {
   Parameters p = with_friction();
   p.add_whole("rows", 10, 1, 30, "layers, and boxes along each edge of the lowest one");
-  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "centre to centre in a layer, in edges");
+  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a layer, in edges");
   add_scatter(p);
   return p;
 }
@@ -102,7 +102,7 @@ Parameters wall_parameters() {
   Parameters p = with_friction();
   p.add_whole("courses", 20, 1, 200, "rows of bricks");
   p.add_whole("bricks", 20, 1, 200, "bricks in a row");
-  p.add_number("gap", 0.01, 0.0, 0.2, "m", "between neighbours in a row");
+  p.add_number("gap", 0.01, 0.0, 0.2, "m", "gap between neighbours in a row");
   add_scatter(p);
   return p;
 }

@@ -12,10 +12,10 @@ namespace {
 Parameters clump_parameters() {
   Parameters p;
   p.add_whole("per_edge", 5, 1, 20, "cubes along each edge of the grid they start on");
-  p.add_number("spacing", 2.0, 1.75, 100.0, "m", "centre to centre at the start");
-  p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "of each cube at the start");
-  p.add_word("toward", {"axis", "origin"}, "where they fly: the vertical axis or the origin");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("spacing", 2.0, 1.75, 100.0, "m", "distance of centres at the start");
+  p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "speed of each cube at the start");
+  p.add_word("toward", {"axis", "origin"}, "target of the flight: the vertical axis or the origin");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -45,15 +45,15 @@ Scene clump(const Parameters& p, Random random) {
 
 Parameters projectile_parameters() {
   Parameters p;
-  p.add_word("target", {"pyramid", "clump"}, "what is shot at");
+  p.add_word("target", {"pyramid", "clump"}, "target of the shot");
   p.add_whole("rows", 10, 1, 100, "rows of the pyramid");
   p.add_whole("per_edge", 4, 1, 20, "cubes along each edge of the clump's grid");
-  p.add_number("mass", 5.0, 1e-3, 1e6, "kg", "of the projectile");
-  p.add_number("speed", 20.0, 0.0, 1e3, "m/s", "of the projectile");
-  p.add_number("height", 3.5, 0.5, 1e3, "m", "of the projectile's centre");
-  p.add_number("distance", 5.0, 1.5, 1e3, "m", "from the projectile to the target");
-  p.add_number("appears", 2.0, 0.0, 1e3, "s", "when it is shot");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("mass", 5.0, 1e-3, 1e6, "kg", "mass of the projectile");
+  p.add_number("speed", 20.0, 0.0, 1e3, "m/s", "speed of the projectile");
+  p.add_number("height", 3.5, 0.5, 1e3, "m", "height of the projectile's centre");
+  p.add_number("distance", 5.0, 1.5, 1e3, "m", "distance from the projectile to the target");
+  p.add_number("appears", 2.0, 0.0, 1e3, "s", "time of the shot");
+  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -88,10 +88,10 @@ Parameters dice_parameters() {
   Parameters p;
   p.add_whole("count", 5, 1, 100, "dice");
   p.add_number("size", 0.1, 1e-3, 100.0, "m", "edge of a die");
-  p.add_number("mass", 0.4, 1e-6, 1e6, "kg", "of a die");
+  p.add_number("mass", 0.4, 1e-6, 1e6, "kg", "mass of a die");
   p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "sideways, at the start");
   p.add_number("spin", 15.0, 0.0, 1e3, "rad/s", "at the start, about a random axis");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.4, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -169,8 +169,8 @@ Scene cage(const Parameters& p, Random random) {
 Parameters toss_parameters() {
   Parameters p;
   p.add_number("size", 0.1048, 1e-3, 100.0, "m", "edge of the cube");
-  p.add_number("mass", 0.37, 1e-6, 1e6, "kg", "of the cube");
-  p.add_number("friction", 0.18, 0.0, 10.0, "-", "Coulomb's coefficient");
+  p.add_number("mass", 0.37, 1e-6, 1e6, "kg", "mass of the cube");
+  p.add_number("friction", 0.18, 0.0, 10.0, "-", "Coulomb coefficient");
   p.add_number("restitution", 0.125, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }

@@ -70,10 +70,10 @@ Parameters fig5_1_parameters() {
   p.add_number("size", 0.1, 1e-3, 1e3, "m", "edge of the cubes");
   p.add_number("fast", 24.0, 0.0, 1e4, "m/s", "speed of A");
   p.add_number("slow", 1.2, 0.0, 1e4, "m/s", "speed of D");
-  p.add_number("gap_ab", 0.6, 0.0, 100.0, "-", "between A and B at the start, in edges");
-  p.add_number("gap_bc", 1.3, 0.0, 100.0, "-", "between B and C at the start, in edges");
-  p.add_number("gap_cd", 0.2, 0.0, 100.0, "-", "between C and D at the start, in edges");
-  p.add_number("gap_de", 0.13, 0.0, 100.0, "-", "between D and E at the start, in edges");
+  p.add_number("gap_ab", 0.6, 0.0, 100.0, "-", "gap between A and B at the start, in edges");
+  p.add_number("gap_bc", 1.3, 0.0, 100.0, "-", "gap between B and C at the start, in edges");
+  p.add_number("gap_cd", 0.2, 0.0, 100.0, "-", "gap between C and D at the start, in edges");
+  p.add_number("gap_de", 0.13, 0.0, 100.0, "-", "gap between D and E at the start, in edges");
   p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
   return p;
 }
@@ -83,7 +83,7 @@ Parameters fig5_1_parameters() {
 // at 0.475, and C meets D at 0.553, which is before D is at E.
 Scene fig5_1(const Parameters& p, Random) {
   Scene scene;
-  scene.title = "five cubes on a line: who meets whom first (figure 5.1)";
+  scene.title = "five cubes on a line, and the order in which they meet (figure 5.1)";
   scene.gravity_w = Vec3::Zero();
   const double size = p.number("size");
   double x = 0.0;

@@ -13,8 +13,9 @@ namespace {
 constexpr double kTop = 2.0;  // [m] height of the larger box: room for four boxes to fall beside it
 
 void add_common(Parameters& p) {
-  p.add_number("inset", 0.1, 0.0, 1.0, "m", "from the edge of the larger box to the pivot");
-  p.add_number("friction", 10.0, 0.0, 1e3, "-", "Coulomb's coefficient of everything: very high");
+  p.add_number("inset", 0.1, 0.0, 1.0, "m",
+               "distance from the edge of the larger box to the pivot");
+  p.add_number("friction", 10.0, 0.0, 1e3, "-", "Coulomb coefficient of everything: very high");
 }
 
 // The larger box, with its top at kTop and its edge to the right of the pivot; the pivot is at x = 0.
@@ -62,8 +63,9 @@ Parameters fig6_1_parameters() {
   Parameters p;
   p.add_whole("count", 4, 2, 20, "boxes in the column; fig6_2 has one");
   p.add_number("angle", 0.3, 0.0, 1.0, "rad",
-               "of the column's centre, as seen from the pivot, from the vertical");
-  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s", "of the column at the start, falling");
+               "angle of the column's centre, as seen from the pivot, from the vertical");
+  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s",
+               "angular velocity of the column at the start, falling");
   add_common(p);
   return p;
 }
@@ -77,8 +79,9 @@ Scene fig6_1(const Parameters& p, Random) {
 Parameters fig6_2_parameters() {
   Parameters p;
   p.add_number("angle", 0.3, 0.0, 0.75, "rad",
-               "of the box's centre, as seen from the pivot, from the vertical");
-  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s", "of the box at the start, falling");
+               "angle of the box's centre, as seen from the pivot, from the vertical");
+  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s",
+               "angular velocity of the box at the start, falling");
   add_common(p);
   return p;
 }
@@ -91,10 +94,12 @@ Scene fig6_2(const Parameters& p, Random) {
 
 Parameters fig6_3_parameters() {
   Parameters p;
-  p.add_number("lower_angle", -0.65, -1.0, -0.5, "rad", "of the lower box, anticlockwise");
-  p.add_number("upper_angle", -0.2, -0.4, 0.0, "rad", "of the upper box, anticlockwise");
-  p.add_number("lower_spin", -1.5, -10.0, 0.0, "rad/s", "of the lower box, anticlockwise");
-  p.add_number("upper_spin", 1.5, -10.0, 10.0, "rad/s", "of the upper box, anticlockwise");
+  p.add_number("lower_angle", -0.65, -1.0, -0.5, "rad", "angle of the lower box, anticlockwise");
+  p.add_number("upper_angle", -0.2, -0.4, 0.0, "rad", "angle of the upper box, anticlockwise");
+  p.add_number("lower_spin", -1.5, -10.0, 0.0, "rad/s",
+               "angular velocity of the lower box, anticlockwise");
+  p.add_number("upper_spin", 1.5, -10.0, 10.0, "rad/s",
+               "angular velocity of the upper box, anticlockwise");
   add_common(p);
   return p;
 }

@@ -2,6 +2,7 @@
 /// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
 #pragma once
 
+#include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -27,6 +28,18 @@ struct TimewarpOptions {
   /// 100 rad/s take up to 2000 at a resolution of a microsecond and 30000 at 1e-14 s.
   static constexpr int kMostSeparations = 50000;
 };
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(TimewarpOptions& o, Visitor& v) {
+  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+           "time resolution of the search for collisions");
+  v.whole("pair_events", o.pair_events, 1, 1000000,
+          "collisions of a pair in one frame before it is ignored until the frame's end");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+}
 
 /// Checks the length of a step.
 /// \param dt       [s]

@@ -29,6 +29,19 @@ struct TimewarpFullOptions : TimewarpOptions {
   int synchronise_every = 0;
 };
 
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(TimewarpFullOptions& o, Visitor& v) {
+  describe(static_cast<TimewarpOptions&>(o), v);
+  v.number("stride", o.stride, 0.0, TimewarpFullOptions::kLongestStride, "-",
+           "steps that a body flies at a time; 0: to the end of the step or the next "
+           "synchronisation");
+  v.whole("synchronise_every", o.synchronise_every, 0, 1000000,
+          "frames from one synchronisation of all bodies to the next; 0: never");
+}
+
 /// What a full timewarp has done to the histories, in all steps so far.
 struct TimewarpWork {
   std::int64_t cancelled = 0;        ///< collisions that were resolved and undone

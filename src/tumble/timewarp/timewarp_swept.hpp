@@ -23,6 +23,16 @@ struct TimewarpSweptOptions : TimewarpOptions {
   TieRule ties = TieRule::together;  ///< see there
 };
 
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(TimewarpSweptOptions& o, Visitor& v) {
+  describe(static_cast<TimewarpOptions&>(o), v);
+  v.word("ties", o.ties, {{"together", TieRule::together}, {"one_by_one", TieRule::one_by_one}},
+         "collisions closer in time than the resolution: resolved together, or in the order found");
+}
+
 /// TimewarpSimple with the cure that the thesis names: whose swept volumes meet is searched, and
 /// times are found by conservative advancement, rotation included.
 ///

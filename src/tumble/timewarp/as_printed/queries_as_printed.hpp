@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
@@ -31,6 +32,17 @@ struct TimewarpAsPrintedOptions {
   bool collide_separating = false;
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
 };
+
+/// Names the options that the reading as meant does not have to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(TimewarpAsPrintedOptions& o, Visitor& v) {
+  v.whole("cap", o.cap, 1, 1000000,
+          "reading=as_printed: passes of the main loop in a frame before it is given up");
+  v.word("separating", o.collide_separating, {{"ignored", false}, {"collided", true}},
+         "reading=as_printed: how collideTwoObjects treats two bodies that separate");
+}
 
 /// Whose momenta collideTwoObjects changes: the two lists of the listings.
 enum class CollidedObjects : std::uint8_t {

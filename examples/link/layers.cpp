@@ -1,13 +1,13 @@
 /// \file
-/// \brief A program that uses the library: three boxes fall onto the ground for two seconds.
+/// \brief The lower level: three boxes fall onto the ground, stepped by hand with contacts and impulses.
 #include <cstdio>
 #include <tumble/contact/gather.hpp>
 #include <tumble/contact/impacts.hpp>
 #include <tumble/dynamics/integrate.hpp>
 #include <utility>
 
-/// Steps the scene with contacts without restitution and prints a hash of all that moves. Equal
-/// hashes mean equal bits: expected_hash.txt holds for every compiler and optimisation.
+/// Steps contacts without restitution and prints a hash of all states. Equal
+/// hashes mean equal bits: layers_hash.txt holds for every compiler and optimisation.
 /// \return 0
 int main() {
   using namespace tumble;

@@ -1,6 +1,6 @@
 /// \file
-/// \brief Stepping through a scene: what is thrown and taken away, and what is left of it in the scene.
-#include "tumble/record/scene_run.hpp"
+/// \brief Simulations: steps, boxes thrown in and taken away, observers, bodies read by name.
+#include "tumble/scenes/simulation.hpp"
 
 #include "tumble/base/random.hpp"
 #include "tumble/record/run.hpp"
@@ -74,12 +74,12 @@ Scene weightless(std::vector<SceneBox> boxes) {
   return scene;
 }
 
-void step(SceneRun& run, int count, double dt = kDt) {
+void step(Simulation& run, int count, double dt = kDt) {
   for (int k = 0; k < count; ++k) REQUIRE(run.step(dt).status < StepStatus::unsolved);
 }
 
 // The hash that `tumble run` comes to with the scene of a run as a file, in as many steps.
-std::string repeated(const SceneRun& run, std::string_view technique, double dt = kDt) {
+std::string repeated(const Simulation& run, std::string_view technique, double dt = kDt) {
   const Scene again = parse_scene(to_toml(run.scene()), "saved.toml");
   RunSettings settings;
   settings.dt = dt;
@@ -89,22 +89,22 @@ std::string repeated(const SceneRun& run, std::string_view technique, double dt 
   return result.state_hash;
 }
 
-std::string hash_of(const SceneRun& run) { return run.world().hash().text(); }
+std::string hash_of(const Simulation& run) { return run.world().hash().text(); }
 
-bool is_there(const SceneRun& run, const std::string& name) {
+bool is_there(const Simulation& run, const std::string& name) {
   return run.world().find(std::string_view(name)).has_value();
 }
 
 }  // namespace
 
 TEST_CASE("What was thrown and taken away is repeated by a run of the scene that is left",
-          "[determinism][record][live]") {
+          "[determinism][scenes][live]") {
   const std::string technique =
       GENERATE(as<std::string>(), "contact_damped", "basic", "analytic", "time_stepping", "impulse",
                "damped", "timewarp_simple", "timewarp_full", "glued");
   INFO(technique);
   const auto stepper = made(technique);
-  SceneRun run(towers(), *stepper);
+  Simulation run(towers(), *stepper);
 
   // Before the first step.
   run.throw_in(cube(Vec3(0.25, 3.5, 0.0), Vec3(0.0, -2.0, 0.5)));
@@ -140,7 +140,7 @@ TEST_CASE("What was thrown and taken away is repeated by a run of the scene that
 }
 
 TEST_CASE("Sessions of throws at random are repeated by a run of the scene that is left",
-          "[determinism][record][live]") {
+          "[determinism][scenes][live]") {
   Random random(5);
   const SceneRecipe& recipe = scene_recipe("projectile");
   Parameters settings = recipe.parameters();
@@ -150,7 +150,7 @@ TEST_CASE("Sessions of throws at random are repeated by a run of the scene that 
   for (int session = 0; session < 20; ++session) {
     INFO("session " << session);
     const auto stepper = made("contact_damped");
-    SceneRun run(recipe.build(settings, Random(1)), *stepper);
+    Simulation run(recipe.build(settings, Random(1)), *stepper);
     int thrown = 0;
     int taken = 0;
     for (int k = 0; k < 30; ++k) {
@@ -178,13 +178,13 @@ TEST_CASE("Sessions of throws at random are repeated by a run of the scene that 
   }
 }
 
-TEST_CASE("A box cannot be taken away at the time at which it came in", "[unit][record][live]") {
+TEST_CASE("A box cannot be taken away at the time at which it came in", "[unit][scenes][live]") {
   // Due between two steps; a run of a scene in which it goes at the end of the same step would never
   // see it, and give its id to the next one.
   Scene scene = towers();
   scene.boxes.back().appears = 0.24;
   const auto stepper = made("contact_damped");
-  SceneRun run(scene, *stepper);
+  Simulation run(scene, *stepper);
   step(run, 16);
   const auto refused = [&](const std::string& name) {
     CHECK_THROWS_WITH(run.take_away(name), Contains(name + " came in at this very time"));
@@ -204,15 +204,15 @@ TEST_CASE("A box cannot be taken away at the time at which it came in", "[unit][
 }
 
 TEST_CASE(
-    "Whoever is named by the world's own word is taken away, also when another one goes just then",
-    "[unit][record][live]") {
+    "A box named by the world's own string is taken away, also when another one leaves just then",
+    "[unit][scenes][live]") {
   // Removing a body moves the names of all that come after it.
   Puppet puppet;
   Scene scene = weightless(
       {cube(Vec3::Zero(), Vec3::Zero(), "a"), cube(Vec3(3.0, 0.0, 0.0), Vec3::Zero(), "b"),
        cube(Vec3(6.0, 0.0, 0.0), Vec3::Zero(), "c"), cube(Vec3(9.0, 0.0, 0.0), Vec3::Zero(), "d")});
   scene.boxes[0].disappears = kDt;
-  SceneRun run(scene, puppet);
+  Simulation run(scene, puppet);
   step(run, 1);
   run.take_away(run.world().name(1));
   CHECK_FALSE(is_there(run, "a"));
@@ -221,10 +221,12 @@ TEST_CASE(
   CHECK(is_there(run, "d"));
 }
 
-TEST_CASE("Before the first step whatever is thrown or taken away changes the start",
-          "[unit][record][live]") {
+TEST_CASE("Before the first step a box that is thrown in or taken away changes the start",
+          "[unit][scenes][live]") {
   Puppet puppet;
-  SceneRun run(towers(), puppet);
+  Simulation run(towers(), puppet);
+  MetricsMeter meter;
+  run.observe(meter);
   const std::string before = to_toml(run.scene());
   CHECK_THROWS_WITH(run.throw_in(cube(Vec3(0.0, 1.0, 0.0))),
                     Contains("overlap") && Contains("move them apart"));
@@ -238,18 +240,18 @@ TEST_CASE("Before the first step whatever is thrown or taken away changes the st
   CHECK(name == "box6");
   CHECK(is_there(run, name));
   CHECK(run.scene().boxes.back().appears == 0.0);
-  CHECK(run.metrics().potential == near(9.81 * (0.5 + 1.5 + 0.5 + 1.5 + 4.0)).epsilon(1e-15));
+  CHECK(meter.metrics().potential == near(9.81 * (0.5 + 1.5 + 0.5 + 1.5 + 4.0)).epsilon(1e-15));
   run.take_away(name);
   CHECK(to_toml(run.scene()) == before);
   CHECK(hash_of(run) == build_world(towers()).hash().text());
 
-  SceneRun alone(weightless({cube(Vec3::Zero())}), puppet);
+  Simulation alone(weightless({cube(Vec3::Zero())}), puppet);
   CHECK_THROWS_WITH(alone.take_away("box1"), Contains("a scene needs at least one"));
   CHECK(is_there(alone, "box1"));
   CHECK(alone.scene().boxes.size() == 1);
 }
 
-TEST_CASE("A throw that is refused leaves the run as it was", "[unit][record][live]") {
+TEST_CASE("A throw that is refused leaves the run as it was", "[unit][scenes][live]") {
   const double nan = std::nan("");
   const std::vector<std::pair<SceneBox, std::string>> cases = {
       {cube(Vec3(0.0, nan, 0.0)), "position_w = (0, nan, 0): expected three finite numbers"},
@@ -271,22 +273,22 @@ TEST_CASE("A throw that is refused leaves the run as it was", "[unit][record][li
                 .position_w = Vec3(0.0, 9.0, 0.0),
                 .angular_velocity_w = Vec3(0.0, 1e300, 0.0)},
        "inertia times angular_velocity = ("},
-      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "left"), "left: two boxes are called so"},
-      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "ground"), "the ground is called so"},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "left"), "left: two boxes have this name"},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3::Zero(), "ground"), "the ground has this name"},
       {SceneBox{.name = "", .position_w = Vec3(0.0, 9.0, 0.0), .disappears = 0.0},
        "expected later than 0"},
   };
   const int steps = GENERATE(0, 3);
   INFO("after " << steps << " steps");
-  for (const auto& [box, told] : cases) {
-    INFO(told);
+  for (const auto& [box, message] : cases) {
+    INFO(message);
     Puppet puppet;
     Puppet same;
-    SceneRun run(towers(), puppet);
-    SceneRun untouched(towers(), same);
+    Simulation run(towers(), puppet);
+    Simulation untouched(towers(), same);
     step(run, steps);
     step(untouched, steps);
-    CHECK_THROWS_WITH(run.throw_in(box), Contains(told));
+    CHECK_THROWS_WITH(run.throw_in(box), Contains(message));
     CHECK(to_toml(run.scene()) == to_toml(untouched.scene()));
     CHECK(hash_of(run) == hash_of(untouched));
     // And it goes on as if nothing had been.
@@ -299,10 +301,10 @@ TEST_CASE("A throw that is refused leaves the run as it was", "[unit][record][li
 }
 
 TEST_CASE("Names of boxes that have gone stay taken, and one without a name gets a free one",
-          "[unit][record][live]") {
+          "[unit][scenes][live]") {
   Puppet puppet;
-  SceneRun run(weightless({cube(Vec3::Zero()), cube(Vec3(3.0, 0.0, 0.0), Vec3::Zero(), "box3")}),
-               puppet);
+  Simulation run(weightless({cube(Vec3::Zero()), cube(Vec3(3.0, 0.0, 0.0), Vec3::Zero(), "box3")}),
+                 puppet);
   step(run, 1);
   CHECK(run.throw_in(cube(Vec3(6.0, 0.0, 0.0))) == "box4");
   step(run, 1);
@@ -310,24 +312,26 @@ TEST_CASE("Names of boxes that have gone stay taken, and one without a name gets
   CHECK_FALSE(is_there(run, "box4"));
   CHECK_THROWS_WITH(run.take_away("box4"), Contains("there is no box called box4 to take away"));
   CHECK_THROWS_WITH(run.throw_in(cube(Vec3(6.0, 0.0, 0.0), Vec3::Zero(), "box4")),
-                    Contains("two boxes are called so"));
+                    Contains("two boxes have this name"));
   CHECK(run.throw_in(cube(Vec3(6.0, 0.0, 0.0))) == "box5");
 }
 
-TEST_CASE("The energy of who comes and goes is no error of the technique",
-          "[exact][record][live]") {
+TEST_CASE("The energy of boxes that enter and leave is no error of the technique",
+          "[exact][scenes][live]") {
   Puppet puppet;
   Scene scene = weightless({cube(Vec3::Zero(), Vec3(2.0, 0.0, 0.0)), cube(Vec3(0.0, 5.0, 0.0)),
                             cube(Vec3(0.0, 9.0, 0.0), Vec3(4.0, 0.0, 0.0)),
                             cube(Vec3(0.0, 12.0, 0.0), Vec3(6.0, 0.0, 0.0))});
   scene.boxes[2].appears = 2.0 * kDt;
   scene.boxes[3].disappears = 3.0 * kDt;
-  SceneRun run(scene, puppet);
+  Simulation run(scene, puppet);
+  MetricsMeter meter;
+  run.observe(meter);
   double joules = 2.0 + 18.0;
   const auto measured = [&] {
     step(run, 1);
-    CHECK(run.metrics().kinetic == near(joules).epsilon(1e-15));
-    CHECK(std::abs(run.metrics().energy_error) < 1e-13);
+    CHECK(meter.metrics().kinetic == near(joules).epsilon(1e-15));
+    CHECK(std::abs(meter.metrics().energy_error) < 1e-13);
   };
   measured();
   run.throw_in(cube(Vec3(0.0, -9.0, 0.0), Vec3(0.0, 0.0, 3.0), "thrown"));
@@ -338,32 +342,35 @@ TEST_CASE("The energy of who comes and goes is no error of the technique",
   run.take_away("thrown");
   joules -= 18.0 + 4.5;  // and one goes by itself
   measured();
-  // What nobody has brought in is an error.
+  // A change from inside a step is an error.
   puppet.act = [](World& world) {
     world.set_velocity(world.ids()[1], Vec3(1.0, 0.0, 0.0), Vec3::Zero());
     return StepReport{};
   };
   step(run, 1);
-  CHECK(run.metrics().energy_error == near(0.5).margin(1e-13));
+  CHECK(meter.metrics().energy_error == near(0.5).margin(1e-13));
 }
 
-TEST_CASE("A scene that nobody touches steps as in a run", "[determinism][record]") {
+TEST_CASE("A simulation without throws steps as a run does", "[determinism][scenes]") {
   const auto one = made("contact_damped");
-  SceneRun run(towers(), *one);
+  Simulation run(towers(), *one);
+  MetricsMeter meter;
+  run.observe(meter);
   step(run, 30);
   RunSettings settings;
   settings.dt = kDt;
   settings.duration = 30.0 * kDt;
   const RunResult result = run_scene(towers(), *made("contact_damped"), settings, {});
   CHECK(result.state_hash == hash_of(run));
-  CHECK(result.last.energy_error == run.metrics().energy_error);
-  CHECK(result.last.deepest_overlap == run.metrics().deepest_overlap);
+  CHECK(result.last.energy_error == meter.metrics().energy_error);
+  CHECK(result.last.deepest_overlap == meter.metrics().deepest_overlap);
 }
 
-TEST_CASE("A step that breaks off leaves the scene, and one that makes a number infinite tells",
-          "[unit][record][live]") {
+TEST_CASE(
+    "A step that throws leaves the scene as it was, and one with an infinite number reports it",
+    "[unit][scenes][live]") {
   Puppet puppet;
-  SceneRun run(towers(), puppet);
+  Simulation run(towers(), puppet);
   step(run, 2);
   run.throw_in(cube(Vec3(0.0, 9.0, 0.0)));
   const std::string scene = to_toml(run.scene());
@@ -379,11 +386,13 @@ TEST_CASE("A step that breaks off leaves the scene, and one that makes a number 
   CHECK(to_toml(run.scene()) == scene);
 }
 
-TEST_CASE("A technique steps on when everybody has gone", "[unit][record][live]") {
+TEST_CASE("A technique steps on when all boxes have left", "[unit][scenes][live]") {
   for (const TechniqueRecipe& recipe : technique_library()) {
     INFO(recipe.name);
     const auto stepper = made(recipe.name);
-    SceneRun run(towers(), *stepper);
+    Simulation run(towers(), *stepper);
+    MetricsMeter meter;
+    run.observe(meter);
     step(run, 1);
     for (const char* name : {"left", "on left", "right", "on right"}) run.take_away(name);
     CHECK(run.world().count() == 1);  // the ground
@@ -391,14 +400,14 @@ TEST_CASE("A technique steps on when everybody has gone", "[unit][record][live]"
     run.take_away("late");
     step(run, 5);
     CHECK(run.world().count() == 1);
-    CHECK(run.metrics().kinetic == 0.0);
-    CHECK(run.metrics().chatter.bodies == 0);
+    CHECK(meter.metrics().kinetic == 0.0);
+    CHECK(meter.metrics().chatter.bodies == 0);
     CHECK(repeated(run, recipe.name) == hash_of(run));
   }
 }
 
-TEST_CASE("Who sleeps on a box that is taken away wakes and falls",
-          "[unit][record][sleeping][live]") {
+TEST_CASE("A box that sleeps on one that is taken away wakes and falls",
+          "[unit][scenes][sleeping][live]") {
   for (const char* technique : {"contact_damped", "damped", "impulse"}) {
     for (const bool by_scene : {false, true}) {
       INFO(technique << (by_scene ? ", by the scene" : ", by hand"));
@@ -408,16 +417,9 @@ TEST_CASE("Who sleeps on a box that is taken away wakes and falls",
       // Once the first of all, once the last.
       if (by_scene) std::swap(scene.boxes.front(), scene.boxes.back());
       if (by_scene) scene.boxes.back().disappears = 2.0;
-      SceneRun run(scene, *stepper);
-      const auto index = [&](std::string_view name) {
-        return static_cast<std::size_t>(run.world().index_of(*run.world().find(name)));
-      };
-      const auto sleeps = [&](std::string_view name) {
-        return run.world().sleep_states()[index(name)].asleep;
-      };
-      const auto height = [&](std::string_view name) {
-        return run.world().states()[index(name)].position_w.y();
-      };
+      Simulation run(scene, *stepper);
+      const auto sleeps = [&](std::string_view name) { return run.body(name).asleep(); };
+      const auto height = [&](std::string_view name) { return run.body(name).position_w().y(); };
       step(run, 128);
       CHECK(sleeps("on left"));
       CHECK(sleeps("on right"));
@@ -432,4 +434,82 @@ TEST_CASE("Who sleeps on a box that is taken away wakes and falls",
       CHECK(sleeps("on left"));
     }
   }
+}
+
+TEST_CASE("A body is read by its name, and a name that is missing is answered with the closest one",
+          "[unit][scenes][live]") {
+  Simulation simulation(towers());
+  simulation.world().push(*simulation.world().find("on left"), Vec3(2.0, 0.0, 0.0),
+                          Vec3(0.0, 2.0, 0.0));
+  const BodyView top = simulation.body("on left");
+  const World& world = simulation.world();
+  CHECK(top.id() == *world.find("on left"));
+  CHECK(top.name() == "on left");
+  CHECK(top.position_w() == Vec3(0.0, 1.5, 0.0));
+  CHECK(top.orientation_wb().coeffs() == Quat::Identity().coeffs());
+  CHECK(top.velocity_w() == Vec3(2.0, 0.0, 0.0));
+  // ω = (r × j) / I with r = 1/2 and I = 1/6.
+  CHECK((top.angular_velocity_w() - Vec3(0.0, 0.0, -6.0)).norm() < 1e-14);
+  CHECK(top.kinetic_energy() == near(0.5 * 4.0 + 0.5 * 36.0 / 6.0).epsilon(1e-15));
+  CHECK(top.potential_energy() == near(9.81 * 1.5).epsilon(1e-15));
+  CHECK_FALSE(top.asleep());
+  CHECK(simulation.body("ground").potential_energy() == 0.0);
+  CHECK(&world.body(top.id()).state() == &top.state());
+  CHECK(world.index_of("right") == world.index_of(*world.find("right")));
+  CHECK_THROWS_WITH(simulation.body("on lift"),
+                    "tumble: there is no body called on lift: did you mean on left?");
+  CHECK_THROWS_WITH(world.index_of("chimney"), "tumble: there is no body called chimney");
+  CHECK_THROWS_WITH(world.body(BodyId{99}), Contains("there is no body with id 99"));
+}
+
+TEST_CASE("A simulation takes a technique by name, and runs for a time in steps of its own",
+          "[unit][scenes]") {
+  Simulation by_name(towers(), "damped", {"damping=none"}, 7);
+  CHECK(by_name.technique().name() == "damped");
+  CHECK(by_name.run_for(0.5) == StepStatus::done);
+  CHECK(by_name.world().steps() == 30);
+  const auto technique = make_technique("damped", {"damping=none"}, 7);
+  Simulation by_hand(towers(), *technique);
+  for (int k = 0; k < 30; ++k) by_hand.step(1.0 / 60.0);
+  CHECK(hash_of(by_name) == hash_of(by_hand));
+  CHECK(by_name.run_for(0.1, 0.05) == StepStatus::done);
+  CHECK(by_name.world().steps() == 32);
+  CHECK(Simulation(towers()).technique().name() == kDefaultTechnique);
+
+  CHECK_THROWS_WITH(by_name.run_for(-1.0), Contains("seconds = -1"));
+  CHECK_THROWS_WITH(by_name.run_for(1.0, 0.0), Contains("dt = 0"));
+  CHECK_THROWS_WITH(Simulation(towers(), "dumped"), Contains("did you mean damped?"));
+  CHECK_THROWS_WITH(Simulation(towers(), "damped", {"damping"}), Contains("expected key=value"));
+  CHECK_THROWS_WITH(Simulation(towers(), std::unique_ptr<Technique>()),
+                    Contains("technique is null"));
+}
+
+TEST_CASE(
+    "Observers of a simulation see its start, events, changes and steps, until they are removed",
+    "[unit][scenes]") {
+  struct Count : Observer {
+    int begins = 0, changes = 0, events = 0, steps = 0;
+    double energy = 0.0;
+    void on_begin(const World&) override { ++begins; }
+    void on_change(const World&, double added) override { ++changes, energy += added; }
+    void on_event(const Event&) override { ++events; }
+    void on_step(const World&, const StepReport&) override { ++steps; }
+  };
+  Simulation simulation(
+      weightless({cube(Vec3::Zero()), cube(Vec3(1.05, 0.0, 0.0), Vec3(-4.0, 0.0, 0.0))}), "basic");
+  Count count;
+  simulation.observe(count);
+  simulation.throw_in(cube(Vec3(0.0, 9.0, 0.0)));  // the start is another one
+  CHECK(count.begins == 2);
+  simulation.step(kDt);
+  CHECK(count.events == 1);
+  simulation.throw_in(cube(Vec3(0.0, 12.0, 0.0), Vec3(2.0, 0.0, 0.0)));
+  CHECK(count.energy == near(2.0).epsilon(1e-15));
+  simulation.step(kDt);
+  CHECK(count.steps == 2);
+  const int changes = count.changes;
+  simulation.stop_observing(count);
+  simulation.step(kDt);
+  CHECK(count.steps == 2);
+  CHECK(count.changes == changes);
 }

@@ -1,0 +1,143 @@
+/// \file
+/// \brief Stepping through a scene.
+#include "tumble/scenes/simulation.hpp"
+
+#include "tumble/base/error.hpp"
+#include "tumble/dynamics/energy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tumble {
+namespace {
+
+// Passes on the events of a step; without observers a technique is left as it is.
+class EventsOfStep : public Observer {
+ public:
+  EventsOfStep(std::span<Observer* const> observers, Technique& technique)
+      : observers_(observers), technique_(technique) {
+    if (!observers_.empty()) technique_.observe(this);
+  }
+  ~EventsOfStep() override {
+    if (!observers_.empty()) technique_.observe(nullptr);
+  }
+  EventsOfStep(const EventsOfStep&) = delete;
+  EventsOfStep& operator=(const EventsOfStep&) = delete;
+  void on_event(const Event& event) override {
+    for (Observer* observer : observers_) observer->on_event(event);
+  }
+
+ private:
+  std::span<Observer* const> observers_;
+  Technique& technique_;
+};
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, std::unique_ptr<Technique> technique)
+    : owned_(std::move(technique)), technique_(owned_.get()) {
+  require::that(technique_ != nullptr, "technique is null: expected one");
+  begin(std::move(scene));
+}
+
+Simulation::Simulation(Scene scene, std::string_view technique,
+                       const std::vector<std::string>& settings, std::uint64_t seed)
+    : Simulation(std::move(scene), make_technique(technique, settings, seed)) {}
+
+Simulation::Simulation(Scene scene, Technique& technique) : technique_(&technique) {
+  begin(std::move(scene));
+}
+
+// Nothing is changed if the scene is refused.
+void Simulation::begin(Scene scene) {
+  world_ = start_world(scene);
+  scene_ = std::move(scene);
+  for (Observer* observer : observers_) observer->on_begin(world_);
+}
+
+void Simulation::observe(Observer& observer) {
+  observers_.push_back(&observer);
+  observer.on_begin(world_);
+}
+
+void Simulation::stop_observing(const Observer& observer) {
+  observers_.erase(std::remove(observers_.begin(), observers_.end(), &observer), observers_.end());
+}
+
+// The energy of boxes that enter and leave is not the technique's.
+template <class Change>
+void Simulation::change_bodies(const Change& change) {
+  const double before = energy_of(world_).total();
+  change();
+  const double added = energy_of(world_).total() - before;
+  for (Observer* observer : observers_) observer->on_change(world_, added);
+}
+
+void Simulation::settle() {
+  if (!(world_.time() > settled_)) return;
+  const auto due = [&](double time) { return time > settled_ && time <= world_.time(); };
+  if (std::any_of(scene_.boxes.begin(), scene_.boxes.end(),
+                  [&](const SceneBox& box) { return due(box.appears) || due(box.disappears); }))
+    change_bodies([&] { come_and_go(scene_, settled_, world_.time(), world_); });
+  before_ = settled_;
+  settled_ = world_.time();
+}
+
+StepReport Simulation::step(double dt) {
+  settle();
+  StepReport report;
+  {
+    const EventsOfStep events(observers_, *technique_);
+    report = technique_->step(world_, dt);
+  }
+  if (!all_finite(world_)) report.status = StepStatus::not_finite;
+  for (Observer* observer : observers_) observer->on_step(world_, report);
+  return report;
+}
+
+StepStatus Simulation::run_for(double seconds, double dt) {
+  require::not_negative(seconds, "seconds");
+  require::positive(dt, "dt");
+  const double end = world_.time() + seconds;
+  StepStatus worst = StepStatus::done;
+  while (world_.time() < end - 0.5 * dt && worst < StepStatus::unsolved)
+    worst = std::max(worst, step(dt).status);
+  return worst;
+}
+
+std::string Simulation::throw_in(SceneBox box) {
+  Scene next = scene_;
+  box.appears = world_.time();
+  next.boxes.push_back(std::move(box));
+  if (world_.steps() == 0) {
+    begin(std::move(next));
+    return scene_.boxes.back().name;
+  }
+  next = checked(std::move(next));
+  settle();  // a run of the scene lets in boxes that are due at this time before it too
+  change_bodies([&] { add_box(next.boxes.back(), world_); });
+  scene_ = std::move(next);
+  return scene_.boxes.back().name;
+}
+
+void Simulation::take_away(std::string_view asked) {
+  const std::string name(asked);  // it may be the world's own, which settle() moves
+  settle();
+  const auto box = std::find_if(scene_.boxes.begin(), scene_.boxes.end(),
+                                [&](const SceneBox& b) { return b.name == name; });
+  require::that(box != scene_.boxes.end() && world_.find(name),
+                "there is no box called " + name + " to take away");
+  if (world_.steps() == 0) {
+    Scene next = scene_;
+    next.boxes.erase(next.boxes.begin() + (box - scene_.boxes.begin()));
+    begin(std::move(next));
+    return;
+  }
+  // A run of the scene would not see it at all, and give its id to the next one.
+  require::that(box->appears <= before_,
+                name + " came in at this very time: step before it is taken away");
+  box->disappears = world_.time();
+  change_bodies([&] { world_.remove(*world_.find(name)); });
+}
+
+}  // namespace tumble
