@@ -22,8 +22,8 @@ constexpr double kFilmEnds = 3.01;  // [s]
 constexpr double kQuietest = 1e-3;  // [mm] the scale of colours begins here,
 constexpr double kLoudest = 1e2;    // [mm] and ends here, a tenth of an edge of 1 m
 
-// From blue to vermilion over a pale grey: lightness turns there only, and readers who do not see
-// red or green can tell both ends apart.
+// From blue to vermilion over a pale grey: lightness turns there only, and both ends differ
+// for readers that do not see red or green.
 std::uint32_t colour_of(double amplitude) {
   constexpr std::uint32_t cold = 0x0072b2, middle = 0xf0ead2, hot = 0xd55e00;
   const double clipped = std::clamp(amplitude, kQuietest, kLoudest);

@@ -59,7 +59,7 @@ double tilt_after_hit(const DampedErrata& repaired) {
 
 // C7. Two cubes overlap and part with 1 m/s, without gravity. Returns how fast they part
 // afterwards.
-double parting(const DampedErrata& repaired) {
+double separation_speed(const DampedErrata& repaired) {
   World world;
   world.gravity_w = Vec3::Zero();
   add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3(-0.5, 0.0, 0.0));
@@ -183,7 +183,7 @@ void add_collide_errata(Result& result) {
   compare(result, "C6: speed of a stable cube, ", "m/s", "velocity and momentum stored apart",
           "one store", mended, stable);
   compare(result, "C7: speed of parting, ", "m/s", "impulse for all pairs",
-          "impulse for pairs that approach", mended, parting);
+          "impulse for pairs that approach", mended, separation_speed);
   const Vec3 corner(0.5, 0.0, 0.5);
   add(result, "C8: spin after a flat landing, point at a corner", "rad/s", landing_spin({corner}));
   add(result, "C8: spin after a flat landing, point at the centre", "rad/s",

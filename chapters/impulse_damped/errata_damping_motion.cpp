@@ -133,7 +133,7 @@ void add_path(double k1, Result& result) {
       bend_of(slide(k1, true)));
 }
 
-// DM11. A cube beside a high wall, let go. It is damped by any contact, or by one that can hold it up.
+// DM11. A cube beside a high wall is released. It is damped by any contact, or by one that can hold it up.
 std::vector<double> fall_beside_wall(bool any_contact, int steps) {
   World world;
   add_fixed_box(world, Vec3(1.0, 100.0, 1.0), Vec3::Zero());

@@ -140,7 +140,7 @@ void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w,
 /// DAMPENOBJECTS on all bodies.
 /// \param world    in and out
 /// \param touched  whether each body has had a contact
-/// \param numbers  ε and k; as made, all ε are 0 and all k are 1, so that only what is set acts
+/// \param numbers  ε and k; as made, all ε are 0 and all k are 1, so that only those that are set act
 /// \param mended   errata
 /// \param dt       [s] the step
 /// \return what it reports
