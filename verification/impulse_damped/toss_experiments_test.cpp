@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+using namespace tumble;
 using namespace tumble::chapters;
 using namespace tumble::test;
 
