@@ -1,11 +1,11 @@
 /// \file
-/// \brief What each part of the damping does against chatter, and whom the alignment test misses
-///        (thesis 5.3).
-#include "impulse_damped/alignment_experiments.hpp"
-
+/// \brief Effect of each part of the damping on chatter, and boxes that the alignment test misses (thesis
+///        5.3).
 #include "tumble/impulse_damped/tolerances.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
+#include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
 #include <algorithm>
@@ -43,52 +43,36 @@ struct Tried {
   }
 };
 
-struct Constants {
-  const char* name;
-  double eps = 1.0;
-  double k = 1.0;
-};
-constexpr std::array<Constants, 5> kConstants{{{"", 1.0, 1.0},
-                                               {", thresholds halved", 0.5, 1.0},
-                                               {", thresholds doubled", 2.0, 1.0},
-                                               {", damping half as fast", 1.0, 0.5},
-                                               {", damping twice as fast", 1.0, 2.0}}};
-
-DampedOptions options_of(const std::string& parts, const Constants& constants, int seed) {
-  DampedOptions options;
-  options.damping = damping_parts_from(parts);
-  options.numbers.eps_scale = constants.eps;
-  options.numbers.k_scale = constants.k;
-  options.seed = static_cast<std::uint64_t>(seed);
-  return options;
-}
-
 bool chatters(const BoxEnd& end) { return end.chatters(); }
 
-}  // namespace
+// What is tried against chatter: parts of the damping, and which numbers of it are asked for.
+struct PartSet {
+  const char* words;
+  const char* parts;
+  bool share;  // of the boxes that chatter
+  bool time;   // to rest
+};
+constexpr std::array<PartSet, 8> kSets{
+    {{"scaling only", "scale", true, true},
+     {"scaling and alignment tests", "scale+align+tilt", true, false},
+     {"all parts", "all", true, true},
+     {"all but scaling", "small+align+tilt+freeze", false, false},
+     {"all but slow components", "scale+align+tilt+freeze", false, false},
+     {"all but the settling of aligned boxes", "scale+small+tilt+freeze", true, false},
+     {"all but turning upright", "scale+small+align+freeze", true, false},
+     {"all but small moves undone", "scale+small+align+tilt", true, false}}};
 
 Result measure_ablation(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   const double duration = settings.number("duration");
-  const auto attempt = [&](const std::string& parts, const Constants& constants, int per_edge) {
+  const auto attempt = [&](const PartSet& set, const DampedScales& scales, int per_edge) {
     Tried tried;
     for (int seed = 1; seed <= seeds; ++seed)
       tried.ends.push_back(
-          settle(clump(per_edge, seed), options_of(parts, constants, seed), duration));
+          settle(clump(per_edge, seed), damped_options(set.parts, scales, seed), duration));
     return tried;
   };
   const int per_edge = settings.count("per_edge");
-
-  // Sets of parts: a word for the quantities, and what is used.
-  static constexpr std::array<std::array<const char*, 2>, 8> kSets{
-      {{"scaling only", "scale"},
-       {"scaling and alignment tests", "scale+align+tilt"},
-       {"all parts", "all"},
-       {"all but scaling", "small+align+tilt+freeze"},
-       {"all but slow components", "scale+align+tilt+freeze"},
-       {"all but the settling of aligned boxes", "scale+small+tilt+freeze"},
-       {"all but turning upright", "scale+small+align+freeze"},
-       {"all but small moves undone", "scale+small+align+tilt"}}};
   Result result;
   Table table{"",
               {{"set", "-",
@@ -98,61 +82,65 @@ Result measure_ablation(const Parameters& settings) {
                {"restless", "-", "share of the boxes that do not rest in the last half second"},
                {"rest_s", "s", "mean time at which a box last moved by more than a little"}}};
   std::vector<Tried> tried;
-  for (std::size_t k = 0; k < kSets.size(); ++k) {
-    tried.push_back(attempt(kSets[k][1], kConstants[0], per_edge));
+  for (const PartSet& set : kSets) {
+    tried.push_back(attempt(set, {}, per_edge));
     const Tried& now = tried.back();
-    table.rows.push_back({static_cast<double>(k + 1), now.share(chatters, -1),
-                          now.share([](const BoxEnd& end) { return !end.rests; }, -1),
-                          now.rest_time(-1)});
+    table.add(tried.size(), now.share(chatters, -1),
+              now.share([](const BoxEnd& end) { return !end.rests; }, -1), now.rest_time(-1));
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a[1] > b[1]; });
   result.tables = {table};
 
   // The claim's number: at the usual size, with other constants, and with few boxes.
-  const std::string claim =
-      "boxes that chatter with the scaling of velocities only, less those with the alignment tests "
-      "too, over all boxes";
-  const auto compare = [&](const std::string& name, const Tried& scaled, const Tried& aligned) {
+  const auto compare = [&](const std::string& name, const Tried& scaled, const Tried& aligned,
+                           const auto& has) {
     result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
-      return scaled.share(chatters, left_out) - aligned.share(chatters, left_out);
+      return scaled.share(has, left_out) - aligned.share(has, left_out);
     }));
   };
-  compare(claim, tried[0], tried[1]);
-  for (std::size_t c = 1; c < kConstants.size(); ++c)
-    compare(std::string("the same") + kConstants[c].name,
-            attempt(kSets[0][1], kConstants[c], per_edge),
-            attempt(kSets[1][1], kConstants[c], per_edge));
-  for (const double shake : {0.05, 0.2}) {
-    const auto shakes = [=](const BoxEnd& end) { return end.rests && end.shake > shake; };
-    result.quantities.push_back(over_seeds(shake < 0.1 ? "the same, half the shake is chatter"
-                                                       : "the same, twice the shake is chatter",
-                                           "-", seeds, [&](int left_out) {
-                                             return tried[0].share(shakes, left_out) -
-                                                    tried[1].share(shakes, left_out);
-                                           }));
-  }
-  compare("the same, 8 cubes", attempt(kSets[0][1], kConstants[0], 2),
-          attempt(kSets[1][1], kConstants[0], 2));
+  compare(
+      "boxes that chatter with the scaling of velocities only, less those with the alignment tests "
+      "too, over all boxes",
+      tried[0], tried[1], chatters);
+  for (const DampedScales& scales : other_scales)
+    compare(std::string("the same, ") + scales.words, attempt(kSets[0], scales, per_edge),
+            attempt(kSets[1], scales, per_edge), chatters);
+  for (const double shake : {0.05, 0.2})
+    compare(shake < 0.1 ? "the same, half the shake is chatter"
+                        : "the same, twice the shake is chatter",
+            tried[0], tried[1], [=](const BoxEnd& end) { return end.rests && end.shake > shake; });
+  compare("the same, 8 cubes", attempt(kSets[0], {}, 2), attempt(kSets[1], {}, 2), chatters);
   for (std::size_t k = 0; k < kSets.size(); ++k) {
-    const Tried& now = tried[k];
-    const std::string name = kSets[k][0];
-    result.quantities.push_back(
-        over_seeds("share of the boxes that chatter, " + name, "-", seeds,
-                   [&](int left_out) { return now.share(chatters, left_out); }));
-    result.quantities.push_back(over_seeds("mean time to rest, " + name, "s", seeds,
-                                           [&](int left_out) { return now.rest_time(left_out); }));
+    const std::string name = kSets[k].words;
+    if (kSets[k].share)
+      result.quantities.push_back(
+          over_seeds("share of the boxes that chatter, " + name, "-", seeds,
+                     [&](int left_out) { return tried[k].share(chatters, left_out); }));
+    if (kSets[k].time)
+      result.quantities.push_back(
+          over_seeds("mean time to rest, " + name, "s", seeds,
+                     [&](int left_out) { return tried[k].rest_time(left_out); }));
   }
   return result;
 }
 
+const Registered claim_5_3b_ablation_figure{
+    {.name = "claim_5_3b_ablation",
+     .parameters = Parameters{}
+                       .add_whole("per_edge", 3, 2, 10, "cubes along each edge of the grid")
+                       .add_number("duration", 3.0, 1.0, 60.0, "s", "of each run")
+                       .add_whole("seeds", 20, 2, 1000, "heaps"),
+     .quick = {"per_edge=2", "duration=2", "seeds=3"},
+     .experiment = measure_ablation}};
+
 Result measure_leaning(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   const double duration = settings.number("duration");
-  const auto attempt = [&](const std::string& parts, const Constants& constants) {
+  const auto attempt = [&](const std::string& parts, const DampedScales& scales) {
     Tried tried;
     for (int seed = 1; seed <= seeds; ++seed) {
-      const DampedOptions options = options_of(parts, constants, seed);
+      const DampedOptions options = damped_options(parts, scales, seed);
       tried.ends.push_back(settle(clump(settings.count("per_edge"), seed), options, duration));
       const std::vector<BoxEnd> planks = settle(propped_planks(seed), options, duration);
       tried.ends.back().insert(tried.ends.back().end(), planks.begin(), planks.end());
@@ -166,29 +154,26 @@ Result measure_leaning(const Parameters& settings) {
   const auto caught_flat = [=](const BoxEnd& end) { return shaky_flat(end) && end.aligned; };
 
   Result result;
-  std::vector<Tried> tried;
-  for (const Constants& constants : kConstants) {
-    tried.push_back(attempt("scale", constants));
-    const Tried& now = tried.back();
-    const std::string name =
-        tried.size() == 1 ? "share of the chattering boxes that the test catches among those that "
-                            "lean, over the share among those that lie flat"
-                          : std::string("the same") + constants.name;
+  const auto caught = [&](const std::string& name, const Tried& now) {
     result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
       return now.count(caught_lean, left_out) / now.count(shaky_lean, left_out) /
              (now.count(caught_flat, left_out) / now.count(shaky_flat, left_out));
     }));
-  }
-  const Tried& usual = tried.front();
-  const Tried all = attempt("all", kConstants[0]);
+  };
+  const Tried usual = attempt("scale", {});
+  caught(
+      "share of the chattering boxes that the test catches among those that lean, over the share "
+      "among those that lie flat",
+      usual);
+  for (const DampedScales& scales : other_scales)
+    caught(std::string("the same, ") + scales.words, attempt("scale", scales));
+  const Tried all = attempt("all", {});
   const auto share = [&](const std::string& name, const Tried& of, const auto& has,
                          const auto& among) {
     result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
       return of.count(has, left_out) / of.count(among, left_out);
     }));
   };
-  const auto flat = [](const BoxEnd& end) { return end.on_face; };
-  share("share of the boxes that lie flat that chatter", usual, shaky_flat, flat);
   share("of these, share that the test catches", usual, caught_flat, shaky_flat);
   share("share of the boxes that lean that chatter", usual, shaky_lean, leans);
   share("of these, share that the test catches, leaning", usual, caught_lean, shaky_lean);
@@ -209,10 +194,20 @@ Result measure_leaning(const Parameters& settings) {
   for (const std::vector<BoxEnd>& ends : usual.ends)
     for (const BoxEnd& end : ends)
       if (end.chatters())
-        table.rows.push_back({end.tilt / degree, end.shake, end.on_face ? 0.0 : 1.0,
-                              end.aligned ? 1.0 : 0.0, tolerance::damped_aligned / degree});
+        table.add(end.tilt / degree, end.shake, !end.on_face, end.aligned,
+                  tolerance::damped_aligned / degree);
   result.tables = {table};
   return result;
 }
 
+const Registered claim_5_3e_leaning_figure{
+    {.name = "claim_5_3e_leaning",
+     .parameters = Parameters{}
+                       .add_whole("per_edge", 3, 2, 10, "cubes along each edge of the grid")
+                       .add_number("duration", 3.0, 1.0, 60.0, "s", "of each run")
+                       .add_whole("seeds", 20, 2, 1000, "heaps, and sets of planks"),
+     .quick = {"per_edge=2", "duration=2", "seeds=3"},
+     .experiment = measure_leaning}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,13 +1,12 @@
 /// \file
-/// \brief How much a stack chatters that is held up by impulses without damping.
-#include "impulse_damped/chatter_experiments.hpp"
-
+/// \brief Chatter of a stack that is held up by impulses without damping (thesis 3.3.2).
 #include "tumble/base/random.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/chatter.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>
@@ -104,6 +103,7 @@ class Watch {
   ChatterMeter meter_;
 };
 
+// Windows are half seconds that end after the first second.
 Shaking shake(const Stack& stack, const Method& method, int seed) {
   World world = build(stack, seed);
   Damped technique = without_damping(method);
@@ -117,13 +117,11 @@ Shaking shake(const Stack& stack, const Method& method, int seed) {
     watch.look(world);
     if (step < method.rate || 2 * step % method.rate != 0) continue;
     const Chatter chatter = watch.measure(world.gravity_w.norm());
-    Shaking window;
     if (chatter.bodies > 0) {
-      window = {chatter.amplitude, static_cast<double>(chatter.bodies), 1.0, 0.0};
+      out.add({chatter.amplitude, static_cast<double>(chatter.bodies), 1.0, 0.0});
     } else {
-      window.restless = 1.0;
+      out.restless += 1.0;
     }
-    out.add(window);
   }
   return out;
 }
@@ -139,14 +137,6 @@ double mean_without(const std::vector<Shaking>& runs, int left_out) {
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (static_cast<int>(k) != left_out) all.add(runs[k]);
   return all.mean();
-}
-
-// How much of the chatter of the first method the second one does not have.
-Quantity gone(const std::string& name, const std::vector<Shaking>& before,
-              const std::vector<Shaking>& after) {
-  return over_seeds(name, "-", static_cast<int>(before.size()), [&](int left_out) {
-    return 1.0 - mean_without(after, left_out) / mean_without(before, left_out);
-  });
 }
 
 Table all_rules(const Stack& stack, int finest, int seeds) {
@@ -166,75 +156,61 @@ Table all_rules(const Stack& stack, int finest, int seeds) {
           Shaking all;
           for (const Shaking& run : shake_all(stack, {shock, points, kNormals[n], rate}, seeds))
             all.add(run);
-          table.rows.push_back(
-              {shock == Shock::velocity ? 1.0 : 0.0, points == PointRule::area ? 1.0 : 0.0,
-               static_cast<double>(n), 1.0 / rate, all.mean(),
-               all.windows > 0.0 ? all.boxes / all.windows : 0.0, all.windows, all.restless});
+          table.add(shock == Shock::velocity, points == PointRule::area, n, 1.0 / rate, all.mean(),
+                    all.windows > 0.0 ? all.boxes / all.windows : 0.0, all.windows, all.restless);
         }
   return table;
 }
 
-// The two causes that the text names, together and one at a time, and what else there may be.
+// The two causes that the text names, together and one at a time, and the pushes.
 void add_shares(const Stack& stack, int seeds, std::vector<Quantity>& out) {
-  Method thesis;
-  Method small = thesis;
-  small.rate = 240;
-  Method exact = thesis;
-  exact.normals = NormalRule::separation;
-  Method both = small;
-  both.normals = NormalRule::separation;
-  const std::vector<Shaking> base = shake_all(stack, thesis, seeds);
-  out.push_back(
-      gone("share of the chatter of a stack on the ground that goes away with a quarter "
-           "of the step and true normals",
-           base, shake_all(stack, both, seeds)));
-  out.push_back(gone("share that goes away with a quarter of the step", base,
-                     shake_all(stack, small, seeds)));
-  out.push_back(
-      gone("share that goes away with true normals", base, shake_all(stack, exact, seeds)));
-  Method velocity = thesis;
-  velocity.shock = Shock::velocity;
-  const std::vector<Shaking> stopped = shake_all(stack, velocity, seeds);
-  out.push_back(
-      gone("share that goes away if velocities are stopped in place of pushes", base, stopped));
-  both.shock = Shock::velocity;
-  out.push_back(
-      gone("velocities stopped: share that goes away with a quarter of the step and true "
-           "normals",
-           stopped, shake_all(stack, both, seeds)));
+  const std::vector<Shaking> base = shake_all(stack, {}, seeds);
+  const auto share = [&](const std::string& name, const Method& method) {
+    const std::vector<Shaking> changed = shake_all(stack, method, seeds);
+    out.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+      return 1.0 - mean_without(changed, left_out) / mean_without(base, left_out);
+    }));
+  };
+  share(
+      "share of the chatter of a stack on the ground that goes away with a quarter of the step and "
+      "true normals",
+      {.normals = NormalRule::separation, .rate = 240});
+  share("share that goes away with a quarter of the step", {.rate = 240});
+  share("share that goes away with true normals", {.normals = NormalRule::separation});
+  share("share that goes away if velocities are stopped in place of pushes",
+        {.shock = Shock::velocity});
   out.push_back({"amplitude of chatter at 1/60 s with the normals of the thesis", "m",
                  mean_without(base, -1)});
   Stack dull = stack;
   dull.restitution = 0.0;
   out.push_back({"the same amplitude without restitution", "m",
-                 mean_without(shake_all(dull, thesis, seeds), -1)});
+                 mean_without(shake_all(dull, {}, seeds), -1)});
 }
 
-}  // namespace
-
 Result measure_oscillation(const Parameters& settings) {
-  Stack stack;
-  stack.boxes = settings.count("boxes");
-  stack.restitution = settings.number("restitution");
-  stack.aside = settings.number("aside");
-  stack.turn = settings.number("turn");
-  stack.duration = settings.number("duration");
+  const Stack stack{settings.count("boxes"), settings.number("restitution"),
+                    settings.number("aside"), settings.number("turn"), settings.number("duration")};
   Result result;
   result.tables.push_back(all_rules(stack, settings.count("finest"), settings.count("seeds")));
   add_shares(stack, settings.count("many"), result.quantities);
 
-  // All boxes upright and above each other: all rules of normals agree.
-  Stack upright = stack;
-  upright.aside = 0.0;
-  upright.turn = 0.0;
-  Method method;
-  const double before = shake(upright, method, 1).mean();
-  method.rate = 240;
-  method.normals = NormalRule::separation;
-  result.quantities.push_back({"upright stack: amplitude of chatter at 1/60 s", "m", before});
-  result.quantities.push_back({"upright stack: share that goes away with a quarter of the step",
-                               "-", 1.0 - shake(upright, method, 1).mean() / before});
   return result;
 }
 
+const Registered claim_3_3_2a_oscillation_figure{
+    {.name = "claim_3_3_2a_oscillation",
+     .parameters =
+         Parameters{}
+             .add_whole("boxes", 5, 1, 50, "in the stack")
+             .add_number("restitution", 0.9, 0.0, 1.0, "-", "of boxes and ground: the thesis's")
+             .add_number("aside", 0.02, 0.0, 0.4, "m", "by how much a box is moved aside, at most")
+             .add_number("turn", 0.05, 0.0, 0.7, "rad", "by how much it is turned, at most")
+             .add_number("duration", 2.0, 1.0, 60.0, "s", "of each run")
+             .add_whole("finest", 480, 60, 3840, "steps a second; others are halves of it")
+             .add_whole("seeds", 2, 1, 1000, "stacks for each point that is drawn")
+             .add_whole("many", 20, 2, 1000, "stacks for the numbers"),
+     .quick = {"seeds=1", "many=2", "duration=1", "finest=240"},
+     .experiment = measure_oscillation}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,7 +1,5 @@
 /// \file
-/// \brief Whether the damping ever adds energy (thesis 5.3).
-#include "impulse_damped/damping_experiments.hpp"
-
+/// \brief The energy that each stage of the damping adds at random states (thesis 5.3).
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/dampen_objects.hpp"
@@ -9,7 +7,9 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
-#include "driver/statistics.hpp"
+#include "driver/registry.hpp"
+#include "impulse_damped/damped_variants.hpp"
+#include "impulse_damped/damping_heap.hpp"
 
 #include <algorithm>
 #include <array>
@@ -103,25 +103,11 @@ std::vector<double> largest(const Vec3& size, const Stage& stage, const DampedNu
   return found;
 }
 
-double largest_without(const std::vector<double>& found, int left_out) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (static_cast<int>(k) != left_out) most = std::max(most, found[k]);
-  return most;
-}
-
 // Of each seed the largest of both.
 std::vector<double> larger(std::vector<double> a, const std::vector<double>& b) {
   for (std::size_t k = 0; k < a.size(); ++k) a[k] = std::max(a[k], b[k]);
   return a;
 }
-
-Quantity most_over_seeds(const std::string& name, const std::vector<double>& found) {
-  return over_seeds(name, "-", static_cast<int>(found.size()),
-                    [&](int left_out) { return largest_without(found, left_out); });
-}
-
-}  // namespace
 
 Result measure_damping_energy(const Parameters& settings) {
   const int states = settings.count("states");
@@ -143,10 +129,10 @@ Result measure_damping_energy(const Parameters& settings) {
     const auto of_cube = largest(cube, kStages[s], DampedNumbers{}, states, seeds);
     const auto of_brick = largest(brick, kStages[s], DampedNumbers{}, states, seeds);
     const std::string name = std::string("largest factor, ") + kStages[s].name;
-    by_stage.push_back(most_over_seeds(name + ", cube", of_cube));
-    by_stage.push_back(most_over_seeds(name + ", brick of 2 x 1 x 1", of_brick));
-    table.rows.push_back(
-        {static_cast<double>(s + 1), largest_without(of_cube, -1), largest_without(of_brick, -1)});
+    const Quantity cubes = most_over_seeds(name + ", cube", of_cube);
+    const Quantity bricks = most_over_seeds(name + ", brick of 2 x 1 x 1", of_brick);
+    by_stage.insert(by_stage.end(), {cubes, bricks});
+    table.add(s + 1, cubes.value, bricks.value);
     most = larger(larger(most, of_cube), of_brick);
   }
   result.quantities.push_back(most_over_seeds(
@@ -154,21 +140,10 @@ Result measure_damping_energy(const Parameters& settings) {
 
   // Other constants: the stage that decides is the one of slow components.
   const Stage& slow = kStages[3];
-  struct Constants {
-    const char* name;
-    double eps, k;
-  };
-  for (const Constants& constants :
-       {Constants{"thresholds halved", 0.5, 1.0}, Constants{"thresholds doubled", 2.0, 1.0},
-        Constants{"damping half as fast", 1.0, 0.5},
-        Constants{"damping twice as fast", 1.0, 2.0}}) {
-    DampedNumbers numbers;
-    numbers.eps_scale = constants.eps;
-    numbers.k_scale = constants.k;
-    result.quantities.push_back(
-        most_over_seeds(std::string("the same, slow components, ") + constants.name,
-                        largest(brick, slow, numbers, states, seeds)));
-  }
+  for (const DampedScales& scales : other_scales)
+    result.quantities.push_back(most_over_seeds(
+        std::string("the same, slow components, ") + scales.words,
+        largest(brick, slow, damped_options("all", scales, 1).numbers, states, seeds)));
   result.quantities.insert(result.quantities.end(), by_stage.begin(), by_stage.end());
 
   // Bricks of several lengths. Of a spin in the plane of two axes with moments Ia and Ib, tilted by
@@ -189,10 +164,11 @@ Result measure_damping_energy(const Parameters& settings) {
     const double k = factors_of(DampedNumbers{}, kStep).slow_spin;
     const double t = 0.5 * (c * (1.0 - k) * (1.0 - k) + 2.0 * k);
     const double shrunk = t + std::sqrt(t * t - k * k);
-    shapes.rows.push_back({1.0 * length, largest_without(found, -1), shrunk, c});
+    const Quantity most_found =
+        most_over_seeds("largest factor, slow components, brick of 4 x 1 x 1", found);
+    shapes.add(length, most_found.value, shrunk, c);
     if (length != 4) continue;
-    result.quantities.push_back(
-        most_over_seeds("largest factor, slow components, brick of 4 x 1 x 1", found));
+    result.quantities.push_back(most_found);
     result.quantities.push_back({"the same in closed form, one component shrunk", "-", shrunk});
     result.quantities.push_back({"the same in closed form, one component ended", "-", c});
   }
@@ -203,4 +179,16 @@ Result measure_damping_energy(const Parameters& settings) {
   return result;
 }
 
+const Registered claim_5_3a_energy_figure{
+    {.name = "claim_5_3a_energy",
+     .parameters =
+         Parameters{}
+             .add_whole("states", 5000, 10, 10000000, "random states of each seed and stage")
+             .add_whole("seeds", 20, 2, 1000, "streams of random states, and heaps")
+             .add_whole("longest", 8, 1, 100, "length of the longest brick, over its other edges")
+             .add_number("duration", 3.0, 0.1, 60.0, "s", "of the heaps"),
+     .quick = {"states=2000", "seeds=2", "longest=4", "duration=1.5"},
+     .experiment = measure_damping_energy}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,13 +1,9 @@
 /// \file
 /// \brief The errata of DAMPENOBJECTS that show in motion (thesis 5.3, A.2; DM6, DM7, DM10 to DM12,
 ///        DM14).
-#include "tumble/contact/gather.hpp"
-#include "tumble/contact/moving_body.hpp"
 #include "tumble/geometry/box.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "impulse_damped/errata_damping_experiments.hpp"
-#include "impulse_damped/errata_damping_setup.hpp"
+#include "impulse_damped/errata_setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +13,7 @@
 namespace tumble::chapters {
 namespace {
 
-using namespace errata_setup;
-
 constexpr double kPi = 3.14159265358979323846;
-
-Quat turned_about_z(double angle) {
-  return Quat(std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle));
-}
 
 Vec3 lowest_corner(const World& world, int& which) {
   const std::array<Vec3, 8> corners = corners_of(box_of(world.bodies()[0], world.states()[0]));
@@ -33,12 +23,10 @@ Vec3 lowest_corner(const World& world, int& which) {
   return *lowest;
 }
 
-// --- DM6 -----------------------------------------------------------------------------------
-
-// A cube, tilted by 30 degrees, turns about its lowest edge at 1 rad/s. What is the edge's velocity
+// DM6. A cube, tilted by 30 degrees, turns about its lowest edge at 1 rad/s. What is the edge's velocity
 // after a step?
 Vec3 edge_velocity(double k1, double k2) {
-  World world = world_with_cube(Vec3::Zero(), Vec3::Zero());
+  World world = world_with_cube(Vec3::Zero());
   BodyState& cube = world.states()[0];
   cube.orientation_wb = turned_about_z(kPi / 6.0);
   int which = 0;
@@ -48,7 +36,7 @@ Vec3 edge_velocity(double k1, double k2) {
   PrintedNumbers numbers;
   numbers.k.momentum = k1;
   numbers.k.spin = k2;
-  dampen(world, true, numbers, DampedErrata::all());
+  dampen(world, true, numbers);
   const Vec3 velocity_w = velocity(world.bodies()[0], cube);
   const Vec3 spin_w = angular_velocity(world.bodies()[0], cube);
   return velocity_w + spin_w.cross(arm_w);
@@ -65,12 +53,10 @@ void add_pivot(double k1, Result& result) {
   add(result, "DM6: depth that the edge gains in a step, two factors", "m", -kStep * apart_w.y());
 }
 
-// --- DM7 -----------------------------------------------------------------------------------
-
-// Two cubes fall side by side, and touch. Damped is their motion in the world, or against the
+// DM7. Two cubes fall side by side, and touch. Damped is their motion in the world, or against the
 // motion that they have in common.
 std::vector<double> fall_speeds(double k1, bool against_each_other, int steps) {
-  World world = world_with_cube(Vec3::Zero(), Vec3::Zero());
+  World world = world_with_cube(Vec3::Zero());
   world.add(unit_cube(), make_state(unit_cube(), Vec3::UnitX()));
   PrintedNumbers numbers;
   numbers.k.momentum = k1;
@@ -81,7 +67,7 @@ std::vector<double> fall_speeds(double k1, bool against_each_other, int steps) {
     if (against_each_other)
       for (const BodyState& cube : world.states()) common_w += 0.5 * cube.linear_momentum_w;
     for (BodyState& cube : world.states()) cube.linear_momentum_w -= common_w;
-    dampen(world, true, numbers, DampedErrata::all());
+    dampen(world, true, numbers);
     for (BodyState& cube : world.states()) {
       cube.linear_momentum_w += common_w;
       cube.position_w += kStep * common_w;
@@ -95,13 +81,11 @@ void add_fall(double k1, Result& result) {
   constexpr int second = 60;  // [steps]
   const std::vector<double> printed = fall_speeds(k1, false, 10 * second);
   const std::vector<double> mended = fall_speeds(k1, true, second);
-  Table table{"fall",
-              {{"time_s", "s", "time since they were let go"},
-               {"printed_m_s", "m/s", "speed of the fall, damped in the world"},
-               {"mended_m_s", "m/s", "damped against each other"}}};
-  for (std::size_t k = 0; k < mended.size(); ++k)
-    table.rows.push_back({static_cast<double>(k) * kStep, printed[k], mended[k]});
-  result.tables.push_back(table);
+  add_paths(result, "fall",
+            {{"time_s", "s", "time since they were let go"},
+             {"printed_m_s", "m/s", "speed of the fall, damped in the world"},
+             {"mended_m_s", "m/s", "damped against each other"}},
+            kStep, 1.0, printed, mended);
   add(result, "DM7: speed after a fall of 1 s beside another cube, damped in the world", "m/s",
       printed[second]);
   add(result, "DM7: speed after a fall of 1 s beside another cube, damped against it", "m/s",
@@ -109,20 +93,18 @@ void add_fall(double k1, Result& result) {
   add(result, "DM7: speed that the fall never exceeds, damped in the world", "m/s", printed.back());
 }
 
-// --- DM10 ----------------------------------------------------------------------------------
-
-// A cube slides at 30 degrees to the x axis. Ended are components below ε6, or a momentum below it.
+// DM10. A cube slides at 30 degrees to the x axis. Ended are components below ε6, or a momentum below it.
 std::vector<Vec3> slide(double k1, bool whole) {
   const double small = usual_thresholds().still;  // [N s]
   PrintedNumbers numbers;
   numbers.k.momentum = k1;
   numbers.eps.still = whole ? 0.0 : small;
-  World world = world_with_cube(Vec3::Zero(), Vec3(std::cos(kPi / 6.0), 0.0, std::sin(kPi / 6.0)));
+  World world = world_with_cube(Vec3(std::cos(kPi / 6.0), 0.0, std::sin(kPi / 6.0)));
   BodyState& cube = world.states()[0];
   std::vector<Vec3> path = {cube.position_w};
   while (!cube.linear_momentum_w.isZero(0.0)) {
     if (whole && k1 * cube.linear_momentum_w.norm() < small) cube.linear_momentum_w.setZero();
-    dampen(world, true, numbers, DampedErrata::all());
+    dampen(world, true, numbers);
     path.push_back(cube.position_w);
     if (path.size() > 10000) throw std::runtime_error("the slide does not end");
   }
@@ -143,8 +125,7 @@ void add_path(double k1, Result& result) {
                {"x_m", "m", "along the x axis"},
                {"z_m", "m", "along the z axis"}}};
   for (const bool whole : {false, true})
-    for (const Vec3& place : slide(k1, whole))
-      table.rows.push_back({whole ? 1.0 : 0.0, place.x(), place.z()});
+    for (const Vec3& place : slide(k1, whole)) table.add(whole, place.x(), place.z());
   result.tables.push_back(table);
   add(result, "DM10: angle by which the way of a slide bends, each component on its own", "deg",
       bend_of(slide(k1, false)));
@@ -152,50 +133,42 @@ void add_path(double k1, Result& result) {
       bend_of(slide(k1, true)));
 }
 
-// --- DM11 ----------------------------------------------------------------------------------
-
-// A cube beside a high wall, let go. It is damped by any contact, or by one that can hold it up.
+// DM11. A cube beside a high wall is released. It is damped by any contact, or by one that can hold it up.
 std::vector<double> fall_beside_wall(bool any_contact, int steps) {
   World world;
-  world.add(fixed_box_properties(Vec3(1.0, 100.0, 1.0)),
-            make_state(fixed_box_properties(Vec3::Ones()), Vec3::Zero()));
+  add_fixed_box(world, Vec3(1.0, 100.0, 1.0), Vec3::Zero());
   world.add(unit_cube(), make_state(unit_cube(), Vec3::UnitX()));
   PrintedNumbers numbers;
   numbers.eps.aligned = usual_thresholds().aligned;
   numbers.eps.settled = 0.2;  // [N s] above m g dt = 0.1635 N s
-  const std::vector<IndexPair> pairs = {{0, 1}};
-  std::vector<MovingBody> moving;
-  ContactList contacts;
   std::vector<double> fallen = {0.0};
   for (int step = 0; step < steps; ++step) {
     add_gravity(world);
-    load_moving_bodies(world, moving);
-    gather_contacts(world, moving, pairs, 0.0, {}, contacts);
+    const ContactList contacts = contacts_of(world, 0.0);
     const bool holds =
         !contacts.empty() && (any_contact || contacts[0].normal_w.y() > std::sqrt(0.5));
-    dampen(world, holds, numbers, DampedErrata::all());
+    dampen(world, holds, numbers);
     fallen.push_back(0.0 - world.states()[1].position_w.y());
   }
   return fallen;
 }
 
-// --- DM12 ----------------------------------------------------------------------------------
-
-// A cube in free flight: where it is after each step.
+// DM12. A cube in free flight.
 struct Flown {
-  std::vector<Vec3> places_w;
+  std::vector<double> places;  // [m] along its way, after each step
   int frozen = 0;
 };
 Flown fly_frozen(const Vec3& momentum_w, double eps10, bool weight, int steps) {
   PrintedNumbers numbers;
   numbers.eps.frozen = eps10;
   numbers.eps.frozen_angle = 1.0;
-  World world = world_with_cube(Vec3::Zero(), momentum_w);
-  Flown flown{{Vec3::Zero()}, 0};
+  World world = world_with_cube(momentum_w);
+  Flown flown{{0.0}, 0};
   for (int step = 0; step < steps; ++step) {
     if (weight) add_gravity(world);
-    flown.frozen += dampen(world, false, numbers, DampedErrata::all()).frozen;
-    flown.places_w.push_back(world.states()[0].position_w);
+    flown.frozen += dampen(world, false, numbers).frozen;
+    const Vec3& place_w = world.states()[0].position_w;
+    flown.places.push_back(weight ? place_w.y() : place_w.x());
   }
   return flown;
 }
@@ -205,14 +178,11 @@ void add_freeze(double eps10, Result& result) {
   const Vec3 throw_w(0.0, 10.0 * kGravity * kStep, 0.0);
   const Flown printed = fly_frozen(throw_w, eps10, true, 20);
   const Flown mended = fly_frozen(throw_w, 0.0, true, 20);
-  Table table{"apex",
-              {{"time_ms", "ms", "time since the throw"},
-               {"printed_mm", "mm", "height, small moves undone"},
-               {"mended_mm", "mm", "height, only those of bodies in contact"}}};
-  for (std::size_t k = 0; k < printed.places_w.size(); ++k)
-    table.rows.push_back({1e3 * kStep * static_cast<double>(k), 1e3 * printed.places_w[k].y(),
-                          1e3 * mended.places_w[k].y()});
-  result.tables.push_back(table);
+  add_paths(result, "apex",
+            {{"time_ms", "ms", "time since the throw"},
+             {"printed_mm", "mm", "height, small moves undone"},
+             {"mended_mm", "mm", "height, only those of bodies in contact"}},
+            1e3 * kStep, 1e3, printed.places, mended.places);
   add(result, "DM12: steps that a cube hangs at its apex, every body tested", "-", printed.frozen);
   add(result, "DM12: steps that a cube hangs at its apex, bodies in contact tested", "-",
       mended.frozen);
@@ -220,20 +190,18 @@ void add_freeze(double eps10, Result& result) {
       "-", fly_frozen(throw_w, 2.0 * eps10, true, 20).frozen);
   const Flown dropped = fly_frozen(Vec3::Zero(), eps10, true, 2);
   add(result, "DM12: jump of a cube let go, after the steps that it hangs", "m",
-      dropped.places_w[1].y() - dropped.places_w[2].y());
+      dropped.places[1] - dropped.places[2]);
   const Vec3 slow_w(0.29, 0.0, 0.0);
   add(result, "DM12: way of a slide at 0.29 m/s in 1 s, every body tested", "m",
-      fly_frozen(slow_w, eps10, false, 60).places_w.back().x());
+      fly_frozen(slow_w, eps10, false, 60).places.back());
 }
 
-// --- DM14 ----------------------------------------------------------------------------------
-
-// A cube on its edge is turned upright by `most` a step. How far is it above the ground then?
+// DM14. A cube on its edge is turned upright by `most` a step. How far is it above the ground then?
 std::vector<double> tilt_gaps(double tilt, double most, bool about_edge, int steps) {
   PrintedNumbers numbers;
   numbers.eps.aligned = 0.1;
   numbers.eps.tilt = most;
-  World world = world_with_cube(Vec3::Zero(), Vec3::Zero());
+  World world = world_with_cube(Vec3::Zero());
   BodyState& cube = world.states()[0];
   cube.orientation_wb = turned_about_z(tilt);
   int which = 0;
@@ -241,7 +209,7 @@ std::vector<double> tilt_gaps(double tilt, double most, bool about_edge, int ste
   std::vector<double> gaps = {0.0};
   for (int step = 0; step < steps; ++step) {
     const Vec3 before_w = lowest_corner(world, which);
-    dampen(world, true, numbers, DampedErrata::all());
+    dampen(world, true, numbers);
     if (about_edge) cube.position_w += before_w - corner_of(box_of(world.bodies()[0], cube), which);
     gaps.push_back(lowest_corner(world, which).y() - ground);
   }
@@ -252,13 +220,11 @@ void add_tilt(Result& result) {
   constexpr int steps = 6;
   const std::vector<double> printed = tilt_gaps(0.05, 0.01, false, steps);
   const std::vector<double> mended = tilt_gaps(0.05, 0.01, true, steps);
-  Table table{"tilt",
-              {{"step", "-", "steps"},
-               {"printed_mm", "mm", "gap below a cube turned about its centre"},
-               {"mended_mm", "mm", "about its lowest edge"}}};
-  for (std::size_t k = 0; k < printed.size(); ++k)
-    table.rows.push_back({static_cast<double>(k), 1e3 * printed[k], 1e3 * mended[k]});
-  result.tables.push_back(table);
+  add_paths(result, "tilt",
+            {{"step", "-", "steps"},
+             {"printed_mm", "mm", "gap below a cube turned about its centre"},
+             {"mended_mm", "mm", "about its lowest edge"}},
+            1.0, 1e3, printed, mended);
   const std::string gap = "DM14: gap below a cube turned from ";
   add(result, gap + "0.02 rad to 0, about its centre", "m", tilt_gaps(0.02, 0.02, false, 1).back());
   add(result, gap + "0.02 rad to 0, about its edge", "m", tilt_gaps(0.02, 0.02, true, 1).back());
@@ -274,13 +240,11 @@ void add_motion_errata(double k1, double eps10, Result& result) {
 
   const std::vector<double> printed = fall_beside_wall(true, 60);
   const std::vector<double> mended = fall_beside_wall(false, 60);
-  Table table{"wall",
-              {{"time_s", "s", "time since it was let go"},
-               {"printed_m", "m", "fall, held by any contact"},
-               {"mended_m", "m", "fall, held by what is below"}}};
-  for (std::size_t k = 0; k < printed.size(); ++k)
-    table.rows.push_back({kStep * static_cast<double>(k), printed[k], mended[k]});
-  result.tables.push_back(table);
+  add_paths(result, "wall",
+            {{"time_s", "s", "time since it was let go"},
+             {"printed_m", "m", "fall, held by any contact"},
+             {"mended_m", "m", "fall, held by what is below"}},
+            kStep, 1.0, printed, mended);
   add(result, "DM11: fall in 1 s beside a wall, any contact counts", "m", printed.back());
   add(result, "DM11: fall in 1 s beside a wall, support counts", "m", mended.back());
 

@@ -1,17 +1,14 @@
 /// \file
 /// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
-#include "impulse_damped/friction_experiments.hpp"
-
 #include "tumble/scenes/library.hpp"
 
-#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace tumble::chapters {
@@ -24,6 +21,12 @@ struct Speeds {
   std::vector<double> momentum;            // [kg m/s] along x, of all bodies
   std::vector<Vec3> end_w;                 // [m] where they end
 
+  // [m/s] of all bodies after a step.
+  [[nodiscard]] std::vector<double> at(std::size_t step) const {
+    std::vector<double> all;
+    for (const std::vector<double>& one : speed) all.push_back(one[step]);
+    return all;
+  }
   // The largest speed that a body has had.
   [[nodiscard]] double fastest(std::size_t body) const {
     return *std::max_element(speed[body].begin(), speed[body].end());
@@ -84,8 +87,6 @@ std::vector<OtherFriction> other_frictions(const char* scene) {
           {"twice the friction", setting("friction", 2.0 * usual)}};
 }
 
-}  // namespace
-
 Result measure_sliding_blocks(const Parameters& settings) {
   std::vector<std::string> scene;
   for (const char* key : {"speed", "mass", "lower_mass", "friction", "ground_friction"})
@@ -103,9 +104,7 @@ Result measure_sliding_blocks(const Parameters& settings) {
                {"damped_momentum", "kg m/s", "of both, damped"},
                {"coulomb_momentum", "kg m/s", "of both, Coulomb's friction"}}};
   for (std::size_t k = 0; k < damped.time.size(); ++k)
-    table.rows.push_back({damped.time[k], damped.speed[0][k], damped.speed[1][k],
-                          coulomb.speed[0][k], coulomb.speed[1][k], damped.momentum[k],
-                          coulomb.momentum[k]});
+    table.add(damped.time[k], damped.at(k), coulomb.at(k), damped.momentum[k], coulomb.momentum[k]);
 
   // Forces are what momentum changes by, as a mean over the time in which A slides on B with
   // Coulomb's friction: no technique has to be asked, and damping gives no forces by itself.
@@ -121,15 +120,15 @@ Result measure_sliding_blocks(const Parameters& settings) {
                {"height_m", "m", "along y"},
                {"damped_N", "N", "mean force along x while A slides, damped"},
                {"coulomb_N", "N", "the same, Coulomb's friction"}}};
-  std::vector<std::vector<double>> forces;
+  const std::array<const char*, 2> masses{"mass", "lower_mass"};
+  std::array<std::array<double, 2>, 2> forces{};  // of A and B: damped, Coulomb
   const Scene layout = scene_with("fig5_2", scene);
-  for (const auto& [name, body, mass] :
-       {std::tuple("A", std::size_t{0}, "mass"), std::tuple("B", std::size_t{1}, "lower_mass")}) {
-    forces.push_back({force(damped, body, mass), force(coulomb, body, mass)});
-    for (const SceneBox& box : layout.boxes)
-      if (box.name == name)
-        drawn.rows.push_back({box.position_w.x(), box.position_w.y(), box.size.x(), box.size.y(),
-                              forces.back()[0], forces.back()[1]});
+  for (std::size_t body = 0; body < 2; ++body) {
+    forces[body] = {force(damped, body, masses[body]), force(coulomb, body, masses[body])};
+    const auto box = std::find_if(layout.boxes.begin(), layout.boxes.end(), [&](const SceneBox& b) {
+      return b.name == (body == 0 ? "A" : "B");
+    });
+    drawn.add(box->position_w.x(), box->position_w.y(), box->size.x(), box->size.y(), forces[body]);
   }
   const double common = settings.number("mass") * settings.number("speed") /
                         (settings.number("mass") + settings.number("lower_mass"));
@@ -137,16 +136,25 @@ Result measure_sliding_blocks(const Parameters& settings) {
           {{"speed of A at the end, Coulomb", "m/s", coulomb.speed[0].back()},
            {"common speed if momentum is kept", "m/s", common},
            {"speed of A at the end, damped", "m/s", damped.speed[0].back()},
-           {"time at which A slides no more, Coulomb", "s", coulomb.time[slide]},
            {"mean braking force on A until then, Coulomb", "N", -forces[0][1]},
            {"mean braking force on A until then, damped", "N", -forces[0][0]},
            {"mean force on B until then, Coulomb", "N", forces[1][1]},
            {"mean force on B until then, damped", "N", forces[1][0]},
-           {"momentum at the end over that at the start, Coulomb", "-",
-            coulomb.momentum.back() / coulomb.momentum.front()},
            {"momentum at the end over that at the start, damped", "-",
             damped.momentum.back() / damped.momentum.front()}}};
 }
+
+const Registered fig5_2_friction_figure{
+    {.name = "fig5_2_friction",
+     .parameters =
+         Parameters{}
+             .add_number("speed", 2.0, 0.1, 3.0, "m/s", "of A at the start")
+             .add_number("mass", 1.0, 1e-3, 1e3, "kg", "of A")
+             .add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "of B")
+             .add_number("friction", 0.5, 0.01, 10.0, "-", "Coulomb's coefficient of A and B")
+             .add_number("ground_friction", 0.0, 0.0, 10.0, "-", "of the ground")
+             .add_number("duration", 1.0, 0.1, 10.0, "s", "of the run"),
+     .experiment = measure_sliding_blocks}};
 
 Result measure_friction_on_upper(const Parameters& settings) {
   const double duration = settings.number("duration");
@@ -174,15 +182,12 @@ Result measure_friction_on_upper(const Parameters& settings) {
                           largest_difference(runs.back(), coulomb, all)});
   }
   for (std::size_t k = 0; k <= all; ++k)
-    table.rows.push_back({coulomb.time[k], coulomb.speed[0][k], coulomb_held.speed[0][k],
-                          runs[0].speed[0][k], runs[3].speed[0][k], runs[4].speed[0][k]});
+    table.add(coulomb.time[k], coulomb.speed[0][k], coulomb_held.speed[0][k], runs[0].speed[0][k],
+              runs[3].speed[0][k], runs[4].speed[0][k]);
 
   const std::size_t slide = end_of_slide(coulomb);
   quantities.push_back({"the same, only while it slides on the lower block with Coulomb's friction",
                         "-", largest_difference(runs[0], coulomb, slide)});
-  const Speeds damped_held = blocks({speed, held}, {"damped"}, duration);
-  quantities.push_back({"the same, the lower block being held by the ground", "-",
-                        largest_difference(damped_held, coulomb_held, all)});
   quantities.push_back({"speed given to the lower block, damped over Coulomb", "-",
                         runs[0].fastest(1) / coulomb.fastest(1)});
 
@@ -205,7 +210,7 @@ Result measure_friction_on_upper(const Parameters& settings) {
     const double mu = static_cast<double>(k) / steps;
     const std::string with = setting("friction", mu);
     const double on_held = difference({speed, with, held});
-    friction.rows.push_back({mu, difference({speed, with}), on_held});
+    friction.add(mu, difference({speed, with}), on_held);
     if (on_held < least) {
       least = on_held;
       least_at = mu;
@@ -216,6 +221,15 @@ Result measure_friction_on_upper(const Parameters& settings) {
   quantities.push_back({"friction at which it is least", "-", least_at});
   return {{table, friction}, quantities};
 }
+
+const Registered claim_5_3c_friction_figure{
+    {.name = "claim_5_3c_friction",
+     .parameters = Parameters{}
+                       .add_number("speed", 2.0, 0.1, 3.0, "m/s", "of the upper block at the start")
+                       .add_number("duration", 2.0, 0.1, 10.0, "s", "of the runs")
+                       .add_whole("steps", 40, 2, 400, "coefficients of friction from 0 to 1"),
+     .quick = {"steps=10"},
+     .experiment = measure_friction_on_upper}};
 
 Result measure_friction_chain(const Parameters& settings) {
   const double duration = settings.number("duration");
@@ -245,7 +259,6 @@ Result measure_friction_chain(const Parameters& settings) {
       {"speed of the upper box at the end, Coulomb", "m/s", coulomb.speed[2].back()});
   quantities.push_back({"speed of the sled at the end, damped", "m/s", damped.speed[0].back()});
   quantities.push_back({"way of the sled, damped", "m", damped.end_w[0].x()});
-  quantities.push_back({"way of the sled, Coulomb", "m", coulomb.end_w[0].x()});
 
   Table table{"", {{"time_s", "s", "time"}}};
   Table boxes{"boxes",
@@ -258,17 +271,22 @@ Result measure_friction_chain(const Parameters& settings) {
   for (const char* technique : {"damped", "coulomb"})
     for (const std::string& name : names)
       table.columns.push_back({std::string(technique) + "_" + name + "_m_s", "m/s", "its speed"});
-  for (std::size_t k = 0; k < damped.time.size(); ++k) {
-    table.rows.push_back({damped.time[k]});
-    for (const Speeds* run : std::initializer_list<const Speeds*>{&damped, &coulomb})
-      for (const auto& speed : run->speed) table.rows.back().push_back(speed[k]);
-  }
+  for (std::size_t k = 0; k < damped.time.size(); ++k)
+    table.add(damped.time[k], damped.at(k), coulomb.at(k));
   for (std::size_t k = 0; k < names.size(); ++k) {
     const SceneBox& box = scene.boxes[k];
-    boxes.rows.push_back({damped.end_w[k].x(), coulomb.end_w[k].x(), box.position_w.x(),
-                          box.position_w.y(), box.size.x(), box.size.y()});
+    boxes.add(damped.end_w[k].x(), coulomb.end_w[k].x(), box.position_w.x(), box.position_w.y(),
+              box.size.x(), box.size.y());
   }
   return {{table, boxes}, quantities};
 }
 
+const Registered claim_5_3f_chain_figure{
+    {.name = "claim_5_3f_chain",
+     .parameters = Parameters{}
+                       .add_number("speed", 1.0, 0.1, 10.0, "m/s", "of the sled at the start")
+                       .add_number("duration", 1.0, 0.1, 10.0, "s", "of the runs"),
+     .experiment = measure_friction_chain}};
+
+}  // namespace
 }  // namespace tumble::chapters

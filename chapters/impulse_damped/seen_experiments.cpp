@@ -1,12 +1,11 @@
 /// \file
-/// \brief What a viewer sees of friction that is not handed on: travel and resting poses (5.3).
+/// \brief Travel and resting poses of boxes, damped and with Coulomb's friction (thesis 5.3).
 #include "tumble/base/error.hpp"
 #include "tumble/base/random.hpp"
 
-#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/damped_variants.hpp"
-#include "impulse_damped/friction_experiments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +21,6 @@ constexpr double kShot = 0.5;  // [s] when the cube is shot; until then the pyra
 struct Seen {
   double travel = 0.0;            // [m] horizontal way from start to end, mean over the boxes
   double flat = 0.0;              // [-] share of the boxes with a face up, within two degrees
-  double height = 0.0;            // [m] mean height of the centres at the end
-  double projectile = 0.0;        // [m] its way
   std::vector<Vec3> ends_w = {};  // [m] where each box ends
 };
 
@@ -38,17 +35,13 @@ Seen play(const Scene& scene, const PlayedTechnique& technique, int seed, double
   for (const SceneBox& box : scene.boxes) {
     const BodyState& end = played.world().states()[played.index(box.name)];
     const Mat3 axes_w = end.orientation_wb.toRotationMatrix();
-    const double way = flat_across(end.position_w - box.position_w);
-    seen.travel += way;
+    seen.travel += flat_across(end.position_w - box.position_w);
     seen.flat += axes_w.row(1).cwiseAbs().maxCoeff() > upright ? 1.0 : 0.0;
-    seen.height += end.position_w.y();
-    seen.projectile = way;  // the last one
     seen.ends_w.push_back(end.position_w);
   }
   const auto count = static_cast<double>(scene.boxes.size());
   seen.travel /= count;
   seen.flat /= count;
-  seen.height /= count;
   return seen;
 }
 
@@ -122,8 +115,6 @@ std::vector<Seen> play_all(const SceneOfSeed& scene, const PlayedTechnique& tech
   return runs;
 }
 
-}  // namespace
-
 Result measure_what_is_seen(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   require::that(seeds >= 2, "medians over seeds take two of them");
@@ -165,48 +156,45 @@ Result measure_what_is_seen(const Parameters& settings) {
                {"damped_flat", "-", "share of the boxes that end with a face up, damped"},
                {"coulomb_flat", "-", "the same, Coulomb's friction"},
                {"apart_m", "m", "distance of a box's two ends, mean"}}};
-  const auto add = [&](double scene, const std::vector<Seen>& a, const std::vector<Seen>& b) {
+  const auto add = [&](int scene, const std::vector<Seen>& a, const std::vector<Seen>& b) {
     for (std::size_t k = 0; k < a.size(); ++k)
-      table.rows.push_back({scene, static_cast<double>(k + 1), a[k].travel, b[k].travel, a[k].flat,
-                            b[k].flat, apart(a[k], b[k])});
+      table.add(scene, k + 1, a[k].travel, b[k].travel, a[k].flat, b[k].flat, apart(a[k], b[k]));
   };
-  add(0.0, damped, coulomb);
-  add(1.0, clump_damped, clump_coulomb);
+  add(0, damped, coulomb);
+  add(1, clump_damped, clump_coulomb);
 
   Table medians{"medians",
                 {{"scene", "-", "as above"},
                  {"damped_m", "m", "median of the way, damped"},
                  {"coulomb_m", "m", "the same, Coulomb's friction"}}};
-  const auto tell = [&](double number, const std::string& scene, const std::vector<Seen>& a,
-                        const std::vector<Seen>& b) {
-    medians.rows.push_back(
-        {number, median_of(list_of(a, &Seen::travel)), median_of(list_of(b, &Seen::travel))});
-    const auto of = [&](const char* what, const char* unit, double Seen::*member) {
-      quantities.push_back(
-          {std::string(what) + ", " + scene + ", damped", unit, median_of(list_of(a, member))});
-      quantities.push_back(
-          {std::string(what) + ", " + scene + ", Coulomb", unit, median_of(list_of(b, member))});
-    };
-    of("median travel", "m", &Seen::travel);
-    of("median share of boxes that end with a face up", "-", &Seen::flat);
-    of("median height of the boxes in the end", "m", &Seen::height);
-    std::vector<double> two, same;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      two.push_back(apart(a[k], b[k]));
-      same.push_back(apart(b[k], b[(k + 1) % b.size()]));
-    }
-    quantities.push_back(
-        {"ends of a box apart, " + scene + ", damped and Coulomb, median", "m", median_of(two)});
-    quantities.push_back(
-        {"ends of a box apart, " + scene + ", two seeds of Coulomb, median", "m", median_of(same)});
+  const auto median_travel = [](const std::vector<Seen>& runs) {
+    return median_of(list_of(runs, &Seen::travel));
   };
-  tell(0.0, "shot", damped, coulomb);
-  tell(1.0, "clump", clump_damped, clump_coulomb);
+  medians.add(0, median_travel(damped), median_travel(coulomb));
+  medians.add(1, median_travel(clump_damped), median_travel(clump_coulomb));
+  std::vector<double> two, same;
+  for (std::size_t k = 0; k < damped.size(); ++k) {
+    two.push_back(apart(damped[k], coulomb[k]));
+    same.push_back(apart(coulomb[k], coulomb[(k + 1) % coulomb.size()]));
+  }
+  quantities.push_back({"median travel, shot, damped", "m", median_travel(damped)});
+  quantities.push_back({"median travel, shot, Coulomb", "m", median_travel(coulomb)});
   quantities.push_back(
-      {"median way of the projectile, damped", "m", median_of(list_of(damped, &Seen::projectile))});
-  quantities.push_back({"median way of the projectile, Coulomb", "m",
-                        median_of(list_of(coulomb, &Seen::projectile))});
+      {"ends of a box apart, shot, damped and Coulomb, median", "m", median_of(two)});
+  quantities.push_back(
+      {"ends of a box apart, shot, two seeds of Coulomb, median", "m", median_of(same)});
   return {{table, medians}, quantities};
 }
 
+const Registered claim_5_3g_seen_figure{
+    {.name = "claim_5_3g_seen",
+     .parameters = Parameters{}
+                       .add_whole("seeds", 24, 2, 1000, "runs of each scene")
+                       .add_whole("rows", 5, 2, 20, "of the pyramid")
+                       .add_whole("per_edge", 3, 2, 6, "cubes along each edge of the clump's grid")
+                       .add_number("duration", 5.0, 1.0, 60.0, "s", "of a run"),
+     .quick = {"seeds=4", "duration=3", "rows=3", "per_edge=2"},
+     .experiment = measure_what_is_seen}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Boxes that settle under damped integration, and who of them chatters (thesis 5.3).
+/// \brief Boxes that settle under damped integration, and those of them that chatter (thesis 5.3).
 #include "impulse_damped/settled_boxes.hpp"
 
 #include "tumble/filtering/corner_motion.hpp"
@@ -23,7 +23,7 @@ constexpr double kShake = 0.1;   // [-] of free fall: a box that rests and shake
 constexpr double kStill = 5e-4;  // [-] a corner that moves less in a step, in edges, rests
 constexpr double kPlay = 1e-3;   // [m] between a plank or block and what stops it
 
-// Who touches, and who has a face on what is below: a normal within 45 degrees of up that is across
+// Bodies that touch, and those that have a face on what is below: a normal within 45 degrees of up that is across
 // one of its own faces, within 10 degrees. This knows nothing of the alignment test.
 void mark(const World& world, const Contact& contact, std::vector<char>& touches,
           std::vector<BoxEnd>& ends) {

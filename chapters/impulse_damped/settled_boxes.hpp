@@ -14,7 +14,7 @@ struct BoxEnd {
   bool rests = false;      ///< it touches others all the time and gets nowhere: see ChatterMeter
   double shake = 0.0;      ///< [-] of a box that rests: its acceleration, see Chatter
   double rest_time = 0.0;  ///< [s] when one of its corners last moved by more than a little
-  bool on_face = false;    ///< a face of it has lain on what is below; otherwise it leans
+  bool on_face = false;    ///< a face of it has lain on another body; otherwise it leans
   double tilt = 0.0;       ///< [rad] between the vertical and its nearest axis
   bool aligned = false;    ///< what the alignment test says, with its ε2
 

@@ -1,8 +1,6 @@
 /// \file
 /// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
-#include "impulse_damped/toss_experiments.hpp"
-
-#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/tosses.hpp"
@@ -17,40 +15,42 @@ namespace {
 
 constexpr double kQuiet = 0.5;  // [s] and one that has not moved for so long will not move again
 
-// By seed: the outcomes of its tosses.
-using Outcomes = std::vector<TossNumbers>;
+// By seed: how far each of its tosses goes, and when it rests.
+struct Tosses {
+  std::vector<double> travel;        // [m]
+  std::vector<double> time_to_rest;  // [s]
+};
+using Outcomes = std::vector<Tosses>;
 
-TossOutcome toss(const PlayedTechnique& technique, std::uint64_t seed) {
+void toss(const PlayedTechnique& technique, std::uint64_t seed, Tosses& tosses) {
   PlayedScene played(scene_with("toss", {}, seed), technique, seed);
   const std::size_t cube = played.index("cube");
   const Vec3 start_w = played.world().states()[cube].position_w;
-  TossOutcome outcome;
-  while (played.world().time() < kTossSeconds &&
-         played.world().time() < outcome.time_to_rest + kQuiet) {
+  double moves = 0.0;  // [s] until then
+  while (played.world().time() < toss_seconds && played.world().time() < moves + kQuiet) {
     played.step();
     const BodyProperties& body = played.world().bodies()[cube];
     const BodyState& state = played.world().states()[cube];
-    outcome.rests = velocity(body, state).norm() < toss_still &&
-                    angular_velocity(body, state).norm() < 10.0 * toss_still;
-    if (!outcome.rests) outcome.time_to_rest = played.world().time();
+    const bool rests = velocity(body, state).norm() < toss_still &&
+                       angular_velocity(body, state).norm() < 10.0 * toss_still;
+    if (!rests) moves = played.world().time();
   }
   const Vec3 way_w = played.world().states()[cube].position_w - start_w;
-  outcome.travel = std::hypot(way_w.x(), way_w.z());
-  return outcome;
+  tosses.travel.push_back(std::hypot(way_w.x(), way_w.z()));
+  tosses.time_to_rest.push_back(moves);
 }
 
 // A technique gets the same starts as every other.
-Outcomes tosses(const PlayedTechnique& technique, int seeds, int count) {
-  Outcomes all;
-  for (int seed = 0; seed < seeds; ++seed) {
-    all.emplace_back();
+Outcomes toss_all(const PlayedTechnique& technique, int seeds, int count) {
+  Outcomes all(static_cast<std::size_t>(seeds));
+  for (int seed = 0; seed < seeds; ++seed)
     for (int k = 0; k < count; ++k)
-      add(toss(technique, static_cast<std::uint64_t>(1 + seed * count + k)), all.back());
-  }
+      toss(technique, static_cast<std::uint64_t>(1 + seed * count + k),
+           all[static_cast<std::size_t>(seed)]);
   return all;
 }
 
-using Numbers = std::vector<double> TossNumbers::*;
+using Numbers = std::vector<double> Tosses::*;
 
 std::vector<double> pooled(const Outcomes& outcomes, Numbers what, int left_out) {
   std::vector<double> all;
@@ -74,11 +74,11 @@ double distance(const Outcomes& outcomes, Numbers what, const std::array<double,
 }
 
 double travel_distance(const Outcomes& outcomes, int left_out) {
-  return distance(outcomes, &TossNumbers::travel, measured_tosses.travel, left_out);
+  return distance(outcomes, &Tosses::travel, measured_tosses.travel, left_out);
 }
 
 double time_distance(const Outcomes& outcomes, int left_out) {
-  return distance(outcomes, &TossNumbers::time_to_rest, measured_tosses.time_to_rest, left_out);
+  return distance(outcomes, &Tosses::time_to_rest, measured_tosses.time_to_rest, left_out);
 }
 
 double both(const Outcomes& outcomes, int left_out) {
@@ -91,13 +91,11 @@ PlayedTechnique damped(const char* randomness, const DampedVariant& variant = {"
   return technique;
 }
 
-}  // namespace
-
 Result measure_tosses(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   const int count = settings.count("tosses");
   const auto run = [&](const PlayedTechnique& technique) {
-    return tosses(technique, seeds, count);
+    return toss_all(technique, seeds, count);
   };
   struct Way {
     std::string column;
@@ -129,13 +127,13 @@ Result measure_tosses(const Parameters& settings) {
     if (!variant.words.empty())
       compared("the same, " + variant.words, run(damped("fast", variant)),
                run(damped("off", variant)), both);
-  for (const Way& way : ways) {
+  for (std::size_t k = 1; k < ways.size(); ++k) {
     result.quantities.push_back(over_seeds(
-        "distance of travel from the measured quartiles, over their spread, " + way.words, "-",
-        seeds, [&](int left_out) { return travel_distance(way.outcomes, left_out); }));
+        "distance of travel from the measured quartiles, over their spread, " + ways[k].words, "-",
+        seeds, [&](int left_out) { return travel_distance(ways[k].outcomes, left_out); }));
     result.quantities.push_back(over_seeds(
-        "distance of time to rest from the measured quartiles, over their spread, " + way.words,
-        "-", seeds, [&](int left_out) { return time_distance(way.outcomes, left_out); }));
+        "distance of time to rest from the measured quartiles, over their spread, " + ways[k].words,
+        "-", seeds, [&](int left_out) { return time_distance(ways[k].outcomes, left_out); }));
   }
 
   Table shares{"", {{"share", "-", "of the tosses that get no farther, or rest no later"}}};
@@ -145,21 +143,31 @@ Result measure_tosses(const Parameters& settings) {
   }
   constexpr int lines = 100;
   for (int k = 0; k <= lines; ++k) {
-    const double share = static_cast<double>(k) / lines;
-    shares.rows.push_back({share});
+    const double share = 1.0 * k / lines;
+    std::vector<double> row;
     for (const Way& way : ways)
-      for (const Numbers what : {&TossNumbers::travel, &TossNumbers::time_to_rest})
-        shares.rows.back().push_back(quantile_of(pooled(way.outcomes, what, -1), share));
+      for (const Numbers what : {&Tosses::travel, &Tosses::time_to_rest})
+        row.push_back(quantile_of(pooled(way.outcomes, what, -1), share));
+    shares.add(share, row);
   }
   Table quartiles{"quartiles",
                   {{"share", "-", "of the measured tosses"},
                    {"travel_m", "m", "no farther than this"},
                    {"rest_s", "s", "rest no later than this"}}};
   for (std::size_t q = 0; q < 3; ++q)
-    quartiles.rows.push_back({0.25 * static_cast<double>(q + 1), measured_tosses.travel[q],
-                              measured_tosses.time_to_rest[q]});
+    quartiles.add(0.25 * static_cast<double>(q + 1), measured_tosses.travel[q],
+                  measured_tosses.time_to_rest[q]);
   result.tables = {shares, quartiles};
   return result;
 }
 
+const Registered claim_2_4_2a_tosses_figure{
+    {.name = "claim_2_4_2a_tosses",
+     .parameters = Parameters{}
+                       .add_whole("tosses", 40, 2, 10000, "for each seed")
+                       .add_whole("seeds", 20, 2, 1000, "groups of tosses"),
+     .quick = {"tosses=4", "seeds=3"},
+     .experiment = measure_tosses}};
+
+}  // namespace
 }  // namespace tumble::chapters

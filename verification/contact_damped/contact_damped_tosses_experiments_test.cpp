@@ -1,9 +1,7 @@
 /// \file
 /// \brief Tosses of a real cube, measured and simulated: which face, how far, how long.
-#include "tumble/math/rotation.hpp"
-
+#include "contact_damped/measured_tosses.hpp"
 #include "impulse_damped/scene_runs.hpp"
-#include "impulse_damped/tosses.hpp"
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
@@ -11,8 +9,7 @@ namespace {
 
 using namespace tumble;
 using namespace tumble::chapters;
-using tumble::test::awake;
-using tumble::test::kFrame;
+using namespace tumble::test;
 
 constexpr const char* kTechnique = "contact_damped";
 constexpr const char* kData = "contactnets-cube-tosses";

@@ -1,11 +1,9 @@
 /// \file
 /// \brief The claim of 3.3.2 on oscillation without damping.
 #include "driver/quick.hpp"
-#include "impulse_damped/impulse_figures.hpp"
 #include "support/catch.hpp"
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +11,6 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  std::vector<Figure> figures;
-  add_impulse_figures(figures);
-  return {figures, name, set};
-}
 
 constexpr std::string_view kShare =
     "share of the chatter of a stack on the ground that goes away with a quarter of the step and "
@@ -37,7 +29,7 @@ const std::vector<double>& row_of(const Result& result, double shock, double poi
 
 TEST_CASE("A stack held up by impulses alone chatters, with the step and with the pushes",
           "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_3_3_2a_oscillation");
+  const FigureUnderTest figure("claim_3_3_2a_oscillation");
   // [m] of cubes of 1 m: visible. Measured 0.0125 over 20 stacks, two here.
   CHECK(figure.number("amplitude of chatter at 1/60 s with the normals of the thesis") > 0.005);
   // [-] measured 0.38 over 20 stacks
@@ -58,8 +50,7 @@ TEST_CASE("A stack held up by impulses alone chatters, with the step and with th
 
 TEST_CASE("An upright stack chatters as much whatever the rule of normals",
           "[claims][impulse_damped]") {
-  const FigureUnderTest figure =
-      figure_of("claim_3_3_2a_oscillation", {"aside=0", "turn=0", "boxes=3"});
+  const FigureUnderTest figure("claim_3_3_2a_oscillation", {"aside=0", "turn=0", "boxes=3"});
   // With one point, bit for bit: all normals are vertical. Areas pass rounding on, and tilt.
   for (const double rate : {240.0, 120.0, 60.0, 30.0})
     for (const double normals : {1.0, 2.0})

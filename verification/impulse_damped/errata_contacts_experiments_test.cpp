@@ -3,12 +3,10 @@
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
 #include "driver/quick.hpp"
-#include "impulse_damped/errata_collide_experiments.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -20,8 +18,8 @@ constexpr double kRounding = 1e-12;    // of some hundred operations on numbers 
 
 // Computed once: all of it takes half a second.
 double number(const std::string& name) {
-  static const Result result = run_quickly({contact_errata_figure()}, "errata_contacts", {});
-  return quantity_of(result, name).value;
+  static const FigureUnderTest figure("errata_contacts");
+  return figure.number(name);
 }
 
 void check_pair(const std::string& id, const std::string& literal, double failure,

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The errata DM1 to DM17 and X1 to X6, each with its failure number and the mended one.
-#include "impulse_damped/errata_damping_experiments.hpp"
 
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -21,11 +19,7 @@ namespace {
 constexpr double rounding = 1e-12;
 
 double number(std::string_view quantity) {
-  static const FigureUnderTest figure = [] {
-    std::vector<Figure> figures;
-    add_damping_errata_figures(figures);
-    return FigureUnderTest(figures, "errata_damping");
-  }();
+  static const FigureUnderTest figure("errata_damping");
   return figure.number(quantity);
 }
 

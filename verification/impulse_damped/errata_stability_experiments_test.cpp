@@ -1,12 +1,10 @@
 /// \file
 /// \brief Errata G2 to G8 of the listing SETGEOMETRICALLYSTABLE.
 #include "driver/quick.hpp"
-#include "impulse_damped/errata_damping_experiments.hpp"
 #include "support/catch.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -14,11 +12,7 @@ using namespace tumble::chapters;
 namespace {
 
 double number(std::string_view quantity) {
-  static const FigureUnderTest figure = [] {
-    std::vector<Figure> figures;
-    add_damping_errata_figures(figures);
-    return FigureUnderTest(figures, "errata_stability");
-  }();
+  static const FigureUnderTest figure("errata_stability");
   return figure.number(quantity);
 }
 

@@ -1,25 +1,15 @@
 /// \file
 /// \brief The claims of 5.3 on friction: the faster body, chains of bodies, what a viewer sees.
-#include "impulse_damped/friction_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <string>
-#include <string_view>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  std::vector<Figure> figures;
-  add_friction_figures(figures);
-  return {figures, name, set};
-}
 
 bool near_to(double value, double expected, double tolerance) {
   return std::abs(value - expected) <= tolerance;
@@ -31,7 +21,7 @@ TEST_CASE(
     "Damping brakes the upper block of figure 5.2 about as friction does, and never moves the "
     "lower one",
     "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("fig5_2_friction");
+  const FigureUnderTest figure("fig5_2_friction");
   // [N] μ m g = 4.905; the slide ends within a step of 1/60 s, which is 6 % of it.
   CHECK(near_to(figure.number("mean braking force on A until then, Coulomb"), 4.905, 0.3));
   CHECK(near_to(figure.number("mean force on B until then, Coulomb"), 4.905, 0.3));
@@ -48,7 +38,7 @@ TEST_CASE(
 TEST_CASE(
     "The upper block stops under damping where friction would let it go on with the lower one",
     "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_5_3c_friction");
+  const FigureUnderTest figure("claim_5_3c_friction");
   const std::string decides =
       "largest difference between the speeds of the upper block, damped and with Coulomb's "
       "friction, until it stops, over its speed at the start";
@@ -70,7 +60,7 @@ TEST_CASE(
 
 TEST_CASE("Damping gives nothing to boxes on a sled, and friction takes them along",
           "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_5_3f_chain");
+  const FigureUnderTest figure("claim_5_3f_chain");
   const std::string decides =
       "speed that friction gives to the upper box of a stack on a sled, damped, over that with "
       "Coulomb's friction";
@@ -88,7 +78,7 @@ TEST_CASE(
     "Boxes that are shot at go less far under damping than with friction, more so the more it "
     "damps",
     "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_5_3g_seen");
+  const FigureUnderTest figure("claim_5_3g_seen");
   const double friction = figure.number("median travel, shot, Coulomb");
   CHECK(figure.number("median travel, shot, damped") < friction);
   // [-] measured over 24 seeds 0.45, with half the damping 0.08, with twice 0.71; here four seeds
@@ -99,8 +89,8 @@ TEST_CASE(
   CHECK(twice < 1.0);
 }
 
-TEST_CASE("Of a median over seeds an interval is told that holds it", "[unit][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_5_3g_seen", {"seeds=5"});
+TEST_CASE("The interval of a median over seeds holds the median", "[unit][impulse_damped]") {
+  const FigureUnderTest figure("claim_5_3g_seen", {"seeds=5"});
   const Quantity& number = quantity_of(
       figure.result,
       "difference of the median travel over seeds, damped and with Coulomb's friction, over the "
@@ -108,5 +98,5 @@ TEST_CASE("Of a median over seeds an interval is told that holds it", "[unit][im
   CHECK(number.seeds == 5);
   CHECK(number.low <= number.value);
   CHECK(number.value <= number.high);
-  CHECK_THROWS_AS(figure_of("claim_5_3g_seen", {"seeds=1"}), std::invalid_argument);
+  CHECK_THROWS_AS(FigureUnderTest("claim_5_3g_seen", {"seeds=1"}), std::invalid_argument);
 }

@@ -1,29 +1,17 @@
 /// \file
 /// \brief The claims of 4.4 on the pass that ends overlap by moving bodies.
 #include "driver/quick.hpp"
-#include "impulse_damped/impulse_figures.hpp"
 #include "support/catch.hpp"
 
-#include <string_view>
 #include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
 
-namespace {
-
-FigureUnderTest figure_of(std::string_view name) {
-  std::vector<Figure> figures;
-  add_impulse_figures(figures);
-  return {figures, name};
-}
-
-}  // namespace
-
 TEST_CASE(
     "Pushes out of overlap add no kinetic energy, but bodies fall into the gaps that they leave",
     "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_4_4a_push_energy");
+  const FigureUnderTest figure("claim_4_4a_push_energy");
   CHECK(figure.number("kinetic energy just after the pass") == 0.0);
   CHECK(figure.number("potential energy that the pass adds to a stack, mean") > 0.1);  // [J]
   const double share = figure.number(
@@ -33,7 +21,7 @@ TEST_CASE(
   CHECK(share > 0.02);
   CHECK(share < 0.15);
   CHECK(figure.number("the same with our repair, which leaves no gap") == 0.0);
-  // Stopping velocities adds none at all, and moves nobody.
+  // Stopping velocities adds none at all, and moves no body.
   CHECK(figure.number("kinetic energy if velocities are stopped in place of the pass") == 0.0);
 
   // Gaps are up to a millimetre however deep the overlap: the share goes down with depth.
@@ -43,7 +31,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Impulses leave little overlap for the pushes", "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("claim_4_4b_overlap_left");
+  const FigureUnderTest figure("claim_4_4b_overlap_left");
   // [-] measured 0.025 over ten heaps, two here
   CHECK(figure.number("overlap that the pass removes, over all overlap that would be there without "
                       "any response") < 0.1);

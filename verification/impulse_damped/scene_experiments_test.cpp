@@ -1,33 +1,17 @@
 /// \file
 /// \brief The thesis's own scenes under damped integration: they stand, fall and settle as the
 ///        figures show.
-#include "impulse_damped/scene_experiments.hpp"
-
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
 #include <string>
-#include <string_view>
-#include <vector>
 
-using namespace tumble;
 using namespace tumble::chapters;
-
-namespace {
-
-FigureUnderTest figure_of(std::string_view name, const std::vector<std::string>& set = {}) {
-  std::vector<Figure> figures;
-  add_scene_figures(figures);
-  return {figures, name, set};
-}
-
-}  // namespace
 
 TEST_CASE("The pyramid of figure 6.6 stands still until it is shot at",
           "[claims][impulse_damped]") {
   // As large and as long as in the figure: ten rows, five seconds.
-  const FigureUnderTest figure =
-      figure_of("fig6_6_projectile", {"rows=10", "height=3.5", "appears=5"});
+  const FigureUnderTest figure("fig6_6_projectile", {"rows=10", "height=3.5", "appears=5"});
   CHECK(figure.number("boxes of the pyramid") == 55.0);
   // [mm] of 1 m; measured 3.8: pushes of 1 mm, one for each row that they are handed through.
   CHECK(figure.number("farthest that a box moves in the first half second") < 10.0);
@@ -39,7 +23,7 @@ TEST_CASE("The pyramid of figure 6.6 stands still until it is shot at",
 
 TEST_CASE("Figures 6.6 and 6.7 have films", "[unit][impulse_damped]") {
   for (const char* name : {"fig6_6_projectile", "fig6_7_clump"}) {
-    const FigureUnderTest figure = figure_of(name);
+    const FigureUnderTest figure(name);
     INFO(name);
     REQUIRE(figure.result.film);
     const std::string gif = figure.result.film();
@@ -51,8 +35,7 @@ TEST_CASE("Figures 6.6 and 6.7 have films", "[unit][impulse_damped]") {
 
 TEST_CASE("A pyramid does not overlap or chatter before a shot, and does both after it",
           "[claims][impulse_damped]") {
-  const FigureUnderTest figure =
-      figure_of("fig6_6_projectile_curves", {"rows=10", "height=3.5", "appears=3"});
+  const FigureUnderTest figure("fig6_6_projectile_curves", {"rows=10", "height=3.5", "appears=3"});
   CHECK(figure.number("deepest overlap before the shot") < 1e-9);  // [mm] rounding
   CHECK(figure.number("largest chatter before the shot, after a second") == 0.0);
   CHECK(figure.number("deepest overlap after the shot") > 1.0);  // [mm] measured 41
@@ -63,7 +46,7 @@ TEST_CASE("A pyramid does not overlap or chatter before a shot, and does both af
 }
 
 TEST_CASE("Cubes that fly together settle, and some still chatter", "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("fig6_7_clump", {"per_edge=4", "duration=8"});
+  const FigureUnderTest figure("fig6_7_clump", {"per_edge=4", "duration=8"});
   const double cubes = figure.number("cubes");
   CHECK(cubes == 64.0);
   // [-] measured 0 to 4 of 125 in the figure
@@ -73,18 +56,4 @@ TEST_CASE("Cubes that fly together settle, and some still chatter", "[claims][im
   // The caption of the figure says so.
   CHECK(figure.number("largest chatter of those that rest") > 0.0);
   CHECK(figure.number("largest chatter of those that rest") < 100.0);  // [mm] a tenth of an edge
-}
-
-TEST_CASE("A crate slides off a table and ends on a face, damped and with friction",
-          "[claims][impulse_damped]") {
-  const FigureUnderTest figure = figure_of("crate_off_table");
-  for (const std::string& words : std::vector<std::string>{"damped", "Coulomb"}) {
-    CHECK(figure.number("speed of the crate as its centre passes the edge, " + words) > 1.0);
-    CHECK(figure.number("where it rests, from the edge, " + words) > 0.15);           // [m]
-    CHECK(figure.number("how far a face of it is from level then, " + words) < 0.5);  // [deg]
-  }
-  // [m] damped at 3.5 m/s; v k dt / (1 - k) = 0.67 but for its slow end. The edge is 1.6 m away.
-  const double slides = figure.number("how far it slides, damped, with the start of Coulomb's run");
-  CHECK(slides > 0.6);
-  CHECK(slides < 0.68);
 }

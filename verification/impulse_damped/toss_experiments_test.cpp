@@ -1,18 +1,15 @@
 /// \file
 /// \brief Claim 2.4.2a: tossed cubes with and without chance, and the quartiles of measured ones.
-#include "impulse_damped/toss_experiments.hpp"
-
+#include "contact_damped/measured_tosses.hpp"
 #include "driver/quick.hpp"
-#include "impulse_damped/rest_experiments.hpp"
-#include "impulse_damped/tosses.hpp"
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
 #include <cmath>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;
+using namespace tumble::test;
 
 TEST_CASE("The measured quartiles of the experiment are those of the data",
           "[reference][impulse_damped]") {
@@ -33,9 +30,7 @@ TEST_CASE("The measured quartiles of the experiment are those of the data",
 TEST_CASE(
     "Chance changes tosses, and brings travel and time to rest hardly nearer to measured ones",
     "[claims][impulse_damped]") {
-  std::vector<Figure> figures;
-  add_rest_figures(figures);
-  const FigureUnderTest figure(figures, "claim_2_4_2a_tosses");
+  const FigureUnderTest figure("claim_2_4_2a_tosses");
   const double ratio = figure.number(
       "distance of travel and time to rest from the measured quartiles, with randomness over "
       "without");

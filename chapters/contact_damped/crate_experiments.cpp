@@ -1,0 +1,116 @@
+/// \file
+/// \brief A crate that slides off a table and tumbles (thesis 1.1).
+#include "tumble/math/elementary.hpp"
+#include "tumble/pictures/world_picture.hpp"
+
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace tumble::chapters {
+namespace {
+
+constexpr std::array<double, 4> kFrames{-0.25, 0.2, 0.4, 1.5};  // [s] since the edge was passed
+constexpr double kEdge = 1.0;                                   // [m] of the table
+constexpr double kStart = -0.6;                                 // [m] of the crate
+
+double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
+
+const BodyState& crate_of(const PlayedScene& played) {
+  return played.world().states()[played.index("crate")];
+}
+
+// How a crate goes over the edge and comes to rest.
+struct CratePath {
+  double passes = 0.0;  // [s] when its centre passes the edge; 0: it does not
+  double speed = 0.0;   // [m/s] then
+  double rests = 0.0;   // [m] along x after five seconds
+  double tilt = 0.0;    // [deg] of the face that is nearest to level then
+};
+
+CratePath crate_path(const Scene& scene, const PlayedTechnique& technique) {
+  PlayedScene played(scene, technique);
+  CratePath path;
+  played.advance(5.0, [&](const StepReport&) {
+    if (path.passes > 0.0 || crate_of(played).position_w.x() < kEdge) return;
+    path.passes = played.world().time();
+    path.speed = played.speed("crate");
+  });
+  const BodyState& crate = crate_of(played);
+  const double level = crate.orientation_wb.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
+  path.rests = crate.position_w.x();
+  path.tilt = degrees(elementary::acos(std::min(1.0, level)));
+  return path;
+}
+
+std::string frame_key(std::size_t k) { return std::string("t").append(std::to_string(k + 1)); }
+
+Result measure_crate(const Parameters& settings) {
+  Table table{"",
+              {{"technique", "-", "0: damped; 1: Coulomb's friction"},
+               {"time_s", "s", "since the centre of the crate passed the edge"},
+               {"x_m", "m", "centre of the crate, from the edge"},
+               {"y_m", "m", "centre of the crate"},
+               {"turned_deg", "deg", "between its upright axis and the vertical"}}};
+  std::vector<Quantity> quantities;
+  std::vector<std::vector<PictureBox>> frames;
+  std::vector<PictureBox> all;
+  const auto scene_of = [&](const char* speed) {
+    return scene_with("crate_off_table", {setting("speed", settings.number(speed)),
+                                          setting("friction", settings.number("friction"))});
+  };
+  const auto watch = [&](int number, const PlayedTechnique& technique, const char* speed,
+                         const std::string& words) {
+    const Scene scene = scene_of(speed);
+    const CratePath path = crate_path(scene, technique);
+    quantities.push_back(
+        {"speed of the crate as its centre passes the edge, " + words, "m/s", path.speed});
+    quantities.push_back({"where it rests, from the edge, " + words, "m", path.rests - kEdge});
+    quantities.push_back({"how far a face of it is from level then, " + words, "deg", path.tilt});
+    PlayedScene played(scene, technique);
+    for (std::size_t k = 0; k < kFrames.size(); ++k) {
+      const double time = settings.number(frame_key(k));
+      played.advance(path.passes + time);
+      const BodyState& crate = crate_of(played);
+      const double up = (crate.orientation_wb * Vec3::UnitY()).y();
+      table.add(number, time, crate.position_w.x() - kEdge, crate.position_w.y(),
+                degrees(elementary::acos(std::clamp(up, -1.0, 1.0))));
+      frames.push_back(picture_boxes(played.world()));
+      frames.back().back().colour = 0xd55e00;
+      all.insert(all.end(), frames.back().begin(), frames.back().end());
+    }
+  };
+  watch(0, {"damped"}, "damped_speed", "damped");
+  watch(1, {"contact_damped"}, "speed", "Coulomb");
+  quantities.push_back({"how far it slides, damped, with the start of Coulomb's run", "m",
+                        crate_path(scene_of("speed"), {"damped"}).rests - kStart});
+
+  const Camera camera = camera_for(all, Vec3(0.45, 0.3, 1.0), 300.0, 190.0, true);
+  std::vector<Drawing> drawings;
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    drawings.push_back(
+        {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
+  return {{table}, quantities, drawings};
+}
+
+Parameters crate_parameters() {
+  Parameters parameters;
+  parameters.add_number("speed", 3.5, 0.0, 100.0, "m/s", "at the start, Coulomb's friction")
+      .add_number("damped_speed", 10.0, 0.0, 100.0, "m/s", "at the start, damped")
+      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  for (std::size_t k = 0; k < kFrames.size(); ++k)
+    parameters.add_number(frame_key(k), kFrames[k], -10.0, 60.0, "s",
+                          "of a frame, since the crate passes the edge");
+  return parameters;
+}
+
+const Registered crate_off_table_figure{
+    {.name = "crate_off_table", .parameters = crate_parameters(), .experiment = measure_crate}};
+
+}  // namespace
+}  // namespace tumble::chapters
