@@ -53,6 +53,6 @@ TEST_CASE("An unknown erratum is refused with the known ones", "[unit][base]") {
     FAIL("Q7 is no erratum");
   } catch (const std::invalid_argument& error) {
     CHECK(std::string(error.what()) ==
-          "erratum 'Q7': expected C1 to C12, RK1 to RK4 or D1 to D2, or none, or all");
+          "tumble: erratum 'Q7': expected C1 to C12, RK1 to RK4 or D1 to D2, or none, or all");
   }
 }
