@@ -63,7 +63,7 @@ using Motion = std::vector<std::vector<Vec3>>;
 Motion motion_of(const World& start, double size, double mass, const std::string& name,
                  double duration) {
   const double step = std::sqrt(size) * kStep;
-  const std::unique_ptr<Technique> technique = technique_with(name);
+  const std::unique_ptr<Technique> technique = make_technique(name);
   World world = scaled(start, size, mass);
   double edge = 0.0;
   for (const BodyProperties& body : world.bodies())
@@ -99,7 +99,7 @@ double largest_difference(const Motion& a, const Motion& b) {
 // [m] where a sliding box comes to rest, with steps of 1/60 s over `finer`.
 double stopping(const World& slide, const std::string& name, int finer) {
   constexpr double seconds = 2.0;  // twice as long as Coulomb's friction needs
-  const std::unique_ptr<Technique> technique = technique_with(name);
+  const std::unique_ptr<Technique> technique = make_technique(name);
   World world = slide;
   const double step = kStep / finer;
   const auto steps = static_cast<int>(std::lround(seconds / step));
