@@ -89,7 +89,8 @@ TEST_CASE("Every technique goes through the same bits again, and from a copy on"
   std::vector<World> starts = small_worlds();
   starts.push_back(world_of("crate_off_table"));
   for (const TechniqueRecipe& recipe : all_techniques()) {
-    for (const Settings& set : {Settings{}, {{"sleeping", "on"}}, {{"pose", "exponential"}}}) {
+    for (const Settings& set :
+         {Settings{}, {{"sleeping", "on"}}, {{"pose", "exponential"}, {"scheme", "impulse"}}}) {
       if (!set.empty() && !recipe.options().has(set[0].first)) continue;
       for (const World& start : starts) {
         World world = start;

@@ -66,7 +66,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
   v.word("impacts", o.impacts, impact_words(), kImpactsMeaning);
   v.number("sticky", o.sticky.threshold, 0.0, 1e6, "-",
            "collisions slower than this times sqrt(g L) do not bounce (thesis 4.3)");
-  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+  v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
            "time resolution of the search for impacts");
   v.whole("event_cap", o.event_cap, 1, 1000000,
           "collisions and ends of sliding allowed in one step");

@@ -128,6 +128,10 @@ inline constexpr double reciprocal = 1e-9;
 /// step would find other times when the step changes. (3.3.1)
 inline constexpr double event_resolution = 1e-6;
 
+/// [s] The smallest resolution that a search for events accepts. Reason: times of a step of 1/60 s have digits
+/// down to 3e-18 s, and a search needs a few of them below its resolution. (3.2)
+inline constexpr double least_event_resolution = 1e-15;
+
 /// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
 /// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
 /// what is seen begins a thousand million times above. (2.1)

@@ -31,7 +31,7 @@ struct BasicOptions {
 /// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(BasicOptions& o, Visitor& v) {
-  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+  v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
            "time resolution of the search for impacts");
   v.whole("event_cap", o.event_cap, 1, 1000000, "moments of impact allowed in one step");
   v.word("impacts", o.impacts, impact_words(), kImpactsMeaning);

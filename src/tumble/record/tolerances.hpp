@@ -7,12 +7,12 @@ namespace tumble::tolerance {
 // --- record -------------------------------------------------------------------------------
 
 /// [-] Up to this gap two bodies count as touching in measurements of chatter, as a share of the
-/// shortest edge of the two. Reason: well below what is seen, well above what techniques leave
-/// open. (3.3.2)
+/// shortest edge of the two. Reason: too small to be seen, well above the gaps that techniques
+/// leave. (3.3.2)
 inline constexpr double touching = 5e-3;
 
 /// [-] A duration that is this part of a step longer than a whole number of steps is one of whole
-/// steps. Reason: rounding of 10 s / (1/60 s), well below any remainder somebody asked for. (2.1)
+/// steps. Reason: rounding of 10 s / (1/60 s), well below any remainder that a user asks for. (2.1)
 inline constexpr double step_remainder = 1e-9;
 
 }  // namespace tumble::tolerance

@@ -34,7 +34,7 @@ struct TimewarpOptions {
 /// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimewarpOptions& o, Visitor& v) {
-  v.number("resolution", o.resolution, 1e-15, 1.0, "s",
+  v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
            "time resolution of the search for collisions");
   v.whole("pair_events", o.pair_events, 1, 1000000,
           "collisions of a pair in one frame before it is ignored until the frame's end");
