@@ -34,7 +34,7 @@ double speed_of(const World& world) {
 }
 
 struct Impact {
-  double time;    // [s] as the technique tells it
+  double time;    // [s] as the technique reports it
   double energy;  // [J] right after it, over that of the cube at rest on the ground
 };
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief A stack held up by impulses alone (thesis 2.5.2, told of Mirtich's method).
+/// \brief A stack held up by impulses alone (thesis 2.5.2, said there of Mirtich's method).
 ///
 /// A column of cubes that only move up and down is exactly one-dimensional, so this is a simulation
 /// of its own, from impact to impact, without steps or searches. All cubes fall alike: the speed of

@@ -1,5 +1,5 @@
 /// \file
-/// \brief A number that counts what is done with it, and two functions of a box written with it.
+/// \brief A number that counts the operations on it, and two functions of a box written with it.
 #pragma once
 
 #include "tumble/geometry/box.hpp"
@@ -26,7 +26,7 @@ struct Operations {
 /// A double that counts its operations.
 struct Counted {
   double value = 0.0;            ///< as a double would have it
-  Operations* counts = nullptr;  ///< who counts; not null
+  Operations* counts = nullptr;  ///< the counter; not null
 };
 
 /// Counts a sum.

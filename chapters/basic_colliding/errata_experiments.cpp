@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the text leaves open about searching impacts, taken literally and mended (thesis 3.2,
+/// \brief Gaps of the text about searching impacts, taken literally and mended (thesis 3.2,
 ///        3.3.1, A.1; errata T5 to T7).
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/contact/collision_law.hpp"
@@ -21,7 +21,7 @@ const IndexPair kPair{0, 1};
 
 // --- T5: what is tested ---------------------------------------------------------------------
 
-// Three cubes in a row, told where they are at each impact of one step.
+// Three cubes in a row, and their places at each impact of one step.
 class RowWatcher : public Observer {
  public:
   RowWatcher(const World& world, std::string suffix)
@@ -84,9 +84,9 @@ std::optional<double> impact_time(const World& world, double left, double resolu
 }
 
 struct LiteralImpact {
-  double time;     // [s] in the step
-  double gap;      // [m] of the two bodies then
-  double parting;  // [m/s] right after it
+  double time;                 // [s] in the step
+  double gap;                  // [m] of the two bodies then
+  double separation_velocity;  // [m/s] right after it
 };
 
 struct Literally {
@@ -116,9 +116,9 @@ std::vector<LiteralImpact> impacts_in_step(World world, double dt, const Vec3& n
     load_moving_bodies(world, moving);
     collide_at_point(moving[0], moving[1], Vec3::Zero(), normal_w, 0.0, how.restitution);
     store_moving_bodies(moving, world);
-    const double parting = normal_w.dot(moving[1].velocity_w - moving[0].velocity_w);
-    impacts.push_back({now, gap, parting});
-    if (2.0 * parting / kGravity < how.shortest_flight) break;
+    const double separation_velocity = normal_w.dot(moving[1].velocity_w - moving[0].velocity_w);
+    impacts.push_back({now, gap, separation_velocity});
+    if (2.0 * separation_velocity / kGravity < how.shortest_flight) break;
   }
   return impacts;
 }

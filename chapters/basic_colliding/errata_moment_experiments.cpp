@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the text leaves open about the moment of impact, taken literally and mended (thesis 5.1,
+/// \brief Gaps of the text about the moment of impact, taken literally and mended (thesis 5.1,
 ///        A.1; errata T8 and T9).
 #include "tumble/contact/collision_law.hpp"
 #include "tumble/contact/gather.hpp"
@@ -67,7 +67,7 @@ Table fall_table() {
   return table;
 }
 
-// --- T9: who comes first of those that come at once ---------------------------------------------
+// --- T9: the order of collisions at one time -----------------------------------------------------
 
 constexpr double kRestitution = 0.9;
 using Order = std::array<int, 4>;  // of the corners

@@ -26,7 +26,7 @@ struct Passes {
   double small = 0.0;  // [m] edge: its thickness
   double speed = 0.0;  // [-] thicknesses per step
   double spin = 0.0;   // [rad/s] at most
-  bool sort = false;   // tell brushes from others, which is slow
+  bool sort = false;   // distinguish brushes from others, which is slow
 };
 
 // One pass: a small cube flies straight by a large one that hangs still, and tumbles.

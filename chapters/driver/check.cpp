@@ -41,7 +41,7 @@ CheckedNumber& number_named(DrawnFigure& figure, const std::string& quantity) {
 void read_expected(const std::filesystem::path& path, std::vector<DrawnFigure>& figures) {
   const std::string chapter = path.parent_path().filename().string();
   const std::filesystem::path texts = path.parent_path() / "figures.toml";
-  if (std::filesystem::exists(texts)) {  // BRIDGE: the last chapter to get one makes this a rule
+  if (std::filesystem::exists(texts)) {
     for (const FigureText& text : read_figure_texts(texts))
       figure_named(figures, text.name).chapter = chapter;
   }

@@ -212,9 +212,4 @@ int run_chapter(int argc, const char* const* argv, const std::string& chapter,
   });
 }
 
-int run_driver(int argc, const char* const* argv, std::string_view program,
-               std::span<const Figure> figures) {
-  return exit_code_of(program, [&] { run(argc, argv, program, figures); });
-}
-
 }  // namespace tumble::chapters

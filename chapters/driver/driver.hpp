@@ -25,15 +25,6 @@ namespace tumble::chapters {
 int run_chapter(int argc, const char* const* argv, const std::string& chapter,
                 const std::filesystem::path& folder);
 
-/// BRIDGE, until the last chapter has a figures.toml: the same for a list of figures with their texts.
-/// \param argc     as main got it
-/// \param argv     as main got it
-/// \param program  the program's name
-/// \param figures  the figures of the chapter
-/// \return the exit code
-int run_driver(int argc, const char* const* argv, std::string_view program,
-               std::span<const Figure> figures);
-
 /// The comment lines that every file of a figure begins with.
 /// \param program   the program's name
 /// \param figure    the figure

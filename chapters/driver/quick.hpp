@@ -23,19 +23,6 @@ inline Result run_quickly(const Figure& figure, const std::vector<std::string>& 
   return figure.experiment(settings);
 }
 
-/// BRIDGE, until the last chapter registers its figures: the same for a figure of a list.
-/// \param figures  a chapter's
-/// \param name     of the figure
-/// \param set      further settings, each as key=value
-/// \return all that it computed
-/// \throws std::invalid_argument if there is no such figure
-inline Result run_quickly(const std::vector<Figure>& figures, std::string_view name,
-                          const std::vector<std::string>& set = {}) {
-  for (const Figure& figure : figures)
-    if (figure.name == name) return run_quickly(figure, set);
-  throw std::invalid_argument("no figure " + std::string(name));
-}
-
 /// One number of a figure.
 /// \param result  what the figure computed
 /// \param name    of the number
@@ -55,14 +42,6 @@ class FigureUnderTest {
   /// \param set   further settings, each as key=value
   explicit FigureUnderTest(std::string_view name, const std::vector<std::string>& set = {})
       : result(run_quickly(registered_figure(name), set)) {}
-
-  /// BRIDGE: computes a figure of a list.
-  /// \param figures  a chapter's
-  /// \param name     of the figure
-  /// \param set      further settings, each as key=value
-  FigureUnderTest(const std::vector<Figure>& figures, std::string_view name,
-                  const std::vector<std::string>& set = {})
-      : result(run_quickly(figures, name, set)) {}
 
   /// A number of the figure.
   /// \param quantity  its name

@@ -1,12 +1,9 @@
 /// \file
-/// \brief Cubes in a cage under a form of the timewarp, and what it costs (thesis 2.4.3).
+/// \brief Cubes in a cage under a form of the timewarp, and its work (thesis 2.4.3).
 #include "timewarp/cage_runs.hpp"
 
-#include "tumble/scenes/library.hpp"
-
-#include "driver/csv.hpp"
+#include "driver/played_scene.hpp"
 #include "driver/settings.hpp"
-#include "timewarp/event_story.hpp"
 
 #include <stdexcept>
 
@@ -41,19 +38,38 @@ void multiply_velocities(World& world, double factor) {
 TimewarpForm all_taken_back() { return {"basic", {"search=discrete"}}; }
 
 TimewarpForm full_timewarp(double stride) {
-  return {"timewarp_full", {"stride=" + full_text(stride), "synchronise_every=0"}, true};
+  return {"timewarp_full", {setting("stride", stride), "synchronise_every=0"}, true};
 }
 
 TimewarpForm synchronised_timewarp(int every) {
   return {"timewarp_full", {"stride=0", "synchronise_every=" + std::to_string(every)}};
 }
 
+Parameters cage_settings() {
+  return Parameters{}
+      .add_whole("seeds", 20, 2, 1000, "cages of each kind")
+      .add_number("speed", 2.0, 0.01, 100.0, "m/s", "largest component of a velocity at the start")
+      .add_number("spin", 2.0, 0.0, 100.0, "rad/s",
+                  "largest component of an angular velocity at the start")
+      .add_whole("lead", 30, 0, 10000, "frames of 1/60 s before work is counted");
+}
+
+CageStretch stretch_of(const Parameters& settings, int count) {
+  CageStretch stretch;
+  stretch.count = count;
+  stretch.speed = settings.number("speed");
+  stretch.spin = settings.number("spin");
+  stretch.lead = settings.count("lead");
+  stretch.settle = kLongFlight;
+  return stretch;
+}
+
 World led_cage(const CageStretch& stretch, int seed) {
-  const SceneRecipe& recipe = scene_recipe("cage");
-  Parameters p = recipe.parameters();
-  set_all(p, {"count=" + std::to_string(stretch.count), "speed=" + full_text(stretch.speed),
-              "spin=" + full_text(stretch.spin)});
-  World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+  World world =
+      build_world(scene_with("cage",
+                             {"count=" + std::to_string(stretch.count),
+                              setting("speed", stretch.speed), setting("spin", stretch.spin)},
+                             static_cast<std::uint64_t>(seed)));
   run(*make_technique("timewarp_swept"), world, stretch.dt, stretch.lead);
   return world;
 }
@@ -73,14 +89,14 @@ CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const Time
   return run(*technique, world, stretch.dt, stretch.frames);
 }
 
-double total(const std::vector<CageWork>& works, double CageWork::*count, int left_out) {
+double total(const Works& works, double CageWork::*count, int left_out) {
   double sum = 0.0;
   for (std::size_t k = 0; k < works.size(); ++k)
     if (static_cast<int>(k) != left_out) sum += works[k].*count;
   return sum;
 }
 
-double per_event(const std::vector<CageWork>& works, double CageWork::*count, int left_out) {
+double per_event(const Works& works, double CageWork::*count, int left_out) {
   return total(works, count, left_out) / total(works, &CageWork::events, left_out);
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Cubes in a cage under a form of the timewarp, and what it costs (thesis 2.4.3).
+/// \brief Cubes in a cage under a form of the timewarp, and its work (thesis 2.4.3).
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
@@ -25,7 +25,7 @@ struct TimewarpForm {
       false;  ///< bodies are ahead of the frame, so that a start differs from what follows
 };
 
-/// All bodies taken back for each collision, whoever overlaps at the end of the frame being searched.
+/// All bodies taken back for each collision; pairs that overlap at the end of the frame are searched.
 /// \return the basic technique of 2.1
 TimewarpForm all_taken_back();
 
@@ -39,7 +39,7 @@ TimewarpForm full_timewarp(double stride = kLongFlight);
 /// \return timewarp_full
 TimewarpForm synchronised_timewarp(int every);
 
-/// What a stretch of a run came to; sums over seeds can be made of them.
+/// Work of a stretch of a run; sums over seeds can be made of it.
 struct CageWork {
   double frames = 0.0;        ///< [-]
   double events = 0.0;        ///< collisions
@@ -48,7 +48,10 @@ struct CageWork {
   double rewinds = 0.0;       ///< bodies taken back
 };
 
-/// Which cage, and from when on work is counted.
+/// The work of the same stretch in several cages, by seed.
+using Works = std::vector<CageWork>;
+
+/// A cage, and the frames of its run in which work is counted.
 struct CageStretch {
   int count = 512;      ///< cubes; a cube number, so that the cage is full
   double speed = 2.0;   ///< [m/s] largest component of a velocity at the start
@@ -59,6 +62,16 @@ struct CageStretch {
   int frames = 6;       ///< frames in which work is counted
   double dt = 1.0 / 60;  ///< [s] of a frame
 };
+
+/// The settings that the figures on cages share.
+/// \return seeds, speed, spin, lead
+Parameters cage_settings();
+
+/// A stretch with the settings of a figure.
+/// \param settings  speed, spin, lead
+/// \param count     cubes
+/// \return it settles for one long flight
+CageStretch stretch_of(const Parameters& settings, int count);
 
 /// Builds a cage and leads it, by the timewarp with swept volumes.
 /// \param stretch  count, speed, spin, lead, dt
@@ -94,13 +107,13 @@ CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const Time
 /// \param count     which
 /// \param left_out  index of the seed that is not counted; -1: none
 /// \return the sum
-double total(const std::vector<CageWork>& works, double CageWork::*count, int left_out = -1);
+double total(const Works& works, double CageWork::*count, int left_out = -1);
 
-/// The same for each of the events.
+/// The same for each event.
 /// \param works     by seed
 /// \param count     which
 /// \param left_out  index of the seed that is not counted; -1: none
 /// \return the sum over the number of events
-double per_event(const std::vector<CageWork>& works, double CageWork::*count, int left_out);
+double per_event(const Works& works, double CageWork::*count, int left_out = -1);
 
 }  // namespace tumble::chapters

@@ -1,14 +1,17 @@
 /// \file
-/// \brief How often the forms of the timewarp tell a crowded frame wrong (thesis 5.1).
-#include "timewarp/crowd_experiments.hpp"
-
+/// \brief Crowded frames in which the forms of the timewarp go wrong (thesis 5.1).
 #include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
+#include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/crowd_scenes.hpp"
-#include "timewarp/story_tellers.hpp"
+#include "timewarp/event_story.hpp"
+#include "timewarp/intervals.hpp"
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace tumble::chapters {
@@ -26,41 +29,92 @@ constexpr std::size_t kFastest = 5;
 // [m] room of a cube in the scenes, by turns. The first is as dense as the scene can be.
 constexpr std::array<double, 2> kRooms = {1.8, 2.0};
 
+// How stories of frames depart from the true ones, in all.
+struct StoryTally {
+  std::int64_t frames = 0;
+  std::int64_t wrong_frames = 0;  // those with a collision missed or out of order
+  double reference = 0.0;         // collisions of the true stories
+  double missed = 0.0;            // see StoryDifference
+  double misordered = 0.0;        // ditto
+
+  void add(const StoryDifference& difference) {
+    ++frames;
+    if (difference.missed + difference.misordered > 0) ++wrong_frames;
+    reference += difference.reference;
+    missed += difference.missed;
+    misordered += difference.misordered;
+  }
+  void add(const StoryTally& other) {
+    frames += other.frames;
+    wrong_frames += other.wrong_frames;
+    reference += other.reference;
+    missed += other.missed;
+    misordered += other.misordered;
+  }
+  [[nodiscard]] double wrong() const { return missed + misordered; }
+  [[nodiscard]] Quantity share_of_frames(const std::string& name) const {
+    return share_of_trials(name, wrong_frames, frames);
+  }
+};
+
+// One for each form of the timewarp: simple, safer, swept.
+using StoryForms = std::array<StoryTally, 3>;
+constexpr std::array<const char*, 3> kForms = {"simple", "safer", "swept"};
+
+// The forms and their references, all with one tolerance.
+struct CrowdTechniques {
+  explicit CrowdTechniques(double resolution)
+      : reference(search_over_all(resolution)),
+        finer(search_over_all(0.1 * resolution)),
+        discrete(make_technique("basic", {setting("resolution", resolution)})) {
+    for (const std::string form : kForms)
+      forms.push_back(make_technique("timewarp_" + form, {setting("resolution", resolution)}));
+  }
+  void compare(const World& world, const std::vector<Collision>& truth, StoryForms& tallies) {
+    for (std::size_t k = 0; k < forms.size(); ++k)
+      tallies[k].add(compare_stories(truth, story_of(*forms[k], world, kStep)));
+  }
+  std::unique_ptr<Technique> reference;
+  std::unique_ptr<Technique> finer;
+  std::unique_ptr<Technique>
+      discrete;  // tests all bodies at the end of a step, in many small steps
+  std::vector<std::unique_ptr<Technique>> forms;
+};
+
 // Frames by seed and by speed.
 using Frames = std::vector<std::array<StoryForms, kWays.size()>>;
 
-// How the two references differ, by the number of steps.
-constexpr std::array<int, 3> kSteps = {64, 256, 1024};
+// How other references differ from the one that is used.
 struct Checks {
-  std::array<StoryTally, kSteps.size()> in_steps;
+  std::map<int, StoryTally> in_steps;  // by the number of steps in a frame
   StoryTally finer;  // against itself with a tenth of its tolerance, in the fastest frames
 };
 
-void check(const Parameters& settings, StoryTellers& tellers, const World& world, std::size_t way,
+void check(CrowdTechniques& techniques, const World& world, std::size_t way,
            const std::vector<Collision>& truth, Checks& checks) {
-  if (way == kFastest) checks.finer.add(compare_stories(truth, tellers.finer(world, kStep)));
+  if (way == kFastest)
+    checks.finer.add(compare_stories(truth, story_of(*techniques.finer, world, kStep)));
   if (way < kFirstWay || way > kLastWay) return;
-  for (std::size_t k = 0; k < kSteps.size(); ++k)
-    if (kSteps[k] <= settings.count("finest"))
-      checks.in_steps[k].add(compare_stories(truth, tellers.in_steps(world, kStep, kSteps[k])));
+  for (auto& [steps, tally] : checks.in_steps)
+    tally.add(compare_stories(truth, story_of(*techniques.discrete, world, kStep / steps, steps)));
 }
 
-Frames crowded_frames(const Parameters& settings, StoryTellers& tellers, Checks& checks) {
+Frames crowded_frames(const Parameters& settings, CrowdTechniques& techniques, Checks& checks) {
   Frames frames(static_cast<std::size_t>(settings.count("seeds")));
   for (std::size_t seed = 0; seed < frames.size(); ++seed) {
-    StirredCage cage(settings.count("cubes"), kRooms[seed % kRooms.size()], seed + 1);
+    World cage = stirred_cage(settings.count("cubes"), kRooms[seed % kRooms.size()], seed + 1);
     const Random chance(seed + 1);
     for (int frame = 0; frame < settings.count("frames"); ++frame) {
       const Random here = chance.fork(static_cast<std::uint64_t>(frame));
       for (std::size_t way = 0; way < kWays.size(); ++way) {
         if (way == kFastest && frame > 0) continue;  // it takes as long as all others together
-        const World world = cage.with_speeds(0.5 * kWays[way] / kStep, here.fork(way));
-        const std::vector<Collision> truth = tellers.truth(world, kStep);
-        tellers.hear(world, kStep, truth, frames[seed][way]);
+        const World world = with_speeds(cage, 0.5 * kWays[way] / kStep, here.fork(way));
+        const std::vector<Collision> truth = story_of(*techniques.reference, world, kStep);
+        techniques.compare(world, truth, frames[seed][way]);
         if (frame == 0 && static_cast<int>(seed) < settings.count("checked"))
-          check(settings, tellers, world, way, truth, checks);
+          check(techniques, world, way, truth, checks);
       }
-      cage.stir();
+      stir(cage);
     }
   }
   return frames;
@@ -80,76 +134,103 @@ StoryTally deciding(const Frames& frames, std::size_t seed, std::size_t form) {
   return all;
 }
 
+// A count over another one, each summed over the seeds.
+Quantity ratio_over_seeds(const std::string& name, std::size_t seeds,
+                          const std::function<double(std::size_t seed)>& above,
+                          const std::function<double(std::size_t seed)>& below) {
+  std::vector<double> numerators;
+  std::vector<double> denominators;
+  for (std::size_t seed = 0; seed < seeds; ++seed) {
+    numerators.push_back(above(seed));
+    denominators.push_back(below(seed));
+  }
+  return over_seeds(name, "-", static_cast<int>(seeds), [&](int left_out) {
+    return sum_without(numerators, left_out) / sum_without(denominators, left_out);
+  });
+}
+
 // A count of the safer form over that of the simple one.
-Quantity safer_over_simple(const std::string& name, int seeds,
+Quantity safer_over_simple(const std::string& name, std::size_t seeds,
                            const std::function<double(std::size_t seed, std::size_t form)>& count) {
-  std::array<std::vector<double>, 2> counts;
-  for (std::size_t form = 0; form < counts.size(); ++form)
-    for (int seed = 0; seed < seeds; ++seed)
-      counts[form].push_back(count(static_cast<std::size_t>(seed), form));
-  return over_seeds(name, "-", seeds, [&](int left_out) {
-    return sum_without(counts[1], left_out) / sum_without(counts[0], left_out);
-  });
+  return ratio_over_seeds(
+      name, seeds, [&](std::size_t seed) { return count(seed, 1); },
+      [&](std::size_t seed) { return count(seed, 0); });
 }
 
-// Of the true events those that a form missed or told out of order, at one speed.
+// Of the true events those that a form missed or resolved out of order, at one speed.
 Quantity share_of_events(const Frames& frames, std::size_t way, std::size_t form) {
-  std::vector<double> wrong;
-  std::vector<double> reference;
-  for (const auto& seed : frames) {
-    wrong.push_back(seed[way][form].wrong());
-    reference.push_back(seed[way][form].reference);
-  }
-  return over_seeds("", "-", static_cast<int>(frames.size()), [&](int left_out) {
-    return sum_without(wrong, left_out) / sum_without(reference, left_out);
-  });
+  return ratio_over_seeds(
+      "", frames.size(), [&](std::size_t seed) { return frames[seed][way][form].wrong(); },
+      [&](std::size_t seed) { return frames[seed][way][form].reference; });
 }
 
-Table table_of(const std::string& suffix, const std::string& what) {
+Table table_of_shares(const std::string& suffix, const std::string& what) {
   Table table{suffix, {{"way", "-", "largest relative way in a frame, in edges"}}};
-  for (const std::string form : {"simple", "safer", "swept"}) {
-    table.columns.push_back({form, "-", "share of " + what + " told wrong, " + form});
-    table.columns.push_back({form + "_low", "-", "95 % interval of it"});
-    table.columns.push_back({form + "_high", "-", "95 % interval of it"});
-  }
+  for (const std::string form : kForms)
+    add_interval_columns(form, "-", "share of wrong " + what + ", " + form, table);
   return table;
 }
 
-void add_shares(Table& table, double way, const StoryForms& forms) {
-  table.rows.push_back({way});
-  for (const StoryTally& form : forms) {
-    const Quantity share = share_of_trials("", form.told_wrong, form.frames);
-    for (const double value : {share.value, share.low, share.high})
-      table.rows.back().push_back(value);
-  }
+std::vector<double> shares_of_frames(const StoryForms& forms) {
+  std::vector<double> shares;
+  for (const StoryTally& form : forms)
+    for (const double value : with_interval(form.share_of_frames(""))) shares.push_back(value);
+  return shares;
 }
 
-StoryForms chains_of(double way, int trials, StoryTellers& tellers) {
+Table crowd_table(const Frames& frames) {
+  Table table = table_of_shares("", "frames");
+  for (const std::string form : kForms)
+    add_interval_columns(form + "_events", "-",
+                         "share of the events missed or out of order, " + form, table);
+  for (std::size_t way = 0; way < kWays.size(); ++way)
+    table.add(kWays[way], shares_of_frames(of_way(frames, way)),
+              with_interval(share_of_events(frames, way, 0)),
+              with_interval(share_of_events(frames, way, 1)),
+              with_interval(share_of_events(frames, way, 2)));
+  return table;
+}
+
+StoryForms chains_of(double way, int trials, CrowdTechniques& techniques) {
   StoryForms forms;
   const Random chance(static_cast<std::uint64_t>(1000.0 * way));
   for (int k = 0; k < trials; ++k) {
     const Chain chain =
         random_chain(kChain, way / kStep, chance.fork(static_cast<std::uint64_t>(k)));
-    tellers.hear(world_of(chain), kStep, exact_story(chain, kStep), forms);
+    techniques.compare(world_of(chain), exact_story(chain, kStep), forms);
   }
   return forms;
 }
 
-}  // namespace
+Table measure_chains(int trials, CrowdTechniques& techniques, std::vector<Quantity>& out) {
+  Table table = table_of_shares("chains", "chains");
+  StoryTally below;  // up to the bound
+  for (const double way : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0}) {
+    const StoryForms forms = chains_of(way, trials, techniques);
+    table.add(way, shares_of_frames(forms));
+    if (way <= 2.0) below.add(forms[0]);
+    if (way == 4.0)
+      out.push_back(forms[0].share_of_frames("share of wrong chains, simple, at twice the bound"));
+  }
+  out.push_back(
+      below.share_of_frames("share of wrong chains, simple, up to the bound of two edges"));
+  return table;
+}
 
+// Each frame starts from a fresh state of cubes in a cage: places and orientations stirred, velocities
+// drawn anew. Its story is held against that of a search over all bodies that misses nothing.
 Result measure_crowd_order(const Parameters& settings) {
-  const int seeds = settings.count("seeds");
-  StoryTellers tellers(settings.number("resolution"));
+  CrowdTechniques techniques(settings.number("resolution"));
   Checks checks;
-  const Frames frames = crowded_frames(settings, tellers, checks);
+  for (const int steps : {64, settings.count("finest")}) checks.in_steps[steps];
+  const Frames frames = crowded_frames(settings, techniques, checks);
+  const std::size_t seeds = frames.size();
 
   Result result;
   std::vector<Quantity>& out = result.quantities;
-  const auto wrong = [&](std::size_t seed, std::size_t form) {
-    return deciding(frames, seed, form).wrong();
-  };
   out.push_back(safer_over_simple(
-      "events missed or out of order, safer over simple, random crowded scenes", seeds, wrong));
+      "events missed or out of order, safer over simple, random crowded scenes", seeds,
+      [&](auto seed, auto form) { return deciding(frames, seed, form).wrong(); }));
   out.push_back(safer_over_simple("the same, missed only", seeds, [&](auto seed, auto form) {
     return deciding(frames, seed, form).missed;
   }));
@@ -159,72 +240,35 @@ Result measure_crowd_order(const Parameters& settings) {
   out.push_back(safer_over_simple("the same, denser and faster", seeds, [&](auto seed, auto form) {
     return seed % kRooms.size() == 0 ? frames[seed][kFastest][form].wrong() : 0.0;
   }));
-
-  Table crowd = table_of("", "frames");
-  for (const std::string form : {"simple", "safer", "swept"}) {
-    crowd.columns.push_back(
-        {form + "_events", "-", "share of the events missed or out of order, " + form});
-    crowd.columns.push_back({form + "_events_low", "-", "95 % interval of it"});
-    crowd.columns.push_back({form + "_events_high", "-", "95 % interval of it"});
-  }
-  crowd.columns.push_back({"events", "-", "true events of a frame, mean"});
-  crowd.columns.push_back({"decides", "-", "1: counts for the claim"});
+  const StoryForms half = of_way(frames, 1);
+  out.push_back(half[0].share_of_frames("share of wrong frames, simple, at half an edge"));
+  out.push_back(half[1].share_of_frames("share of wrong frames, safer, at half an edge"));
   double swept_wrong = 0.0;
-  for (std::size_t way = 0; way < kWays.size(); ++way) {
-    const StoryForms forms = of_way(frames, way);
-    const bool decides = way >= kFirstWay && way <= kLastWay;
-    add_shares(crowd, kWays[way], forms);
-    for (std::size_t form = 0; form < forms.size(); ++form) {
-      const Quantity events = share_of_events(frames, way, form);
-      for (const double value : {events.value, events.low, events.high})
-        crowd.rows.back().push_back(value);
-    }
-    crowd.rows.back().push_back(forms[0].reference / static_cast<double>(forms[0].frames));
-    crowd.rows.back().push_back(decides ? 1.0 : 0.0);
-    if (decides) swept_wrong += forms[2].wrong();
-  }
-  const auto share = [&](const std::string& name, std::size_t way, std::size_t form) {
-    const StoryTally all = of_way(frames, way)[form];
-    out.push_back(share_of_trials(name, all.told_wrong, all.frames));
-  };
-  share("share of frames told wrong, simple, at half an edge", 1, 0);
-  share("share of frames told wrong, safer, at half an edge", 1, 1);
+  for (std::size_t seed = 0; seed < seeds; ++seed) swept_wrong += deciding(frames, seed, 2).wrong();
   out.push_back({"events missed or out of order at half an edge to four, swept", "-", swept_wrong});
 
-  Table chains = table_of("chains", "chains");
-  StoryTally below;  // up to the bound
-  for (const double way : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0}) {
-    const StoryForms forms = chains_of(way, settings.count("chains"), tellers);
-    add_shares(chains, way, forms);
-    if (way <= 2.0) below.add(forms[0]);
-    if (way == 4.0)
-      out.push_back(share_of_trials("share of chains told wrong, simple, at twice the bound",
-                                    forms[0].told_wrong, forms[0].frames));
-  }
-  out.push_back(share_of_trials("share of chains told wrong, simple, up to the bound of two edges",
-                                below.told_wrong, below.frames));
-
-  Table references{"references",
-                   {{"steps", "-", "steps in a frame"},
-                    {"differ", "-", "share of frames in which the references differ"},
-                    {"low", "-", "95 % interval of it"},
-                    {"high", "-", "95 % interval of it"},
-                    {"events", "-", "share of the events that differ"}}};
-  for (std::size_t k = 0; k < kSteps.size(); ++k) {
-    const StoryTally& check = checks.in_steps[k];
-    if (check.frames == 0) continue;
-    const Quantity differ = share_of_trials(
-        "share of frames in which a reference by " + std::to_string(kSteps[k]) + " steps differs",
-        check.told_wrong, check.frames);
-    references.rows.push_back({static_cast<double>(kSteps[k]), differ.value, differ.low,
-                               differ.high, check.wrong() / check.reference});
-    if (kSteps[k] == 64 || kSteps[k] == settings.count("finest")) out.push_back(differ);
-  }
-  out.push_back(share_of_trials(
-      "share of frames in which a tenth of the tolerance changes the reference, at eight edges",
-      checks.finer.told_wrong, checks.finer.frames));
-  result.tables = {crowd, chains, references};
+  result.tables = {crowd_table(frames), measure_chains(settings.count("chains"), techniques, out)};
+  for (const auto& [steps, tally] : checks.in_steps)
+    out.push_back(tally.share_of_frames("share of frames in which a reference by " +
+                                        std::to_string(steps) + " steps differs"));
+  out.push_back(checks.finer.share_of_frames(
+      "share of frames in which a tenth of the tolerance changes the reference, at eight edges"));
   return result;
 }
 
+const Registered claim_5_1a_order_figure{
+    {.name = "claim_5_1a_order",
+     .parameters =
+         Parameters{}
+             .add_whole("seeds", 24, 2, 1000, "cages")
+             .add_whole("frames", 3, 1, 1000, "fresh states of each cage, at each speed")
+             .add_whole("cubes", 27, 2, 1000, "in a cage")
+             .add_whole("chains", 400, 1, 100000, "on a line, at each speed")
+             .add_whole("checked", 12, 1, 1000, "cages in which the two references are compared")
+             .add_whole("finest", 1024, 64, 1024, "steps in a frame of the other reference")
+             .add_number("resolution", 1e-9, 1e-12, 1e-3, "s", "of every search for collisions"),
+     .quick = {"seeds=4", "frames=2", "chains=60", "finest=64"},
+     .experiment = measure_crowd_order}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -3,10 +3,10 @@
 ///        (thesis 5.1).
 #include "timewarp/crowd_scenes.hpp"
 
-#include "tumble/scenes/library.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -17,14 +17,6 @@ namespace {
 
 constexpr int kStirred = 30;  // steps: an edge at the speed of the scene, 2 m/s
 
-World cage(int count, double room, std::uint64_t seed) {
-  const SceneRecipe& recipe = scene_recipe("cage");
-  Parameters parameters = recipe.parameters();
-  parameters.set("count", std::to_string(count));
-  parameters.set("room", std::to_string(room));
-  return build_world(recipe.build(parameters, Random(seed)));
-}
-
 // Even in a ball of radius 1.
 Vec3 in_ball(Random& chance) {
   Vec3 point = chance.in_cube(1.0);
@@ -34,26 +26,26 @@ Vec3 in_ball(Random& chance) {
 
 }  // namespace
 
-StirredCage::StirredCage(int count, double room, std::uint64_t seed)
-    : world_(cage(count, room, seed)) {
-  stir();
-  stir();
-}
-
-void StirredCage::stir() {
+void stir(World& cage) {
   TimewarpSwept technique;
-  for (int k = 0; k < kStirred; ++k) technique.step(world_, kStep);
+  for (int k = 0; k < kStirred; ++k) technique.step(cage, kStep);
 }
 
-World StirredCage::with_speeds(double speed, Random chance) const {
-  World world = world_;
-  for (int k = 0; k < world.count(); ++k) {
-    const auto place = static_cast<std::size_t>(k);
-    if (!world.bodies()[place].movable()) continue;
+World stirred_cage(int count, double room, std::uint64_t seed) {
+  World cage = build_world(
+      scene_with("cage", {"count=" + std::to_string(count), setting("room", room)}, seed));
+  stir(cage);
+  stir(cage);
+  return cage;
+}
+
+World with_speeds(World cage, double speed, Random chance) {
+  for (const BodyId id : cage.ids()) {
+    if (!cage.bodies()[static_cast<std::size_t>(cage.index_of(id))].movable()) continue;
     const Vec3 velocity_w = speed * in_ball(chance);
-    world.set_velocity(world.ids()[place], velocity_w, speed * in_ball(chance));
+    cage.set_velocity(id, velocity_w, speed * in_ball(chance));
   }
-  return world;
+  return cage;
 }
 
 Chain random_chain(int count, double relative, Random chance) {

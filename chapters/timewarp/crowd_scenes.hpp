@@ -13,31 +13,26 @@
 
 namespace tumble::chapters {
 
-/// Cubes of 1 m in a closed cage, without gravity and friction, that are stirred until their places
-/// and orientations are left to chance.
-class StirredCage {
- public:
-  /// Puts the cubes on a grid, as the scene `cage` has them, and stirs them for twice as long as
-  /// stir() does.
-  /// \param count  how many cubes
-  /// \param room   [m] edge of the space that each cube has, at least 1.8
-  /// \param seed   of orientations and of the stirring
-  StirredCage(int count, double room, std::uint64_t seed);
+/// Lets the cubes of a cage fly and collide for half a second, about an edge each. With swept volumes,
+/// so that no two are left in each other.
+/// \param cage  in and out
+void stir(World& cage);
 
-  /// Lets the cubes fly and collide for half a second, about an edge each. With swept volumes, so
-  /// that no two are left in each other.
-  void stir();
+/// Cubes of 1 m in a closed cage, without gravity and friction, on a grid as the scene `cage` has them
+/// and then stirred twice: their places and orientations are left to chance.
+/// \param count  how many cubes
+/// \param room   [m] edge of the space that each cube has, at least 1.8
+/// \param seed   of orientations and of the stirring
+/// \return the cage
+World stirred_cage(int count, double room, std::uint64_t seed);
 
-  /// The cubes where they are, with velocities of their own.
-  /// \param speed   [m/s] largest speed: velocities are even in a ball of this radius, angular
-  ///                velocities in one of speed / edge
-  /// \param chance  where they come from
-  /// \return a copy
-  [[nodiscard]] World with_speeds(double speed, Random chance) const;
-
- private:
-  World world_;
-};
+/// The cubes of a cage where they are, with velocities of their own.
+/// \param cage    see there
+/// \param speed   [m/s] largest speed: velocities are even in a ball of this radius, angular
+///                velocities in one of speed / edge
+/// \param chance  where they come from
+/// \return a copy
+World with_speeds(World cage, double speed, Random chance);
 
 /// Cubes of 1 m and 1 kg on a line, without gravity, that bounce without loss.
 struct Chain {

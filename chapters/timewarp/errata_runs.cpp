@@ -1,8 +1,8 @@
 /// \file
 /// \brief One frame of cubes on a line, watched (thesis A.1).
-#include "errata_runs.hpp"
+#include "timewarp/errata_runs.hpp"
 
-#include "tumble/scenes/library.hpp"
+#include "driver/played_scene.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,17 +19,14 @@ class WayWatcher : public Observer {
   }
   void on_event(const Event& event) override {
     run_.events.push_back(event);
-    for (const BodyId id : {event.first, event.second}) note(index_of(id), event.time, true);
+    for (const BodyId id : {event.first, event.second})
+      note(static_cast<std::size_t>(world_.index_of(id)), event.time, true);
   }
   void note(std::size_t body, double time, bool hit) {
     run_.ways[body].push_back({time, world_.states()[body].position_w.x(), hit});
   }
 
  private:
-  [[nodiscard]] std::size_t index_of(BodyId id) const {
-    const auto ids = world_.ids();
-    return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
-  }
   const World& world_;
   FrameRun& run_;
 };
@@ -49,12 +46,8 @@ StepReport run_into(Technique& technique, const World& world, double dt, FrameRu
 
 }  // namespace
 
-World line_world(std::string_view boxes, std::string_view restitution) {
-  const SceneRecipe& recipe = scene_recipe("line");
-  Parameters parameters = recipe.parameters();
-  parameters.set("boxes", boxes);
-  parameters.set("restitution", restitution);
-  return build_world(recipe.build(parameters, Random(0)));
+World line_world(const std::string& boxes, const std::string& restitution) {
+  return build_world(scene_with("line", {"boxes=" + boxes, "restitution=" + restitution}));
 }
 
 World world_with_falling_cube(double height, double restitution) {
@@ -81,10 +74,29 @@ PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& wor
   return run;
 }
 
-TimewarpAsPrintedOptions as_meant_but(TimewarpListing listing, int cap, std::string_view left) {
+Parameters errata_settings() {
+  return Parameters{}.add_whole("cap", 1000, 1, 1000000,
+                                "passes of the main loop after which an endless run is left");
+}
+
+ErrataBench::ErrataBench(TimewarpListing listing, int cap) : listing_(listing), cap_(cap) {
+  result.tables = {{"",
+                    {{"row", "-", "number of the erratum in its listing"},
+                     {"failure", "as the number's name says", "with the text taken literally"},
+                     {"mended", "as the number's name says", "under the other reading"}}},
+                   {"ways",
+                    {{"row", "-", "number of the erratum in its listing"},
+                     {"mended", "-", "0: taken literally, 1: mended"},
+                     {"body", "-", "which cube, from 0"},
+                     {"time_s", "s", "since the start of the frame"},
+                     {"place_m", "m", "of the cube's centre along the line"},
+                     {"hit", "-", "1: it collides there"}}}};
+}
+
+TimewarpAsPrintedOptions ErrataBench::as_meant_but(std::string_view left) const {
   TimewarpAsPrintedOptions options;
-  options.listing = listing;
-  options.cap = cap;
+  options.listing = listing_;
+  options.cap = cap_;
   options.repaired = TimewarpErrata::all().without("T5").without("T9").without("F8");
   while (!left.empty()) {
     const std::string_view id = left.substr(0, left.find(','));
@@ -94,35 +106,22 @@ TimewarpAsPrintedOptions as_meant_but(TimewarpListing listing, int cap, std::str
   return options;
 }
 
-ErrataTables::ErrataTables()
-    : pairs_{"",
-             {{"row", "-", "number of the erratum in its listing"},
-              {"failure", "as the number's name says", "with the text taken literally"},
-              {"mended", "as the number's name says", "under the other reading"}}},
-      ways_{"ways",
-            {{"row", "-", "number of the erratum in its listing"},
-             {"mended", "-", "0: taken literally, 1: mended"},
-             {"body", "-", "which cube, from 0"},
-             {"time_s", "s", "since the start of the frame"},
-             {"place_m", "m", "of the cube's centre along the line"},
-             {"hit", "-", "1: it collides there"}}} {}
-
-void ErrataTables::add(int row, const std::string& what, const std::string& printed, double failure,
-                       const std::string& reading, double mended, const std::string& unit) {
-  pairs_.rows.push_back({static_cast<double>(row), failure, mended});
-  quantities_.push_back({what + ", " + printed, unit, failure});
-  quantities_.push_back({what + ", " + reading, unit, mended});
+PrintedRun ErrataBench::run(std::string_view left, const World& world, double dt) const {
+  return run_printed(as_meant_but(left), world, dt);
 }
 
-void ErrataTables::add_more(const std::string& name, double value, const std::string& unit) {
-  quantities_.push_back({name, unit, value});
+void ErrataBench::add(int row, const std::string& what, const std::string& unit,
+                      const Reading& printed, const Reading& mended) {
+  result.tables[0].add(row, printed.second, mended.second);
+  for (const auto& [reading, value] : {printed, mended})
+    result.quantities.push_back({what + ", " + reading, unit, value});
 }
 
-void ErrataTables::add_ways(int row, bool mended, const FrameRun& run) {
-  for (std::size_t body = 0; body < run.ways.size(); ++body)
-    for (const WayPoint& point : run.ways[body])
-      ways_.rows.push_back({static_cast<double>(row), mended ? 1.0 : 0.0, static_cast<double>(body),
-                            point.time, point.place, point.hit ? 1.0 : 0.0});
+void ErrataBench::show(int row, const FrameRun& printed, const FrameRun& mended) {
+  for (const FrameRun* run : {&printed, &mended})
+    for (std::size_t body = 0; body < run->ways.size(); ++body)
+      for (const WayPoint& point : run->ways[body])
+        result.tables[1].add(row, run == &mended, body, point.time, point.place, point.hit);
 }
 
 }  // namespace tumble::chapters

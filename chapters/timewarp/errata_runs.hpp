@@ -1,6 +1,5 @@
 /// \file
-/// \brief One frame of cubes on a line, watched: what the experiments with the errata of A.1 have in
-///        common.
+/// \brief One frame of cubes on a line, watched: shared by the experiments with the errata of A.1.
 #pragma once
 
 #include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
@@ -9,11 +8,14 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tumble::chapters {
 
-/// Where a body was known to be at a time, along x.
+inline constexpr double kLineFrame = 1.0;  ///< [s] of the scenes on a line
+
+/// The place of a body at a time, along x.
 struct WayPoint {
   double time = 0.0;   ///< [s] since the start of the frame
   double place = 0.0;  ///< [m]
@@ -30,7 +32,7 @@ struct FrameRun {
 
 /// A frame of a listing as printed.
 struct PrintedRun : FrameRun {
-  int passes = 0;                   ///< [-] of the main loop
+  double passes = 0.0;              ///< [-] of the main loop
   bool capped = false;              ///< it was given up
   std::vector<double> valid_times;  ///< [s] by index, as the main loop leaves them
 };
@@ -39,7 +41,7 @@ struct PrintedRun : FrameRun {
 /// \param boxes        place and speed of each as x:v in m and m/s
 /// \param restitution  [-] as text
 /// \return the world
-[[nodiscard]] World line_world(std::string_view boxes, std::string_view restitution = "1");
+[[nodiscard]] World line_world(const std::string& boxes, const std::string& restitution = "1");
 
 /// A cube of 1 m and 1 kg above a ground.
 /// \param height       [m] of its lower face
@@ -51,62 +53,65 @@ struct PrintedRun : FrameRun {
 /// \param technique  how
 /// \param world      a copy is run
 /// \param dt         [s] the frame
-/// \return what happened
+/// \return the run
 [[nodiscard]] FrameRun run_frame(Technique& technique, const World& world, double dt);
 
-/// Runs one frame of a listing as printed.
-/// \param options  which listing, and what is mended
-/// \param world    a copy is run
-/// \param dt       [s] the frame
-/// \return what happened
-[[nodiscard]] PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& world,
-                                     double dt);
-
-/// A listing as meant: all misprints are mended, the choices T5, T9 and F8 are kept.
-/// \param listing  which
-/// \param cap      [-] passes of the main loop after which a run is given up
-/// \param left     misprints that are left in, their ids between commas
-/// \return options
-[[nodiscard]] TimewarpAsPrintedOptions as_meant_but(TimewarpListing listing, int cap,
-                                                    std::string_view left = "");
-
-/// Collects the two numbers of each erratum, and the ways of the bodies on both sides.
-class ErrataTables {
+/// The experiments with the errata of one listing: runs of it, and the numbers and ways of bodies that they
+/// collect.
+class ErrataBench {
  public:
+  using Reading = std::pair<std::string, double>;  ///< end of a quantity's name, and its value
+
   /// Makes empty tables.
-  ErrataTables();
+  /// \param listing  which
+  /// \param cap      passes of the main loop after which a run is given up
+  ErrataBench(TimewarpListing listing, int cap);
+
+  /// The listing as meant: all misprints are mended, the choices T5, T9 and F8 are kept.
+  /// \param left  misprints that are left in, their ids between commas
+  /// \return options
+  [[nodiscard]] TimewarpAsPrintedOptions as_meant_but(std::string_view left = "") const;
+
+  /// Runs one frame of the listing with some misprints left in.
+  /// \param left   as of as_meant_but()
+  /// \param world  a copy is run
+  /// \param dt     [s] the frame
+  /// \return the run
+  [[nodiscard]] PrintedRun run(std::string_view left, const World& world,
+                               double dt = kLineFrame) const;
 
   /// Adds the numbers of an erratum.
   /// \param row      its number in the listing, for the table
   /// \param what     beginning of both names, with the erratum's id
-  /// \param printed  end of the name of the first number
-  /// \param failure  with the text taken literally
-  /// \param reading  end of the name of the second number
-  /// \param mended   under the other reading
   /// \param unit     of both
-  void add(int row, const std::string& what, const std::string& printed, double failure,
-           const std::string& reading, double mended, const std::string& unit);
+  /// \param printed  the text taken literally
+  /// \param mended   the other reading
+  void add(int row, const std::string& what, const std::string& unit, const Reading& printed,
+           const Reading& mended);
 
-  /// Adds one number more.
-  /// \param name   begins with the erratum's id
-  /// \param value  of the number
-  /// \param unit   of it
-  void add_more(const std::string& name, double value, const std::string& unit);
+  /// Adds the ways of all bodies on both sides of the figure.
+  /// \param row      the erratum's number
+  /// \param printed  with the text taken literally
+  /// \param mended   under the other reading
+  void show(int row, const FrameRun& printed, const FrameRun& mended);
 
-  /// Adds the ways of all bodies.
-  /// \param row     the erratum's number
-  /// \param mended  on which side of the figure
-  /// \param run     what happened
-  void add_ways(int row, bool mended, const FrameRun& run);
-
-  /// All of it.
-  /// \return tables "" and "ways", and the numbers
-  [[nodiscard]] Result result() const { return {{pairs_, ways_}, quantities_}; }
+  Result result;  ///< tables "" and "ways" and others, and the numbers
 
  private:
-  Table pairs_;
-  Table ways_;
-  std::vector<Quantity> quantities_;
+  TimewarpListing listing_;
+  int cap_;
 };
+
+/// Runs one frame of a listing as printed.
+/// \param options  the listing, and the errata that are mended
+/// \param world    a copy is run
+/// \param dt       [s] the frame
+/// \return the run
+[[nodiscard]] PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& world,
+                                     double dt = kLineFrame);
+
+/// The parameters of both figures.
+/// \return cap
+[[nodiscard]] Parameters errata_settings();
 
 }  // namespace tumble::chapters

@@ -1,39 +1,21 @@
 /// \file
 /// \brief F1 to F9, each left in SAFERSYNCTIMEWARP while the other misprints are mended (thesis 5.1, A.1).
-#include "tumble/scenes/library.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "driver/common_numbers.hpp"
-#include "timewarp/errata_experiments.hpp"
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "timewarp/errata_runs.hpp"
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tumble::chapters {
 namespace {
 
-constexpr double kSaferFrame = 1.0;         // [s] of the scenes on a line
 enum Cube : std::size_t { A, B, C, D, E };  // of figure 5.1, by index
-
-// What all of these experiments need.
-struct SaferBench {
-  int cap;  // [-] passes of the main loop until a run is given up
-  ErrataTables& out;
-
-  // A frame of 1 s with some misprints left in.
-  [[nodiscard]] PrintedRun run(std::string_view left, const World& world) const {
-    return run_printed(as_meant_but(TimewarpListing::safer, cap, left), world, kSaferFrame);
-  }
-  // The ways of the bodies on both sides of a row.
-  void show(int row, const FrameRun& printed, const FrameRun& mended) const {
-    out.add_ways(row, false, printed);
-    out.add_ways(row, true, mended);
-  }
-};
 
 // The place of one cube at the end, with a misprint and without it.
 struct PlaceErratum {
@@ -41,22 +23,22 @@ struct PlaceErratum {
   std::string left;  // the misprint
   std::string boxes;
   std::size_t cube;
-  std::string whose;
+  std::string what;
   std::string printed;
   std::string reading;
 };
 
-void add_place(const SaferBench& bench, const PlaceErratum& e) {
+void add_place(ErrataBench& bench, const PlaceErratum& e) {
   const World world = line_world(e.boxes);
   const PrintedRun printed = bench.run(e.left, world);
   const PrintedRun mended = bench.run("", world);
-  bench.out.add(e.row, e.left + ": " + e.whose, e.printed, printed.places[e.cube], e.reading,
-                mended.places[e.cube], "m");
+  bench.add(e.row, e.left + ": " + e.what, "m", {e.printed, printed.places[e.cube]},
+            {e.reading, mended.places[e.cube]});
   bench.show(e.row, printed, mended);
 }
 
-// F1 to F5: what becomes of the two, and of their neighbours.
-void add_states(const SaferBench& bench) {
+// F1 to F5: the two cubes, and their neighbours.
+void add_states(ErrataBench& bench) {
   const std::string neighbour = "-1.2:-1,0:2,1.5:0";
   add_place(bench, {1, "F1", "0:2,1.5:0,10:1", 0, "place of a cube that has hit another",
                     "test states collide", "valid states collide"});
@@ -70,20 +52,20 @@ void add_states(const SaferBench& bench) {
                     "collision and test states lost", "both kept"});
 }
 
-// F6 and F7: who is looked at. F6 can be seen only with T7: else the present pair is a little apart.
-void add_group(const SaferBench& bench) {
+// F6 and F7: the pairs that are searched. F6 can be seen only with T7: else the present pair is a little apart.
+void add_group(ErrataBench& bench) {
   const World two = line_world("0:2,1.5:0");
   const PrintedRun present = bench.run("F6,T7", two);
   const PrintedRun others = bench.run("T7", two);
-  bench.out.add(6, "F6: passes of the loop for one collision",
-                "present pair in the group, until a cap", present.passes, "present pair left out",
-                others.passes, "-");
+  bench.add(6, "F6: passes of the loop for one collision", "-",
+            {"present pair in the group, until a cap", present.passes},
+            {"present pair left out", others.passes});
   bench.show(6, present, others);
-  TimewarpAsPrintedOptions nothing_mended;
-  nothing_mended.listing = TimewarpListing::safer;
-  nothing_mended.cap = bench.cap;
-  bench.out.add_more("passes of the loop for one collision, nothing mended, until a cap",
-                     run_printed(nothing_mended, two, kSaferFrame).passes, "-");
+  TimewarpAsPrintedOptions nothing_mended = bench.as_meant_but();
+  nothing_mended.repaired = {};
+  bench.result.quantities.push_back(
+      {"passes of the loop for one collision, nothing mended, until a cap", "-",
+       run_printed(nothing_mended, two).passes});
   add_place(bench, {7, "F7", "0:3,1.7:0,3.1:0", 0, "place of a cube that flies over another",
                     "near at the end of the frame", "near on the way to the collision"});
 }
@@ -98,9 +80,8 @@ class FirstLook : public TimewarpWatcher {
 };
 
 // F8 and F9: the five cubes of figure 5.1.
-void add_figure_errata(const SaferBench& bench) {
-  const SceneRecipe& recipe = scene_recipe("fig5_1");
-  const World world = build_world(recipe.build(recipe.parameters(), Random(0)));
+void add_figure_errata(ErrataBench& bench) {
+  const World world = build_world(scene_with("fig5_1", {}));
   TimewarpSafer safer;
   FirstLook look;
   safer.watch(&look);
@@ -114,8 +95,8 @@ void add_figure_errata(const SaferBench& bench) {
         std::count_if(run.events.begin(), run.events.end(),
                       [&](const Event& e) { return e.first == b || e.second == b; }));
   };
-  bench.out.add(8, "F8: collisions of cube B in figure 5.1", "neighbours looked at",
-                hits(neighbours), "ways searched", hits(ways), "-");
+  bench.add(8, "F8: collisions of cube B in figure 5.1", "-",
+            {"neighbours looked at", hits(neighbours)}, {"ways searched", hits(ways)});
   bench.show(8, neighbours, ways);
 
   const auto foreseen = [&](Cube other) {
@@ -125,31 +106,27 @@ void add_figure_errata(const SaferBench& bench) {
         std::count_if(look.foreseen.begin(), look.foreseen.end(),
                       [&](const ForeseenCollision& c) { return c.pair == pair; }));
   };
-  bench.out.add(9, "F9: collisions foreseen for cube D in figure 5.1",
-                "with C, as the caption says", foreseen(C), "with E", foreseen(E), "-");
-}
+  bench.add(9, "F9: collisions foreseen for cube D in figure 5.1", "-",
+            {"with C, as the caption says", foreseen(C)}, {"with E", foreseen(E)});
 
-// Where the cubes of figure 5.1 are at the start.
-Table start_table() {
-  const SceneRecipe& recipe = scene_recipe("fig5_1");
-  const World world = build_world(recipe.build(recipe.parameters(), Random(0)));
-  Table table{"start", {{"place_m", "m", "of a cube's centre"}, {"half_m", "m", "half its edge"}}};
+  Table start{"start", {{"place_m", "m", "of a cube's centre"}, {"half_m", "m", "half its edge"}}};
   for (std::size_t k = 0; k < world.states().size(); ++k)
-    table.rows.push_back({world.states()[k].position_w.x(), 0.5 * world.bodies()[k].size.x()});
-  return table;
+    start.add(world.states()[k].position_w.x(), 0.5 * world.bodies()[k].size.x());
+  bench.result.tables.push_back(start);
 }
-
-}  // namespace
 
 Result measure_safer_errata(const Parameters& settings) {
-  ErrataTables tables;
-  const SaferBench bench{settings.count("cap"), tables};
+  ErrataBench bench(TimewarpListing::safer, settings.count("cap"));
   add_states(bench);
   add_group(bench);
   add_figure_errata(bench);
-  Result result = tables.result();
-  result.tables.push_back(start_table());
-  return result;
+  return bench.result;
 }
 
+const Registered errata_timewarp_safer_figure{{.name = "errata_timewarp_safer",
+                                               .parameters = errata_settings(),
+                                               .quick = {"cap=50"},
+                                               .experiment = measure_safer_errata}};
+
+}  // namespace
 }  // namespace tumble::chapters

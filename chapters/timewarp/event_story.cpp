@@ -3,8 +3,8 @@
 ///        5.1).
 #include "timewarp/event_story.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/dynamics/trajectory.hpp"
 
 #include "driver/settings.hpp"
 
@@ -17,22 +17,7 @@
 namespace tumble::chapters {
 namespace {
 
-// Watches as long as it lives.
-class Keeper final : public Observer {
- public:
-  explicit Keeper(Technique& technique) : technique_(technique) { technique_.observe(this); }
-  Keeper(const Keeper&) = delete;
-  Keeper& operator=(const Keeper&) = delete;
-  ~Keeper() override { technique_.observe(nullptr); }
-  void on_event(const Event& event) override { events.push_back(event); }
-
-  EventLog events;
-
- private:
-  Technique& technique_;
-};
-
-// The pair of a collision, and the how-manieth of this pair it is.
+// The pair of a collision, and its number among the collisions of this pair.
 using Name = std::tuple<int, int, int>;
 
 std::vector<Name> names_of(const std::vector<Collision>& story) {
@@ -75,9 +60,11 @@ std::unique_ptr<Technique> search_over_all(double resolution) {
 }
 
 EventLog events_of(Technique& technique, World& world, double dt, int frames) {
-  Keeper keeper(technique);
+  EventRecorder recorder;
+  technique.observe(&recorder);
   for (int frame = 0; frame < frames; ++frame) technique.step(world, dt);
-  return keeper.events;
+  technique.observe(nullptr);
+  return recorder.events();
 }
 
 std::vector<Collision> story_of(const EventLog& events, const World& start) {

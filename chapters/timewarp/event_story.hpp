@@ -17,13 +17,13 @@ struct Collision {
   int second = 0;     ///< index of the other one, above the first
 };
 
-/// What stories are held against: a search over all bodies that misses nothing, all of them taken back
-/// for each collision. Meant for steps much smaller than a frame.
+/// The reference of stories: a search over all bodies that misses nothing, all of them taken back for
+/// each collision. Meant for steps much smaller than a frame.
 /// \param resolution  [s] how exactly collisions are searched for
 /// \return `basic`, conservative, with a cap that no frame meets
 std::unique_ptr<Technique> search_over_all(double resolution = 1e-9);
 
-/// Runs a technique and keeps what it tells.
+/// Runs a technique and keeps its events.
 /// \param technique  afterwards it has no observer
 /// \param world      in and out
 /// \param dt         [s] of a frame, above 0
@@ -46,10 +46,10 @@ std::vector<Collision> story_of(const EventLog& events, const World& start);
 ///         their times
 std::vector<Collision> story_of(Technique& technique, World world, double dt, int frames = 1);
 
-/// How a story departs from another one that is taken for true.
+/// The difference of a story from another one that is taken for true.
 ///
 /// The k-th collision of a pair in one story and the k-th of the same pair in the other are
-/// *partners*. The partners that both stories tell in the same order, as many as there can be, are
+/// *partners*. The partners that both stories have in the same order, as many as there can be, are
 /// *in place* (the longest common subsequence). Times are not compared.
 struct StoryDifference {
   int reference = 0;        ///< collisions of the true story

@@ -1,52 +1,51 @@
 /// \file
-/// \brief Figure 5.1: in which order five cubes meet, by four techniques (thesis 5.1).
-#include "timewarp/order_experiments.hpp"
-
-#include "tumble/base/random.hpp"
+/// \brief Figure 5.1: the order in which five cubes meet, by four techniques (thesis 5.1).
 #include "tumble/scenes/library.hpp"
 
+#include "driver/registry.hpp"
 #include "driver/settings.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
 
 constexpr double kMilliseconds = 1e3;  // [ms/s]
 
-// How a technique tells one frame.
-struct Telling {
-  std::vector<Collision> story;
+// One frame as a technique resolves it.
+struct FrameStory {
+  std::vector<Collision> collisions;
   std::vector<Way> ways;  // by body
   std::vector<Outline> overlaps;
 };
 
-Telling tell(const World& start, Technique& technique, double frame, int steps = 1) {
+FrameStory frame_story(const World& start, Technique& technique, double frame, int steps = 1) {
   World world = start;
   const EventLog events = events_of(technique, world, frame / steps, steps);
 
   // [m] cubes that touch are nearer than the rounding of their places.
   constexpr double least = 1e-9;
-  Telling telling{story_of(events, start), ways_of(start, events, frame), {}};
+  FrameStory story{story_of(events, start), ways_of(start, events, frame), {}};
   const double width = start.bodies().front().size.x();
-  for (std::size_t a = 0; a < telling.ways.size(); ++a) {
-    for (std::size_t b = a + 1; b < telling.ways.size(); ++b) {
-      auto areas = overlaps_of(telling.ways[a], telling.ways[b], width, least);
-      std::move(areas.begin(), areas.end(), std::back_inserter(telling.overlaps));
+  for (std::size_t a = 0; a < story.ways.size(); ++a) {
+    for (std::size_t b = a + 1; b < story.ways.size(); ++b) {
+      auto areas = overlaps_of(story.ways[a], story.ways[b], width, least);
+      std::move(areas.begin(), areas.end(), std::back_inserter(story.overlaps));
     }
   }
-  return telling;
+  return story;
 }
 
 // [s] for which two bodies overlap, summed over pairs of bodies.
-double time_of_overlap(const Telling& telling) {
+double time_of_overlap(const FrameStory& story) {
   double time = 0.0;
-  for (const Outline& area : telling.overlaps) {
+  for (const Outline& area : story.overlaps) {
     const auto [first, last] = std::minmax_element(
         area.begin(), area.end(), [](const Knot& a, const Knot& b) { return a.time < b.time; });
     time += last->time - first->time;
@@ -59,49 +58,46 @@ bool goes_wrong(const StoryDifference& difference) {
 }
 
 // [s] the largest difference of times of collisions with the same place in both stories.
-double largest_difference(const Telling& tested, const Telling& reference) {
+double largest_difference(const std::vector<Collision>& tested,
+                          const std::vector<Collision>& reference) {
   double largest = 0.0;
-  for (std::size_t k = 0; k < std::min(tested.story.size(), reference.story.size()); ++k)
-    largest = std::max(largest, std::abs(tested.story[k].time - reference.story[k].time));
+  for (std::size_t k = 0; k < std::min(tested.size(), reference.size()); ++k)
+    largest = std::max(largest, std::abs(tested[k].time - reference[k].time));
   return largest;
 }
 
-Table scene_table(const World& start, const Telling& free) {
+Table scene_table(const World& start, double frame) {
   Table table{"scene",
               {{"body", "-", "0 is A"},
                {"place_edges", "edges", "centre at the start"},
-               {"end_edges", "edges", "centre at the end of the frame if it meets nobody"},
+               {"end_edges", "edges", "centre at the end of the frame without collisions"},
                {"speed_m_s", "m/s", "along x"},
-               {"frame_ms", "ms", "length of the frame"},
-               {"edge_m", "m", "of a cube"}}};
+               {"frame_ms", "ms", "length of the frame"}}};
   const double edge = start.bodies().front().size.x();
-  for (std::size_t k = 0; k < free.ways.size(); ++k) {
-    const Way& way = free.ways[k];
-    const double speed = velocity(start.bodies()[k], start.states()[k]).x();
-    table.rows.push_back({static_cast<double>(k), way.front().place / edge, way.back().place / edge,
-                          speed, way.back().time * kMilliseconds, edge});
-  }
+  const std::vector<Way> free = ways_of(start, {}, frame);
+  for (std::size_t k = 0; k < free.size(); ++k)
+    table.add(k, free[k].front().place / edge, free[k].back().place / edge,
+              velocity(start.bodies()[k], start.states()[k]).x(),
+              free[k].back().time * kMilliseconds);
   return table;
 }
 
-}  // namespace
-
+// Figure 5.1 and claim 5.1b: one frame of five cubes on a line. Panels count the techniques from 0.
 Result measure_order_of_five(const Parameters& settings) {
+  static constexpr std::array<const char*, 3> names = {"simple", "safer", "swept"};
   const World start = build_world(checked(scene_recipe("fig5_1").build(settings, Random(1))));
   const double frame = settings.number("frame");
   const double edge = settings.number("size");
-  std::vector<Telling> tellings;
-  for (const char* name : {"timewarp_simple", "timewarp_safer", "timewarp_swept"})
-    tellings.push_back(tell(start, *make_technique(name), frame));
-  tellings.push_back(tell(start, *search_over_all(), frame, settings.count("reference_steps")));
-  const Telling& reference = tellings.back();
-  const std::vector<std::string> names = {"simple", "safer", "swept", "reference"};
+  std::vector<FrameStory> stories;
+  for (const char* name : names)
+    stories.push_back(frame_story(start, *make_technique(std::string("timewarp_") + name), frame));
+  stories.push_back(
+      frame_story(start, *search_over_all(), frame, settings.count("reference_steps")));
+  const std::vector<Collision> reference = stories.back().collisions;
 
   Table events{"",
                {{"panel", "-", "0 simple, 1 safer, 2 swept, 3 reference"},
                 {"number", "-", "when it was resolved, from 1"},
-                {"first", "-", "body, 0 is A"},
-                {"second", "-", "body"},
                 {"place_edges", "edges", "halfway between the two"},
                 {"time_ms", "ms", "since the start of the frame"},
                 {"wrong", "-", "1: not in its place in the story of the reference"}}};
@@ -118,52 +114,50 @@ Result measure_order_of_five(const Parameters& settings) {
   const auto add_outline = [&](Table& table, std::size_t panel, std::size_t which,
                                const Outline& outline) {
     for (const Knot& corner : outline)
-      table.rows.push_back({static_cast<double>(panel), static_cast<double>(which),
-                            corner.place / edge, corner.time * kMilliseconds});
+      table.add(panel, which, corner.place / edge, corner.time * kMilliseconds);
   };
 
   std::vector<StoryDifference> differences;
-  std::vector<Quantity> quantities;
-  for (std::size_t panel = 0; panel < tellings.size(); ++panel) {
-    const Telling& telling = tellings[panel];
-    differences.push_back(compare_stories(reference.story, telling.story));
-    for (std::size_t k = 0; k < telling.story.size(); ++k) {
-      const auto [time, first, second] = telling.story[k];
-      const double place = 0.5 * (place_at(telling.ways[static_cast<std::size_t>(first)], time) +
-                                  place_at(telling.ways[static_cast<std::size_t>(second)], time));
-      events.rows.push_back({static_cast<double>(panel), static_cast<double>(k + 1),
-                             static_cast<double>(first), static_cast<double>(second), place / edge,
-                             time * kMilliseconds,
-                             static_cast<double>(differences.back().wrong[k])});
+  for (std::size_t panel = 0; panel < stories.size(); ++panel) {
+    const FrameStory& story = stories[panel];
+    differences.push_back(compare_stories(reference, story.collisions));
+    for (std::size_t k = 0; k < story.collisions.size(); ++k) {
+      const auto [time, first, second] = story.collisions[k];
+      const double place = 0.5 * (place_at(story.ways[static_cast<std::size_t>(first)], time) +
+                                  place_at(story.ways[static_cast<std::size_t>(second)], time));
+      events.add(panel, k + 1, place / edge, time * kMilliseconds, differences.back().wrong[k]);
     }
-    for (std::size_t body = 0; body < telling.ways.size(); ++body)
-      add_outline(bands, panel, body, band_of(telling.ways[body], edge));
-    for (std::size_t area = 0; area < telling.overlaps.size(); ++area)
-      add_outline(overlaps, panel, area, telling.overlaps[area]);
+    for (std::size_t body = 0; body < story.ways.size(); ++body)
+      add_outline(bands, panel, body, band_of(story.ways[body], edge));
+    for (std::size_t area = 0; area < story.overlaps.size(); ++area)
+      add_outline(overlaps, panel, area, story.overlaps[area]);
   }
 
-  const double holding = static_cast<double>(goes_wrong(differences[0])) +
-                         static_cast<double>(goes_wrong(differences[1])) +
-                         static_cast<double>(!goes_wrong(differences[2]));
-  quantities.push_back(
+  std::vector<Quantity> quantities = {
       {"of three sayings about figure 5.1 those that hold: simple goes wrong, safer goes wrong, "
        "swept volumes do not",
-       "-", holding});
-  quantities.push_back(
-      {"collisions of the reference", "-", static_cast<double>(reference.story.size())});
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto wrong = std::count(differences[k].wrong.begin(), differences[k].wrong.end(), 1);
-    quantities.push_back({"collisions out of place, " + names[k], "-", static_cast<double>(wrong)});
+       "-", goes_wrong(differences[0]) + goes_wrong(differences[1]) + !goes_wrong(differences[2])},
+      {"collisions of the reference", "-", reference.size()},
+      {"collisions of the reference that simple has none for", "-", differences[0].missed},
+      {"largest difference of the times of collisions, swept and reference", "s",
+       largest_difference(stories[2].collisions, reference)}};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::vector<char>& wrong = differences[k].wrong;
+    quantities.push_back({std::string("collisions out of place, ") + names[k], "-",
+                          std::count(wrong.begin(), wrong.end(), 1)});
+    quantities.push_back({std::string("time for which pairs of cubes overlap, ") + names[k], "s",
+                          time_of_overlap(stories[k])});
   }
-  quantities.push_back({"collisions of the reference that simple has none for", "-",
-                        static_cast<double>(differences[0].missed)});
-  quantities.push_back({"largest difference of the times of collisions, swept and reference", "s",
-                        largest_difference(tellings[2], reference)});
-  for (std::size_t k = 0; k < 3; ++k)
-    quantities.push_back(
-        {"time for which pairs of cubes overlap, " + names[k], "s", time_of_overlap(tellings[k])});
-  return {{events, bands, overlaps, scene_table(start, {{}, ways_of(start, {}, frame), {}})},
-          quantities};
+  return {{events, bands, overlaps, scene_table(start, frame)}, quantities};
 }
 
+std::vector<Figure> figure_of_five() {
+  Parameters parameters = scene_recipe("fig5_1").parameters();
+  parameters.add_number("frame", 1.0 / 60.0, 1e-4, 1.0, "s", "length of the frame")
+      .add_whole("reference_steps", 1000, 1, 100000, "steps of the reference in the frame");
+  return {{.name = "fig5_1_order", .parameters = parameters, .experiment = measure_order_of_five}};
+}
+const Registered fig5_1_order_figure(figure_of_five);
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -1,18 +1,15 @@
 /// \file
-/// \brief How the queue of collisions changes from one collision to the next (thesis 5.1, A.1).
-#include "tumble/base/random.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/timewarp/timewarp_safer.hpp"
-#include "tumble/timewarp/timewarp_simple.hpp"
-#include "tumble/timewarp/timewarp_swept.hpp"
+/// \brief Changes of the queue of collisions from one collision to the next (thesis 5.1, A.1).
+#include "tumble/base/number_text.hpp"
+#include "tumble/timewarp/synchronised_timewarp.hpp"
 
+#include "driver/played_scene.hpp"
+#include "driver/registry.hpp"
 #include "driver/settings.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
-#include "timewarp/order_experiments.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -22,11 +19,11 @@
 namespace tumble::chapters {
 namespace {
 
-// What is known before a collision is taken out of the queue.
+// The state before a collision is taken out of the queue.
 struct Moment {
   std::vector<ForeseenCollision> foreseen;  // the earliest first
   std::optional<ForeseenCollision> taken;   // none: the queue is empty
-  bool goes_back = false;                   // a neighbour has met somebody earlier
+  bool goes_back = false;                   // a neighbour has an earlier collision
   std::vector<Way> valid;                   // by body, up to its valid time
   std::vector<Way> test;                    // by body, from there to the end of the frame
 };
@@ -75,26 +72,12 @@ class MomentKeeper final : public TimewarpWatcher {
   std::vector<Way> ways_;  // by body
 };
 
-template <class Timewarp>
-StepReport watch_frame(World world, MomentKeeper& keeper, double frame) {
-  Timewarp timewarp;
-  timewarp.watch(&keeper);
-  return timewarp.step(world, frame);
-}
-
-StepReport watch_frame(const std::string& form, const World& world, MomentKeeper& keeper,
-                       double frame) {
-  if (form == "simple") return watch_frame<TimewarpSimple>(world, keeper, frame);
-  if (form == "safer") return watch_frame<TimewarpSafer>(world, keeper, frame);
-  return watch_frame<TimewarpSwept>(world, keeper, frame);
-}
-
 std::string name_of(const ForeseenCollision& collision) {
   const auto letter = [](int body) { return static_cast<char>('A' + body); };
   return {letter(collision.pair.first), '-', letter(collision.pair.second)};
 }
 
-// What happens in a panel, in words, and the queue as a list.
+// The headings of the panels, and the queue as a list.
 std::string words_of(const std::vector<Moment>& moments) {
   std::string commands = "array heading[" + std::to_string(moments.size()) + "]\n" +
                          "array queue[" + std::to_string(moments.size()) + "]\n";
@@ -107,9 +90,7 @@ std::string words_of(const std::vector<Moment>& moments) {
                 " was earlier";
     std::string list = "queue:";
     for (const ForeseenCollision& collision : moment.foreseen) {
-      char time[32];
-      std::snprintf(time, sizeof time, "%.3f", collision.time);
-      list += "\\n" + name_of(collision) + " " + time;
+      list += "\\n" + name_of(collision) + " " + fixed_text(collision.time, 3);
     }
     if (moment.foreseen.empty()) list += "\\nempty";
     const std::string place = std::string("[").append(std::to_string(k + 1)).append("] = ");
@@ -126,22 +107,20 @@ double known_place(const Moment& moment, int body, double time) {
   return place_at(valid ? moment.valid[k] : moment.test[k], time);
 }
 
-}  // namespace
-
 Result measure_queue_at_work(const Parameters& settings) {
-  Parameters line = scene_recipe("line").parameters();
-  line.set("boxes", settings.text("boxes"));
-  const World start = build_world(checked(scene_recipe("line").build(line, Random(1))));
+  const World start =
+      build_world(checked(scene_with("line", {"boxes=" + std::string(settings.text("boxes"))})));
   const double frame = settings.number("frame");
   MomentKeeper keeper(frame);
-  const StepReport report = watch_frame(settings.word("form"), start, keeper, frame);
+  const auto timewarp = make_technique("timewarp_" + std::string(settings.word("form")));
+  dynamic_cast<SynchronisedTimewarp&>(*timewarp).watch(&keeper);
+  World world = start;
+  const StepReport report = timewarp->step(world, frame);
   const std::vector<Moment>& moments = keeper.moments;
 
   Table queue{"",
               {{"panel", "-", "from 1"},
-               {"first", "-", "body, 0 is A"},
-               {"second", "-", "body"},
-               {"time_s", "s", "at which they are foreseen to collide"},
+               {"time_s", "s", "at which two cubes are foreseen to collide"},
                {"place_m", "m", "halfway between the two then"},
                {"taken", "-", "0 waits, 1 is taken and resolved, 2 is taken and goes back"}}};
   Table ways{"ways",
@@ -164,7 +143,7 @@ Result measure_queue_at_work(const Parameters& settings) {
   std::size_t resolved = 0;
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const Moment& moment = moments[k];
-    const double panel = static_cast<double>(k + 1);
+    const std::size_t panel = k + 1;
     longest = std::max(longest, moment.foreseen.size());
     if (moment.goes_back) ++put_in_front;
     if (moment.taken && !moment.goes_back) ++resolved;
@@ -174,30 +153,27 @@ Result measure_queue_at_work(const Parameters& settings) {
       const double place = 0.5 * (known_place(moment, first, foreseen.time) +
                                   known_place(moment, second, foreseen.time));
       const bool taken = moment.taken && foreseen == *moment.taken;
-      queue.rows.push_back({panel, static_cast<double>(first), static_cast<double>(second),
-                            foreseen.time, place, taken ? (moment.goes_back ? 2.0 : 1.0) : 0.0});
+      queue.add(panel, foreseen.time, place, taken ? (moment.goes_back ? 2.0 : 1.0) : 0.0);
     }
     for (std::size_t body = 0; body < moment.valid.size(); ++body) {
-      const double index = static_cast<double>(body);
       const Knot& now = moment.valid[body].back();
       const double early = 0.1 * frame;
-      dots.rows.push_back({panel, index, now.place, now.time,
-                           known_place(moment, static_cast<int>(body), early), early});
+      dots.add(panel, body, now.place, now.time, known_place(moment, static_cast<int>(body), early),
+               early);
       for (const int test : {0, 1})
         for (const Knot& corner :
              band_of(test == 0 ? moment.valid[body] : moment.test[body], width))
-          ways.rows.push_back({panel, index, static_cast<double>(test), corner.place, corner.time});
+          ways.add(panel, body, test, corner.place, corner.time);
     }
   }
   if (static_cast<std::int64_t>(put_in_front) != report.restarts)
     throw std::runtime_error("a collision went back more than once");
 
   std::vector<Quantity> quantities = {
-      {"collisions resolved", "-", static_cast<double>(resolved)},
-      {"collisions put in front because a neighbour was looked at", "-",
-       static_cast<double>(put_in_front)},
-      {"longest queue", "-", static_cast<double>(longest)},
-      {"collisions foreseen that never came", "-", static_cast<double>(seen.size() - resolved)}};
+      {"collisions resolved", "-", resolved},
+      {"collisions put in front because a neighbour was looked at", "-", put_in_front},
+      {"longest queue", "-", longest},
+      {"collisions foreseen that never came", "-", seen.size() - resolved}};
   constexpr int steps = 1000;
   const std::vector<Collision> reference =
       story_of(*search_over_all(), start, frame / steps, steps);
@@ -205,9 +181,8 @@ Result measure_queue_at_work(const Parameters& settings) {
     const auto technique = make_technique("timewarp_" + form);
     const StoryDifference difference =
         compare_stories(reference, story_of(*technique, start, frame));
-    quantities.push_back(
-        {"collisions out of place, " + form, "-",
-         static_cast<double>(std::count(difference.wrong.begin(), difference.wrong.end(), 1))});
+    quantities.push_back({"collisions out of place, " + form, "-",
+                          std::count(difference.wrong.begin(), difference.wrong.end(), 1)});
   }
   int number = 0;
   for (const Moment& moment : moments)
@@ -217,4 +192,14 @@ Result measure_queue_at_work(const Parameters& settings) {
   return {{queue, ways, dots}, quantities, {{"words", words_of(moments)}}};
 }
 
+const Registered queue_at_work_figure{
+    {.name = "queue_at_work",
+     .parameters = Parameters{}
+                       .add_text("boxes", "0:2.7,1.5:0,3:0,4.25:-0.4",
+                                 "place and speed of each cube, as x:v in m and m/s")
+                       .add_number("frame", 1.0, 1e-3, 100.0, "s", "length of the frame")
+                       .add_word("form", {"safer", "simple", "swept"}, "of the timewarp"),
+     .experiment = measure_queue_at_work}};
+
+}  // namespace
 }  // namespace tumble::chapters

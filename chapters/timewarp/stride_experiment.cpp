@@ -1,8 +1,9 @@
 /// \file
-/// \brief What the length of full timewarp's flights does to its work.
+/// \brief The work of full timewarp against the length of its flights.
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/cage_runs.hpp"
-#include "timewarp/rewind_experiments.hpp"
+#include "timewarp/intervals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,25 +12,13 @@
 namespace tumble::chapters {
 namespace {
 
-using Works = std::vector<CageWork>;  // by seed
-
 constexpr std::array<double, 8> kStrides = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};  // [frames]
-constexpr std::size_t kOneFrame = 1;
-constexpr std::size_t kEight = 4;
-constexpr std::size_t kSixteen = 5;
-constexpr std::size_t kLongest = 7;
-
-}  // namespace
 
 Result measure_stride(const Parameters& settings) {
   const int seeds = settings.count("seeds");
-  CageStretch stretch;
-  stretch.count = settings.count("count");
-  stretch.speed = settings.number("speed");
-  stretch.spin = settings.number("spin");
-  stretch.lead = settings.count("lead");
+  CageStretch stretch = stretch_of(settings, settings.count("count"));
   std::array<Works, kStrides.size()> works;
-  Works swept;  // takes back exactly those who collide
+  Works swept;  // takes back exactly the bodies that collide
   for (int seed = 1; seed <= seeds; ++seed) {
     const World led = led_cage(stretch, seed);
     stretch.settle = 0;
@@ -48,40 +37,43 @@ Result measure_stride(const Parameters& settings) {
         return stretch.count * total(swept, &CageWork::frames, k) /
                total(swept, &CageWork::rewinds, k);
       });
+  const auto each = [&](const std::string& name, std::size_t i, double CageWork::*count) {
+    return over_seeds(name, "-", seeds, [&](int k) { return per_event(works[i], count, k); });
+  };
   Table table{"", {{"stride", "-", "length of a flight, in frames"}}};
-  constexpr std::array<double CageWork::*, 3> counts = {&CageWork::integrations,
-                                                        &CageWork::pair_tests, &CageWork::rewinds};
   for (const char* column : {"integrations", "pair_tests", "taken_back"})
-    for (const char* end : {"", "_low", "_high"})
-      table.columns.push_back(
-          {std::string(column) + end, "-", "per collision; ends of its interval of 95 %"});
+    add_interval_columns(column, "-", "per collision; ends of its interval of 95 %", table);
   table.columns.push_back({"between", "-", between.name});
-  for (std::size_t i = 0; i < kStrides.size(); ++i) {
-    table.rows.push_back({kStrides[i]});
-    for (double CageWork::*const count : counts) {
-      const Quantity each = over_seeds(
-          "", "-", seeds, [&](int left_out) { return per_event(works[i], count, left_out); });
-      table.rows.back().insert(table.rows.back().end(), {each.value, each.low, each.high});
-    }
-    table.rows.back().push_back(between.value);
-  }
+  for (std::size_t i = 0; i < kStrides.size(); ++i)
+    table.add(kStrides[i], with_interval(each("", i, &CageWork::integrations)),
+              with_interval(each("", i, &CageWork::pair_tests)),
+              with_interval(each("", i, &CageWork::rewinds)), between.value);
 
   std::vector<Quantity> quantities;
-  const auto add = [&](const std::string& name, std::size_t i, double CageWork::*count) {
-    quantities.push_back(over_seeds(
-        name, "-", seeds, [&, i, count](int k) { return per_event(works[i], count, k); }));
+  const auto add = [&](const std::string& what, double CageWork::*count,
+                       const std::vector<int>& strides) {
+    for (const int stride : strides) {
+      const auto place = std::find(kStrides.begin(), kStrides.end(), stride) - kStrides.begin();
+      const std::string frames = stride == 1 ? "a frame" : std::to_string(stride) + " frames";
+      quantities.push_back(each(what + " per collision, " + frames + " at a time",
+                                static_cast<std::size_t>(place), count));
+    }
   };
-  add("pair tests per collision, a frame at a time", kOneFrame, &CageWork::pair_tests);
-  add("pair tests per collision, 8 frames at a time", kEight, &CageWork::pair_tests);
-  add("pair tests per collision, 16 frames at a time", kSixteen, &CageWork::pair_tests);
-  add("pair tests per collision, 64 frames at a time", kLongest, &CageWork::pair_tests);
-  add("integrations per collision, a frame at a time", kOneFrame, &CageWork::integrations);
-  add("integrations per collision, 8 frames at a time", kEight, &CageWork::integrations);
-  add("integrations per collision, 64 frames at a time", kLongest, &CageWork::integrations);
-  add("bodies taken back per collision, a frame at a time", kOneFrame, &CageWork::rewinds);
-  add("bodies taken back per collision, 64 frames at a time", kLongest, &CageWork::rewinds);
+  add("pair tests", &CageWork::pair_tests, {1, 8, 16, 64});
+  add("integrations", &CageWork::integrations, {1, 8, 64});
+  add("bodies taken back", &CageWork::rewinds, {1, 64});
   quantities.push_back(between);
   return {{table}, quantities};
 }
 
+const Registered timewarp_stride_figure{
+    {.name = "timewarp_stride",
+     .parameters = cage_settings()
+                       .add_whole("count", 64, 8, 1000, "cubes in the cage")
+                       .add_whole("frames", 32, 1, 1000,
+                                  "in which work is counted, or one flight if that is longer"),
+     .quick = {"seeds=2", "count=27", "lead=20", "frames=8"},
+     .experiment = measure_stride}};
+
+}  // namespace
 }  // namespace tumble::chapters

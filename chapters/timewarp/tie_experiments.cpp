@@ -1,14 +1,14 @@
 /// \file
 /// \brief The order of two impacts that are nearer in time than the tolerance of the search (thesis
 ///        5.1).
-#include "timewarp/tie_experiments.hpp"
-
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/event_story.hpp"
+#include "timewarp/intervals.hpp"
 #include "timewarp/tie_scenes.hpp"
 
 #include <array>
@@ -61,32 +61,19 @@ struct Tally {
   }
 };
 
-// Who is asked, of cubes that do not turn and of those that do.
-enum Asked { kBySimple, kBySwept, kByBoth, kAsked };
-using Answers = std::array<std::array<Tally, 2>, kAsked>;
-
-struct Techniques {
-  explicit Techniques(double resolution)
-      : simple(options(resolution)),
-        swept(swept_options(resolution, TieRule::one_by_one)),
-        together(swept_options(resolution, TieRule::together)) {}
+struct TieTechniques {
+  explicit TieTechniques(double resolution)
+      : simple({.resolution = resolution}),
+        swept({{.resolution = resolution}, TieRule::one_by_one}),
+        together({{.resolution = resolution}, TieRule::together}) {}
   TimewarpSimple simple;
   TimewarpSwept swept;
   TimewarpSwept together;
-
- private:
-  static TimewarpOptions options(double resolution) {
-    TimewarpOptions out;
-    out.resolution = resolution;
-    return out;
-  }
-  static TimewarpSweptOptions swept_options(double resolution, TieRule ties) {
-    TimewarpSweptOptions out;
-    out.resolution = resolution;
-    out.ties = ties;
-    return out;
-  }
 };
+
+// By technique, each of cubes that do not turn and of those that do.
+enum TieTechnique : std::size_t { kBySimple, kBySwept, kTogether, kTieTechniques };
+using TieTallies = std::array<std::array<Tally, 2>, kTieTechniques>;
 
 TwoImpacts impacts_in(int bin, int trial, bool turning, double tolerance) {
   Random chance = Random(turning ? 2 : 1)
@@ -97,30 +84,28 @@ TwoImpacts impacts_in(int bin, int trial, bool turning, double tolerance) {
                      chance.fork(0));
 }
 
-Answers ask(int bin, const Parameters& settings, Techniques& techniques) {
-  Answers answers;
-  const double tolerance = settings.number("resolution");
-  for (const bool turning : {false, true}) {
+TieTallies tallies_of(int bin, const Parameters& settings, TieTechniques& techniques) {
+  TieTallies tallies;
+  for (const std::size_t turning : {0, 1}) {
     for (int k = 0; k < settings.count("trials"); ++k) {
-      const TwoImpacts impacts = impacts_in(bin, k, turning, tolerance);
-      const std::size_t which = turning ? 1 : 0;
-      answers[kBySimple][which].add(impacts, techniques.simple);
-      answers[kBySwept][which].add(impacts, techniques.swept);
-      answers[kByBoth][which].add_together(impacts, techniques.together);
+      const TwoImpacts impacts = impacts_in(bin, k, turning == 1, settings.number("resolution"));
+      tallies[kBySimple][turning].add(impacts, techniques.simple);
+      tallies[kBySwept][turning].add(impacts, techniques.swept);
+      tallies[kTogether][turning].add_together(impacts, techniques.together);
     }
   }
-  return answers;
+  return tallies;
 }
 
-Tally both(const std::array<Tally, 2>& answers) {
-  Tally all = answers[0];
-  all.add(answers[1]);
+Tally both(const std::array<Tally, 2>& tallies) {
+  Tally all = tallies[0];
+  all.add(tallies[1]);
   return all;
 }
 
 // The tolerance is ours: swept volumes alone with another one, and pairs as near to it as before.
 Tally wrong_with(double tolerance, int trials) {
-  Techniques techniques(tolerance);
+  TieTechniques techniques(tolerance);
   Tally tally;
   for (int bin = 0; bin < kWithin; ++bin)
     for (const bool turning : {false, true})
@@ -133,10 +118,9 @@ Quantity wrong_of(const std::string& name, const Tally& tally) {
   return share_of_trials(name, tally.wrong, tally.trials);
 }
 
-// What is to be expected of bisection. It cuts a frame into cells, the same for all pairs, and
-// takes the time at which the cell begins. Two impacts in one cell have one time, and their order
-// is that of the indices: wrong for every other pair. So the share falls from a half to nothing at
-// one cell.
+// Expected of bisection. It cuts a frame into cells, the same for all pairs, and takes the time at
+// which the cell begins. Two impacts in one cell have one time, and their order is that of the indices:
+// wrong for every other pair. So the share falls from a half to nothing at one cell.
 Table expected_of_bisection(double resolution) {
   double cell = kStep;
   while (cell > resolution) cell *= 0.5;
@@ -147,38 +131,32 @@ Table expected_of_bisection(double resolution) {
           {{0.0, 0.5}, {cell / resolution, 0.0}, {last, 0.0}}};
 }
 
-}  // namespace
-
+// The time between two impacts is even from 0 to one and a half times the tolerance; half of the cubes
+// turn.
 Result measure_ties(const Parameters& settings) {
   const double tolerance = settings.number("resolution");
-  Techniques techniques(tolerance);
+  TieTechniques techniques(tolerance);
   Table table{"",
               {{"between", "-", "time between the impacts over the tolerance, middle of the bin"},
-               {"together", "-", "share resolved at one stroke, ties together"}}};
-  for (const std::string who : {"simple", "straight", "turning", "ties"}) {
-    table.columns.push_back({who, "-", "share in the wrong order: " + who});
-    table.columns.push_back({who + "_low", "-", "95 % interval of it"});
-    table.columns.push_back({who + "_high", "-", "95 % interval of it"});
-  }
-  Answers within;
+               {"together", "-", "share resolved at one stroke, ties together"},
+               {"ties", "-", "share in the wrong order, ties together"}}};
+  for (const std::string what : {"simple", "straight", "turning"})
+    add_interval_columns(what, "-", "share in the wrong order: " + what, table);
+  TieTallies within;
   Tally beyond;
   for (int bin = 0; bin < kBins; ++bin) {
-    const Answers answers = ask(bin, settings, techniques);
-    const double between = (bin + 0.5) / kWithin;
-    const Tally together = both(answers[kByBoth]);
-    table.rows.push_back({between, share_of_trials("", together.together, together.trials).value});
-    for (const Tally& tally :
-         {both(answers[kBySimple]), answers[kBySwept][0], answers[kBySwept][1], together}) {
-      const Quantity share = wrong_of("", tally);
-      for (const double value : {share.value, share.low, share.high})
-        table.rows.back().push_back(value);
-    }
-    if (bin >= kWithin) beyond.add(both(answers[kBySwept]));
-    for (std::size_t asked = 0; asked < kAsked && bin < kWithin; ++asked)
-      for (std::size_t k = 0; k < 2; ++k) within[asked][k].add(answers[asked][k]);
+    const TieTallies tallies = tallies_of(bin, settings, techniques);
+    const Tally together = both(tallies[kTogether]);
+    table.add((bin + 0.5) / kWithin, share_of_trials("", together.together, together.trials).value,
+              wrong_of("", together).value, with_interval(wrong_of("", both(tallies[kBySimple]))),
+              with_interval(wrong_of("", tallies[kBySwept][0])),
+              with_interval(wrong_of("", tallies[kBySwept][1])));
+    if (bin >= kWithin) beyond.add(both(tallies[kBySwept]));
+    for (std::size_t by = 0; by < kTieTechniques && bin < kWithin; ++by)
+      for (const std::size_t turning : {0, 1}) within[by][turning].add(tallies[by][turning]);
   }
 
-  const Tally stroke = both(within[kByBoth]);
+  const Tally stroke = both(within[kTogether]);
   return {
       {table, expected_of_bisection(tolerance)},
       {wrong_of("share of the pairs of impacts nearer in time than the tolerance that swept "
@@ -197,4 +175,16 @@ Result measure_ties(const Parameters& settings) {
        wrong_of("share of the pairs farther apart than the tolerance in the wrong order", beyond)}};
 }
 
+const Registered claim_5_1c_ties_figure{
+    {.name = "claim_5_1c_ties",
+     .parameters =
+         Parameters{}
+             .add_whole("trials", 400, 1, 100000, "pairs of impacts in each bin, turning and not")
+             .add_whole("varied", 400, 1, 100000, "the same with other tolerances")
+             .add_number("resolution", 1e-6, 1e-9, 1e-3, "s",
+                         "tolerance of the search for collisions"),
+     .quick = {"trials=40", "varied=40"},
+     .experiment = measure_ties}};
+
+}  // namespace
 }  // namespace tumble::chapters

@@ -11,10 +11,10 @@ namespace tumble::chapters {
 /// from the left and body 2 from the right.
 struct TwoImpacts {
   World world;             ///< at the start of the frame
-  bool left_first = true;  ///< who is there first
+  bool left_first = true;  ///< body 0 comes before body 2
 };
 
-/// What chance leaves open.
+/// The part of two impacts that is not random.
 struct TwoImpactsOptions {
   double frame = 1.0 / 60.0;  ///< [s] the first impact is between a fifth and four fifths of it
   double delay = 0.0;         ///< [s] from the first impact to the second
@@ -22,7 +22,7 @@ struct TwoImpactsOptions {
 };
 
 /// Draws speeds from 1 to 10 m/s, ways that pass the middle at up to 0.3 edges to each side,
-/// angular velocities up to 10 rad/s, the time of the first impact, and who is first.
+/// angular velocities up to 10 rad/s, the time of the first impact, and the side of it.
 ///
 /// The times of the impacts are right to a picosecond: a search finds when a cube that comes from a
 /// distance would hit, and the cube is then flown forth or back by what the time is off. The flight

@@ -1,4 +1,4 @@
-# How often a frame is told wrong against the way in a frame: crowded cages and chains.
+# Share of wrong frames against the way in a frame: crowded cages and chains.
 tall = 1240
 @PAGE
 set multiplot
@@ -12,7 +12,7 @@ set object 1 rectangle from first 0.42,graph 0 to first 4.75,graph 1 fc rgb '#ee
 chains = stem.'_chains.csv'
 
 set tmargin at screen 0.92; set bmargin at screen 0.69
-side = 'frames told wrong'; @SIDE
+side = 'wrong frames'; @SIDE
 set label 1 'a cage of cubes; grey: decides' at graph 0.5,1.09 center textcolor rgb '#202020'
 set key at screen 0.56,0.99 center top horizontal maxcols 3 width -1
 plot stem.'.csv' using 'way':'simple' with linespoints lt 1 title 'simple', \
@@ -24,7 +24,7 @@ plot stem.'.csv' using 'way':'simple' with linespoints lt 1 title 'simple', \
 unset key
 
 set tmargin at screen 0.645; set bmargin at screen 0.415
-side = 'events told wrong'; @SIDE
+side = 'wrong events'; @SIDE
 unset label 1
 set xlabel 'largest relative way in a frame [edges]' offset 0,0.3
 plot stem.'.csv' using 'way':'simple_events' with linespoints lt 1, \
@@ -36,7 +36,7 @@ plot stem.'.csv' using 'way':'simple_events' with linespoints lt 1, \
 
 unset object 1
 set tmargin at screen 0.305; set bmargin at screen 0.08
-side = 'chains told wrong'; @SIDE
+side = 'wrong chains'; @SIDE
 set label 1 'five cubes on a line' at graph 0.5,1.09 center textcolor rgb '#202020'
 set label 2 'up to here simple is right' at 2,0.55 right offset -0.7,0 textcolor rgb soft
 set arrow 1 from 2,graph 0 to 2,graph 1 nohead lt 8 dt (6,4)

@@ -13,7 +13,7 @@ array what[9] = [ \
   'F6  the pair hinders itself', \
   'F7  neighbours are sought in the wrong place', \
   'F8  safer is not exact', \
-  'F9  whom D meets in figure 5.1' ]
+  'F9  the cube that D meets in figure 5.1' ]
 array says[9] = [ 'first cube at %.2g m', 'third cube at %.2g m', 'first cube at %.3g m', \
   'first cube at %.3g m', 'first cube at %.2g m', 'passes: %.0f', 'first cube at %.2g m', \
   'B collides %.0f times', 'foreseen: %.0f' ]
@@ -55,7 +55,7 @@ do for [k=1:8] {
     unset label 90; unset label 91
   }
 }
-# F9: the cubes at the start, and whom D is said to meet.
+# F9: the cubes at the start, and the one that D meets as printed and as mended.
 k = 9
 row = k - 1
 start = stem.'_start.csv'

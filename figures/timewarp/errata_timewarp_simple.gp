@@ -7,7 +7,7 @@ tall = 40 + pitch*rows
 array what[10] = [ \
   'T1  the pair collides in each turn of the loop', \
   'T2  both loops count with one counter', \
-  'T3  one is asked before the other has flown', \
+  'T3  one is tested before the other has flown', \
   'T4  the search does not know valid times', \
   'T5  only the end of the frame is tested', \
   'T6  nothing ends a train of bounces', \

@@ -14,9 +14,6 @@
 namespace tumble::structure {
 namespace {
 
-// Chapters whose numbers have not been weighed yet.
-const std::set<std::string> kNotYetWeighed = {"timewarp"};
-
 struct ExpectedNumber {
   std::size_t line;  // of expected.csv
   std::string figure;
@@ -137,8 +134,6 @@ Complaints unused_numbers(const std::vector<SourceFile>& files) {
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!ends_with(file.path, "/expected.csv")) continue;
-    const std::string folder = file.path.substr(0, file.path.rfind('/'));
-    if (kNotYetWeighed.count(folder.substr(folder.rfind('/') + 1)) > 0) continue;
     for (const ExpectedNumber& number : expected_numbers(file))
       if (!users.use(number))
         complaints.push_back(place(file, number.line) + number.figure + ", " + number.quantity +

@@ -1,10 +1,8 @@
 /// \file
-/// \brief Crowded frames told by the forms of the timewarp (claim 5.1a), and what they are held
-///         against.
-#include "timewarp/crowd_experiments.hpp"
-
+/// \brief Crowded frames under the forms of the timewarp (claim 5.1a), and their references.
 #include "tumble/dynamics/flight.hpp"
 
+#include "driver/common_numbers.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 #include "timewarp/crowd_scenes.hpp"
@@ -20,8 +18,6 @@ using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-constexpr double kFrame = 1.0 / 60.0;  // [s]
 
 bool near_to(double value, double expected, double tolerance) {
   return std::abs(value - expected) <= tolerance;
@@ -46,31 +42,31 @@ TEST_CASE("The closed form of a chain gives the three collisions of a worked exa
   CHECK(exact_story({{0.0, 1.5, 3.4}, {2.0, 0.0, -1.0}}, 0.8).size() == 2);
 }
 
-TEST_CASE("A search over all bodies tells chains as their closed form does",
+TEST_CASE("A search over all bodies finds the collisions of chains in their closed form",
           "[reference][timewarp]") {
   const auto search = search_over_all();
   int collisions = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Chain chain = random_chain(5, 8.0 / kFrame, Random(seed));
-    const std::vector<Collision> truth = exact_story(chain, kFrame);
-    const std::vector<Collision> told = story_of(*search, world_of(chain), kFrame);
-    REQUIRE(told.size() == truth.size());
-    for (std::size_t k = 0; k < told.size(); ++k) {
-      CHECK(told[k].first == truth[k].first);
+    const Chain chain = random_chain(5, 8.0 / kStep, Random(seed));
+    const std::vector<Collision> truth = exact_story(chain, kStep);
+    const std::vector<Collision> found = story_of(*search, world_of(chain), kStep);
+    REQUIRE(found.size() == truth.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CHECK(found[k].first == truth[k].first);
       // [s] each collision adds an error of a tolerance at most
-      CHECK(near_to(told[k].time, truth[k].time, 2e-8));
+      CHECK(near_to(found[k].time, truth[k].time, 2e-8));
     }
-    collisions += static_cast<int>(told.size());
+    collisions += static_cast<int>(found.size());
   }
   CHECK(collisions > 100);
 }
 
 TEST_CASE("A stirred cage has cubes apart, in other places each time, and as fast as was asked for",
           "[unit][timewarp]") {
-  StirredCage cage(8, 1.8, 3);
-  const World before = cage.with_speeds(30.0, Random(1));
-  cage.stir();
-  const World world = cage.with_speeds(30.0, Random(1));
+  World cage = stirred_cage(8, 1.8, 3);
+  const World before = with_speeds(cage, 30.0, Random(1));
+  stir(cage);
+  const World world = with_speeds(cage, 30.0, Random(1));
   double fastest = 0.0;
   double fastest_spin = 0.0;
   double moved = 0.0;
@@ -95,16 +91,15 @@ TEST_CASE("A stirred cage has cubes apart, in other places each time, and as fas
 
 TEST_CASE("On a line the simple form is right as long as no two cubes can change places",
           "[claims][timewarp]") {
-  const FigureUnderTest figure(crowd_figures(), "claim_5_1a_order", {"seeds=2", "frames=1"});
-  CHECK(figure.number("share of chains told wrong, simple, up to the bound of two edges") == 0.0);
+  const FigureUnderTest figure("claim_5_1a_order", {"seeds=2", "frames=1"});
+  CHECK(figure.number("share of wrong chains, simple, up to the bound of two edges") == 0.0);
   // [-] measured with 400 chains 0.30
-  CHECK(figure.number("share of chains told wrong, simple, at twice the bound") > 0.15);
+  CHECK(figure.number("share of wrong chains, simple, at twice the bound") > 0.15);
 }
 
-TEST_CASE(
-    "Who looks at neighbours too misses fewer collisions of crowded frames than the simple form",
-    "[claims][timewarp]") {
-  const FigureUnderTest figure(crowd_figures(), "claim_5_1a_order");
+TEST_CASE("The safer form misses fewer collisions of crowded frames than the simple one",
+          "[claims][timewarp]") {
+  const FigureUnderTest figure("claim_5_1a_order");
   // [-] measured over 24 seeds 0.53, from 0.50 to 0.56; here four seeds
   const Quantity& ratio = quantity_of(
       figure.result, "events missed or out of order, safer over simple, random crowded scenes");

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The errata T1 to T10 and F1 to F9, each with both of its numbers.
-#include "timewarp/errata_experiments.hpp"
-
 #include "driver/common_numbers.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
@@ -20,8 +18,8 @@ constexpr double kPlace = 1e-5;      // [m] what cubes with up to 5 m/s fly mean
 constexpr int kCap = 50;             // [-] that of --quick
 
 double number(const std::string& name) {
-  static const FigureUnderTest simple(errata_figures(), "errata_timewarp_simple");
-  static const FigureUnderTest safer(errata_figures(), "errata_timewarp_safer");
+  static const FigureUnderTest simple("errata_timewarp_simple");
+  static const FigureUnderTest safer("errata_timewarp_safer");
   return (name.front() == 'T' ? simple : safer).number(name);
 }
 
@@ -41,7 +39,7 @@ TEST_CASE("A collision in each turn of the loop throws a cube a metre too far",
   check_pair("T1: place of the second of two cubes", "each turn of the loop collides", 3.0,
              "both cubes fly before they collide", 2.0, kPlace);
   // The second impulse undoes the first: they fly through each other.
-  CHECK(number("T1: place of the first of two cubes, each turn collides, who parts too") ==
+  CHECK(number("T1: place of the first of two cubes, each turn collides, separating cubes too") ==
         near(1.0).margin(kPlace));
 }
 
@@ -103,8 +101,8 @@ TEST_CASE("A cube hit from both sides alike stays only if both hit it at one str
 
 TEST_CASE("The ground gets a valid time only if immovable bodies are stamped",
           "[claims][timewarp]") {
-  check_pair("T10: time up to which the ground is valid", "everybody stamped",
-             std::sqrt(2e-3 / kGravity), "only who can move", 0.0, kTime);
+  check_pair("T10: time up to which the ground is valid", "all bodies stamped",
+             std::sqrt(2e-3 / kGravity), "only movable bodies", 0.0, kTime);
 }
 
 TEST_CASE("A collision of test states is forgotten by the next line", "[claims][timewarp]") {

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Impacts nearer in time than the tolerance of the search (claim 5.1c).
-#include "timewarp/tie_experiments.hpp"
-
+#include "driver/common_numbers.hpp"
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 #include "timewarp/event_story.hpp"
@@ -17,7 +16,6 @@ using namespace tumble::chapters;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;  // [s]
 constexpr const char* kDecides =
     "share of the pairs of impacts nearer in time than the tolerance that swept volumes bring in "
     "the wrong order";
@@ -35,18 +33,18 @@ TEST_CASE("Two impacts come as far apart in time as was asked for, the left or t
       left += impacts.left_first ? 1 : 0;
       // Each alone: the other one is taken away.
       double times[2] = {0.0, 0.0};
-      for (const int who : {0, 2}) {
+      for (const int body : {0, 2}) {
         World world = impacts.world;
-        world.remove(world.ids()[static_cast<std::size_t>(2 - who)]);
+        world.remove(world.ids()[static_cast<std::size_t>(2 - body)]);
         const auto search = search_over_all(1e-11);
-        const std::vector<Collision> story = story_of(*search, world, kFrame);
+        const std::vector<Collision> story = story_of(*search, world, kStep);
         REQUIRE(!story.empty());
-        times[who / 2] = story.front().time;
+        times[body / 2] = story.front().time;
       }
       const double between = impacts.left_first ? times[1] - times[0] : times[0] - times[1];
       CHECK(std::abs(between - delay) < 2e-11);
-      CHECK(std::min(times[0], times[1]) > 0.19 * kFrame);
-      CHECK(std::max(times[0], times[1]) < 0.81 * kFrame);
+      CHECK(std::min(times[0], times[1]) > 0.19 * kStep);
+      CHECK(std::max(times[0], times[1]) < 0.81 * kStep);
     }
   }
   CHECK(left > 15);
@@ -57,7 +55,7 @@ TEST_CASE(
     "Swept volumes bring impacts nearer in time than the tolerance in the wrong order if cubes "
     "turn",
     "[claims][timewarp]") {
-  const FigureUnderTest figure(tie_figures(), "claim_5_1c_ties");
+  const FigureUnderTest figure("claim_5_1c_ties");
   // [-] measured with 8000 pairs 0.033; here 800
   CHECK(figure.number(kDecides) > 0.01);
   CHECK(figure.number(kDecides) < 0.1);
@@ -71,17 +69,17 @@ TEST_CASE(
 
 TEST_CASE("Bisection brings two impacts in one of its cells in the order of a coin tossed",
           "[reference][timewarp]") {
-  const FigureUnderTest figure(tie_figures(), "claim_5_1c_ties");
+  const FigureUnderTest figure("claim_5_1c_ties");
   const Quantity& share = quantity_of(figure.result, "the same, simple");
   // A cell of 1/60 s / 2^15 is 0.5086 of the tolerance; the share falls from a half to 0 in it.
-  const double expected = 0.25 * (kFrame / 32768.0) / 1e-6;
+  const double expected = 0.25 * (kStep / 32768.0) / 1e-6;
   CHECK(share.low < expected);
   CHECK(share.high > expected);
 }
 
 TEST_CASE("Ties that are resolved together are in no order, and hardly any is left out",
           "[claims][timewarp]") {
-  const FigureUnderTest figure(tie_figures(), "claim_5_1c_ties");
+  const FigureUnderTest figure("claim_5_1c_ties");
   CHECK(figure.number("the same, ties together") == 0.0);
   CHECK(figure.number("share of them resolved at one stroke, ties together") > 0.9);
 }
