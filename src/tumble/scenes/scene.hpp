@@ -15,7 +15,7 @@ namespace tumble {
 
 /// One box of a scene; the fields are the keys of scene files.
 struct SceneBox {
-  std::string name;                        ///< unique; empty: see checked()
+  std::string name = {};                   ///< unique; empty: see checked()
   Vec3 size = Vec3::Ones();                ///< [m] full edge lengths
   bool fixed = false;                      ///< immovable; the mass is not used
   double mass = 1.0;                       ///< [kg]
@@ -38,10 +38,10 @@ struct SceneGround {
 
 /// The start of a run.
 struct Scene {
-  std::string title;                       ///< one line
+  std::string title = {};                  ///< one line
   Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);  ///< [m/s²]
-  std::optional<SceneGround> ground;       ///< none: bodies may fall for ever
-  std::vector<SceneBox> boxes;             ///< in the order in which they get their ids
+  std::optional<SceneGround> ground = {};  ///< none: bodies may fall for ever
+  std::vector<SceneBox> boxes = {};        ///< in the order in which they get their ids
 };
 
 /// The constant part of a box.
