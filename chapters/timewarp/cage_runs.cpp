@@ -26,13 +26,6 @@ CageWork run(Technique& technique, World& world, double dt, int frames) {
   return work;
 }
 
-void multiply_velocities(World& world, double factor) {
-  for (BodyState& state : world.states()) {
-    state.linear_momentum_w *= factor;
-    state.angular_momentum_w *= factor;
-  }
-}
-
 }  // namespace
 
 TimewarpForm all_taken_back() { return {"basic", {"search=discrete"}}; }
@@ -76,7 +69,10 @@ World led_cage(const CageStretch& stretch, int seed) {
 
 SettledCage settled_cage(const World& led, const CageStretch& stretch) {
   SettledCage cage{led, led};
-  multiply_velocities(cage.before, stretch.factor);
+  for (BodyState& state : cage.before.states()) {
+    state.linear_momentum_w *= stretch.factor;
+    state.angular_momentum_w *= stretch.factor;
+  }
   cage.after = cage.before;
   run(*make_technique("timewarp_swept"), cage.after, stretch.dt, stretch.settle);
   return cage;

@@ -149,14 +149,6 @@ Quantity ratio_over_seeds(const std::string& name, std::size_t seeds,
   });
 }
 
-// A count of the safer form over that of the simple one.
-Quantity safer_over_simple(const std::string& name, std::size_t seeds,
-                           const std::function<double(std::size_t seed, std::size_t form)>& count) {
-  return ratio_over_seeds(
-      name, seeds, [&](std::size_t seed) { return count(seed, 1); },
-      [&](std::size_t seed) { return count(seed, 0); });
-}
-
 // Of the true events those that a form missed or resolved out of order, at one speed.
 Quantity share_of_events(const Frames& frames, std::size_t way, std::size_t form) {
   return ratio_over_seeds(
@@ -228,18 +220,23 @@ Result measure_crowd_order(const Parameters& settings) {
 
   Result result;
   std::vector<Quantity>& out = result.quantities;
-  out.push_back(safer_over_simple(
-      "events missed or out of order, safer over simple, random crowded scenes", seeds,
-      [&](auto seed, auto form) { return deciding(frames, seed, form).wrong(); }));
-  out.push_back(safer_over_simple("the same, missed only", seeds, [&](auto seed, auto form) {
+  const auto safer_over_simple = [&](const std::string& name, const auto& count) {
+    out.push_back(ratio_over_seeds(
+        name, seeds, [&](std::size_t seed) { return count(seed, 1); },
+        [&](std::size_t seed) { return count(seed, 0); }));
+  };
+  safer_over_simple(
+      "events missed or out of order, safer over simple, random crowded scenes",
+      [&](std::size_t seed, std::size_t form) { return deciding(frames, seed, form).wrong(); });
+  safer_over_simple("the same, missed only", [&](std::size_t seed, std::size_t form) {
     return deciding(frames, seed, form).missed;
-  }));
-  out.push_back(safer_over_simple("the same, out of order only", seeds, [&](auto seed, auto form) {
+  });
+  safer_over_simple("the same, out of order only", [&](std::size_t seed, std::size_t form) {
     return deciding(frames, seed, form).misordered;
-  }));
-  out.push_back(safer_over_simple("the same, denser and faster", seeds, [&](auto seed, auto form) {
+  });
+  safer_over_simple("the same, denser and faster", [&](std::size_t seed, std::size_t form) {
     return seed % kRooms.size() == 0 ? frames[seed][kFastest][form].wrong() : 0.0;
-  }));
+  });
   const StoryForms half = of_way(frames, 1);
   out.push_back(half[0].share_of_frames("share of wrong frames, simple, at half an edge"));
   out.push_back(half[1].share_of_frames("share of wrong frames, safer, at half an edge"));

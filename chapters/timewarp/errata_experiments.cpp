@@ -145,20 +145,9 @@ void add_order_errata(ErrataBench& bench) {
   bench.result.tables.push_back(stamps);
 }
 
-Result measure_simple_errata(const Parameters& settings) {
-  ErrataBench bench(TimewarpListing::simple, settings.count("cap"));
-  add_loop_errata(bench);
-  add_row_errata(bench);
-  add_progress_errata(bench);
-  add_flow_erratum(bench);
-  add_order_errata(bench);
-  return bench.result;
-}
-
-const Registered errata_timewarp_simple_figure{{.name = "errata_timewarp_simple",
-                                                .parameters = errata_settings(),
-                                                .quick = {"cap=50"},
-                                                .experiment = measure_simple_errata}};
+const Registered errata_timewarp_simple_figure(errata_figure(
+    "errata_timewarp_simple", TimewarpListing::simple,
+    {add_loop_errata, add_row_errata, add_progress_errata, add_flow_erratum, add_order_errata}));
 
 }  // namespace
 }  // namespace tumble::chapters

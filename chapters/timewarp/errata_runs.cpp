@@ -31,19 +31,6 @@ class WayWatcher : public Observer {
   FrameRun& run_;
 };
 
-StepReport run_into(Technique& technique, const World& world, double dt, FrameRun& run) {
-  run.world = world;
-  WayWatcher watcher(run.world, run);
-  technique.observe(&watcher);
-  const StepReport report = technique.step(run.world, dt);
-  technique.observe(nullptr);
-  for (std::size_t body = 0; body < run.ways.size(); ++body) {
-    watcher.note(body, dt, false);
-    run.places.push_back(run.ways[body].back().place);
-  }
-  return report;
-}
-
 }  // namespace
 
 World line_world(const std::string& boxes, const std::string& restitution) {
@@ -60,23 +47,38 @@ World world_with_falling_cube(double height, double restitution) {
 
 FrameRun run_frame(Technique& technique, const World& world, double dt) {
   FrameRun run;
-  run_into(technique, world, dt, run);
+  run.world = world;
+  WayWatcher watcher(run.world, run);
+  technique.observe(&watcher);
+  technique.step(run.world, dt);
+  technique.observe(nullptr);
+  for (std::size_t body = 0; body < run.ways.size(); ++body) {
+    watcher.note(body, dt, false);
+    run.places.push_back(run.ways[body].back().place);
+  }
   return run;
 }
 
 PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& world, double dt) {
   TimewarpAsPrinted technique(options);
-  PrintedRun run;
-  const StepReport report = run_into(technique, world, dt, run);
-  run.passes = technique.passes();
-  run.capped = report.status == StepStatus::event_cap;
-  run.valid_times.assign(technique.valid_times().begin(), technique.valid_times().end());
-  return run;
+  return {run_frame(technique, world, dt),
+          static_cast<double>(technique.passes()),
+          {technique.valid_times().begin(), technique.valid_times().end()}};
 }
 
-Parameters errata_settings() {
-  return Parameters{}.add_whole("cap", 1000, 1, 1000000,
-                                "passes of the main loop after which an endless run is left");
+Figure errata_figure(const std::string& name, TimewarpListing listing,
+                     const std::vector<void (*)(ErrataBench&)>& parts) {
+  const auto measure = [listing, parts](const Parameters& settings) {
+    ErrataBench bench(listing, settings.count("cap"));
+    for (const auto part : parts) part(bench);
+    return bench.result;
+  };
+  return {
+      .name = name,
+      .parameters = Parameters{}.add_whole(
+          "cap", 1000, 1, 1000000, "passes of the main loop after which an endless run is left"),
+      .quick = {"cap=50"},
+      .experiment = measure};
 }
 
 ErrataBench::ErrataBench(TimewarpListing listing, int cap) : listing_(listing), cap_(cap) {

@@ -33,7 +33,6 @@ struct FrameRun {
 /// A frame of a listing as printed.
 struct PrintedRun : FrameRun {
   double passes = 0.0;              ///< [-] of the main loop
-  bool capped = false;              ///< it was given up
   std::vector<double> valid_times;  ///< [s] by index, as the main loop leaves them
 };
 
@@ -110,8 +109,12 @@ class ErrataBench {
 [[nodiscard]] PrintedRun run_printed(const TimewarpAsPrintedOptions& options, const World& world,
                                      double dt = kLineFrame);
 
-/// The parameters of both figures.
-/// \return cap
-[[nodiscard]] Parameters errata_settings();
+/// The figure of a listing.
+/// \param name     of it
+/// \param listing  which
+/// \param parts    each adds some errata
+/// \return it, with the parameter `cap`
+[[nodiscard]] Figure errata_figure(const std::string& name, TimewarpListing listing,
+                                   const std::vector<void (*)(ErrataBench&)>& parts);
 
 }  // namespace tumble::chapters

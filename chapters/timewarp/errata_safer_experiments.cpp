@@ -115,18 +115,8 @@ void add_figure_errata(ErrataBench& bench) {
   bench.result.tables.push_back(start);
 }
 
-Result measure_safer_errata(const Parameters& settings) {
-  ErrataBench bench(TimewarpListing::safer, settings.count("cap"));
-  add_states(bench);
-  add_group(bench);
-  add_figure_errata(bench);
-  return bench.result;
-}
-
-const Registered errata_timewarp_safer_figure{{.name = "errata_timewarp_safer",
-                                               .parameters = errata_settings(),
-                                               .quick = {"cap=50"},
-                                               .experiment = measure_safer_errata}};
+const Registered errata_timewarp_safer_figure(errata_figure(
+    "errata_timewarp_safer", TimewarpListing::safer, {add_states, add_group, add_figure_errata}));
 
 }  // namespace
 }  // namespace tumble::chapters

@@ -140,13 +140,15 @@ Result measure_queue_at_work(const Parameters& settings) {
   std::size_t longest = 0;
   std::size_t put_in_front = 0;
   std::set<std::tuple<int, int, double>> seen;
-  std::size_t resolved = 0;
+  std::vector<Quantity> times;  // of collisions that are resolved
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const Moment& moment = moments[k];
     const std::size_t panel = k + 1;
     longest = std::max(longest, moment.foreseen.size());
     if (moment.goes_back) ++put_in_front;
-    if (moment.taken && !moment.goes_back) ++resolved;
+    if (moment.taken && !moment.goes_back)
+      times.push_back(
+          {"time of collision " + std::to_string(times.size() + 1), "s", moment.taken->time});
     for (const ForeseenCollision& foreseen : moment.foreseen) {
       const auto [first, second] = foreseen.pair;
       seen.emplace(first, second, foreseen.time);
@@ -170,10 +172,10 @@ Result measure_queue_at_work(const Parameters& settings) {
     throw std::runtime_error("a collision went back more than once");
 
   std::vector<Quantity> quantities = {
-      {"collisions resolved", "-", resolved},
+      {"collisions resolved", "-", times.size()},
       {"collisions put in front because a neighbour was looked at", "-", put_in_front},
       {"longest queue", "-", longest},
-      {"collisions foreseen that never came", "-", seen.size() - resolved}};
+      {"collisions foreseen that never came", "-", seen.size() - times.size()}};
   constexpr int steps = 1000;
   const std::vector<Collision> reference =
       story_of(*search_over_all(), start, frame / steps, steps);
@@ -184,11 +186,7 @@ Result measure_queue_at_work(const Parameters& settings) {
     quantities.push_back({"collisions out of place, " + form, "-",
                           std::count(difference.wrong.begin(), difference.wrong.end(), 1)});
   }
-  int number = 0;
-  for (const Moment& moment : moments)
-    if (moment.taken && !moment.goes_back)
-      quantities.push_back(
-          {"time of collision " + std::to_string(++number), "s", moment.taken->time});
+  quantities.insert(quantities.end(), times.begin(), times.end());
   return {{queue, ways, dots}, quantities, {{"words", words_of(moments)}}};
 }
 

@@ -30,7 +30,7 @@ double flights(const Works& works, int left_out = -1) {
   return per_frame(works, &CageWork::integrations, left_out);
 }
 
-double collisions(const Costs& costs, int left_out) {
+double collisions(const Costs& costs, int left_out = -1) {
   return per_frame(costs.never, &CageWork::events, left_out);
 }
 
@@ -103,7 +103,7 @@ Table table_by_rate(const std::vector<Costs>& list, int seeds) {
                {"low", "-", "lower end of its interval of 95 %"},
                {"high", "-", "upper end of it"}}};
   for (const Costs& costs : list)
-    table.add(costs.stretch.count, costs.stretch.factor, collisions(costs, -1),
+    table.add(costs.stretch.count, costs.stretch.factor, collisions(costs),
               with_interval(
                   over_seeds("", "-", seeds, [&](int left_out) { return lost(costs, left_out); })));
   return table;
@@ -126,7 +126,6 @@ Result measure_synchronising(const Parameters& settings) {
   add("the same, the smaller cage", "-", [&](int k) { return lost(few[0], k); });
   add("the same, the smaller cage at a sixteenth of the speeds", "-",
       [&](int k) { return lost(few[1], k); });
-  add("collisions in a frame, the larger cage", "-", [&](int k) { return collisions(costs, k); });
   add("collisions in a frame, the smaller cage", "-", [&](int k) { return collisions(few[0], k); });
   add("collisions in a frame, the smaller cage at a sixteenth of the speeds", "-",
       [&](int k) { return collisions(few[1], k); });
