@@ -239,7 +239,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height after
   while (bounces < 4 && world.time() < 5.0) {
     booked += technique->step(world, dt).energy.total();
     const double v = world.body("cube").velocity_w().y();
-    const double height = state_of(world, "cube").position_w.y() - 0.5;
+    const double height = world.body("cube").state().position_w.y() - 0.5;
     highest = std::max(highest, before > 0.0 ? height : 0.0);
     if (before > 0.0 && v <= 0.0) {
       // [m] v²/(2g): v is off by g h for the moment of the impact, twice.
@@ -256,7 +256,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height after
   CHECK(std::abs(energy_of(world).total() - energy - booked) < 1e-3 * kGravity);
   run(world, *technique, 3.0, dt);
   CHECK(fastest_of(world) < 1e-6);
-  CHECK(state_of(world, "cube").position_w.y() == near(0.5).margin(1e-4));
+  CHECK(world.body("cube").state().position_w.y() == near(0.5).margin(1e-4));
 }
 
 TEST_CASE(
