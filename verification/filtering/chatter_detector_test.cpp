@@ -224,7 +224,7 @@ TEST_CASE("A film that is turned, larger and slower is told with the same number
   };
   const ChatterDetector one = Film().shown(noisy(1.0, 0.0));
   const MotionHistory expected = *one.history(BodyId{0});
-  REQUIRE(one.clearness(BodyId{0}) > 0.0);
+  REQUIRE(one.swing_ratio(BodyId{0}) > 0.0);
   for (const double scale : {0.01, 1.0, 100.0})
     for (const double yaw : {0.0, 0.7, 2.9}) {
       Film film;

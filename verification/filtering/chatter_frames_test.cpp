@@ -74,7 +74,7 @@ TEST_CASE("A detector sees 60 frames a second between steps of any length", "[ex
     }
   detector.add(world, std::vector<char>{1});
   const MotionHistory history = *detector.history(BodyId{0});
-  CHECK(history.way == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
+  CHECK(history.displacement == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
   CHECK(history.path == near(0.1).margin(1e-13));
 }
 

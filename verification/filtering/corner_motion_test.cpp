@@ -174,6 +174,6 @@ TEST_CASE("The way between two poses is that of the corner that goes farthest",
   const Corners from = corners_of(box_of(brick(), turned_by(0.0)));
   const Corners to = corners_of(box_of(brick(), turned_by(0.1)));
   const double r = 0.5 * std::sqrt(1.0 + 0.4 * 0.4);
-  CHECK(largest_way(from, to) == near(2.0 * r * elementary::sin(0.05)).margin(1e-15));
-  CHECK(largest_way(from, from) == 0.0);
+  CHECK(largest_displacement(from, to) == near(2.0 * r * elementary::sin(0.05)).margin(1e-15));
+  CHECK(largest_displacement(from, from) == 0.0);
 }

@@ -86,13 +86,13 @@ TEST_CASE("Features of simple motions are what they should be", "[exact][filteri
     zigzag.push_back(k % 2 == 0 ? 0.0 : 0.01);
   }
   const MotionHistory goes = history_of(places_of(steady));
-  CHECK(goes.way == near(0.3).margin(margin));
+  CHECK(goes.displacement == near(0.3).margin(margin));
   CHECK(goes.path == near(0.3).margin(margin));
   CHECK(goes.drift == near(0.3).margin(margin));
   CHECK(goes.excursion == near(0.3).margin(margin));
   CHECK(swing_of(places_of(steady), 1) == near(0.0).margin(margin));
   const MotionHistory shakes = history_of(places_of(zigzag));
-  CHECK(shakes.way == near(0.0).margin(margin));
+  CHECK(shakes.displacement == near(0.0).margin(margin));
   CHECK(shakes.path == near(0.3).margin(margin));
   CHECK(shakes.drift == near(0.0).margin(margin));  // even about the middle
   CHECK(shakes.excursion == near(0.01).margin(margin));
