@@ -202,7 +202,7 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
   for (const StableRule rule : {StableRule::corners, StableRule::hull}) {
     stability.run(pile.world, pile.contacts, rule, 0.02, stable);
     const auto verdict = [&](int body) { return stability.verdict(pile.world, body); };
-    const auto words = [&](int body) { return told(pile.world, pile.contacts, verdict(body)); };
+    const auto words = [&](int body) { return explanation(pile.world, pile.contacts, verdict(body)); };
     const auto pair_of = [&](int body) {
       const Contact& contact = pile.contacts[static_cast<std::size_t>(verdict(body).contact)];
       return std::vector<int>{contact.first, contact.second};
@@ -211,14 +211,14 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
       CHECK(verdict(body).stable() == (stable[static_cast<std::size_t>(body)] != 0));
     CHECK(verdict(0).reason == StabilityReason::immovable);
     CHECK(words(0) == "immovable");
-    CHECK(verdict(firm).reason == StabilityReason::carried);
-    CHECK(words(firm) == "whatever is put on it is carried");
+    CHECK(verdict(firm).reason == StabilityReason::supported);
+    CHECK(words(firm) == "supports any load");
     CHECK(verdict(rising).reason == StabilityReason::moving);
-    CHECK(words(rising) == "goes up, sinks or tips");
+    CHECK(words(rising) == "rises, sinks or tips");
     for (const int body : {beside, neighbour}) {
       CHECK(verdict(body).reason == StabilityReason::side_contact);
       CHECK(pair_of(body) == std::vector<int>{beside, neighbour});
-      CHECK(words(body) == "the contact of box2 and box3 is not below or above");
+      CHECK(words(body) == "the contact of box2 and box3 is not vertical");
     }
     CHECK(verdict(on_it).reason == StabilityReason::unstable_support);
     CHECK(pair_of(on_it) == std::vector<int>{beside, on_it});
@@ -226,7 +226,7 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
     // Of the three corners that hang over, the one that does so by most.
     CHECK(verdict(over).reason == StabilityReason::corner);
     CHECK(verdict(over).corner_xz == Vec2(0.75, 0.625));
-    CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not carried");
+    CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not supported");
   }
   CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Catch::Matchers::Contains("99"));
 }
@@ -287,7 +287,7 @@ TEST_CASE(
     std::vector<char> stable;
     stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
     CHECK((stable[1] != 0) ==
-          (stability.verdict(pile.world, 1).reason == StabilityReason::carried));
+          (stability.verdict(pile.world, 1).reason == StabilityReason::supported));
     return stable[1] != 0;
   };
   const double none = std::numeric_limits<double>::infinity();

@@ -136,12 +136,12 @@ TEST_CASE("A box on two ridges presses on them by the law of the lever",
     const BalanceReport& report = equilibrium.solve(pile.world, task);
     CHECK(report.balanced);
     CHECK(report.unknowns == 8);
-    REQUIRE(equilibrium.pushes_w().size() == 8);
+    REQUIRE(equilibrium.forces_w().size() == 8);
     double left = 0.0;
     Vec3 sum_w = Vec3::Zero();
     for (std::size_t p = 0; p < 8; ++p) {
-      sum_w += equilibrium.pushes_w()[p];
-      if (p < 4) left += equilibrium.pushes_w()[p].y();
+      sum_w += equilibrium.forces_w()[p];
+      if (p < 4) left += equilibrium.forces_w()[p].y();
     }
     const double weight = 3.0 * kGravity;
     CHECK((sum_w - Vec3(0.0, weight, 0.0)).norm() < 1e-12 * weight);
@@ -195,7 +195,7 @@ TEST_CASE("What is left over proves that nothing can hold the bodies",
     for (const Contact& contact : pile.contacts)
       for (int p = 0; p < contact.count; ++p, ++push) {
         const double leaves = parting(pile, equilibrium, contact, contact.points[at(p)].position_w);
-        const Vec3& force_w = equilibrium.pushes_w()[push];
+        const Vec3& force_w = equilibrium.forces_w()[push];
         resisted = std::min(resisted, leaves);
         CHECK(force_w.dot(contact.normal_w) >= 0.0);
         // A contact that pushes does not part: what pushes and parts alike is rounding.
@@ -231,8 +231,8 @@ TEST_CASE("Forces of a balance hold every weight and every moment",
         for (const auto& [body, sign] : {std::pair(contact.second, 1.0), {contact.first, -1.0}}) {
           const Vec3 arm_w =
               contact.points[at(p)].position_w - pile.world.states()[at(body)].position_w;
-          force_w[at(body)] += sign * equilibrium.pushes_w()[push];
-          torque_w[at(body)] += sign * arm_w.cross(equilibrium.pushes_w()[push]);
+          force_w[at(body)] += sign * equilibrium.forces_w()[push];
+          torque_w[at(body)] += sign * arm_w.cross(equilibrium.forces_w()[push]);
         }
     for (int b = 0; b < pile.world.count(); ++b) {
       const double mass = pile.world.bodies()[at(b)].mass;
@@ -305,13 +305,13 @@ TEST_CASE("Of friction only rough contacts have unknowns, and its forces hold th
   const BalanceReport& report = equilibrium.solve(plank.world, task);
   CHECK(report.balanced);
   CHECK(report.unknowns == 2 + 2 * 8);  // two points on the smooth wall, two on the ground
-  REQUIRE(equilibrium.pushes_w().size() == 4);
+  REQUIRE(equilibrium.forces_w().size() == 4);
   Vec3 sum_w = Vec3::Zero();
   double across = 0.0;  // [N] of the ground, along x
   std::size_t push = 0;
   for (const Contact& contact : plank.contacts)
     for (int p = 0; p < contact.count; ++p, ++push) {
-      const Vec3& force_w = equilibrium.pushes_w()[push];
+      const Vec3& force_w = equilibrium.forces_w()[push];
       sum_w += contact.second == 2 ? force_w : Vec3(-force_w);  // on the plank
       const double normal = force_w.dot(contact.normal_w);
       if (contact.first == 0) across += force_w.x();

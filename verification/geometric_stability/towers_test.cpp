@@ -33,7 +33,7 @@ struct Pile : test::Pile {
   bool stands() {
     const Towers found = towers();
     for (int b = 0; b < world.count(); ++b)
-      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::carried)
+      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::supported)
         return false;
     return true;
   }
@@ -125,8 +125,8 @@ TEST_CASE("A tower stands as long as the centre of what is above is over each su
         if (!above_stands) {
           CHECK(towers.states()[at(b)] == TowerState::none);  // nothing is known
         } else if (inside > 1e-6) {
-          CHECK(towers.states()[at(b)] == TowerState::carried);
-          CHECK(towers.carriers()[at(b)] == b - 1);
+          CHECK(towers.states()[at(b)] == TowerState::supported);
+          CHECK(towers.supports()[at(b)] == b - 1);
           CHECK(towers.loads()[at(b)].mass == near(mass).margin(1e-12 * mass));
           CHECK((towers.loads()[at(b)].centre_w() - centre_w).norm() < 1e-12 * top);
         } else if (inside < -1e-6) {
@@ -174,10 +174,10 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   const int on_alone = pile.add(Vec3(4.9, 1.5, 0.2));
   const Towers towers = pile.towers();
   const auto state = [&](int b) { return towers.states()[at(b)]; };
-  CHECK(state(on_top) == TowerState::carried);
-  CHECK(towers.carriers()[at(on_top)] == across);
+  CHECK(state(on_top) == TowerState::supported);
+  CHECK(towers.supports()[at(on_top)] == across);
   CHECK(state(across) == TowerState::none);
-  CHECK(towers.carriers()[at(across)] == -1);
+  CHECK(towers.supports()[at(across)] == -1);
   // What is under a box that is no tower has not got all its loads.
   CHECK(state(left) == TowerState::none);
   CHECK(state(right) == TowerState::none);
@@ -185,7 +185,7 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   // Side by side: both may be pushed aside. What stands on one of them is still its load.
   CHECK(state(alone) == TowerState::none);
   CHECK(state(touches) == TowerState::none);
-  CHECK(state(on_alone) == TowerState::carried);
+  CHECK(state(on_alone) == TowerState::supported);
   CHECK(towers.loads()[at(alone)].mass == near(2.0).margin(1e-15));
 }
 
@@ -198,9 +198,9 @@ TEST_CASE("A body that is held counts for the ground: it is no load",
   const std::vector<char> held = {0, 1, 0};
   const Towers towers = pile.towers(held);
   CHECK(towers.states()[at(low)] == TowerState::none);
-  CHECK(towers.carriers()[at(low)] == -1);
-  CHECK(towers.states()[at(high)] == TowerState::carried);
-  CHECK(towers.carriers()[at(high)] == low);
+  CHECK(towers.supports()[at(low)] == -1);
+  CHECK(towers.states()[at(high)] == TowerState::supported);
+  CHECK(towers.supports()[at(high)] == low);
   CHECK(towers.loads()[0].mass == 0.0);
 }
 
