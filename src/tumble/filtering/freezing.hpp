@@ -63,7 +63,7 @@ class CalmBodies {
 /// \par Cost
 /// A step of the detector for each body, asleep or not; a classification for each that is not calm.
 /// \algorithm{Chatter detected from earlier steps: section 6.3.1}
-/// \verified{A heap that only chatters falls asleep if chatter is detected from history, and not otherwise}
+/// \verified{An island that only chatters falls asleep if chatter is detected from history, and not otherwise}
 class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.

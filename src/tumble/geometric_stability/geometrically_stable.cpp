@@ -161,7 +161,7 @@ bool GeometricStability::covered(const World& world, int body) {
 StabilityVerdict GeometricStability::verdict(const World& world, int body) {
   require::that(
       body >= 0 && at(body) < stable_.size(),
-      "body " + std::to_string(body) + ": run() has looked at " + std::to_string(stable_.size()));
+      "body " + std::to_string(body) + ": the last run() had " + std::to_string(stable_.size()));
   if (!world.bodies()[at(body)].movable()) return {StabilityReason::immovable};
   if (stable_[at(body)] != 0) return {StabilityReason::supported};
   const int veto = vetoes_[at(body)];

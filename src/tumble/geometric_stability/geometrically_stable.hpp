@@ -91,7 +91,7 @@ std::string explanation(const World& world, std::span<const Contact> contacts,
 /// are found. The result does not depend on the order of contacts. No allocation once warm.
 /// \algorithm{SETGEOMETRICALLYSTABLE: section 5.4 and appendix A.2}
 /// \deviation{Vetoes come first and hold for both bodies; immovable bodies keep their mark; comparisons have tolerances.}
-/// \verified{Which bodies stand firm does not depend on the order of contacts}
+/// \verified{The set of stable bodies does not depend on the order of contacts}
 class GeometricStability {
  public:
   /// The outline of a body as seen from above: its corners [m], x and z, in any order.

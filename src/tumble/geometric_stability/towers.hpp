@@ -45,7 +45,7 @@ struct TowerLoad {
 /// \par Cost and determinism
 /// O(points of contact), each visited twice. The result does not depend on any order.
 /// \algorithm{A stack as one heavier block: section 6.3.1}
-/// \verified{A tower stands as long as the centre of what is above is over each support}
+/// \verified{A tower stands as long as the centre of the load is above each support}
 class Towers {
  public:
   /// Finds towers.

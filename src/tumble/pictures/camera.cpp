@@ -60,7 +60,7 @@ Vec2 Projection::operator()(const Vec3& point_w) const {
 
 Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, double width,
                   double height, double air) {
-  require::that(!points_w.empty(), "no points: give what is to be seen");
+  require::that(!points_w.empty(), "no points: expected at least two");
   require::finite(direction_w, "direction_w");
   require::within(air, 0.0, 0.4, "air");
   Camera camera;

@@ -15,7 +15,7 @@ namespace tumble {
 /// \param colour  0xRRGGBB
 /// \return the strokes
 /// \throws std::invalid_argument naming an unknown letter
-/// \verified{Each digit has strokes of its own and a sign that there is not is refused}
+/// \verified{Each digit has its own strokes, and an unknown character is refused}
 PictureArea lettering(std::string_view text, const Vec2& corner, double height,
                       std::uint32_t colour);
 

@@ -20,7 +20,7 @@ struct Raster {
 /// \param picture  the areas; a size above 0, rounded down to whole pixels
 /// \return its pixels, on white
 /// \throws std::invalid_argument for a size outside 1 to 10000 pixels
-/// \verified{A pixel that an area covers by a part is mixed by that part}
+/// \verified{A partly covered pixel is blended by the covered share}
 /// \par Cost
 /// The pixels that areas cover: about 10 ms for a pyramid of 55 boxes at 480 x 320.
 Raster rasterised(const Picture& picture);

@@ -40,7 +40,7 @@ inline bool operator<(const ForeseenCollision& a, const ForeseenCollision& b) {
 /// O(log n) to insert or to remove the first, O(1) to invalidate a body. The result does not depend on
 /// the order of insertion. No allocation once warm.
 /// \algorithm{The queue of collisions: appendix A.1}
-/// \verified{The queue gives the earliest collision and forgets those of a body}
+/// \verified{The queue yields the earliest collision and drops those of a body}
 class CollisionHeap {
  public:
   /// Empties the queue.

@@ -43,7 +43,7 @@ namespace tumble {
 /// As TimewarpSimple and TimewarpSafer, but each body of a collision costs n bounds. Allocates.
 /// \algorithm{Timewarp as printed: appendix A.1}
 /// \deviation{The main loop is capped.}
-/// \verified{With all misprints mended the printed timewarps tell the story of the forms as meant to the last bit}
+/// \verified{With all misprints mended the printed timewarps give the collisions of the forms as meant to the last bit}
 /// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
 class TimewarpAsPrinted final : public Technique {
  public:
