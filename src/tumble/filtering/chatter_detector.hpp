@@ -56,7 +56,7 @@ struct ChatterDetectorOptions {
 ///
 /// Each body is classified on its own and by its id, independent of other bodies and of their order.
 /// \par Frames
-/// At multiples of 1/`frame_rate`, whatever the steps are: poses between two steps are interpolated
+/// At multiples of 1/`frame_rate`, independent of the steps: poses between two steps are interpolated
 /// linearly, as in ChatterMeter. A body is in contact in a frame if it is in any step since the frame
 /// before, so that the classification of hopping does not depend on the step.
 /// \par Cost

@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-/// Frames at multiples of a fixed time, whatever the time step is.
+/// Frames at multiples of a fixed time, independent of the time step.
 ///
 /// Frame n is at time n over the rate. A step shows it even if it ends before it by up to
 /// tolerance::frame_slack of a frame. Poses between two steps are interpolated linearly.

@@ -33,7 +33,7 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
   outlines_.assign(outlines.begin(), outlines.end());
   rule_ = rule;
   // [SETGEOMETRICALLYSTABLE:1-5]
-  // A body of infinite mass is stable, whatever touches it.
+  // A body of infinite mass is always stable.
   stable.resize(objects.size());
   for (std::size_t o = 0; o < objects.size(); ++o) stable[o] = objects[o].movable() ? 0 : 1;
   // [SETGEOMETRICALLYSTABLE:1-5]

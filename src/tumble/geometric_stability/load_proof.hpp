@@ -37,7 +37,7 @@ class LoadProof {
  public:
   /// Finds the set.
   /// \param world     the bodies where they are
-  /// \param contacts  what touches
+  /// \param contacts  their contacts
   /// \param stable    out: one for each body index, 1 if it is immovable or a member
   void run(const World& world, std::span<const Contact> contacts, std::vector<char>& stable);
 

@@ -25,11 +25,11 @@ bool ContactStage::count(const IndexPair& pair, double separation_speed, double 
   // The time between bounces is 2 v / g.
   const bool at_once = 2.0 * separation_speed <= gravity * rule_.resolution;
   if (!at_once && record.events < rule_.pair_events) return false;
-  leave(pair);
+  defer(pair);
   return true;
 }
 
-void ContactStage::leave(const IndexPair& pair) {
+void ContactStage::defer(const IndexPair& pair) {
   Record& record = record_of(pair);
   if (record.held) return;
   record.held = true;

@@ -55,7 +55,7 @@ class ContactStage {
 
   /// Puts a pair into the stage.
   /// \param pair  two indices
-  void leave(const IndexPair& pair);
+  void defer(const IndexPair& pair);
 
   /// Whether a pair is in the stage.
   /// \param pair  two indices

@@ -117,7 +117,7 @@ std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, doub
                                   : advance_to_collision(all, pair, start, end, how);
   report.pair_tests += found.evaluations;
   report.searches += found.evaluations;
-  if (found.status == CollisionStatus::cap_reached) stage_.leave(pair);
+  if (found.status == CollisionStatus::cap_reached) stage_.defer(pair);
   if (found.status != CollisionStatus::found) return std::nullopt;
   return found.time;
 }

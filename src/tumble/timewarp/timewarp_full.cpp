@@ -198,7 +198,7 @@ std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int
 // [S2.4.3:collide]
 // The other body is rolled back to the time of the collision. Then both are at that time, and collide.
 void TimewarpFull::collide(int body, const Meeting& meeting) {
-  take_back(meeting.other, meeting.time, false);
+  roll_back(meeting.other, meeting.time, false);
   Resolved collision;
   collision.number = next_number_++;
   collision.time = meeting.time;

@@ -45,7 +45,7 @@ void describe(TimewarpFullOptions& o, Visitor& v) {
 /// Rollbacks of a full timewarp, in all steps so far.
 struct TimewarpWork {
   std::int64_t cancelled = 0;        ///< collisions that were resolved and undone
-  std::int64_t taken_back = 0;       ///< bodies rolled back
+  std::int64_t rolled_back = 0;      ///< bodies rolled back
   std::int64_t most_milestones = 0;  ///< kept at one time, of all bodies together
 };
 
@@ -76,7 +76,7 @@ struct TimewarpWork {
 /// A flight: n comparisons of bounds and a search for each near body. A collision: two flights more,
 /// and the rollback; a resting pair costs a scan of all resting pairs.
 /// \algorithm{Mirtich's timewarp: section 2.4.3}
-/// \deviation{Bodies that stay in contact are left to the end of the frame, where the paper flies contact groups together.}
+/// \deviation{Bodies in lasting contact are deferred to the end of the frame, where the paper flies contact groups together.}
 /// \see Mirtich, "Timewarp rigid body simulation", SIGGRAPH 2000; Jefferson, "Virtual time", ACM
 ///      Trans. Program. Lang. Syst. 7, 1985.
 /// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
@@ -151,7 +151,7 @@ class TimewarpFull final : public Technique {
   // timewarp_history.cpp: rollback, and the end of a step.
   void begin_anew(int body, double time, const BodyState& state);
   void wait_for_turn(int body);
-  void take_back(int body, double time, bool also_at_it);
+  void roll_back(int body, double time, bool also_at_it);
   void undo(std::int64_t number);
   Resolved& resolved(std::int64_t number);
   void drop_holds_of(int body);

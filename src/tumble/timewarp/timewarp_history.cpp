@@ -32,7 +32,7 @@ bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].
 // Starts a new history; bodies that have collided with this one since that time are rolled back.
 void TimewarpFull::begin_anew(int body, double time, const BodyState& state) {
   BodyHistory& history = histories_[at(body)];
-  if (!history.milestones().empty()) take_back(body, time, true);
+  if (!history.milestones().empty()) roll_back(body, time, true);
   history.begin(milestone(body, time, state, Milestone::kNoCollision));
   if (!movable(body)) history.end_at(std::numeric_limits<double>::infinity());
   history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
@@ -48,7 +48,7 @@ void TimewarpFull::wait_for_turn(int body) {
 // [S2.4.3:take_back]
 // Rolls a body back. Each collision of its future is cancelled; the partner goes back to just before
 // it, which may cancel others, and so on.
-void TimewarpFull::take_back(int body, double time, bool also_at_it) {
+void TimewarpFull::roll_back(int body, double time, bool also_at_it) {
   if (!movable(body)) return;
   BodyHistory& history = histories_[at(body)];
   const auto undone = [&](double when) { return also_at_it ? when >= time : when > time; };
@@ -59,7 +59,7 @@ void TimewarpFull::take_back(int body, double time, bool also_at_it) {
   if (history.known_until() > time) {
     // Ends of frames that are computed in different ways differ by rounding.
     if (history.known_until() - time > options_.resolution) {
-      ++work_.taken_back;
+      ++work_.rolled_back;
       ++report_.rewinds;
     }
     history.end_at(time);
@@ -93,7 +93,7 @@ void TimewarpFull::undo(std::int64_t number) {
     history.end_at(std::min(history.known_until(), collision.time));
     drop_holds_of(body);
     history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
-    ++work_.taken_back;
+    ++work_.rolled_back;
     ++report_.rewinds;
     wait_for_turn(body);
   }

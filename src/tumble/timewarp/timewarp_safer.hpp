@@ -20,8 +20,8 @@ namespace tumble {
 /// That of TimewarpSimple, and for each collision two flights for every near body and a test for every
 /// pair of them.
 /// \algorithm{SAFERSYNCTIMEWARP: section 5.1 and appendix A.1}
-/// \deviation{Pairs that rest on one another are left to the end of the frame, since the listing would not come to its end.}
-/// \deviation{Immovable bodies are not stamped, and what was foreseen with them is kept.}
+/// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
+/// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{A body that flies past keeps its time and its place}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
 class TimewarpSafer final : public SynchronisedTimewarp {

@@ -23,8 +23,8 @@ namespace tumble {
 /// A frame: n flights and a broad phase. A collision: 4 flights, n comparisons of bounds, and a search
 /// for each near pair.
 /// \algorithm{SIMPLESYNCTIMEWARP: section 5.1 and appendix A.1}
-/// \deviation{Pairs that rest on one another are left to the end of the frame, since the listing would not come to its end.}
-/// \deviation{Immovable bodies are not stamped, and what was foreseen with them is kept.}
+/// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
+/// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{Three boxes on a line collide at the times of the closed form}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
 class TimewarpSimple final : public SynchronisedTimewarp {

@@ -150,7 +150,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
                                            : bisect_collision(all, pair, {start, end}, how);
   report.pair_tests += found.evaluations;
   report.searches += found.evaluations;
-  if (found.status == CollisionStatus::cap_reached && mended_.contact_stage) stage_.leave(pair);
+  if (found.status == CollisionStatus::cap_reached && mended_.contact_stage) stage_.defer(pair);
   if (found.status != CollisionStatus::found) return std::nullopt;
   return mended_.apart ? found.time : found.overlap_time;
 }
