@@ -125,7 +125,7 @@ double path_over_way(const ChatterDetector& detector, BodyId id, double edge, do
       history->path > detector.options().speed * std::sqrt(gravity * edge) * frames * kStep)
     return 0.0;
   return history->displacement > 0.0 ? history->path / history->displacement
-                            : std::numeric_limits<double>::infinity();
+                                     : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
