@@ -91,7 +91,7 @@ class Levels {
     else if (!gravity_is_down(world))
       line.why = "gravity does not act straight down";
     else
-      line.why = told(world, start_.contacts, geometric_.verdict(world, body));
+      line.why = explanation(world, start_.contacts, geometric_.verdict(world, body));
     return line;
   }
 
@@ -99,7 +99,7 @@ class Levels {
   [[nodiscard]] std::string thesis_level() const { return rule_ == "corners" ? "corners" : "hull"; }
   [[nodiscard]] std::string own_level(int body) const {
     if (rule_ == "load_proof") return "load_proof";
-    return towers_.states()[at(body)] == TowerState::carried ? "tower" : "balance";
+    return towers_.states()[at(body)] == TowerState::supported ? "tower" : "balance";
   }
   [[nodiscard]] static std::string own_reason(const std::string& level) {
     if (level == "load_proof") return "it carries any load, neighbours may help";

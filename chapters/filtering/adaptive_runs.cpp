@@ -25,7 +25,7 @@ double time_of_rest(const SettledRun& run, std::size_t index) {
   };
   constexpr int kWay = ChatterMeter::kWindow - 1;  // steps in half a second
   for (int end = run.frames.count() - 1; end >= kWay; --end)
-    if (!(largest_way(corners(end - kWay), corners(end)) < limit)) return end * kStep;
+    if (!(largest_displacement(corners(end - kWay), corners(end)) < limit)) return end * kStep;
   return 0.0;
 }
 

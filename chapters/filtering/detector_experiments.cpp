@@ -138,7 +138,7 @@ Result measure_detector(const Parameters& settings) {
   });
 
   const Curve rule =
-      curve_of(corpora, "", "swing over drift", [](const Moment& m) { return m.clearness; });
+      curve_of(corpora, "", "swing over drift", [](const Moment& m) { return m.swing_ratio; });
   const Curve path =
       curve_of(corpora, "path", "path over way", [](const Moment& m) { return m.path_over_way; });
   const Curve speed = curve_of(corpora, "speed", "speed over sqrt(g L), times -1",

@@ -77,7 +77,7 @@ struct Watched {
         const int frame = run.first + static_cast<int>(f);
         const BodyState& before = frames.frame(frame - 1).states[chattering[n]];
         const BodyState& now = frames.frame(frame).states[chattering[n]];
-        const double way = largest_way(path[f - 1], path[f]);
+        const double way = largest_displacement(path[f - 1], path[f]);
         if (same_pose(before, now)) still += 1.0;
         if (as_long_as(before, now, envelope)) shown.pops += 1.0;
         shown.largest_step = std::max(shown.largest_step, way);

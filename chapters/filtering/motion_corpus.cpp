@@ -89,7 +89,7 @@ class Track {
     return std::span(path_).subspan(begin, kHalfSecond + 1);
   }
   [[nodiscard]] double way(std::size_t begin) const {
-    return largest_way(path_[begin], path_[begin + kHalfSecond]);
+    return largest_displacement(path_[begin], path_[begin + kHalfSecond]);
   }
   [[nodiscard]] std::size_t touching(std::size_t begin, std::size_t end) const {
     std::size_t count = 0;
@@ -124,8 +124,8 @@ double path_over_way(const ChatterDetector& detector, BodyId id, double edge, do
   if (!history || !touches ||
       history->path > detector.options().speed * std::sqrt(gravity * edge) * frames * kStep)
     return 0.0;
-  return history->way > 0.0 ? history->path / history->way
-                            : std::numeric_limits<double>::infinity();
+  return history->displacement > 0.0 ? history->path / history->displacement
+                                     : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ void add_run(const SettledRun& run, int every, Doing scene, MotionCorpus& corpus
       if (moment.doing == Doing::nothing) continue;
       const ChatterDetector& detector = calm.detector();
       moment.verdict = detector.motion(id);
-      moment.clearness = detector.clearness(id);
+      moment.swing_ratio = detector.swing_ratio(id);
       moment.path_over_way = path_over_way(detector, id, body.size.minCoeff(),
                                            clock.gravity_w.norm(), run.touches[frame][k] != 0);
       moment.fastest = track.fastest(frame);

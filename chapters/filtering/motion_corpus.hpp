@@ -37,7 +37,7 @@ inline constexpr std::array<int, 8> kWindows = {8, 12, 16, 20, 24, 30, 45, 60};
 struct Moment {
   Doing doing = Doing::nothing;    ///< what its whole run says that the body does
   Motion verdict = Motion::moves;  ///< of the rule, with its standard numbers
-  double clearness = 0.0;          ///< [-] ChatterDetector::clearness()
+  double swing_ratio = 0.0;        ///< [-] ChatterDetector::swing_ratio()
   double path_over_way = 0.0;      ///< [-] P/D; 0: too fast or not in contact
   double fastest = 0.0;            ///< [-] over half a second, as the sleeping rule has it
   bool small = false;              ///< all momenta below ε5 and ε7 for half a second

@@ -108,7 +108,7 @@ std::vector<std::size_t> resting_bodies(const SettledRun& run) {
       rests = rests && run.touches[f][k] != 0;
     const std::vector<Corners> path = settled_path(run, run.frames, k);
     for (const std::span<const Corners> part : half_seconds(path))
-      rests = rests && largest_way(part.front(), part.back()) <
+      rests = rests && largest_displacement(part.front(), part.back()) <
                            tolerance::resting_movement * body.size.minCoeff();
     if (rests) resting.push_back(k);
   }

@@ -73,7 +73,8 @@ bool towers_stand(const RestingPile& structure) {
   Towers towers;
   towers.run(structure.world, structure.contacts, {});
   for (int b = 0; b < structure.world.count(); ++b)
-    if (structure.world.bodies()[at(b)].movable() && towers.states()[at(b)] != TowerState::carried)
+    if (structure.world.bodies()[at(b)].movable() &&
+        towers.states()[at(b)] != TowerState::supported)
       return false;
   return true;
 }

@@ -91,7 +91,7 @@ Table force_table(const RestingPile& structure, const StaticEquilibrium& equilib
     const std::size_t first = table.rows.size();
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p, ++push) {
       const Vec3& point_w = contact.points[p].position_w;
-      const double share = std::abs(equilibrium.pushes_w()[push].y()) / weight;
+      const double share = std::abs(equilibrium.forces_w()[push].y()) / weight;
       auto row = table.rows.begin() + static_cast<std::ptrdiff_t>(first);
       while (row != table.rows.end() && std::abs((*row)[0] - point_w.x()) > 1e-6) ++row;
       if (row == table.rows.end())

@@ -29,8 +29,8 @@ std::vector<char> with_towers(const World& world, std::span<const Contact> conta
   std::vector<char> stable = firm;
   for (int b = 0; b < world.count(); ++b) {
     int under = b;
-    while (towers.carriers()[static_cast<std::size_t>(under)] >= 0)
-      under = towers.carriers()[static_cast<std::size_t>(under)];
+    while (towers.supports()[static_cast<std::size_t>(under)] >= 0)
+      under = towers.supports()[static_cast<std::size_t>(under)];
     if (firm[static_cast<std::size_t>(under)] != 0) stable[static_cast<std::size_t>(b)] = 1;
   }
   return stable;
@@ -44,7 +44,7 @@ RuleVerdict verdict_of(StableRule rule, const World& world, std::span<const Cont
   RuleVerdict verdict;
   rules.run(world, contacts, rule, tolerance::resting_speed, verdict.all);
   verdict.stable = verdict.all[static_cast<std::size_t>(body)] != 0;
-  verdict.reason = told(world, contacts, rules.verdict(world, body));
+  verdict.reason = explanation(world, contacts, rules.verdict(world, body));
   return verdict;
 }
 

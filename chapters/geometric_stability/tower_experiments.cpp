@@ -147,7 +147,7 @@ Support support_of(const RestingPile& series) {
   for (const Contact& contact : series.contacts)
     for (int p = 0; p < contact.count; ++p, ++push) {
       if (contact.first != kBase || contact.second != kLowest) continue;
-      const double force = equilibrium.pushes_w()[push].y();
+      const double force = equilibrium.forces_w()[push].y();
       support.force += force;
       support.x += force * contact.points[at(p)].position_w.x();
       support.y = contact.points[at(p)].position_w.y();

@@ -64,8 +64,8 @@ std::vector<BoxEnd> settle(World world, const DampedOptions& options, double dur
     for (std::size_t k = 0; k < count; ++k) {
       const BodyProperties& body = world.bodies()[k];
       if (!body.movable()) continue;
-      const double way = largest_way(corners_of(box_of(body, before[k])),
-                                     corners_of(box_of(body, world.states()[k])));
+      const double way = largest_displacement(corners_of(box_of(body, before[k])),
+                                              corners_of(box_of(body, world.states()[k])));
       if (!(way <= kStill * body.size.minCoeff())) ends[k].rest_time = world.time();
     }
     if (n <= steps - ChatterMeter::kWindow) continue;

@@ -96,7 +96,7 @@ TEST_CASE("The levels of the command are hull, balance and loads on top", "[unit
   INFO(side.text);
   CHECK_THAT(line_of(side.text, "upper"), Contains(" yes ") && Contains(" load_proof "));
   CHECK_THAT(line_of(run_tumble("stability " + pair.path + " --rule hull").text, "upper"),
-             Contains("the contact of lower and upper is not below or above"));
+             Contains("the contact of lower and upper is not vertical"));
 }
 
 TEST_CASE("Scenes that move, without ground or with gravity from the side are reported too",
@@ -115,7 +115,7 @@ TEST_CASE("Scenes that move, without ground or with gravity from the side are re
   CHECK_THAT(line_of(run_tumble("stability " + rising.path).text, "upper"),
              Contains("moves, or touches a box that moves"));
   CHECK_THAT(line_of(run_tumble("stability " + rising.path + " --rule hull").text, "upper"),
-             Contains("goes up, sinks or tips"));
+             Contains("rises, sinks or tips"));
 }
 
 TEST_CASE("Mistakes in a request for stability end with code 2 and one line", "[unit][command]") {

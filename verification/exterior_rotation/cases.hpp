@@ -1,5 +1,5 @@
 /// \file
-/// \brief Worlds that the tests of bodies in joints share, and how far two of them are apart.
+/// \brief Worlds for the tests of bodies in joints, and the distance of two of them.
 #pragma once
 
 #include "tumble/exterior_rotation/glued.hpp"
@@ -18,9 +18,9 @@
 namespace tumble::test {
 
 /// Options of the technique.
-/// \param scheme  how the motion is integrated
-/// \param pose    how bodies are moved
-/// \return all others are the defaults
+/// \param scheme  time integration
+/// \param pose    pose update
+/// \return otherwise the defaults
 inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
   GluedOptions options;
   options.scheme = scheme;
@@ -28,7 +28,7 @@ inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separa
   return options;
 }
 
-/// How far the states of two worlds are apart.
+/// Difference of the states of two worlds.
 /// \param one    a world
 /// \param other  with as many bodies
 /// \return [m, -] the largest distance of two centres, or difference of two orientations
@@ -44,7 +44,7 @@ inline double apart(const World& one, const World& other) {
   return worst;
 }
 
-/// Whether two worlds are in the same states to the last bit.
+/// Whether two worlds have the same states to the last bit.
 /// \param one    a world
 /// \param other  another one
 /// \return false also for different numbers of bodies
@@ -53,7 +53,7 @@ inline bool same_states(const World& one, const World& other) {
                     other.states().end());
 }
 
-/// All ways to integrate: every scheme, with the exponential too where there is a choice.
+/// All schemes, and each that allows it also with the exponential.
 /// \return options, bilateral
 inline std::vector<GluedOptions> all_ways() {
   std::vector<GluedOptions> ways;
@@ -70,16 +70,16 @@ inline std::vector<GluedOptions> all_ways() {
   return ways;
 }
 
-/// What a failed check shows.
+/// Text for failed checks.
 /// \param options a way to integrate
 /// \return for example "leapfrog, exponential"
 inline std::string text_of(const GluedOptions& options) {
   return std::string(name_of(options.scheme)) + ", " + std::string(name_of(options.pose));
 }
 
-/// Boxes of different sizes and masses that are glued to each other in free flight, tumbling as one.
+/// Three boxes of different sizes and masses, glued to each other in free flight and tumbling as one.
 /// \param gravity_w [m/s²]
-/// \return three of them
+/// \return the world
 inline World flying_group(const Vec3& gravity_w) {
   World world;
   world.gravity_w = gravity_w;

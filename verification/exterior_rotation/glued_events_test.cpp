@@ -1,5 +1,5 @@
 /// \file
-/// \brief Joints that press only: when they open, come apart and close, and what that is told as.
+/// \brief Joints that only press: opening, separation, closing, and the events reported for them.
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// Keeps the times of events and who had them.
+// Stores the times of events and their bodies.
 struct Notes : Observer {
   void on_event(const Event& event) override { all.push_back(event); }
   std::vector<Event> all;
@@ -63,12 +63,12 @@ TEST_CASE("The column's top joint opens first, where its centre of pressure reac
     CHECK(notes.all[0].first == world.ids()[4]);
     CHECK(notes.all[0].second == world.ids()[5]);
     CHECK(technique.joints()[3].hold == JointHold::edge);
-    // Until then it was as good as glued: where was its centre at that moment?
+    // Until then it was as good as glued: position of its centre at that moment.
     World glued = world_of("fig6_1", {{"angle", c.angle}});
     GluedOptions bilateral = pressing(GluedScheme::dormand_prince);
     bilateral.joints = GluedJoints::bilateral;
     Glued(bilateral).step(glued, notes.all[0].time);
-    CHECK(centre_angle(glued) == near(c.opens).margin(1e-9));  // [rad] as many digits
+    CHECK(centre_angle(glued) == near(c.opens).margin(1e-9));  // [rad] to the digits given
   }
 }
 
@@ -151,10 +151,10 @@ TEST_CASE("A hanging box falls at once if its joint can only press, and stays wi
   }
 }
 
-TEST_CASE("Joints that open and close without end are given up for the rest of a step",
+TEST_CASE("Joints that open and close endlessly stay unchanged for the rest of a step",
           "[unit][exterior_rotation]") {
-  // Impulses end velocities at the start of a step, forces are told at its end: they do not agree on
-  // whether a joint that has just opened does.
+  // Impulses end velocities at the start of a step, forces are computed at its end: they disagree on
+  // whether a joint that has just opened should.
   for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
     World world = world_of("fig6_1");
     GluedOptions options = pressing(GluedScheme::impulse);
@@ -166,7 +166,7 @@ TEST_CASE("Joints that open and close without end are given up for the rest of a
       most = std::max(most, report.events);
       CHECK((report.status == StepStatus::event_cap) == (report.events >= 80));
     }
-    CHECK(most <= 100);  // 20 of each of four joints, and what happens at the last instant
+    CHECK(most <= 100);  // 20 of each of four joints, and those at the last instant
   }
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What steps of bodies that stick must not depend on: place, motion, unit, hand and order.
+/// \brief Invariance of glued steps under displacement, motion, units, reflection and order.
 #include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"
@@ -12,7 +12,7 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// The scenes with all that turns, and one in which three axes take part.
+// The scenes in a plane, and one in which three axes take part.
 std::vector<World> worlds() {
   World group = flying_group(Vec3(0.0, -9.81, 0.0));
   return {world_of("fig6_1"), world_of("fig6_3"), std::move(group)};
@@ -46,8 +46,7 @@ TEST_CASE("A group that is turned about the vertical does the same, turned",
     }
 }
 
-TEST_CASE("A group in free flight does the same seen from a moving place",
-          "[exact][exterior_rotation]") {
+TEST_CASE("A group in free flight does the same in a moving frame", "[exact][exterior_rotation]") {
   const Vec3 boost(3.0, -2.0, 1.0);
   for (const GluedOptions& options : all_ways()) {
     INFO(text_of(options));
@@ -97,15 +96,15 @@ TEST_CASE("A group's image in a mirror does the image of what the group does",
       INFO(text_of(options));
       const World one = mirrored(stepped(world, options, 60));
       const World other = stepped(mirrored(world), options, 60);
-      CHECK(apart(one, other) < 1e-11);  // [m, -] rounding of 60 steps: rows come in another order
+      CHECK(apart(one, other) < 1e-11);  // [m, -] rounding of 60 steps: rows are in another order
     }
 }
 
 TEST_CASE("The order in which bodies that stick are added does not matter",
           "[exact][exterior_rotation]") {
   for (const GluedOptions& options : all_ways())
-    // Not the group in flight: of its three joints one is redundant, and which one is left out is a
-    // matter of order; results differ by its gap.
+    // Except the group in flight: of its three joints one is redundant, and the order decides which one is
+    // left out; results differ by its gap.
     for (const World& world : {world_of("fig6_1"), world_of("fig6_3")}) {
       INFO(text_of(options));
       World backwards;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The technique for bodies that stick: what it refuses, and worlds at its limits.
+/// \brief The technique for bodies that stick: refusals, and worlds at its limits.
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/math/rotation.hpp"
@@ -29,7 +29,7 @@ World glued_pair(double spin) {
 
 }  // namespace
 
-TEST_CASE("Wrong options of the glued technique are refused with what would be right",
+TEST_CASE("Wrong options of the glued technique are refused with the right ones",
           "[unit][exterior_rotation]") {
   for (const double accuracy : {0.0, 1e-15, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
     GluedOptions options;
@@ -58,7 +58,7 @@ TEST_CASE("Wrong options of the glued technique are refused with what would be r
     CHECK_THROWS_WITH(technique.step(world, dt), Catch::Contains("dt"));
 }
 
-TEST_CASE("Worlds without anything that moves, without joints and without weight are stepped",
+TEST_CASE("Worlds without movable bodies, joints or weight are stepped",
           "[unit][exterior_rotation]") {
   for (const GluedOptions& options : all_ways()) {
     INFO(text_of(options));
@@ -103,7 +103,7 @@ TEST_CASE("Bodies without weight and without a push stay in every joint that onl
   }
 }
 
-TEST_CASE("Velocities beyond all measure end a step of the glued technique with a reason",
+TEST_CASE("Excessive velocities end a step of the glued technique with a reason",
           "[unit][exterior_rotation]") {
   for (const GluedOptions& options : all_ways())
     for (const double speed : {1e4, 1e100, 1e200, 1e300})
@@ -120,7 +120,7 @@ TEST_CASE("Velocities beyond all measure end a step of the glued technique with 
           CHECK_FALSE(std::string(error.what()).empty());
         }
       }
-  // A number that is none, put in past all checks.
+  // NaN, set by way of no check.
   for (const GluedOptions& options : all_ways()) {
     World world = glued_pair(1.0);
     world.states()[0].linear_momentum_w.x() = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The technique for bodies that stick: memory, changes between steps, what it tells.
+/// \brief The technique for bodies that stick: memory, changes between steps, reports.
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include "tumble/dynamics/energy.hpp"
@@ -62,7 +62,7 @@ TEST_CASE("Finding the joints before the first step changes nothing", "[unit][ex
 
 TEST_CASE("Bodies that come and go between steps leave the others glued",
           "[unit][exterior_rotation]") {
-  // Forward Euler has moved the column apart by more than the margin within which bodies stick.
+  // Forward Euler has opened the column's joints by more than the margin of glue.
   World world = world_of("fig6_1");
   World alone = world;
   Glued technique(way(GluedScheme::forward_euler));
@@ -83,7 +83,7 @@ TEST_CASE("Bodies that come and go between steps leave the others glued",
   run(alone, undisturbed, 5);
   CHECK(technique.joints().size() == 4);
   CHECK(apart(world, alone) < 1e-12);  // [m, -] rounding
-  // What loses the box below it falls freely, and what is on it falls with it.
+  // A box whose support is removed falls freely, together with the boxes on it.
   const Vec3 v = velocity(world.bodies()[4], world.states()[4]);
   world.remove(world.ids()[2]);
   run(world, technique, 1);
@@ -109,11 +109,11 @@ TEST_CASE("Steps of different lengths follow the same motion", "[exact][exterior
   CHECK(apart(even, uneven) < 2e-8);  // [m, -] rk4's error at 1/60 s is 1e-8
 }
 
-TEST_CASE("The glued technique tells the pivot's force and the centre of pressure of each joint",
+TEST_CASE("The glued technique reports the pivot's force and the centre of pressure of each joint",
           "[exact][exterior_rotation]") {
   World world = world_of("fig6_1", {{"angle", "0.3"}});
   Glued technique;
-  const double dt = 1e-9;  // [s] told at the end of a step: nothing has moved
+  const double dt = 1e-9;  // [s] contacts are those of a step's end: nothing has moved
   const StepReport report = technique.step(world, dt);
   REQUIRE(technique.contacts().size() == 4);
   CHECK(report.contacts == 4);
@@ -139,7 +139,7 @@ TEST_CASE("The glued technique tells the pivot's force and the centre of pressur
                                  "limits of friction"});
 }
 
-TEST_CASE("Dormand and Prince's steps keep the accuracy that is asked for, and cost what it costs",
+TEST_CASE("Dormand and Prince's steps meet the requested accuracy at the expected cost",
           "[reference][exterior_rotation]") {
   World truth = world_of("fig6_1");
   Glued fine(way(GluedScheme::rk4));
@@ -160,7 +160,7 @@ TEST_CASE("Dormand and Prince's steps keep the accuracy that is asked for, and c
     CHECK(technique.solves() < 3500);
     before = technique.solves();
   }
-  // A step that is cut short by the end of a frame does not make the next one short.
+  // A step that is cut at the end of a frame does not shorten the next one.
   GluedOptions options = way(GluedScheme::dormand_prince);
   options.accuracy = 1e-12;
   World world = world_of("fig6_1");
@@ -180,7 +180,7 @@ TEST_CASE("Orders of the glued column are 1, 1, 1, 2 and 4", "[reference][exteri
   struct Case {
     GluedScheme scheme;
     double order;
-    int steps;  // above rounding, and many enough for the leading term
+    int steps;  // above rounding, and enough for the leading term
   };
   for (const Case& c :
        {Case{GluedScheme::forward_euler, 1.0, 1600}, Case{GluedScheme::semi_implicit, 1.0, 1600},

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Joints without glue: when they open, come apart and close, and what that costs.
+/// \brief Joints without glue: opening, separation, closing, and the energy lost.
 #include "tumble/exterior_rotation/joint_events.hpp"
 
 #include "tumble/dynamics/energy.hpp"
@@ -61,7 +61,7 @@ Glued without_glue(GluedEvents events = GluedEvents::located,
   return Glued(options);
 }
 
-// Notes events.
+// Counts events.
 struct Notes : Observer {
   void on_event(const Event& event) override { events.push_back(event); }
   std::vector<Event> events;
@@ -69,10 +69,10 @@ struct Notes : Observer {
 
 }  // namespace
 
-TEST_CASE("The margin of a face is how far its pressure is from the edge, in edges",
+TEST_CASE("The margin of a face is the distance of its centre of pressure from the edge, in edges",
           "[exact][exterior_rotation]") {
-  // At x = 0.9 the face ends at 1, at x = 1.1, too: the centre is 0.1 m within or beyond.
-  // That does not depend on which of the bodies is the first one.
+  // At x = 0.9 and at x = 1.1 the face ends at 1: the centre is 0.1 m within or beyond it,
+  // whichever of the bodies is the first one.
   for (const double x : {0.8, 0.9, 0.99, 1.01, 1.1, 1.2, -0.8, -1.2}) {
     const World world = cube_at(x, std::abs(x) < 1.0);
     const std::vector<Joint> joints = joints_of(world);
@@ -122,8 +122,7 @@ TEST_CASE("A box whose centre is within the face that it stands on never opens",
   CHECK((world.states()[1].position_w - start.states()[1].position_w).norm() < 1e-12);
 }
 
-TEST_CASE("What holds nothing, and a world without joints, leave nothing to change",
-          "[unit][exterior_rotation]") {
+TEST_CASE("An open joint and a world without joints need no change", "[unit][exterior_rotation]") {
   const World world = cube_at(1.1);
   std::vector<Joint> joints = joints_of(world);
   joints[0].hold = JointHold::nothing;
@@ -134,7 +133,7 @@ TEST_CASE("What holds nothing, and a world without joints, leave nothing to chan
 
 TEST_CASE("A joint without glue that is pulled comes apart, and the box flies off",
           "[exact][exterior_rotation]") {
-  // Gravity upwards: the face has to pull, then the edge that is left of it.
+  // Gravity upwards: the face would have to pull, then the remaining edge.
   World world = cube_at(0.3);
   world.gravity_w = -world.gravity_w;
   const Margin face = margin_of(world, joints_of(world));
@@ -149,10 +148,10 @@ TEST_CASE("A joint without glue that is pulled comes apart, and the box flies of
   CHECK(changes == 2);
   CHECK(glued.joints()[0].hold == JointHold::nothing);
   CHECK(glued.contacts().empty());
-  // Free flight for half a second, but for the moment of the edge: 1e-12 of a step.
+  // Free flight for half a second, except for the time of the edge: 1e-12 of a step.
   const Vec3 flown_w = Vec3(0.3, 0.75 + 0.5 * kGravity * 0.25, 0.0);
   CHECK((world.states()[1].position_w - flown_w).norm() < 1e-9);  // [m]
-  // With glue it stays.
+  // With glue it stays at rest.
   World held = cube_at(0.3);
   held.gravity_w = -held.gravity_w;
   Glued glue{GluedOptions{}};
@@ -165,7 +164,7 @@ TEST_CASE("A joint that has opened closes when the box turns back, and books wha
   for (const GluedScheme scheme : {GluedScheme::dormand_prince, GluedScheme::rk4}) {
     World world = cube_at(0.0);
     Glued glued = without_glue(GluedEvents::located, scheme);
-    // Pushed over to the right for a tenth of a second: a cube tips when that is more than its weight.
+    // Pushed to the right for a tenth of a second: a cube tips under a force above its weight.
     world.gravity_w = Vec3(1.4 * kGravity, -kGravity, 0.0);
     for (int n = 0; n < 6; ++n) glued.step(world, kStep);
     REQUIRE(glued.joints()[0].hold == JointHold::edge);
@@ -181,7 +180,7 @@ TEST_CASE("A joint that has opened closes when the box turns back, and books wha
     }
     CHECK(closings == 1);
     CHECK(glued.joints()[0].hold == JointHold::area);
-    // It stands as before, at rest: all of its energy above that is booked.
+    // It stands as before, at rest: the energy lost is booked.
     CHECK((world.states()[1].position_w - Vec3(0.0, 0.75, 0.0)).norm() < 1e-6);  // [m]
     CHECK(world.states()[1].linear_momentum_w.norm() < 1e-12);
     CHECK(world.states()[1].angular_momentum_w.norm() < 1e-12);
@@ -192,7 +191,7 @@ TEST_CASE("A joint that has opened closes when the box turns back, and books wha
 
 TEST_CASE("The moment of an opening does not depend on the steps if it is located",
           "[exact][exterior_rotation]") {
-  // Three cubes fall over an edge, and the upper two part first.
+  // Three cubes fall over an edge; the upper two separate first.
   const auto moment = [](GluedEvents events, int rate) {
     World world;
     const BodyProperties base = fixed_box_properties(Vec3(4.0, 2.0, 4.0));

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Forces in joints against closed forms; redundant joints; impulses that end motion.
+/// \brief Joint forces against closed forms; redundant joints.
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
 #include "tumble/base/error.hpp"
@@ -21,7 +21,7 @@ using namespace tumble::test;
 
 constexpr double kG = 9.81;  // [m/s²]
 
-// What joints of a world that are found at its start do now.
+// Joint forces of a world at rest, with the joints found at its start.
 struct Held {
   explicit Held(const World& world) : Held(world, find_joints(world, tolerance::glue_margin)) {}
   Held(const World& world, std::vector<Joint> those) : joints(std::move(those)) {
@@ -33,7 +33,7 @@ struct Held {
   std::vector<Wrench> wrenches;
   JointForces forces;
 
-  // Acceleration of a body's centre and its spin's.
+  // Acceleration of a body's centre, and its angular acceleration.
   [[nodiscard]] Acceleration of(const World& world, std::size_t body) const {
     const MovingBody& m = moving[body];
     const Vec3& momentum_w = world.states()[body].angular_momentum_w;
@@ -43,7 +43,7 @@ struct Held {
   }
 };
 
-// [N] What a group's joints do to it, gravity left out.
+// [N] Joint forces on a group, without gravity.
 double largest_push(const Held& held) {
   double worst = 0.0;
   for (std::size_t j = 0; j < held.joints.size(); ++j) {
@@ -90,7 +90,7 @@ TEST_CASE("Pivot forces of the glued column are those of the closed form",
   CHECK(rest.forces.on_second(0).force_w.x() / (4.0 * kG) == near(0.2117409275).margin(1e-10));
 }
 
-TEST_CASE("Forces in the glue of a column that is let go are those of the closed form",
+TEST_CASE("Joint forces of a released column are those of the closed form",
           "[exact][exterior_rotation]") {
   const World world = world_of("fig6_1", {{"angle", "0.3"}});
   const Held held(world);
@@ -138,7 +138,7 @@ TEST_CASE(
 TEST_CASE("Bodies glued together in free fall need no force", "[exact][exterior_rotation]") {
   const Vec3 g(0.0, -kG, 0.0);
   CHECK(largest_push(Held(boxes({Vec3::Zero(), Vec3::UnitX()}, Vec3::Zero(), g))) == 0.0);
-  // Turning about the axis through both centres needs none either, across it the centripetal one.
+  // Rotation about the axis through both centres needs none either, across it the centripetal force.
   CHECK(largest_push(Held(
             boxes({-0.5 * Vec3::UnitX(), 0.5 * Vec3::UnitX()}, 2.0 * Vec3::UnitX(), g))) <= 1e-15);
   const World across = boxes({-0.5 * Vec3::UnitX(), 0.5 * Vec3::UnitX()}, 2.0 * Vec3::UnitZ(), g);
@@ -153,7 +153,7 @@ TEST_CASE("A group in free flight accelerates as the one rigid body that it is",
   const World world = flying_group(Vec3(0.0, -kG, 0.0));
   const Held held(world);
   REQUIRE(held.joints.size() >= 2);
-  // As one body: moments add by Steiner's rule, and Euler's equation gives the change of its spin.
+  // As one body: moments of inertia by Steiner's theorem, angular acceleration by Euler's equation.
   double mass = 0.0;
   Vec3 centre_w = Vec3::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -181,7 +181,7 @@ TEST_CASE("A group in free flight accelerates as the one rigid body that it is",
 
 TEST_CASE("Redundant joints give finite forces and the accelerations of those that suffice",
           "[exact][exterior_rotation]") {
-  // A ring of four boxes, turning, one joint of which could be left out; and the same box glued twice.
+  // A rotating ring of four boxes with one redundant joint; and the same box glued twice.
   const std::vector<Vec3> ring = {Vec3(-0.5, -0.5, 0.0), Vec3(0.5, -0.5, 0.0), Vec3(0.5, 0.5, 0.0),
                                   Vec3(-0.5, 0.5, 0.0)};
   const World world = boxes(ring, Vec3(0.5, -1.0, 2.0), Vec3(0.0, -kG, 0.0));
@@ -220,7 +220,7 @@ TEST_CASE("Joints hold a body a million times as heavy on a light one and a ligh
     world.add(above, make_state(above, Vec3(0.2, 2.5, 0.0)));
     const Held held(world);
     REQUIRE(held.joints.size() == 2);
-    // [-] of the weight carried: rounding over a millionth
+    // [-] of the supported weight: rounding over a millionth
     CHECK(held.forces.on_second(1).force_w.y() / (mass * kG) == near(1.0).margin(1e-9));
     CHECK(held.forces.on_second(0).force_w.y() / ((1.0 + mass) * kG) == near(1.0).margin(1e-9));
     for (std::size_t k = 1; k < 3; ++k)

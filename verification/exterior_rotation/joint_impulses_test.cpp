@@ -1,5 +1,5 @@
 /// \file
-/// \brief Impulses in joints: what they keep, what they end, and what an edge and a corner leave free.
+/// \brief Impulses in joints: invariants, and the motion that an edge and a corner leave free.
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
@@ -43,14 +43,14 @@ TEST_CASE("Impulses of joints keep momenta, take energy only, and end all relati
           (once[k].velocity_w - once[0].velocity_w - once[0].angular_velocity_w.cross(r)).norm() <=
           1e-13);
     }
-    // A second time nothing is left to do.
+    // The second time there is nothing to do.
     forces.project(moving, joints, world.states());
     for (std::size_t k = 0; k < 3; ++k) {
       CHECK((moving[k].velocity_w - once[k].velocity_w).norm() <= 1e-13);
       CHECK((moving[k].angular_velocity_w - once[k].angular_velocity_w).norm() <= 1e-13);
     }
-    // Nearest: what was taken away is at right angles, in the measure of energy, to every motion of
-    // the group as one. Six such motions are all.
+    // Nearest: the velocity that was removed is orthogonal, in kinetic energy, to every motion of
+    // the group as one. Six such motions span all.
     for (int axis = 0; axis < 6; ++axis) {
       double product = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Joints: what they are made of, what they hold, and how far they have come apart.
+/// \brief Joints: construction, held degrees of freedom, and gaps.
 #include "tumble/exterior_rotation/joint.hpp"
 
 #include "tumble/base/random.hpp"
@@ -18,7 +18,7 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// Two boxes: a cube at the origin that cannot be moved, and one above it, turned.
+// Two boxes: an immovable cube at the origin, and a rotated one above it.
 World two(const Vec3& size, const Vec3& place_w, const Quat& turn) {
   World world;
   const BodyProperties below = fixed_box_properties(Vec3(2.0, 2.0, 2.0));
@@ -68,7 +68,7 @@ TEST_CASE("A contact of one point makes a corner, of two an edge, of four and ei
   CHECK(area.hold == JointHold::area);
   CHECK(area.is_area());
 
-  // A square across a square that is smaller than its diagonal: an octagon.
+  // A square across a rotated square that is smaller than its diagonal: an octagon.
   const Joint eight = only_joint(
       two(Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0), about(Vec3::UnitY(), std::atan(1.0))));
   CHECK(eight.count == 8);
@@ -118,7 +118,7 @@ TEST_CASE("A joint keeps its corners in the frames of both bodies wherever the w
     CHECK((low - Vec3(-0.2, 1.0, -0.9)).norm() <= 2e-12);
     CHECK((high - Vec3(0.8, 1.0, 1.0)).norm() <= 2e-12);
 
-    // Body 1 is moved in its own frame: what comes apart does not depend on where the world stands.
+    // Body 1 is moved in its own frame, so that the gap does not depend on the world's pose.
     BodyState& state = world.states()[1];
     state.position_w += world.states()[0].orientation_wb * Vec3(0.03, 0.04, 0.0);
     JointGap gap = gap_of(joint, world.states());
@@ -165,7 +165,7 @@ TEST_CASE("Only the corners that are held count for a gap", "[exact][exterior_ro
   CHECK(none.opening + none.overlap + none.apart == 0.0);
 }
 
-TEST_CASE("What two bodies are glued by depends on the smaller one of them alone",
+TEST_CASE("The margin of glue depends on the smaller of two bodies alone",
           "[unit][exterior_rotation]") {
   // A small pair beside a body a hundred times as large: 0.5 mm are a twentieth of its edge.
   World world;
@@ -223,7 +223,7 @@ TEST_CASE("Bodies that were there keep their joints when others come or go",
   REQUIRE(joints.size() == 4);
   joints[3].hold = JointHold::nothing;
   const std::vector<BodyId> before(world.ids().begin(), world.ids().end());
-  // The column comes apart by more than the margin, and one of its boxes is taken away.
+  // The column's joints open by more than the margin, and one of its boxes is removed.
   for (std::size_t k = 2; k < 6; ++k)
     world.states()[k].position_w.x() += 1e-3 * static_cast<double>(k);
   world.remove(before[3]);

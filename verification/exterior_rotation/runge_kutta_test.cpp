@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runge and Kutta's methods: coefficients, orders on a free top, the estimate of the error.
+/// \brief Runge-Kutta methods: coefficients, orders on a free top, error estimate.
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 
 #include "tumble/exterior_rotation/tolerances.hpp"
@@ -42,7 +42,7 @@ double dot(const Column& p, const Column& q) {
   return sum;
 }
 
-// What the weights b miss of Butcher's conditions: one number for each rooted tree, by its order.
+// Residuals of Butcher's conditions for the weights b: one for each rooted tree, by order.
 struct Miss {
   int order = 1;
   double by = 0.0;
@@ -76,7 +76,7 @@ std::vector<Miss> misses(const ButcherTable& t, const Column& b) {
           {5, dot(b, times(t, aac)) - 1.0 / 120}};
 }
 
-// The highest order all of whose conditions are fulfilled, up to 5.
+// The highest order, up to 5, whose conditions are all fulfilled.
 int order_of(const ButcherTable& table, const Column& b) {
   int order = 5;
   for (const Miss& miss : misses(table, b))
@@ -113,7 +113,7 @@ TEST_CASE("The coefficients of the three methods fulfil the conditions of orders
        {&midpoint_table(), &classical_table(), &dormand_prince_table()}) {
     INFO(table->stages << " stages");
     CHECK(order_of(*table, table->b) == table->order);
-    // Explicit: a stage uses those before it; what is beyond the stages is 0.
+    // Explicit: a stage uses those before it; entries beyond the stages are 0.
     for (std::size_t i = 0; i < kMost; ++i) {
       for (std::size_t j = i; j < kMost; ++j) CHECK(table->a[i][j] == 0.0);
       if (i >= static_cast<std::size_t>(table->stages)) {
@@ -137,7 +137,7 @@ TEST_CASE(
   const Column expected = {0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
   for (std::size_t i = 0; i < kMost; ++i) CHECK(c[i] == near(expected[i]).margin(1e-14));
   CHECK(table.a[6] == table.b);
-  // The other weights, of which the estimate is the difference, have order 4 and no more.
+  // The other weights, of which the estimate is the difference, have exactly order 4.
   Column other{};
   for (std::size_t i = 0; i < kMost; ++i) other[i] = table.b[i] - table.error[i];
   CHECK(order_of(table, other) == 4);
@@ -162,7 +162,7 @@ TEST_CASE("A top's momenta and the parabola of its centre are exact whatever the
   for (const ButcherTable* table :
        {&midpoint_table(), &classical_table(), &dormand_prince_table()}) {
     const World end = after(*table, 20);
-    // [kg m²/s] no torque is no change at all
+    // [kg m²/s] without torque there is no change at all
     CHECK(end.states()[0].angular_momentum_w == start.states()[0].angular_momentum_w);
     // [m] rounding
     CHECK((end.states()[0].position_w - Vec3(1.0, 2.0 - 0.5 * 9.81, 0.0)).norm() <= 1e-13);
@@ -170,8 +170,9 @@ TEST_CASE("A top's momenta and the parabola of its centre are exact whatever the
   }
 }
 
-TEST_CASE("The estimate of the error shrinks with the fifth power of the step and tells its size",
-          "[reference][exterior_rotation]") {
+TEST_CASE(
+    "The error estimate scales with the fifth power of the step and has the size of the error",
+    "[reference][exterior_rotation]") {
   const auto estimate = [](double dt) {
     World world = top();
     RungeKutta method;
@@ -188,12 +189,12 @@ TEST_CASE("The estimate of the error shrinks with the fifth power of the step an
   const double is = turned_by(one, after(dormand_prince_table(), 100, 0.04));
   CHECK(is < told);
   CHECK(is > 1e-3 * told);
-  // A table without other weights tells nothing.
+  // A table without other weights gives no estimate.
   World classical = top();
   CHECK(method.step(classical_table(), 0.04, {}, forces, classical) == 0.0);
 }
 
-TEST_CASE("A step in which a body would make a full turn is not made",
+TEST_CASE("A step in which a body would make a full turn is rejected",
           "[unit][exterior_rotation]") {
   World world = top();
   world.states()[0].angular_momentum_w *= 100.0;  // some 400 rad/s
@@ -228,7 +229,7 @@ TEST_CASE("A stage finds forces once, and immovable bodies stay where they are",
 
 TEST_CASE("A hinge that turns in space while it opens stays a hinge",
           "[exact][exterior_rotation]") {
-  // Two cubes joined by an edge, each with a spin of its own about it, and one of both across it.
+  // Two cubes joined by an edge, each with its own spin about it, and both with one across it.
   World world;
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Steps with forces found once, and what the exponential of a twist keeps.
+/// \brief Steps with one evaluation of forces, and invariants of the exponential of a twist.
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
 #include "tumble/dynamics/energy.hpp"
@@ -27,7 +27,7 @@ void steps(World& world, SimpleScheme scheme, PoseUpdate pose, int count, double
   for (int k = 0; k < count; ++k) method.step(scheme, pose, dt, joints, forces, world);
 }
 
-// The column hangs by a corner instead of its edge: all three axes take part.
+// The column hangs by a corner instead of an edge: all three axes take part.
 World in_space(double angle) {
   World world = world_of("fig6_1", {{"angle", std::to_string(angle)}});
   for (std::size_t k = 2; k < world.states().size(); ++k) {
@@ -45,7 +45,7 @@ World in_space(double angle) {
 
 TEST_CASE("The first step of each scheme is the one that its name promises",
           "[exact][exterior_rotation]") {
-  // A box in free fall: what is moved by which velocity.
+  // A box in free fall: the velocity used for each update.
   const double h = 0.25;
   const double g = 8.0;
   const auto height_and_speed = [&](SimpleScheme scheme, PoseUpdate pose) {
@@ -64,9 +64,8 @@ TEST_CASE("The first step of each scheme is the one that its name promises",
   }
 }
 
-TEST_CASE(
-    "A body that tumbles in free fall has a centre that knows nothing of it, however it is moved",
-    "[exact][exterior_rotation]") {
+TEST_CASE("The centre of a body that tumbles in free fall does not depend on its rotation",
+          "[exact][exterior_rotation]") {
   for (const SimpleScheme scheme : kSchemes)
     for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
       INFO("scheme " << static_cast<int>(scheme) << ", pose " << name_of(pose));
@@ -101,7 +100,7 @@ TEST_CASE("A group in free flight keeps the momenta that its scheme keeps",
 
 TEST_CASE("The exponential keeps the glued column together over a fall",
           "[exact][exterior_rotation]") {
-  // In the plane, and in space about a corner; steps of 60 Hz and ten times longer ones.
+  // In the plane, and in space about a corner; steps of 1/60 s and ten times longer ones.
   for (const SimpleScheme scheme : kSchemes)
     for (const double dt : {kFrame, 10.0 * kFrame}) {
       const int count = static_cast<int>(std::lround(1.5 / dt));
@@ -143,14 +142,14 @@ TEST_CASE(
     const Vec3 from_w = pivot_w - Vec3(0.0, 2.0, 0.0);
     CHECK(lower.angular_velocity_w.z() == near(-1.5).margin(1e-14));
     const double residual = 0.5 * h * h * 3.0 * 1.5 * from_w.norm();
-    // Forward Euler moves by the twists at the start alone.
+    // Forward Euler moves with the twists at the start only.
     steps(world, SimpleScheme::forward_euler, PoseUpdate::exponential, 1, h);
     const double gap = gap_of(joints, world.states()).apart;
-    CHECK(gap / residual == near(1.0).margin(2.0 * h));  // [-] the next term has another h
+    CHECK(gap / residual == near(1.0).margin(2.0 * h));  // [-] the next term has one more factor h
   }
 }
 
-TEST_CASE("A leapfrog that turns as one goes back to where it came from",
+TEST_CASE("Leapfrog steps of a group that turns as one are reversible",
           "[exact][exterior_rotation]") {
   for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
     World world = world_of("fig6_1", {{"angle", "0.3"}});

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Worlds that the tests of adaptive steps step through.
+/// \brief Worlds for the tests of adaptive steps.
 #pragma once
 
 #include "tumble/filtering/adaptive_step.hpp"
@@ -17,16 +17,16 @@ constexpr double kStep = 1.0 / 60.0;  ///< [s] a whole step
 
 /// A technique with its default options.
 /// \param name  in the library
-/// \return it
+/// \return the technique
 inline std::unique_ptr<Technique> make(const char* name) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   return recipe.make(recipe.options(), 1);
 }
 
 /// Options with default tolerances.
-/// \param most    halvings of a step
-/// \param fewest  ditto
-/// \return them
+/// \param most    most halvings of a step
+/// \param fewest  least halvings
+/// \return the options
 inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
   AdaptiveStepOptions options;
   options.halvings = most;
@@ -34,8 +34,8 @@ inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
   return options;
 }
 
-/// Cubes that fly together, fall and shake.
-/// \param per_edge  of the grid on which they start
+/// Cubes that fly together, fall and chatter.
+/// \param per_edge  cubes along an edge of the grid on which they start
 /// \return the clump of figure 6.7, smaller
 inline World clump(int per_edge) {
   return test::world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}});

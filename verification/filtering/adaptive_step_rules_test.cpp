@@ -1,5 +1,5 @@
 /// \file
-/// \brief When a step is halved, and when it is not (thesis 6.3.1).
+/// \brief Rules for halving a step (thesis 6.3.1).
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "filtering/adaptive_cases.hpp"
@@ -19,10 +19,10 @@ using namespace tumble::adaptive_cases;
 
 namespace {
 
-// Does what it is told, and says that some bodies touch the ground, the last body.
+// Performs a prescribed change and reports contacts of some bodies with the ground, the last body.
 class Scripted : public Technique {
  public:
-  // Changes a world in the sub-step of this number, from 0; returns who touches the ground.
+  // Changes a world in the sub-step of this number, from 0; returns the bodies on the ground.
   using Script = std::function<std::vector<int>(World&, int, StepReport&)>;
   explicit Scripted(Script script) : script_(std::move(script)) {}
   [[nodiscard]] std::string_view name() const override { return "scripted"; }
@@ -48,7 +48,7 @@ class Scripted : public Technique {
   std::vector<ContactRecord> contacts_;
 };
 
-// Two cubes of 0.2 m far from each other and the ground, without weight.
+// Two cubes of 0.2 m without weight, far from each other and from the ground.
 World resting_cubes() {
   World world = one_cube(Vec3::Zero());
   BodyState second;
@@ -75,7 +75,7 @@ TEST_CASE("A body that flies alone takes whole steps however fast it is", "[unit
 
 TEST_CASE("A step is halved until near bodies move by a fifth of the thinner one",
           "[exact][filtering]") {
-  // The plank is 0.05 m thick: 0.01 m are allowed. Weightless.
+  // The plank is 0.05 m thick, so that 0.01 m are allowed. Weightless.
   const auto first_substep = [](double speed) {
     World world = one_cube(Vec3(speed, 0.0, 0.0));
     world.gravity_w = Vec3::Zero();
@@ -110,7 +110,7 @@ TEST_CASE("A step is halved until a near body turns by a tenth of a radian", "[e
   CHECK(first_substep(12.1) == kStep / 4.0);
 }
 
-TEST_CASE("A thin plank stops at divided steps what passes through it at whole ones",
+TEST_CASE("A thin plank stops at divided steps a body that passes through it at whole ones",
           "[unit][filtering]") {
   const auto end = [](int most) {
     World world = one_cube(Vec3(40.0, 0.0, 0.0));
@@ -125,7 +125,7 @@ TEST_CASE("A thin plank stops at divided steps what passes through it at whole o
   CHECK(end(4) < 1.0);
 }
 
-TEST_CASE("Small steps are given back when nothing calls for them any more", "[unit][filtering]") {
+TEST_CASE("Halvings are undone when nothing requests them any more", "[unit][filtering]") {
   // A cube falls flat on the ground and rests there.
   World world = one_cube(Vec3(0.0, -9.0, 0.0));
   world.add_ground();
@@ -134,7 +134,7 @@ TEST_CASE("Small steps are given back when nothing calls for them any more", "[u
   std::size_t touched = 0;
   for (int k = 0; k < 90; ++k) {
     adaptive.step(world, kStep);
-    // Touched is who was in contact in any sub-step, each once.
+    // Touched bodies were in contact in any sub-step, and are listed once.
     touched = std::max(touched, adaptive.touched().size());
     if (!adaptive.contacts().empty()) REQUIRE(adaptive.touched().size() == 2);
     most = std::max(most, adaptive.substeps().size());
@@ -144,8 +144,7 @@ TEST_CASE("Small steps are given back when nothing calls for them any more", "[u
   CHECK(adaptive.substeps().size() == 1);
 }
 
-TEST_CASE("What falls towards a fixed body falls farther in a step than it flies",
-          "[exact][filtering]") {
+TEST_CASE("Gravity counts in the predicted approach to a fixed body", "[exact][filtering]") {
   // 0.04 m are allowed: 2.4 m/s in a step. Gravity adds 0.16 m/s, but not between two that fall.
   const auto first_substep = [](double speed, bool fixed) {
     World world = one_cube(Vec3(0.0, -speed, 0.0));
@@ -164,7 +163,7 @@ TEST_CASE("What falls towards a fixed body falls farther in a step than it flies
   CHECK(first_substep(2.5, false) == kStep / 2.0);
 }
 
-TEST_CASE("A corner that is moved to and fro calls for smaller steps, up to its tolerance",
+TEST_CASE("A corner that reverses by more than its tolerance requests smaller steps",
           "[unit][filtering]") {
   const auto substeps = [](double shake) {
     World world = resting_cubes();  // of 0.2 m: a millimetre is 5e-3 of it
@@ -183,8 +182,9 @@ TEST_CASE("A corner that is moved to and fro calls for smaller steps, up to its 
   CHECK(substeps(std::numeric_limits<double>::infinity()) == 1);
 }
 
-TEST_CASE("A body is compared with itself, whoever else was in contact", "[unit][filtering]") {
-  // The second cube goes there and back; the first one touches only in the first step, or in both.
+TEST_CASE("Reversals are found body by body, independent of other bodies in contact",
+          "[unit][filtering]") {
+  // The second cube moves there and back; the first one touches only in the first step, or in both.
   for (const bool both : {false, true}) {
     World world = resting_cubes();
     AdaptiveStep adaptive(std::make_unique<Scripted>([&](World& bodies, int n, StepReport&) {
@@ -197,7 +197,7 @@ TEST_CASE("A body is compared with itself, whoever else was in contact", "[unit]
     adaptive.step(world, kStep);
     CHECK(adaptive.substeps().size() == 2);
   }
-  // One goes there and the other one back.
+  // One moves there, the other one back.
   World world = resting_cubes();
   AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
     bodies.states()[n % 2 == 0 ? 0 : 1].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
@@ -207,7 +207,8 @@ TEST_CASE("A body is compared with itself, whoever else was in contact", "[unit]
   CHECK(adaptive.substeps().size() == 1);
 }
 
-TEST_CASE("A copy of an adaptive step remembers which way corners went", "[unit][filtering]") {
+TEST_CASE("A copy of an adaptive step keeps the last displacements of corners",
+          "[unit][filtering]") {
   World world = resting_cubes();
   AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
     bodies.states()[0].position_w.y() += n == 0 ? 1e-3 : n == 1 ? -1e-3 : 0.0;
@@ -220,7 +221,7 @@ TEST_CASE("A copy of an adaptive step remembers which way corners went", "[unit]
   CHECK(copy.substeps().size() == 2);
 }
 
-TEST_CASE("Overlap above a fiftieth of an edge calls for smaller steps", "[exact][filtering]") {
+TEST_CASE("Overlap above a fiftieth of an edge requests smaller steps", "[exact][filtering]") {
   const auto substeps = [](double overlap) {
     World world = resting_cubes();  // 4 mm are allowed
     AdaptiveStep adaptive(std::make_unique<Scripted>([=](World&, int, StepReport& report) {
@@ -234,7 +235,7 @@ TEST_CASE("Overlap above a fiftieth of an edge calls for smaller steps", "[exact
   CHECK(substeps(4.1e-3) == 16);
 }
 
-TEST_CASE("A halving is taken back after four quiet steps, one at a time", "[exact][filtering]") {
+TEST_CASE("One halving at a time is undone after four quiet steps", "[exact][filtering]") {
   World world = resting_cubes();
   AdaptiveStep adaptive(std::make_unique<Scripted>([](World&, int n, StepReport& report) {
                           report.deepest_overlap = n < 2 ? 1.0 : 0.0;
@@ -246,7 +247,7 @@ TEST_CASE("A halving is taken back after four quiet steps, one at a time", "[exa
     adaptive.step(world, kStep);
     counts.push_back(adaptive.substeps().size());
   }
-  // Two calls, in the first step and in the first half of the second one, which goes on in
-  // quarters. Quiet begins in its middle, and so does a longer length, from where it fits.
+  // Two requests, in the first step and in the first half of the second one, which continues in
+  // quarters. Quiet begins in its middle; a longer sub-step begins where it is aligned.
   CHECK(counts == std::vector<std::size_t>{1, 3, 4, 4, 4, 3, 2, 2, 2, 2, 1});
 }

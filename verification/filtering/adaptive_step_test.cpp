@@ -1,5 +1,5 @@
 /// \file
-/// \brief Steps that are halved: bits, times, reports, copies, refusals (thesis 6.3.1).
+/// \brief Adaptive steps: bits, times, reports, copies, refusals (thesis 6.3.1).
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "tumble/dynamics/snapshot.hpp"
@@ -28,7 +28,7 @@ bool same(const StepReport& a, const StepReport& b) {
          a.energy.damping == b.energy.damping && a.energy.repair == b.energy.repair;
 }
 
-// Ends as it is told to, after a number of steps.
+// Ends with a prescribed status after a number of steps.
 class Failing : public Technique {
  public:
   Failing(int good, StepStatus status) : good_(good), status_(status) {}
@@ -114,7 +114,7 @@ TEST_CASE("As many halvings at least as at most give the technique's own smaller
   World divided = fine;
   const auto technique = make("damped");
   AdaptiveStep adaptive(make("damped"), halvings(2, 2));
-  const double dt = 1.0 / 64.0;  // whose sums are exact
+  const double dt = 1.0 / 64.0;  // sums of it are exact
   for (int k = 0; k < 60; ++k) {
     StepReport sum;
     for (int part = 0; part < 4; ++part) {
@@ -179,13 +179,13 @@ TEST_CASE("A step that is not finished ends with the sub-step that failed", "[un
     World world = one_cube(Vec3::Zero());
     AdaptiveStep adaptive(std::make_unique<Failing>(2, status), halvings(2, 2));
     const StepReport report = adaptive.step(world, kStep);
-    // `done` leaves a state that is no number.
+    // `done` leaves a state that is not finite.
     CHECK(report.status == (status == StepStatus::done ? StepStatus::not_finite : status));
     CHECK(adaptive.substeps().size() == 3);
     CHECK(world.steps() == 2);
     CHECK(world.time() == kStep / 2.0);
     CHECK(report.pair_tests == 9);
-    CHECK(report.contacts == 0);  // of the last one; before there were 2 and 1
+    CHECK(report.contacts == 0);  // of the last sub-step; before there were 2 and 1
     CHECK(report.energy.friction == -1.5);
   }
   World world = one_cube(Vec3::Zero());
@@ -193,7 +193,7 @@ TEST_CASE("A step that is not finished ends with the sub-step that failed", "[un
   CHECK(adaptive.step(world, kStep).status == StepStatus::done);
 }
 
-TEST_CASE("Who watches an adaptive step is told of the events of its sub-steps",
+TEST_CASE("An observer of an adaptive step receives the events of its sub-steps",
           "[unit][filtering]") {
   World world = one_cube(Vec3(0.0, -9.0, 0.0));
   world.add_ground();
@@ -224,8 +224,7 @@ TEST_CASE("Bodies may come and go between adaptive steps", "[unit][filtering]") 
   CHECK(all_finite(world));
 }
 
-TEST_CASE("An adaptive step refuses what makes no sense and says what it was",
-          "[unit][filtering]") {
+TEST_CASE("An adaptive step refuses invalid arguments and names them", "[unit][filtering]") {
   const auto refused = [](const AdaptiveStepOptions& options, const std::string& word) {
     try {
       AdaptiveStep adaptive(make("damped"), options);

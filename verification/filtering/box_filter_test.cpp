@@ -1,5 +1,5 @@
 /// \file
-/// \brief The box filter against closed forms, at ends, with bodies that come and go, and live.
+/// \brief The box filter against closed forms, at the ends of runs, with changing bodies, and live.
 #include "tumble/filtering/box_filter.hpp"
 
 #include "tumble/base/random.hpp"
@@ -102,7 +102,7 @@ TEST_CASE("The box filter multiplies moves and turns of any frequency by the clo
 
 TEST_CASE("The response of a box over five frames has the values of the closed form",
           "[exact][filtering]") {
-  // (1 + 2 cos 2πf + 2 cos 4πf)/5, evaluated apart with nine decimals.
+  // (1 + 2 cos 2πf + 2 cos 4πf)/5, computed separately to nine decimals.
   const std::array<std::pair<double, double>, 10> values = {{{0.0, 1.0},
                                                              {0.05, 0.904029404},
                                                              {0.1, 0.647213596},
@@ -211,7 +211,7 @@ TEST_CASE("A box filter rounds a bounce off by v dt n (n + 1)/(2n + 1)", "[exact
   CHECK(body_in(boxed(run, 5), 30).position_w.y() == near(1.2 * kSpeed * kFrameTime).margin(1e-15));
 }
 
-TEST_CASE("At the ends of a run the window of a box filter shrinks to what is on both sides",
+TEST_CASE("At the ends of a run the window of a box filter shrinks symmetrically",
           "[exact][filtering]") {
   // Squares: over 2n + 1 frames the mean is n (n + 1)/3 too large.
   const Trajectory run = run_of(30, [](int n) { return at(n * n); });
@@ -239,8 +239,9 @@ TEST_CASE("A run shorter than the window is filtered with the windows that fit i
   }
 }
 
-TEST_CASE("A box filter takes a body from where it comes in to where it leaves, each time anew",
-          "[exact][filtering]") {
+TEST_CASE(
+    "A box filter treats a body from its first frame to its last, and anew when it comes back",
+    "[exact][filtering]") {
   // The first body is missing from two frames, where the others change places; the second is in 5 ...
   // 14 and 17 ... 29, the third in one.
   const auto there = [](int body, int n) {
@@ -275,7 +276,7 @@ TEST_CASE("A box filter takes a body from where it comes in to where it leaves, 
           ++half;
         CHECK(state->position_w.x() ==
               near(place(body, n) + half * (half + 1) / 3.0).margin(1e-12));
-        // The causal form: half a window ago, or where the body came in.
+        // The causal form: half a window ago, or the body's first pose.
         int then = n;
         while (then > n - width / 2 && then > 0 && there(body, then - 1)) --then;
         CHECK(same_pose(*late.state(n, id), *shown.state(then, id)));
@@ -286,7 +287,7 @@ TEST_CASE("A box filter takes a body from where it comes in to where it leaves, 
 
 TEST_CASE("A window ends where a body has turned by half a turn from its middle",
           "[exact][filtering]") {
-  // A fifth of a turn in a frame, ever faster: the mean tells how many frames were taken.
+  // A fifth of a turn per frame, accelerating: the mean shows how many frames were averaged.
   const double turn = 0.4 * std::numbers::pi;
   const auto angle = [&](int n) { return turn * n + 1e-3 * n * n; };
   const Trajectory run = run_of(21, [&](int n) { return turned_by(angle(n)); });
@@ -299,7 +300,7 @@ TEST_CASE("A window ends where a body has turned by half a turn from its middle"
                           turned_by(expected).orientation_wb) < 1e-13);  // [rad] measured 3e-16
     }
   }
-  // Moves end with turns, or a pose would be shown that is of no time.
+  // The window of positions ends with that of rotations, so that both belong to one time.
   const Trajectory both = run_of(21, [&](int n) {
     BodyState state = turned_by(angle(n));
     state.position_w.x() = n * n;
@@ -321,8 +322,7 @@ TEST_CASE("A body that turns by just under half a turn in a window is averaged o
   }
 }
 
-TEST_CASE("Which of q and -q is stored changes no orientation that a box filter shows",
-          "[exact][filtering]") {
+TEST_CASE("A box filter shows the same orientations for q and -q", "[exact][filtering]") {
   const Trajectory run = random_walk(80, 0.1, 0.3, 11);
   Random chance(12);
   Trajectory flipped;
@@ -360,7 +360,7 @@ TEST_CASE("A run played backwards is shown with the same bits backwards", "[exac
 
 TEST_CASE("The causal box filter shows what the centred one does half a window later",
           "[exact][filtering]") {
-  // Also where windows are cut because the body turns fast.
+  // Also where windows are shortened because the body turns fast.
   for (const double turn : {0.1, 2.0}) {
     const Trajectory run = random_walk(80, 0.1, turn, 14);
     for (const int width : kWidths) {
@@ -412,7 +412,7 @@ TEST_CASE("An even width, none and a huge one are refused with the number", "[un
 
 TEST_CASE("A last frame that comes early or late is shown as it is and enters no window",
           "[exact][filtering]") {
-  // Five frames of 20 and one more; as if the run had ended with the 20th.
+  // Five frames of 20 and one more; the result is as if the run had ended with the 20th.
   for (const double share : {0.3, 1.5})
     for (const int width : kWidths) {
       Trajectory run = run_of(20, [](int n) { return at(n * n); });
@@ -458,7 +458,7 @@ TEST_CASE("A frame after one at another interval is refused, and the filter is a
     REQUIRE(seen.size() == after.size());
     for (std::size_t k = 0; k < seen.size(); ++k) CHECK(same_pose(seen[k], after[k]));
 
-    // Ready for another run, of another interval.
+    // Ready for another run with another interval.
     seen.clear();
     for (int n = 0; n < 6; ++n) add_at(filter, n * 0.5, n);
     filter.finish(show);
@@ -483,7 +483,7 @@ TEST_CASE("Times may carry rounding, and no more", "[unit][filtering]") {
   CHECK(refused(-1.1e-6));
 }
 
-TEST_CASE("A frame that makes no sense is refused by frame and body, and can be left out",
+TEST_CASE("An invalid frame is refused by frame and body, and can be left out",
           "[unit][filtering]") {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const auto broken = [](const auto& change) {
@@ -510,7 +510,7 @@ TEST_CASE("A frame that makes no sense is refused by frame and body, and can be 
     });
     CHECK(has(message, "frame 3 at 0.05 s"));
     CHECK(has(message, name));
-    filter.add(Frame{3 * kFrameTime, 3, ids, good}, show);  // nothing of the bad one is left
+    filter.add(Frame{3 * kFrameTime, 3, ids, good}, show);  // no trace of the bad one
     filter.finish(show);
     CHECK(shown == 4);
   }

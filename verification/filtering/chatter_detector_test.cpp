@@ -1,5 +1,5 @@
 /// \file
-/// \brief Tests of telling chatter from earlier frames: motions whose answer is known.
+/// \brief Classification of motion from earlier frames, for motions of known class.
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include "tumble/base/random.hpp"
@@ -59,14 +59,14 @@ struct Film {
     }
     return detector;
   }
-  [[nodiscard]] Motion told(const Pose& pose) const { return shown(pose).motion(BodyId{0}); }
+  [[nodiscard]] Motion classified(const Pose& pose) const { return shown(pose).motion(BodyId{0}); }
 };
 
-Motion told(const Pose& pose) { return Film().told(pose); }
+Motion classified(const Pose& pose) { return Film().classified(pose); }
 
 }  // namespace
 
-TEST_CASE("Chatter of every frequency from a tenth of a cycle in a frame on is told",
+TEST_CASE("Chatter is detected at every frequency from a tenth of a cycle per frame on",
           "[exact][filtering]") {
   Random chance(7);
   for (double f = 0.1; f <= 0.5; f += 0.004)
@@ -78,13 +78,14 @@ TEST_CASE("Chatter of every frequency from a tenth of a cycle in a frame on is t
         return 0.5 * swing * elementary::sin(2.0 * kPi * f * k + phase);
       };
       INFO("f = " << f << ", swing = " << swing);
-      CHECK(told([&](int k) { return shifted(wave(k) * along); }) == Motion::chatters);
-      CHECK(told([&](int k) { return turned(wave(k) * along); }) == Motion::chatters);
+      CHECK(classified([&](int k) { return shifted(wave(k) * along); }) == Motion::chatters);
+      CHECK(classified([&](int k) { return turned(wave(k) * along); }) == Motion::chatters);
     }
 }
 
-TEST_CASE("Noise with a slow drift and bursts of it are told to chatter, and not what gets away",
-          "[unit][filtering]") {
+TEST_CASE(
+    "Noise with a slow drift and bursts of noise are classified as chatter, a faster drift is not",
+    "[unit][filtering]") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto noise = [&](int k) {
       Random chance = Random(seed).fork(static_cast<std::uint64_t>(k));
@@ -94,19 +95,19 @@ TEST_CASE("Noise with a slow drift and bursts of it are told to chatter, and not
       return
           [&noise, speed](int k) { return shifted(noise(k) + Vec3(0.0, 0.0, speed * kFrame * k)); };
     };
-    CHECK(told(drifting(0.005)) == Motion::chatters);
-    CHECK(told(drifting(0.02)) == Motion::moves);
-    // A creep of 5 mm/s that trembles by a tenth of it, and shaking by three times what gravity does.
-    CHECK(told([&](int k) { return shifted(0.1 * noise(k) + Vec3(0.0, 0.0, 8e-5 * k)); }) ==
+    CHECK(classified(drifting(0.005)) == Motion::chatters);
+    CHECK(classified(drifting(0.02)) == Motion::moves);
+    // A creep of 5 mm/s that trembles by a tenth of it, and shaking at three times gravity.
+    CHECK(classified([&](int k) { return shifted(0.1 * noise(k) + Vec3(0.0, 0.0, 8e-5 * k)); }) ==
           Motion::moves);
-    CHECK(told([&](int k) { return shifted(9.0 * noise(k)); }) == Motion::moves);
-    // Eight frames of noise, and nothing for as long.
-    CHECK(told([&](int k) { return shifted(k / 8 % 2 == 0 ? noise(k) : Vec3::Zero()); }) ==
+    CHECK(classified([&](int k) { return shifted(9.0 * noise(k)); }) == Motion::moves);
+    // Eight frames of noise, then eight at rest.
+    CHECK(classified([&](int k) { return shifted(k / 8 % 2 == 0 ? noise(k) : Vec3::Zero()); }) ==
           Motion::chatters);
   }
 }
 
-TEST_CASE("What slides is never told to chatter, at whatever speed and however it slows down",
+TEST_CASE("A sliding body is never classified as chattering, at any speed and deceleration",
           "[exact][filtering]") {
   for (const double speed : {1e-3, 5e-3, 0.02, 0.05, 0.1, 0.3, 3.0, 100.0})
     for (const double friction : {0.0, 1e-3, 0.1, 0.5})
@@ -118,18 +119,21 @@ TEST_CASE("What slides is never told to chatter, at whatever speed and however i
           return shifted((speed - 0.5 * 9.81 * friction * t) * t * along);
         };
         INFO("speed " << speed << ", friction " << friction);
-        CHECK(told(way) != Motion::chatters);
-        if (friction == 0.0) CHECK(told(way) == Motion::moves);
+        CHECK(classified(way) != Motion::chatters);
+        if (friction == 0.0) CHECK(classified(way) == Motion::moves);
       }
 }
 
-TEST_CASE("What turns, rocks, falls, is thrown or bounces is told to move", "[unit][filtering]") {
+TEST_CASE("A body that turns, rocks, falls, is thrown or bounces is classified as moving",
+          "[unit][filtering]") {
   for (const double spin : {0.01, 0.1, 1.0, 10.0, 40.0}) {
-    CHECK(told([&](int k) { return turned(Vec3(0.0, spin * kFrame * k, 0.0)); }) == Motion::moves);
-    CHECK(told([&](int k) { return turned(Vec3(spin * kFrame * k, 0.0, 0.0)); }) == Motion::moves);
+    CHECK(classified([&](int k) { return turned(Vec3(0.0, spin * kFrame * k, 0.0)); }) ==
+          Motion::moves);
+    CHECK(classified([&](int k) { return turned(Vec3(spin * kFrame * k, 0.0, 0.0)); }) ==
+          Motion::moves);
   }
-  // A rocking block: parabolas of its angle, to and fro, each lower than the one before. It must take
-  // more than a quarter of a second for each: three turns within half a second are chatter.
+  // A rocking block: parabolas of its angle, to and fro, each lower than the one before. Each must
+  // take more than a quarter of a second: three reversals within half a second are chatter.
   for (const double duration : {0.255, 0.3, 0.4, 0.6}) {
     const auto rocks = [&](int k) {
       const double half = std::floor(k * kFrame / duration);
@@ -141,9 +145,9 @@ TEST_CASE("What turns, rocks, falls, is thrown or bounces is told to move", "[un
     for (int frames = 31; frames < 80; ++frames) {
       Film film;
       film.frames = frames;
-      film.options.speed = 1.0;  // so that it is not its speed that tells
+      film.options.speed = 1.0;  // so that its speed does not decide
       INFO("duration " << duration << ", frame " << frames);
-      CHECK(film.told(rocks) == Motion::moves);
+      CHECK(film.classified(rocks) == Motion::moves);
     }
   }
   const auto thrown = [](double speed) {
@@ -152,23 +156,23 @@ TEST_CASE("What turns, rocks, falls, is thrown or bounces is told to move", "[un
     };
   };
   for (const double speed : {-1.0, 0.0, 2.0, 0.5 * 9.81 * 30.0 * kFrame, 8.0})
-    CHECK(told(thrown(speed)) == Motion::moves);
-  CHECK(told([](int k) {  // hops of a third of a second
+    CHECK(classified(thrown(speed)) == Motion::moves);
+  CHECK(classified([](int k) {  // hops of a third of a second
           const double t = (k % 20) * kFrame;
           return shifted(Vec3(0.0, 0.5 * 9.81 * t * (20.0 * kFrame - t), 0.0));
         }) == Motion::moves);
 }
 
-TEST_CASE("Who stands still rests, and who creeps moves", "[exact][filtering]") {
-  CHECK(told([](int) { return shifted(Vec3(1.0, 2.0, 3.0)); }) == Motion::rests);
-  // A creep by `rest` in the window is the limit.
+TEST_CASE("A still body is classified as resting, a creeping one as moving", "[exact][filtering]") {
+  CHECK(classified([](int) { return shifted(Vec3(1.0, 2.0, 3.0)); }) == Motion::rests);
+  // A creep by `rest` within the window is the limit.
   const auto creep = [](double share) {
     const double step = share * tolerance::rest_excursion / 30.0;
     return [step](int k) { return shifted(Vec3(step * k, 0.0, 0.0)); };
   };
-  CHECK(told(creep(0.99)) == Motion::rests);
-  CHECK(told(creep(1.01)) == Motion::moves);
-  // A creep that trembles chatters if it does by `swing` at least.
+  CHECK(classified(creep(0.99)) == Motion::rests);
+  CHECK(classified(creep(1.01)) == Motion::moves);
+  // A creep that trembles is chatter if its swing is at least `swing`.
   const auto trembles = [&](double share) {
     return [&creep, share](int k) {
       BodyState state = creep(1.5)(k);
@@ -176,40 +180,40 @@ TEST_CASE("Who stands still rests, and who creeps moves", "[exact][filtering]") 
       return state;
     };
   };
-  CHECK(told(trembles(0.95)) == Motion::moves);
-  CHECK(told(trembles(1.05)) == Motion::chatters);
+  CHECK(classified(trembles(0.95)) == Motion::moves);
+  CHECK(classified(trembles(1.05)) == Motion::chatters);
 }
 
 TEST_CASE("Chatter needs contact, gravity, enough frames and numbers", "[unit][filtering]") {
   const auto chatter = [](int k) { return shifted(Vec3(0.0, k % 2 == 0 ? 0.0 : 2e-3, 0.0)); };
   Film film;
-  CHECK(film.told(chatter) == Motion::chatters);
+  CHECK(film.classified(chatter) == Motion::chatters);
   film.contact = 0.55;
-  CHECK(film.told(chatter) == Motion::chatters);
+  CHECK(film.classified(chatter) == Motion::chatters);
   film.contact = 0.45;
-  CHECK(film.told(chatter) == Motion::moves);
+  CHECK(film.classified(chatter) == Motion::moves);
   film = Film();
   film.gravity_w.setZero();
-  CHECK(film.told(chatter) == Motion::moves);
+  CHECK(film.classified(chatter) == Motion::moves);
   film = Film();
   film.frames = 31;
-  CHECK(film.told(chatter) == Motion::chatters);
+  CHECK(film.classified(chatter) == Motion::chatters);
   film.frames = 30;
-  CHECK(film.told(chatter) == Motion::moves);
+  CHECK(film.classified(chatter) == Motion::moves);
   CHECK_FALSE(film.shown(chatter).history(BodyId{0}).has_value());
   CHECK(Film().shown(chatter).motion(BodyId{7}) == Motion::moves);
-  CHECK(told([&](int k) {
+  CHECK(classified([&](int k) {
           BodyState state = chatter(k);
           if (k == 35) state.position_w.y() = std::numeric_limits<double>::quiet_NaN();
           return state;
         }) == Motion::moves);
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    CHECK(told([&](int k) { return shifted(Vec3(0.0, k < 20 ? 0.0 : bad, 0.0)); }) ==
+    CHECK(classified([&](int k) { return shifted(Vec3(0.0, k < 20 ? 0.0 : bad, 0.0)); }) ==
           Motion::moves);
 }
 
-TEST_CASE("A film that is turned, larger and slower is told with the same numbers",
+TEST_CASE("A rotated, larger and slower film is classified with the same thresholds",
           "[exact][filtering]") {
   const auto noisy = [](double length, double yaw) {
     return [length, yaw](int k) {
@@ -224,7 +228,7 @@ TEST_CASE("A film that is turned, larger and slower is told with the same number
   };
   const ChatterDetector one = Film().shown(noisy(1.0, 0.0));
   const MotionHistory expected = *one.history(BodyId{0});
-  REQUIRE(one.clearness(BodyId{0}) > 0.0);
+  REQUIRE(one.swing_ratio(BodyId{0}) > 0.0);
   for (const double scale : {0.01, 1.0, 100.0})
     for (const double yaw : {0.0, 0.7, 2.9}) {
       Film film;
@@ -241,7 +245,7 @@ TEST_CASE("A film that is turned, larger and slower is told with the same number
     }
 }
 
-TEST_CASE("What is told of a body does not depend on who else comes and goes",
+TEST_CASE("The classification of a body does not depend on other bodies that come and go",
           "[exact][filtering]") {
   const auto chatter = [](int k) { return shifted(Vec3(0.0, k % 3 == 0 ? 0.0 : 2e-3, 0.1)); };
   const ChatterDetector alone = Film().shown(chatter);

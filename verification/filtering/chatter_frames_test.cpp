@@ -1,5 +1,5 @@
 /// \file
-/// \brief Tests of the frames that a detector of chatter sees, and of its options.
+/// \brief Frames of a chatter detector, and its options.
 #include "tumble/base/random.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 
@@ -42,13 +42,13 @@ TEST_CASE("Half as long steps show a detector the same frames", "[exact][filteri
   }
   CHECK(whole.motion(BodyId{0}) == Motion::chatters);
   CHECK(halves.motion(BodyId{0}) == Motion::chatters);
-  // [m] what the time of a step is off by, 1e-14 s, times 1000 m/s
+  // [m] error of the steps' time, 1e-14 s, times 1000 m/s
   CHECK(halves.history(BodyId{0})->swing == near(whole.history(BodyId{0})->swing).margin(1e-10));
 }
 
 TEST_CASE("Contact in any step since the frame before is contact in a frame",
           "[exact][filtering]") {
-  // Four steps in a frame, of which one touches. A frame in which no step does would be one too many.
+  // Four steps in a frame, one of them in contact. A frame without contact in any step would be one too many.
   for (const int touching_step : {0, 1, 2, 3, 4}) {
     ChatterDetector detector;
     World world;
@@ -74,11 +74,11 @@ TEST_CASE("A detector sees 60 frames a second between steps of any length", "[ex
     }
   detector.add(world, std::vector<char>{1});
   const MotionHistory history = *detector.history(BodyId{0});
-  CHECK(history.way == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
+  CHECK(history.displacement == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
   CHECK(history.path == near(0.1).margin(1e-13));
 }
 
-TEST_CASE("A detector refuses numbers that make no sense", "[unit][filtering]") {
+TEST_CASE("A detector refuses options out of range", "[unit][filtering]") {
   using Change = std::function<void(ChatterDetectorOptions&)>;
   for (const Change& change :
        std::vector<Change>{[](auto& o) { o.window = 1; }, [](auto& o) { o.window = 121; },
@@ -96,9 +96,9 @@ TEST_CASE("A detector refuses numbers that make no sense", "[unit][filtering]") 
   CHECK_THROWS_AS(detector.add(world, {}), std::invalid_argument);
 }
 
-TEST_CASE("A body that comes in during a long step is told once it was seen for long enough",
+TEST_CASE("A body added during a long step is classified after enough frames",
           "[exact][filtering]") {
-  // Steps of a second hold twice the frames of a window, but not of a body that came in at their end.
+  // Steps of a second contain twice the frames of a window, but not for a body added at their end.
   ChatterDetector detector;
   World world;
   const BodyProperties box = box_properties(Vec3::Ones(), 1.0);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The measures of motion that chatter, squirm and pops are told by (thesis 5.5).
+/// \brief Measures of unwanted motion: excursion, acceleration, squirm and pops (thesis 5.5).
 #include "tumble/filtering/corner_motion.hpp"
 
 #include "tumble/math/elementary.hpp"
@@ -31,7 +31,7 @@ std::vector<Corners> along_x(int count, const std::function<double(int)>& x) {
   return path_of(run_of(count, [&](int n) { return at(x(n)); }));
 }
 
-// Every pair of frames, every corner.
+// By brute force: every pair of frames, every corner.
 double excursion_of_all(const std::vector<Corners>& path) {
   double largest = 0.0;
   for (const Corners& a : path)
@@ -64,11 +64,11 @@ TEST_CASE("The largest excursion is that of all pairs of frames", "[exact][filte
     const double all = excursion_of_all(path);
     CHECK(largest_excursion(path) == all);
     CHECK(largest_excursion(path, 0.5 * all) == all);
-    CHECK(largest_excursion(path, 2.0 * all) == 2.0 * all);  // what is smaller does not matter
+    CHECK(largest_excursion(path, 2.0 * all) == 2.0 * all);  // smaller values are not computed
   }
   CHECK(largest_excursion({}) == 0.0);
   CHECK(largest_excursion(along_x(1, [](int) { return 0.0; })) == 0.0);
-  // To and fro by 3 mm, with a turn back at the ends only.
+  // To and fro by 3 mm, with reversals at the ends only.
   CHECK(largest_excursion(along_x(50, [](int n) { return n % 2 == 0 ? 0.0 : 0.003; })) ==
         near(0.003).margin(1e-15));
 }
@@ -99,12 +99,12 @@ TEST_CASE("The second difference is a mean over frames and over corners", "[exac
   CHECK(rms_second_difference(turning) == near(r * (2.0 - 2.0 * elementary::cos(w))).margin(1e-14));
 }
 
-TEST_CASE("Squirm is the speed of a drift and forgets what changes sign in every frame",
+TEST_CASE("Squirm is the speed of a drift and ignores oscillation frame by frame",
           "[exact][filtering]") {
   const auto drift = [](int n) { return 0.004 * n * kFrameTime; };
   CHECK(squirm(along_x(60, drift), kFrameTime) == near(0.004).margin(1e-12));
   const auto shaking = [](int n) { return n % 2 == 0 ? -0.002 : 0.002; };
-  // The line through eleven places to and fro is level: Σ j (-1)^j over j and -j is 0.
+  // The line fit through eleven alternating positions is level: Σ j (-1)^j over j and -j is 0.
   CHECK(squirm(along_x(60, shaking), kFrameTime) <= 1e-14);
   CHECK(squirm(along_x(60, [=](int n) { return drift(n) + shaking(n); }), kFrameTime) ==
         near(0.004).margin(1e-12));
@@ -119,7 +119,7 @@ TEST_CASE("Squirm of a slow swing is the root mean square of its speed", "[exact
   const double amplitude = 0.01;
   for (const double frequency : {0.2, 0.5, 1.0}) {
     const double w = 2.0 * std::numbers::pi * frequency * kFrameTime;
-    double factor = 0.0;  // what the line through 11 places makes of the slope of a swing
+    double factor = 0.0;  // ratio of the line fit's slope to the slope of a swing
     for (int j = 1; j <= 5; ++j) factor += 2.0 * j * elementary::sin(w * j) / (110.0 * w);
     const int periods = 4;
     const int frames = static_cast<int>(periods / (frequency * kFrameTime) + 0.5) + 2 * 5;
@@ -133,8 +133,8 @@ TEST_CASE("Squirm of a slow swing is the root mean square of its speed", "[exact
 }
 
 TEST_CASE("Squirm is that of the corner that moves most", "[exact][filtering]") {
-  // A slow turn about z through one edge, then through the opposite one: the farthest corner is a
-  // diagonal away, and has another number each time.
+  // A slow rotation about z through one edge, then through the opposite one: the farthest corner is a
+  // diagonal away, and has another index each time.
   const double rate = 0.01;  // [rad/s]
   for (const double side : {-1.0, 1.0}) {
     const auto path = path_of(run_of(60, [=](int n) {
@@ -143,7 +143,7 @@ TEST_CASE("Squirm is that of the corner that moves most", "[exact][filtering]") 
       return state;
     }));
     const double diagonal = std::sqrt(1.0 + 0.4 * 0.4);
-    // [m/s] a turn by 0.01 rad in a second is straight to a millionth
+    // [m/s] a rotation by 0.01 rad in a second is straight to a millionth
     CHECK(squirm(path, kFrameTime) == near(rate * diagonal).margin(1e-7));
   }
 }
@@ -169,11 +169,11 @@ TEST_CASE("Pops are shown steps that are longer than computed ones and than a gi
   CHECK_THROWS_AS(pops(shown, computed, 0.0), std::invalid_argument);
 }
 
-TEST_CASE("The way between two poses is that of the corner that goes farthest",
+TEST_CASE("The displacement between two poses is that of the corner that moves farthest",
           "[exact][filtering]") {
   const Corners from = corners_of(box_of(brick(), turned_by(0.0)));
   const Corners to = corners_of(box_of(brick(), turned_by(0.1)));
   const double r = 0.5 * std::sqrt(1.0 + 0.4 * 0.4);
-  CHECK(largest_way(from, to) == near(2.0 * r * elementary::sin(0.05)).margin(1e-15));
-  CHECK(largest_way(from, from) == 0.0);
+  CHECK(largest_displacement(from, to) == near(2.0 * r * elementary::sin(0.05)).margin(1e-15));
+  CHECK(largest_displacement(from, from) == 0.0);
 }

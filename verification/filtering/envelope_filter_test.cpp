@@ -39,10 +39,10 @@ Trajectory swing(double amplitude, double frequency) {
 
 TEST_CASE("A swing as wide as the envelope is shown at rest, and a wider one twice in a period",
           "[exact][filtering]") {
-  // To and fro in every frame with 5 mm: 10 mm from end to end, not more than the radius.
+  // To and fro in every frame by 5 mm: 10 mm from end to end, not more than the radius.
   CHECK(changes_in(shown_of(swing(0.005, 0.5))) == 0);
-  // With 6 mm and 0.15 periods a frame, 60 frames have 9 periods; the shown place changes sides
-  // twice in each, but for the first frame, which is shown as it is.
+  // With 6 mm and 0.15 periods per frame, 60 frames have 9 periods; the shown position changes sides
+  // twice in each, except for the first frame, which is shown as computed.
   CHECK(changes_in(shown_of(swing(0.006, 0.15))) == 17);
   CHECK(changes_in(shown_of(swing(0.006, 0.5))) == 59);
 }
@@ -100,7 +100,7 @@ TEST_CASE("Position and orientation leave the envelope together, whichever of th
     state.position_w.x() = x;
     return state;
   };
-  // Inside; far by place, with a small turn; inside; far by turn, with a small move.
+  // Inside; outside by position, with a small rotation; inside; outside by rotation, with a small move.
   const std::vector<BodyState> poses = {both(0.0, 0.0), both(0.009, 0.9 * kAngle),
                                         both(0.011, 0.5 * kAngle), both(0.012, 0.1 * kAngle),
                                         both(0.013, -0.6 * kAngle)};
@@ -114,7 +114,7 @@ TEST_CASE("Position and orientation leave the envelope together, whichever of th
 TEST_CASE(
     "The angle of the envelope is that of the shortest turn, and q and -q are one orientation",
     "[exact][filtering]") {
-  // A turn by 2 degrees about an axis that is oblique to the body.
+  // A rotation by 2 degrees about an axis that is oblique to the body.
   const Vec3 axis = Vec3(1.0, 2.0, -2.0) / 3.0;
   const auto turn_run = [&](double angle, bool minus) {
     return run_of(2, [=](int n) {
@@ -131,8 +131,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "What an envelope shows is within it, changes to computed poses only, and is exact for "
-    "what leaves it in every frame",
+    "Poses shown by an envelope are within it, are computed poses, and are exact for bodies that "
+    "leave it in every frame",
     "[exact][filtering]") {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Trajectory run = random_walk(200, 0.008, 0.5 * kAngle, seed);
@@ -173,7 +173,7 @@ TEST_CASE("A body that comes back after frames without it is a new one to an env
   CHECK(shown.frame(2).ids.size() == 1);
   CHECK(shown.frame(3).states[1].position_w.x() == 1.003);  // not 1
   CHECK(shown.frame(4).states[1].position_w.x() == 1.003);
-  CHECK(shown.frame(4).states[0].position_w.x() == 0.0);  // it was there all the time
+  CHECK(shown.frame(4).states[0].position_w.x() == 0.0);  // it was present all the time
 }
 
 TEST_CASE("An envelope leaves times, momenta and runs that do not move as they are",

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Filters as a user writes them (thesis 5.5).
+/// \brief Filters made from text (thesis 5.5).
 #include "tumble/filtering/filters.hpp"
 
 #include "tumble/filtering/box_filter.hpp"
@@ -20,7 +20,7 @@ using namespace one_body;
 
 namespace {
 
-// Whether two filters show the same bits of a walk that makes a difference to all of them.
+// Whether two filters show the same bits for a random walk that all filters change.
 bool same_filter(const PoseFilter& a, const PoseFilter& b) {
   const Trajectory run = random_walk(120, 0.006, 0.01, 9);
   const Trajectory x = filtered(run, a);
@@ -30,7 +30,7 @@ bool same_filter(const PoseFilter& a, const PoseFilter& b) {
   return true;
 }
 
-// The message of a refusal; empty if the filter is made.
+// The message of a refusal; empty if the filter is accepted.
 std::string refusal_of(const std::string& text) {
   try {
     (void)filter_of(text);
@@ -46,7 +46,7 @@ bool has(const std::string& message, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("Every form of a filter's text makes the filter that it says", "[unit][filtering]") {
+TEST_CASE("Every text form of a filter makes its filter", "[unit][filtering]") {
   CHECK(same_filter(*filter_of("box"), BoxFilter(5)));
   CHECK(same_filter(*filter_of("box:5"), BoxFilter(5)));
   CHECK(same_filter(*filter_of("box:15"), BoxFilter(15)));
@@ -99,8 +99,7 @@ TEST_CASE("The library of filters names those that can be made", "[unit][filteri
   CHECK(count == 4);
 }
 
-TEST_CASE("A filter that there is not is refused with the names that there are",
-          "[unit][filtering]") {
+TEST_CASE("An unknown filter is refused with the known names", "[unit][filtering]") {
   for (const char* text : {"bix:5", "Box:5", "", ":5", "box 5", "median", "envelope 1"}) {
     const std::string message = refusal_of(text);
     CHECK(has(message, "one_euro"));
@@ -110,9 +109,9 @@ TEST_CASE("A filter that there is not is refused with the names that there are",
   CHECK(has(refusal_of("envelop"), "\"envelop\""));
 }
 
-TEST_CASE("A number that a filter cannot use is refused with the word and with what is expected",
+TEST_CASE("An invalid parameter of a filter is refused with the text and the expected form",
           "[unit][filtering]") {
-  // The text, the word that is wrong, and part of the remedy.
+  // The text, the wrong part, and part of the expected form.
   const std::vector<std::array<std::string, 3>> cases = {
       {"box:", "\"\"", "box:FRAMES[,causal]"},
       {"box:five", "\"five\"", "box:FRAMES[,causal]"},

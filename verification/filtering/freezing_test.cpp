@@ -1,5 +1,5 @@
 /// \file
-/// \brief Tests of putting heaps to sleep that only chatter.
+/// \brief Sleep for islands that only chatter.
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/random.hpp"
@@ -47,7 +47,8 @@ int asleep(const World& world) {
 }  // namespace
 
 TEST_CASE(
-    "A heap that only chatters falls asleep if chatter is detected from history, and not otherwise",
+    "An island that only chatters falls asleep if chatter is detected from history, and not "
+    "otherwise",
     "[unit][filtering]") {
   World by_speed = clump(5);
   World by_history = by_speed;
@@ -65,7 +66,7 @@ TEST_CASE("A clump freezes at divided steps too, where it touches in one sub-ste
                         {.halvings = 3, .fewest = 3});
   run(adaptive, world, 5.0);
   CHECK(asleep(world) >=
-        20);  // of 27; measured 26, and 0 if frames knew of their own sub-step only
+        20);  // of 27; measured 26, and 0 if frames used contacts of their own sub-step only
 }
 
 TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its energy is booked",
@@ -111,7 +112,7 @@ TEST_CASE("Freezing moves no body and books what it stops", "[unit][filtering]")
   CHECK(fell > 0);
   CHECK_THROWS_AS(freezing.step(world, 0.0), std::invalid_argument);
 
-  // From here on what sleeps stays where it is.
+  // From here on sleeping bodies do not move.
   const World then = world;
   for (int k = 0; k < 60; ++k) freezing.step(world, kStep);
   int still = 0;
@@ -123,12 +124,12 @@ TEST_CASE("Freezing moves no body and books what it stops", "[unit][filtering]")
   CHECK(still >= 20);
 }
 
-TEST_CASE("A frozen heap wakes when a body of it is pushed, and freezes again",
+TEST_CASE("A frozen island wakes when one of its bodies is pushed, and freezes again",
           "[unit][filtering]") {
   World world = clump(5);
   FreezeOnChatter freezing(damped(true));
   run(freezing, world, 4.0);
-  // The highest of those that sleep: nothing is on top of it.
+  // The highest sleeping body: there is none on top of it.
   std::size_t top = 0;
   for (std::size_t k = 1; k < world.states().size(); ++k)
     if (world.sleep_states()[k].asleep &&
@@ -206,7 +207,8 @@ TEST_CASE("A world that is put back in time is stepped, and its bodies are class
   CHECK(calm() > 0);
 }
 
-TEST_CASE("A body is calm until it gets away from where it was classified", "[exact][filtering]") {
+TEST_CASE("A body is calm until it leaves the place where it was classified",
+          "[exact][filtering]") {
   CalmBodies calm;
   World world;
   const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), BodyState{});
@@ -235,7 +237,7 @@ TEST_CASE("A body is calm until it gets away from where it was classified", "[ex
   CHECK_FALSE(calm.calm(BodyId{5}));
 }
 
-TEST_CASE("The option freeze wants sleeping beside it", "[unit][filtering]") {
+TEST_CASE("The option freeze requires sleeping", "[unit][filtering]") {
   for (const char* name : {"impulse", "damped", "contact_damped"}) {
     const TechniqueRecipe& recipe = technique_recipe(name);
     Parameters options = recipe.options();

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Filters whole, in pieces and live: the same bits, with bodies that come and go.
+/// \brief Filters on whole runs, in pieces and live: the same bits, with bodies added and removed.
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/filtering/filters.hpp"
@@ -42,7 +42,7 @@ bool same_bits(const Trajectory& a, const Trajectory& b) {
   return true;
 }
 
-// Bodies that shake, creep, fly and stand still by turns, that come and go; of q and -q any.
+// Bodies that shake, creep, fly and rest by turns, that are added and removed; q or -q at random.
 class Wanderers {
  public:
   explicit Wanderers(std::uint64_t seed) : chance_(seed) {
@@ -129,7 +129,7 @@ TEST_CASE("Whole, in pieces and live, a run is shown with the same bits", "[unit
         const auto own = filter->clone();
         for (int begin = 0; begin < run.count();) {
           const int end = std::min(run.count(), begin + static_cast<int>(chance.below(20)));
-          add(run, begin, end, *own, pieces);  // now and then a piece without frames
+          add(run, begin, end, *own, pieces);  // sometimes a piece without frames
           begin = end;
         }
         finish(*own, pieces);
@@ -173,7 +173,7 @@ TEST_CASE("A filter that is copied in the middle of a run goes on like the origi
       const auto copy = original->clone();
       Trajectory shown_by_copy = shown;
 
-      // What the copy does is no concern of the original, whatever it goes on with.
+      // The copy does not affect the original, whatever frames it gets.
       const auto astray = original->clone();
       Trajectory elsewhere;
       add(other, middle, other.count(), *astray, elsewhere);
@@ -205,7 +205,7 @@ TEST_CASE("A filter that has finished a run begins the next one afresh", "[unit]
 
     add(first, 0, 20, *filter, shown);  // in the middle of a run
     CHECK(same_bits(filtered(second, *filter), again));
-    add(first, 20, 40, *filter, shown);  // and undisturbed by the other one
+    add(first, 20, 40, *filter, shown);  // unaffected by the other one
     finish(*filter, shown);
     CHECK(shown.count() == 80);
     const BodyState last = shown.frame(79).states[0];
@@ -224,11 +224,11 @@ TEST_CASE("A frame that a filter refuses leaves no trace in what it shows", "[un
       const Frame good = run.frame(middle);
       std::vector<BodyState> states(good.states.begin(), good.states.end());
       states.back().position_w.y() = std::numeric_limits<double>::quiet_NaN();
-      const FrameSink nobody = [](const Frame&) {};
-      CHECK_THROWS_WITH(filter->add(Frame{good.time, good.step, good.ids, states}, nobody),
+      const FrameSink discard = [](const Frame&) {};
+      CHECK_THROWS_WITH(filter->add(Frame{good.time, good.step, good.ids, states}, discard),
                         Catch::Matchers::Contains("frame " + std::to_string(middle)));
       const Frame before = run.frame(middle - 1);
-      CHECK_THROWS_AS(filter->add(before, nobody), std::invalid_argument);
+      CHECK_THROWS_AS(filter->add(before, discard), std::invalid_argument);
       add(run, middle, run.count(), *filter, shown);
       finish(*filter, shown);
       CHECK(same_bits(shown, filtered(run, *filter_of(text))));

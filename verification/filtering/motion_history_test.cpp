@@ -1,5 +1,5 @@
 /// \file
-/// \brief Tests of what successive places of a body tell.
+/// \brief Features of motion from successive places of a body.
 #include "tumble/filtering/motion_history.hpp"
 
 #include "tumble/base/random.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using namespace tumble;
 
-// By trying all choices of places, for a swing along x.
+// By brute force: all choices of reversal points, for a swing along x.
 double swing_by_trying(const std::vector<double>& u, std::size_t from, int parts, double sense) {
   if (parts == 0) return std::numeric_limits<double>::infinity();
   double best = 0.0;
@@ -41,7 +41,7 @@ std::vector<Placement> places_of(const std::vector<double>& u) {
 
 }  // namespace
 
-TEST_CASE("The distance of two placements is the root mean square way of the corners",
+TEST_CASE("The distance of two placements is the root mean square displacement of the corners",
           "[exact][filtering]") {
   Random chance(3);
   for (int k = 0; k < 20; ++k) {
@@ -63,7 +63,7 @@ TEST_CASE("The distance of two placements is the root mean square way of the cor
   }
 }
 
-TEST_CASE("The swing is the best of all choices of places to turn round at", "[exact][filtering]") {
+TEST_CASE("The swing is the largest over all choices of reversal points", "[exact][filtering]") {
   Random chance(5);
   for (int k = 0; k < 200; ++k) {
     std::vector<double> u(4 + chance.below(7));
@@ -77,7 +77,7 @@ TEST_CASE("The swing is the best of all choices of places to turn round at", "[e
   }
 }
 
-TEST_CASE("Features of simple motions are what they should be", "[exact][filtering]") {
+TEST_CASE("Features of simple motions have their exact values", "[exact][filtering]") {
   const double margin = 1e-14;  // [m] rounding of a sum of 30 steps
   std::vector<double> steady;
   std::vector<double> zigzag;
@@ -86,15 +86,15 @@ TEST_CASE("Features of simple motions are what they should be", "[exact][filteri
     zigzag.push_back(k % 2 == 0 ? 0.0 : 0.01);
   }
   const MotionHistory goes = history_of(places_of(steady));
-  CHECK(goes.way == near(0.3).margin(margin));
+  CHECK(goes.displacement == near(0.3).margin(margin));
   CHECK(goes.path == near(0.3).margin(margin));
   CHECK(goes.drift == near(0.3).margin(margin));
   CHECK(goes.excursion == near(0.3).margin(margin));
   CHECK(swing_of(places_of(steady), 1) == near(0.0).margin(margin));
   const MotionHistory shakes = history_of(places_of(zigzag));
-  CHECK(shakes.way == near(0.0).margin(margin));
+  CHECK(shakes.displacement == near(0.0).margin(margin));
   CHECK(shakes.path == near(0.3).margin(margin));
-  CHECK(shakes.drift == near(0.0).margin(margin));  // even about the middle
+  CHECK(shakes.drift == near(0.0).margin(margin));  // symmetric about the middle
   CHECK(shakes.excursion == near(0.01).margin(margin));
   CHECK(swing_of(places_of(zigzag), 3) == near(0.01).margin(margin));
   CHECK(reversals_of(places_of(zigzag), 0.005) == 29);

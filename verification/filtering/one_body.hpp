@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runs of one body, frame by frame, to be filtered.
+/// \brief Runs of one body, for the tests of filters.
 #pragma once
 
 #include "tumble/base/random.hpp"
@@ -9,17 +9,17 @@
 #include <functional>
 #include <vector>
 
-/// Helpers of the tests of filters that treat each body by itself.
+/// Helpers for the tests of filters that treat each body on its own.
 namespace one_body {
 
-/// Time between two frames [s].
+/// Interval of two frames [s].
 inline constexpr double kFrameTime = 1.0 / 60.0;
 
 /// A run of one body.
 /// \param count     frames
 /// \param state     of the body in frame n
 /// \param interval  [s] between frames
-/// \return the frames
+/// \return the run
 inline tumble::Trajectory run_of(int count, const std::function<tumble::BodyState(int)>& state,
                                  double interval = kFrameTime) {
   tumble::Trajectory run;
@@ -32,8 +32,8 @@ inline tumble::Trajectory run_of(int count, const std::function<tumble::BodyStat
   return run;
 }
 
-/// A body at rest at a place on the x axis.
-/// \param x [m] where
+/// A body at rest on the x axis.
+/// \param x [m] its position
 /// \return its state
 inline tumble::BodyState at(double x) {
   tumble::BodyState state;
@@ -41,8 +41,8 @@ inline tumble::BodyState at(double x) {
   return state;
 }
 
-/// A body at the origin, turned about the z axis.
-/// \param angle [rad] by how much
+/// A body at the origin, rotated about the z axis.
+/// \param angle [rad] its rotation
 /// \return its state
 inline tumble::BodyState turned_by(double angle) {
   tumble::BodyState state;
@@ -52,22 +52,22 @@ inline tumble::BodyState turned_by(double angle) {
 
 /// The body in a frame of run_of().
 /// \param run    the run
-/// \param frame  which frame
+/// \param frame  its index
 /// \return its state
 inline const tumble::BodyState& body_in(const tumble::Trajectory& run, int frame) {
   return run.frame(frame).states[0];
 }
 
-/// Whether two poses are the same bits.
-/// \param a  the one
-/// \param b  the other
+/// Whether two poses have the same bits.
+/// \param a  first
+/// \param b  second
 /// \return true if positions and quaternions agree
 inline bool same_pose(const tumble::BodyState& a, const tumble::BodyState& b) {
   return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
 }
 
-/// Frames in which the body is shown elsewhere than in the frame before.
-/// \param run what is shown
+/// Counts the frames in which the body's displayed position changes.
+/// \param run displayed frames
 /// \return their number
 inline int changes_in(const tumble::Trajectory& run) {
   int changes = 0;
@@ -76,12 +76,12 @@ inline int changes_in(const tumble::Trajectory& run) {
   return changes;
 }
 
-/// A random walk of a body, with turns, whose moves have all lengths up to a bound.
+/// A random walk of a body, with rotations; steps have all lengths up to a bound.
 /// \param count  frames
 /// \param way    [m] longest move of the centre in a frame
 /// \param turn   [rad] largest turn in a frame
-/// \param seed   of chance
-/// \return the frames
+/// \param seed   random seed
+/// \return the run
 inline tumble::Trajectory random_walk(int count, double way, double turn, std::uint64_t seed) {
   tumble::Random chance(seed);
   tumble::BodyState now;

@@ -18,14 +18,14 @@ using namespace one_body;
 namespace {
 
 constexpr double kTurnRate = 2.0 * std::numbers::pi;  // [rad] of a period
-constexpr double kRounding = 1e-13;                   // [m], [rad] of sums of a few hundred terms
+constexpr double kRounding = 1e-13;                   // [m], [rad] for sums of a few hundred terms
 
 // The filter as an exponential smoothing with a fixed cutoff [Hz].
 OneEuroFilter fixed(double cutoff) { return OneEuroFilter({cutoff, 0.0, 1.0}); }
 
 double share(double cutoff, double dt) { return 1.0 / (1.0 + 1.0 / (kTurnRate * cutoff * dt)); }
 
-// [m] how far the body is behind at the end of a ramp, once everything has settled
+// [m] lag of the displayed body at the end of a ramp, in the steady state
 double lag_of(double speed, const PoseFilter& filter, double interval = kFrameTime) {
   const int frames = 1200;
   const Trajectory run = run_of(
@@ -63,27 +63,26 @@ TEST_CASE("Without gain a swing is damped by the response of a first-order filte
         filtered(run_of(2400, [=](int n) { return at(elementary::cos(w * n)); }), fixed(cutoff));
     for (int n = 1200; n < 2400; ++n) {
       const auto [s, c] = elementary::sincos(w * n);
-      // [m] after 20 s nothing of the start is left; rounding of w n
+      // [m] after 20 s the start has no effect; rounding of w n
       CHECK(body_in(shown, n).position_w.x() ==
             near(a * (c * real + s * imaginary) / size).margin(1e-10));
     }
-    // Half of the power at the cutoff, to what 60 frames a second can tell.
+    // Half of the power at the cutoff, to the accuracy of 60 frames per second.
     if (frequency == cutoff) CHECK(a * a / size == near(0.5).margin(0.03));
   }
 }
 
-TEST_CASE("The one-euro filter is late by a time that the cutoff and its rise with speed tell",
-          "[exact][filtering]") {
+TEST_CASE("The lag of the one-euro filter follows from its cutoff and gain", "[exact][filtering]") {
   const OneEuroOptions options;
   double last = std::numeric_limits<double>::infinity();
   for (const double speed : {0.001, 0.1, 1.0, 10.0}) {
     const double lag = lag_of(speed, OneEuroFilter(options));
     const double expected = speed / (kTurnRate * (options.cutoff + options.gain * speed));
     CHECK(lag == near(expected).margin(1e-11));  // [m] at places of up to 200 m
-    CHECK(lag / speed < last);                   // the faster, the sooner
+    CHECK(lag / speed < last);                   // the faster, the smaller
     last = lag / speed;
   }
-  // Its standard gain makes that a centimetre at high speed, and never more.
+  // Its default gain makes that a centimetre at high speed, and never more.
   CHECK(lag_of(100.0, OneEuroFilter()) == near(0.01).margin(1e-4));
   CHECK(lag_of(100.0, OneEuroFilter()) < 0.01);
   // And it is the same at any frame rate.
@@ -122,10 +121,11 @@ TEST_CASE("The one-euro filter treats a turn about an axis as it treats a move a
     widest = std::max(widest, std::abs(seen.z() - angle(n)));
     CHECK(seen.z() == near(body_in(moved, n).position_w.x()).margin(1e-12));
   }
-  CHECK(widest > 0.01);  // it does something
+  CHECK(widest > 0.01);  // the filter has an effect
 }
 
-TEST_CASE("What the one-euro filter shows does not depend on the axes", "[exact][filtering]") {
+TEST_CASE("The poses shown by the one-euro filter do not depend on the axes",
+          "[exact][filtering]") {
   const Quat view = rotation_from_vector(Vec3(0.4, -1.1, 0.6));
   const Trajectory run = random_walk(200, 0.02, 0.05, 3);
   const Trajectory seen_from = run_of(200, [&](int n) {
@@ -156,21 +156,21 @@ TEST_CASE("q and -q are one orientation to the one-euro filter", "[exact][filter
     CHECK(angle_between(body_in(a, n).orientation_wb, body_in(b, n).orientation_wb) <= 1e-13);
 }
 
-TEST_CASE("The one-euro filter leaves a run that does not move as it is, and stills what shakes",
+TEST_CASE("The one-euro filter leaves a run at rest unchanged and damps chatter",
           "[exact][filtering]") {
   BodyState still;
   still.position_w = Vec3(0.1, 1e5, -1e-7);
   still.orientation_wb.coeffs() = Vec3(0.1, -0.7, 0.3).homogeneous().normalized() * (1.0 + 4e-10);
   const Trajectory run = run_of(50, [&](int) { return still; });
   for (int n = 0; n < 50; ++n) CHECK(body_in(filtered(run, OneEuroFilter()), n) == still);
-  // Shaking by a millimetre in every frame is left with a twentieth or less.
+  // Chatter by a millimetre per frame is reduced to a twentieth or less.
   const Trajectory shaken =
       filtered(run_of(600, [](int n) { return at(n % 2 == 0 ? 0.0 : 0.001); }), OneEuroFilter());
   CHECK(std::abs(body_in(shaken, 599).position_w.x() - body_in(shaken, 598).position_w.x()) < 6e-5);
   CHECK(body_in(shaken, 599).position_w.x() != body_in(shaken, 598).position_w.x());
 }
 
-TEST_CASE("Numbers out of range make no one-euro filter", "[unit][filtering]") {
+TEST_CASE("A one-euro filter refuses parameters out of range", "[unit][filtering]") {
   for (const double bad :
        {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(OneEuroFilter({bad, 1.0, 1.0}), std::invalid_argument);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runs at equal times: what is kept to the bit, what lies between, what is refused.
+/// \brief Resampled runs: identical bits, interpolation, refusals.
 #include "tumble/filtering/resampled.hpp"
 
 #include "tumble/base/random.hpp"
@@ -22,7 +22,7 @@ using namespace tumble;
 constexpr double kInterval = 1.0 / 60.0;  // [s]
 const Vec3 kSpin(0.3, -2.0, 1.1);         // [rad/s]
 
-// A body in uniform motion; it turns by -q as well as by q.
+// A body in uniform motion; quaternions q and -q at random.
 BodyState moving(double time, bool other_sign = false) {
   BodyState state;
   state.position_w = Vec3(1.0, 2.0, 3.0) + time * Vec3(0.5, -1.5, 0.25);
@@ -42,7 +42,7 @@ void record(double time, std::int64_t step, std::vector<BodyId> ids, Trajectory&
   run.record(Frame{time, step, ids, states});
 }
 
-// Steps from a fifth of the interval to two of them.
+// Intervals from a fifth of the nominal one to twice as much.
 Trajectory uneven(std::uint64_t seed, double duration) {
   Random chance(seed);
   Trajectory run;
@@ -164,7 +164,7 @@ TEST_CASE("After resampling a box filter takes a run that it refuses as it is",
   const Trajectory even = resampled(run, kInterval);
   CHECK(filtered(even, BoxFilter(5)).count() == even.count());
 
-  // Frames as far off the grid as is allowed are taken as they are, and the filter takes them too.
+  // Frames as far off as tolerated are used as they are, and the filter accepts them.
   Trajectory off;
   const double far = 0.99 * tolerance::on_the_grid * kInterval;
   for (int k = 0; k < 20; ++k)
@@ -201,7 +201,7 @@ TEST_CASE(
   broken.record(Frame{1.0, 1, ids, states});
   CHECK_THROWS_WITH(resampled(broken, 0.3),
                     Catch::Matchers::Contains("frame 1 at 1 s, body with id 0"));
-  CHECK_THROWS_AS(resampled(broken, 1.0), std::invalid_argument);  // a frame that is on the grid
+  CHECK_THROWS_AS(resampled(broken, 1.0), std::invalid_argument);  // a frame at one of the times
   states[0] = BodyState{};
   states[0].linear_momentum_w.z() = std::numeric_limits<double>::infinity();
   Trajectory endless;

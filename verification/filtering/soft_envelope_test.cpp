@@ -1,5 +1,5 @@
 /// \file
-/// \brief The envelope without pops: what its documentation promises (thesis 5.5).
+/// \brief The documented properties of the envelope without pops (thesis 5.5).
 #include "tumble/filtering/corner_motion.hpp"
 #include "tumble/filtering/envelope_filter.hpp"
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr Envelope kEnvelope;
 
-// [-] Rounding of a distance in envelopes: places of a metre carry 1e-16 m, an envelope is 1e-2 m.
+// [-] Rounding of a distance in envelopes: positions of a metre carry 1e-16 m, an envelope is 1e-2 m.
 constexpr double kRounding = 1e-12;
 
-// [envelopes] How far two poses are apart.
+// [envelopes] Distance of two poses.
 double apart(const BodyState& a, const BodyState& b) {
   return std::max((a.position_w - b.position_w).norm() / kEnvelope.radius,
                   angle_between(a.orientation_wb, b.orientation_wb) / kEnvelope.angle);
@@ -28,7 +28,7 @@ double apart(const BodyState& a, const BodyState& b) {
 
 Trajectory shown_of(const Trajectory& run) { return filtered(run, SoftEnvelopeFilter()); }
 
-// From side to side in every frame, by so many envelopes: a move along x and a turn about it.
+// From side to side in every frame, by this many envelopes: a displacement along x and a rotation about it.
 Trajectory shaking(double envelopes) {
   return run_of(100, [=](int n) {
     const double side = n % 2 == 0 ? 0.0 : envelopes;
@@ -48,7 +48,7 @@ int last_change(const Trajectory& shown) {
 
 }  // namespace
 
-TEST_CASE("A soft envelope shows a body within what is left of the envelope at its speed",
+TEST_CASE("A soft envelope shows a body within the envelope that its speed leaves",
           "[exact][filtering]") {
   for (const double largest : {0.2, 0.6, 1.2, 3.0}) {
     double worst = 0.0;
@@ -65,7 +65,7 @@ TEST_CASE("A soft envelope shows a body within what is left of the envelope at i
   }
 }
 
-TEST_CASE("What a soft envelope shows moves by no more than twice what is computed in that frame",
+TEST_CASE("A step shown by a soft envelope is at most twice the computed one",
           "[exact][filtering]") {
   double largest_ratio = 0.0;
   for (const double largest : {0.2, 0.6, 1.2, 3.0})
@@ -80,11 +80,12 @@ TEST_CASE("What a soft envelope shows moves by no more than twice what is comput
         if (computed > 0.1) largest_ratio = std::max(largest_ratio, seen / computed);
       }
     }
-  CHECK(largest_ratio > 1.5);  // the bound is not slack by far
+  CHECK(largest_ratio > 1.5);  // the bound is nearly reached
 }
 
 TEST_CASE(
-    "A soft envelope shows the computed pose, bit by bit, of what moves by an envelope a frame",
+    "A soft envelope shows the computed pose, bit by bit, of a body that moves by an envelope a "
+    "frame",
     "[exact][filtering]") {
   const Trajectory fast = random_walk(300, 3.0 * kEnvelope.radius, 3.0 * kEnvelope.angle, 5);
   const Trajectory shown = shown_of(fast);
@@ -102,7 +103,7 @@ TEST_CASE("Shaking by up to half an envelope is shown at rest at once by a soft 
   CHECK(last_change(shown_of(shaking(0.3))) == 0);
   CHECK(last_change(shown_of(shaking(0.499))) == 0);
   CHECK(last_change(shown_of(shaking(0.51))) > 0);
-  // Whatever way it goes: within a ball half as wide as the envelope, in all directions.
+  // In any direction: within a ball half as wide as the envelope.
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random chance(seed);
     const Trajectory run = run_of(200, [&](int) {
@@ -128,7 +129,8 @@ TEST_CASE(
   CHECK(last_change(shown_of(shaking(0.68))) == 99);
 }
 
-TEST_CASE("A soft envelope is late by what its speed leaves of it", "[exact][filtering]") {
+TEST_CASE("The lag of a soft envelope is the envelope that the speed leaves",
+          "[exact][filtering]") {
   for (const double f : {0.05, 0.3, 0.7, 0.95}) {
     const Trajectory run = run_of(200, [=](int n) { return at(f * kEnvelope.radius * n); });
     const Trajectory shown = shown_of(run);
@@ -141,7 +143,7 @@ TEST_CASE("A creeping body that shakes pops under the envelope of the thesis and
           "[exact][filtering]") {
   BodyProperties cube;
   cube.size = Vec3::Ones();
-  // It creeps by 5 mm/s and is 4 mm to and fro in every frame, two fifths of the envelope.
+  // It creeps by 5 mm/s and oscillates by 4 mm in every frame, two fifths of the envelope.
   const Trajectory run =
       run_of(1200, [](int n) { return at(0.005 * kFrameTime * n + (n % 2 == 0 ? 0.0 : 0.004)); });
   const auto path = [&](const Trajectory& frames) { return corner_path(frames, BodyId{7}, cube); };

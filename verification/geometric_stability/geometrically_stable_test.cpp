@@ -24,7 +24,7 @@ struct Pile : test::Pile {
     margin = tolerance::stability_margin;
     world.add_ground();
   }
-  // As many characters as movable bodies: 1 stable, 0 not.
+  // One character for each movable body: 1 stable, 0 not.
   std::string verdict(StableRule rule) {
     if (contacts.empty()) gather();
     std::vector<char> stable;
@@ -93,7 +93,7 @@ TEST_CASE("A wall that is touched stays immovable, and what stands on it stable"
   CHECK(pile.both() == "01");
 }
 
-TEST_CASE("One support that is not stable speaks against the whole box, whatever the order",
+TEST_CASE("One unstable support makes the whole box unstable, in any order",
           "[exact][geometric_stability]") {
   Pile pile;
   pile.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
@@ -102,7 +102,7 @@ TEST_CASE("One support that is not stable speaks against the whole box, whatever
   pile.add(Vec3(0.6, 0.25, 0.0), Vec3(0.2, 0.5, 0.2));  // touches the side of the last one
   pile.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));   // the plank
   CHECK(pile.both() == "000");
-  // And without the loose one it is stable.
+  // Without the loose one the plank is stable.
   Pile clear;
   clear.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
   clear.add_fixed(Vec3(1.5, 0.5, 0.0), Vec3::Ones());
@@ -110,7 +110,7 @@ TEST_CASE("One support that is not stable speaks against the whole box, whatever
   CHECK(clear.both() == "1");
 }
 
-TEST_CASE("Which bodies stand firm does not depend on the order of contacts",
+TEST_CASE("The set of stable bodies does not depend on the order of contacts",
           "[determinism][geometric_stability]") {
   Random random(9);
   int stable = 0;
@@ -149,7 +149,7 @@ TEST_CASE("Marks of corners are of this step only", "[exact][geometric_stability
   CHECK(stable == std::vector<char>{1, 1, 0});
 }
 
-TEST_CASE("A body that goes up is not stable yet", "[exact][geometric_stability]") {
+TEST_CASE("A rising body is not stable", "[exact][geometric_stability]") {
   Pile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.world.states()[1].linear_momentum_w.y() = 0.1;  // the limit is 0.02 sqrt(9.81) = 0.063
@@ -158,7 +158,7 @@ TEST_CASE("A body that goes up is not stable yet", "[exact][geometric_stability]
   CHECK(pile.both() == "1");
 }
 
-TEST_CASE("A hair of tilt and gap does not matter, three degrees do",
+TEST_CASE("A tilt by a twentieth of a degree does not matter, three degrees do",
           "[unit][geometric_stability]") {
   for (const double degrees : {0.0, 0.05, 3.0}) {
     Pile pile;
@@ -168,7 +168,7 @@ TEST_CASE("A hair of tilt and gap does not matter, three degrees do",
   }
 }
 
-TEST_CASE("A hull contains what is in it", "[exact][geometric_stability]") {
+TEST_CASE("A hull contains the points inside it", "[exact][geometric_stability]") {
   std::vector<Vec2> points{{1, 1}, {0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}, {0.5, 0}, {1, 1}};
   std::vector<Vec2> hull;
   convex_hull(points, hull);
@@ -186,7 +186,7 @@ TEST_CASE("A hull contains what is in it", "[exact][geometric_stability]") {
   CHECK_FALSE(hull_contains(hull, Vec2::Zero(), 1.0));
 }
 
-TEST_CASE("A verdict names what speaks against a body: motion, a side, a support, a corner",
+TEST_CASE("A verdict names the reason against a body: motion, a side, a support, a corner",
           "[exact][geometric_stability]") {
   Pile pile;
   const int firm = pile.add(Vec3(0.0, 0.5, 0.0));
@@ -202,7 +202,9 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
   for (const StableRule rule : {StableRule::corners, StableRule::hull}) {
     stability.run(pile.world, pile.contacts, rule, 0.02, stable);
     const auto verdict = [&](int body) { return stability.verdict(pile.world, body); };
-    const auto words = [&](int body) { return told(pile.world, pile.contacts, verdict(body)); };
+    const auto words = [&](int body) {
+      return explanation(pile.world, pile.contacts, verdict(body));
+    };
     const auto pair_of = [&](int body) {
       const Contact& contact = pile.contacts[static_cast<std::size_t>(verdict(body).contact)];
       return std::vector<int>{contact.first, contact.second};
@@ -211,29 +213,29 @@ TEST_CASE("A verdict names what speaks against a body: motion, a side, a support
       CHECK(verdict(body).stable() == (stable[static_cast<std::size_t>(body)] != 0));
     CHECK(verdict(0).reason == StabilityReason::immovable);
     CHECK(words(0) == "immovable");
-    CHECK(verdict(firm).reason == StabilityReason::carried);
-    CHECK(words(firm) == "whatever is put on it is carried");
+    CHECK(verdict(firm).reason == StabilityReason::supported);
+    CHECK(words(firm) == "supports any load");
     CHECK(verdict(rising).reason == StabilityReason::moving);
-    CHECK(words(rising) == "goes up, sinks or tips");
+    CHECK(words(rising) == "rises, sinks or tips");
     for (const int body : {beside, neighbour}) {
       CHECK(verdict(body).reason == StabilityReason::side_contact);
       CHECK(pair_of(body) == std::vector<int>{beside, neighbour});
-      CHECK(words(body) == "the contact of box2 and box3 is not below or above");
+      CHECK(words(body) == "the contact of box2 and box3 is not vertical");
     }
     CHECK(verdict(on_it).reason == StabilityReason::unstable_support);
     CHECK(pair_of(on_it) == std::vector<int>{beside, on_it});
     CHECK(words(on_it) == "of box2 and box4, the lower one is not stable");
-    // Of the three corners that hang over, the one that does so by most.
+    // Of the three overhanging corners, the one that overhangs most.
     CHECK(verdict(over).reason == StabilityReason::corner);
     CHECK(verdict(over).corner_xz == Vec2(0.75, 0.625));
-    CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not carried");
+    CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not supported");
   }
   CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Catch::Matchers::Contains("99"));
 }
 
 TEST_CASE("A prism is judged by the hull under its own outline, and never by four corners",
           "[exact][geometric_stability]") {
-  // A triangular prism on three posts; the library takes its body for the box around it.
+  // A triangular prism on three posts; its body is the box around it.
   Pile pile;
   const std::vector<Vec2> triangle{{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
   for (const Vec2& corner : triangle)
@@ -259,7 +261,7 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   };
   CHECK_FALSE(is_stable(StableRule::corners));
   CHECK(is_stable(StableRule::hull));
-  // As the box around it, it has corners that nothing carries.
+  // As the box around it, it has corners without support.
   stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
   CHECK(stable.back() == 0);
   // The last post is 3 cm short of the corner, three times the tolerance.
@@ -287,7 +289,7 @@ TEST_CASE(
     std::vector<char> stable;
     stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
     CHECK((stable[1] != 0) ==
-          (stability.verdict(pile.world, 1).reason == StabilityReason::carried));
+          (stability.verdict(pile.world, 1).reason == StabilityReason::supported));
     return stable[1] != 0;
   };
   const double none = std::numeric_limits<double>::infinity();
@@ -304,7 +306,7 @@ TEST_CASE(
   CHECK(stable_with(Vec3(2.0, 0.0, 1.0), Vec3(0.0, 1.0, 0.0), 1e-3));
 }
 
-TEST_CASE("Without weight a box that rests is stable as long as speeds are not looked at",
+TEST_CASE("Without weight a resting box is stable as long as speeds are not tested",
           "[exact][geometric_stability]") {
   Pile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Stable boxes left out of the contact forces: nothing else may change.
+/// \brief Stable boxes left out of the contact forces: all else is unchanged.
 #include "tumble/analytic_lcp/held_bodies.hpp"
 
 #include "tumble/analytic_lcp/analytic.hpp"
@@ -29,8 +29,8 @@ constexpr std::array<StableRule, 3> kRules{StableRule::corners, StableRule::hull
                                            StableRule::equilibrium};
 constexpr double kStep = 1.0 / 60.0;  // [s]
 
-// Three courses of boxes of random widths and masses. Neighbours touch or do not; upper boxes lie where
-// they come to lie, so that some hang over, tip, and push their neighbours aside.
+// Three courses of boxes of random widths and masses. Neighbours may touch; upper boxes have random
+// positions, so that some overhang, tip, and push their neighbours aside.
 World random_courses(Random random) {
   World world;
   world.add_ground();
@@ -77,7 +77,7 @@ Found forces_of(const Instant& instant, StableRule rule, const char* solver) {
   return found;
 }
 
-// [m/s²] of the fastest point of a body, at most.
+// [m/s²] Upper bound for the points of a body.
 double fastest(const BodyProperties& body, const Vec3& linear_w, const Vec3& angular_w) {
   return linear_w.norm() + 0.5 * body.size.norm() * angular_w.norm();
 }
@@ -85,7 +85,7 @@ double fastest(const BodyProperties& body, const Vec3& linear_w, const Vec3& ang
 struct Difference {
   double acceleration = 0.0;  // [-] of g, all bodies
   double wrench = 0.0;        // [-] of a body's weight; torques by half its diagonal, all bodies
-  double held = 0.0;          // [-] of g: how held bodies accelerate in the full system
+  double held = 0.0;          // [-] of g: acceleration of held bodies in the full system
 };
 
 Difference difference(const Instant& instant, const Found& all, const Found& left) {
@@ -107,7 +107,7 @@ Difference difference(const Instant& instant, const Found& all, const Found& lef
   return d;
 }
 
-// What all tests of one instant ask.
+// Checks common to all tests of one instant.
 ForceReport check_nothing_changes(const Instant& instant, StableRule rule,
                                   const char* solver = "augmented_lagrangian") {
   const Found all = forces_of(instant, StableRule::off, solver);
@@ -150,9 +150,9 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
       tip += std::any_of(all.accelerations.begin(), all.accelerations.end(),
                          [](const Acceleration& a) { return a.linear_w.norm() > 0.01 * kG; });
     }
-    // Else nothing would have been tested.
+    // Otherwise nothing would have been tested.
     CHECK(left_out[0] > 100);
-    CHECK(left_out[1] == left_out[0]);  // these boxes are boxes
+    CHECK(left_out[1] == left_out[0]);  // for boxes both rules agree
     CHECK(left_out[2] > left_out[0]);
     CHECK(tip > 20);
   }
@@ -198,7 +198,7 @@ TEST_CASE("Without its stable boxes the pyramid of figure 5.6 has 112 unknown fo
     CHECK(left.unknowns == 4 * (2 * 15 - 2));
     CHECK(left.stable == 12);
   }
-  // All of it is in balance.
+  // All of it is in equilibrium.
   const ForceReport none =
       forces_of(instant, StableRule::equilibrium, "augmented_lagrangian").report;
   CHECK(none.unknowns == 0);
@@ -291,7 +291,7 @@ TEST_CASE("A stable box that slides is left out, and is damped as if it were not
   const DampingShares shares;
   for (const StableRule rule : kRules) {
     CAPTURE(static_cast<int>(rule));
-    // [kg m/s] the share that is left after a step, of 0.5.
+    // [kg m/s] the share of 0.5 that remains after a step.
     const World once = slide(rule, 1);
     CHECK(once.states()[2].linear_momentum_w.x() == near(0.5 * shares.velocity).margin(1e-12));
     const World later = slide(rule, 20);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runs with stable boxes left out: books, slides, gaps, loads, and what they must not brake.
+/// \brief Runs with stable boxes left out: energy, sliding, gaps, loads, and unwanted braking.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
@@ -41,7 +41,7 @@ double energy(const World& world) {
   return sum;
 }
 
-// [J] what a run changes of the energy and does not book.
+// [J] Change of energy in a run that is not booked.
 double unbooked(World world, StableRule rule, int steps) {
   Analytic analytic = technique(rule);
   double worst = 0.0;
@@ -57,7 +57,8 @@ double unbooked(World world, StableRule rule, int steps) {
 
 }  // namespace
 
-TEST_CASE("What holds stable boxes is booked", "[exact][geometric_stability]") {
+TEST_CASE("The energy that holding stable boxes removes is booked",
+          "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
     World heavy;
     heavy.add_ground();
@@ -105,7 +106,7 @@ TEST_CASE("Between boxes that are left out no force of an earlier instant is lef
   for (const ContactPoint& p : contacts[0].points) CHECK(p.normal_impulse == 0.0);
 }
 
-TEST_CASE("Damping does not brake boxes that have no weight, whoever is left out",
+TEST_CASE("Damping does not brake boxes that have no weight, whichever bodies are left out",
           "[exact][geometric_stability]") {
   for (const StableRule rule : {StableRule::off, StableRule::corners, StableRule::equilibrium}) {
     World world;
@@ -121,7 +122,7 @@ TEST_CASE("Damping does not brake boxes that have no weight, whoever is left out
 
 TEST_CASE("A light box under a heavy one is held only if its support is that much more exact",
           "[exact][geometric_stability]") {
-  // A millionth of a radian: a load of 1e4 times its weight pushes it aside with a hundredth of g.
+  // A millionth of a radian: a load of 1e4 times its weight accelerates it aside by a hundredth of g.
   const double angle = 0.9e-6;  // [rad]
   const Quat turned(std::sqrt(1.0 - 0.25 * angle * angle), 0.0, 0.0, 0.5 * angle);
   const Vec3 up = turned * Vec3::UnitY();
@@ -137,7 +138,7 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
   }
 }
 
-TEST_CASE("A box above a gap that is to close is not held until it has",
+TEST_CASE("A box above a closing gap is not held until the gap has closed",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
     World world;

@@ -28,7 +28,7 @@ struct Cubes {
 
   void find_contacts() { contacts = test::contacts_within(world, 1e-9); }
 
-  // The movable ones that are load-proof.
+  // The number of movable load-proof bodies.
   int load_proof() const {
     std::vector<char> stable;
     LoadProof().run(world, contacts, stable);
@@ -57,7 +57,7 @@ TEST_CASE("Cubes side by side are load-proof until one of them is not",
   CHECK(two.load_proof() == 2);
   two.world.set_velocity(two.world.ids()[2], Vec3::Zero(), Vec3(0.0, 0.0, 1.0));
   CHECK(two.load_proof() == 0);
-  // One on top that hangs over by three quarters falls, and presses from above only.
+  // A cube on top that overhangs by three quarters falls, and presses from above only.
   CHECK(Cubes({Vec3::Zero(), Vec3(1.0, 0.0, 0.0), Vec3(1.75, 1.0, 0.0)}).load_proof() == 2);
 }
 

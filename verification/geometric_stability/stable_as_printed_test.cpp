@@ -50,7 +50,7 @@ TEST_CASE("As printed, a stack of cubes is stable from the ground up",
   CHECK(stable(world, contacts_within(world, 1e-9), all) == every);
 }
 
-TEST_CASE("As printed, a cube on a corner of another one is not stable, nor what it carries",
+TEST_CASE("As printed, a cube on a corner of another one is not stable, nor is its load",
           "[exact][geometric_stability]") {
   World world;  // figure 5.3
   world.add_ground();
@@ -70,7 +70,7 @@ TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed
   add_cube(world, Vec3(1.0, 0.5, 0.0));
   const BodyProperties plank = box_properties(Vec3(2.5, 0.25, 0.5), 1.0);
   world.add(plank, make_state(plank, Vec3(0.0, 1.125, 0.0)));
-  // Its corners lie in larger faces: to rounding, contact points are under them (G8).
+  // Its corners lie in larger faces: contact points are below them up to rounding (G8).
   PrintedStabilityRepairs tolerant;
   tolerant.tolerances = true;
   CHECK(stable(world, contacts_within(world, 1e-9), tolerant) == std::vector<bool>(4, true));
@@ -80,7 +80,7 @@ TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed
 
 TEST_CASE("Mended, the order of contacts does not change which bodies are stable",
           "[exact][geometric_stability]") {
-  // Two cubes and a fixed block carry a plank, and the block touches one of the cubes.
+  // Two cubes and a fixed block support a plank, and the block touches one of the cubes.
   const auto by_ids = [](const Contact& a, const Contact& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   };
@@ -147,7 +147,7 @@ TEST_CASE("A list of bodies of the wrong length is refused", "[unit][geometric_s
 
 TEST_CASE("As printed, one of two cubes side by side is stable, and none if both are cleared",
           "[exact][geometric_stability]") {
-  // Nothing else is mended: the upper points of the contact come last.
+  // No other erratum is mended: the upper points of the contact come last.
   World world;
   world.add_ground();
   add_cube(world, Vec3(-0.5, 0.5, 0.0));

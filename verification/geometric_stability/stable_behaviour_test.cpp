@@ -1,5 +1,5 @@
 /// \file
-/// \brief What boxes that stand firm do when something happens to them, step by step.
+/// \brief Stable boxes under changes and impacts, step by step.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/math/rotation.hpp"
@@ -21,7 +21,7 @@ using namespace tumble;
 constexpr double kStep = 1.0 / 60.0;  // [s]
 constexpr double kG = 9.81;           // [m/s²]
 
-// A technique that marks stable boxes, and who they are.
+// A technique that marks stable boxes, and the marks.
 struct Marked {
   std::string words;
   std::unique_ptr<Technique> technique;
@@ -30,7 +30,7 @@ struct Marked {
 
   bool sleeps = false;
 
-  // After a step: whether the box counts as stable. A sleeper does: it is as heavy as the ground.
+  // After a step: whether the box counts as stable. A sleeping one does: it is as heavy as the ground.
   [[nodiscard]] bool firm(const World& world, BodyId id) const {
     if (world.sleep_states()[static_cast<std::size_t>(world.index_of(id))].asleep) return true;
     if (damped != nullptr) {
@@ -94,7 +94,7 @@ Vec3 velocity_of(const World& world, BodyId id) {
                   state_of(world, id));
 }
 
-// [-] Cosine of the tilt of what was upright at the start.
+// [-] Cosine of the tilt of a body that was upright at the start.
 double upright(const World& world, BodyId id) {
   return state_of(world, id).orientation_wb.toRotationMatrix()(1, 1);
 }
@@ -111,7 +111,7 @@ struct Pair {
   }
 };
 
-// Figure 6.5: a box on the inner ends of two blocks; it holds them from 2/3 of their mass on.
+// Figure 6.5: a box on the inner ends of two blocks; it keeps them in balance from 2/3 of their mass on.
 struct Bridge {
   World world;
   BodyId left, right, top;
@@ -146,8 +146,7 @@ struct Block {
 
 }  // namespace
 
-TEST_CASE("What stood on a box that is taken away falls from the next step on",
-          "[exact][geometric_stability]") {
+TEST_CASE("Bodies on a removed box fall from the next step on", "[exact][geometric_stability]") {
   for (Marked& marked : all_marked()) {
     Pair pair;
     run(marked, pair.world, 60);
@@ -164,7 +163,7 @@ TEST_CASE("What stood on a box that is taken away falls from the next step on",
     run(marked, pair.world, 9);
     CHECK(velocity_of(pair.world, pair.upper).y() == near(-kG * 10.0 * kStep).margin(1e-13));
     run(marked, pair.world, 90);
-    // [m] On the ground it stands firm again; damping may stop it 2 mm above.
+    // [m] On the ground it is stable again; damping may stop it 2 mm above.
     CHECK(state_of(pair.world, pair.upper).position_w.y() == near(0.5).margin(2e-3));
     CHECK(marked.firm(pair.world, pair.upper));
   }
@@ -198,7 +197,7 @@ TEST_CASE("A stable box whose centre is put beyond the edge tips", "[unit][geome
     run(marked, pair.world, 60);
     INFO(marked.words);
     BodyState state = state_of(pair.world, pair.upper);
-    // Of a cube that reaches from 0.95 to 1.95 a twentieth is over the box. Damping holds up one
+    // A twentieth of a cube that reaches from 0.95 to 1.95 is over the box. Damping holds up one
     // that reaches from 0.8 on, marked or not.
     state.position_w.x() = 1.45;
     pair.world.set_state(pair.upper, state);
@@ -238,7 +237,7 @@ TEST_CASE("A block that is struck at its top stays or falls as energy says, stab
 
 TEST_CASE("A stable block that a user strikes at its top falls under damping too",
           "[exact][geometric_stability]") {
-  // The push of a user is no contact from the side; the mark goes all the same.
+  // A user's impulse is no side contact; the mark is removed all the same.
   for (Marked& marked : all_marked()) {
     for (const auto& [impulse, falls] : {std::pair(0.2, false), std::pair(0.5, true)}) {
       Block b;
@@ -321,7 +320,7 @@ TEST_CASE("A bounce on a stable box is not lost", "[exact][geometric_stability]"
     const BodyId upper =
         add_box(world, Vec3(0.0, 1.51, 0.0), Vec3::Ones(), 1.0, Vec3(0.0, -2.0, 0.0), 0.9);
     run(marked, world, 1);
-    // [m/s] measured 4e-7 off: the moment of the impact is searched for
+    // [m/s] measured 4e-7 off: the time of the impact is searched for
     CHECK(velocity_of(world, upper).y() == near(expected).margin(1e-5));
     CHECK((state_of(world, lower).position_w - Vec3(0.0, 0.5, 0.0)).norm() < 1e-9);
   }
@@ -340,7 +339,7 @@ TEST_CASE(
     const BodyId other = add_box(pair.world, Vec3(1.5, 0.5, 0.0));  // face to face
     run(marked, pair.world, 1);
     CHECK_FALSE(marked.firm(pair.world, pair.lower));
-    CHECK_FALSE(marked.firm(pair.world, pair.upper));  // nor what stands on it
+    CHECK_FALSE(marked.firm(pair.world, pair.upper));  // and neither is the box on it
     pair.world.remove(other);
     run(marked, pair.world, 1);
     CHECK(marked.firm(pair.world, pair.lower));
@@ -350,7 +349,7 @@ TEST_CASE(
 
 TEST_CASE("Two equal boxes that slide into each other stay upright and keep their momentum",
           "[exact][geometric_stability]") {
-  // The flag is cleared in the step of the hit, and nothing tips: the hit is level with the centres.
+  // The mark is cleared in the step of the hit, and nothing tips: the hit is level with the centres.
   for (const StableRule rule : {StableRule::corners, StableRule::hull, StableRule::equilibrium}) {
     Marked marked = analytic_by(rule, AnalyticFriction::none);
     World world;
@@ -400,7 +399,7 @@ TEST_CASE("A bridge falls when its top is replaced by a lighter one",
 
 TEST_CASE("A plank that slides off its pedestal falls when its centre has left it",
           "[exact][geometric_stability]") {
-  // The contact is the pedestal's top and stays the same: only the plank's centre tells.
+  // The contact is the pedestal's top and does not change: only the plank's centre decides.
   for (const StableRule rule : {StableRule::off, StableRule::equilibrium}) {
     Marked marked = analytic_by(rule, AnalyticFriction::none);
     World world;
@@ -438,7 +437,7 @@ TEST_CASE("Gravity that turns or ends moves stable boxes as it moves unmarked on
       unmarked.world.gravity_w = gravity;
       run(off, unmarked.world, 30);
       const Vec3 place = state_of(pair.world, pair.upper).position_w;
-      // [m] roundings; damped, 1 mm: without a mark the one point of contact tips a box by a hair
+      // [m] rounding; damped, 1 mm: unmarked, the single contact point tips a box slightly
       CHECK((place - state_of(unmarked.world, unmarked.upper).position_w).norm() <
             (marked.damped != nullptr ? 1e-3 : 1e-9));
       if (gravity.y() > 0.0) CHECK(place.y() > 2.6);  // half g t² is 1.2
@@ -448,7 +447,7 @@ TEST_CASE("Gravity that turns or ends moves stable boxes as it moves unmarked on
   }
 }
 
-TEST_CASE("Empty worlds and worlds of immovable boxes have nobody to mark",
+TEST_CASE("Empty worlds and worlds of immovable boxes have no body to mark",
           "[unit][geometric_stability]") {
   for (Marked& marked : all_marked()) {
     World world;
@@ -462,12 +461,12 @@ TEST_CASE("Empty worlds and worlds of immovable boxes have nobody to mark",
   }
 }
 
-TEST_CASE("A place that is no number is refused, stable boxes or not",
+TEST_CASE("A position that is not finite is refused, with stable boxes or without",
           "[unit][geometric_stability]") {
   for (Marked& marked : all_marked()) {
     Pair pair;
     run(marked, pair.world, 3);
-    // A user's way, set_state(), refuses it before.
+    // set_state(), which users call, refuses it earlier.
     pair.world.states()[2].position_w.x() = std::nan("");
     INFO(marked.words);
     CHECK_THROWS_AS(marked.technique->step(pair.world, kStep), std::invalid_argument);

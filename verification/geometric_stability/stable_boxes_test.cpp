@@ -1,5 +1,5 @@
 /// \file
-/// \brief Held bodies: the levels of the hierarchy, memory and its length.
+/// \brief Held bodies: the levels of the hierarchy, and the memory.
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
 #include "tumble/base/random.hpp"
@@ -66,7 +66,7 @@ struct Structure {
 };
 
 // Figure 6.5: two blocks that would each tip outwards from its pedestal, and a box on their inner
-// ends that holds them. With all of them 1 m deep it stands from 2/3 of a block's mass on.
+// ends that prevents it. With a depth of 1 m for all it stands from 2/3 of a block's mass on.
 struct Bridge : Structure {
   BodyId left, right, top;
 
@@ -80,7 +80,7 @@ struct Bridge : Structure {
   BodyId add_top(double mass) { return add(Vec3(0.0, 2.5, 0.0), Vec3(2.5, 1.0, 1.0), mass); }
 };
 
-// A heap of boxes of few sizes at few places, whole multiples of half an edge: many share sides.
+// A pile of boxes of few sizes at few places, multiples of half an edge: many share sides.
 Structure heap(Random& random, int count) {
   Structure s;
   for (int level = 0; level < 3; ++level) {
@@ -96,7 +96,7 @@ Structure heap(Random& random, int count) {
 
 }  // namespace
 
-TEST_CASE("A box whose corners are carried is held upright by every rule but off",
+TEST_CASE("A box whose corners are supported is held upright by every rule but off",
           "[exact][geometric_stability]") {
   Structure s;
   s.add(Vec3(0.0, 0.5, 0.0), Vec3(2.0, 1.0, 2.0));
@@ -131,7 +131,7 @@ TEST_CASE("Figure 6.5 is held from two thirds of a block's mass on",
 }
 
 TEST_CASE("A tower on a bridge is its load", "[exact][geometric_stability]") {
-  // 0.5 and 0.2 are more than 2/3, one half is less.
+  // 0.5 and 0.2 together are more than 2/3, 0.5 alone is less.
   Bridge bridge(0.5);
   CHECK(bridge.holds(StableRule::equilibrium) == "fff");
   bridge.add(Vec3(0.0, 3.5, 0.0), Vec3::Ones(), 0.2);
@@ -150,7 +150,7 @@ TEST_CASE("Each rule holds all bodies that the one before it holds",
     const std::vector<char> corners = s.find(StableRule::corners);
     const std::vector<char> equilibrium = s.find(StableRule::equilibrium);
     INFO("seed " << seed);
-    CHECK(corners == s.find(StableRule::hull));  // of boxes they say the same
+    CHECK(corners == s.find(StableRule::hull));  // for boxes the two agree
     for (std::size_t b = 0; b < corners.size(); ++b) {
       if (corners[b] != kFree) CHECK(equilibrium[b] == corners[b]);
       by_corners += corners[b] != kFree ? 1 : 0;
@@ -191,7 +191,7 @@ TEST_CASE("Where a support is not vertical the whole island is held still, or no
   const BodyId box = s.add(Vec3(0.0, 0.5, 0.0));
   CHECK(s.holds(StableRule::corners) == "f");
   CHECK(s.holds(StableRule::equilibrium) == "s");
-  // Along the wall: no acceleration yet, but the wall may end.
+  // Along the wall: no acceleration now, but the wall may end.
   s.world.set_velocity(box, Vec3(0.0, 0.0, 1.0), Vec3::Zero());
   CHECK(s.holds(StableRule::equilibrium) == "f");
 }
@@ -205,7 +205,7 @@ TEST_CASE("A body that rises, sinks or tips is free, and so is its group",
         std::tuple(Vec3(0.0, 0.0, 0.0), Vec3(0.004, 0.0, 0.0), "fff"),
         std::tuple(Vec3(5.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.0), "uuu"),
         std::tuple(Vec3(0.0, 0.0, 0.0), Vec3(0.0, 5.0, 0.0),
-                   "fff"),  // maybe about no principal axis
+                   "fff"),  // about no principal axis, too
         std::tuple(Vec3(0.0, 0.002, 0.0), Vec3(0.0, 0.0, 0.0), "uuu")}) {
     Bridge bridge(1.0);
     bridge.world.set_velocity(bridge.top, velocity, spin);
@@ -236,10 +236,10 @@ TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold n
     INFO(gravity.transpose());
     for (const StableRule rule : {StableRule::corners, StableRule::hull})
       CHECK(s.find(rule) == std::vector<char>{kStill, kFree, kFree});
-    // Without weight everything is in balance, and nothing holds it.
+    // Without weight everything is in equilibrium, and no body is held.
     CHECK(s.holds(StableRule::equilibrium) == "ff");
   }
-  // A wall that gravity points at does balance: as things are, nothing moves.
+  // A wall under the direction of gravity supports the box: in the present state nothing moves.
   Structure s;
   s.add_fixed(Vec3(1.0, 0.5, 0.0), Vec3::Ones());
   s.add(Vec3(0.0, 0.5, 0.0));
@@ -248,7 +248,7 @@ TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold n
   CHECK(s.holds(StableRule::hull) == "f");
 }
 
-TEST_CASE("A heap that stays as it is is looked at once", "[unit][geometric_stability]") {
+TEST_CASE("An unchanged pile is searched once", "[unit][geometric_stability]") {
   Bridge bridge(1.0);
   StableBoxes boxes(StableRule::equilibrium);
   const std::vector<char> first = bridge.find(boxes);
@@ -265,7 +265,7 @@ TEST_CASE("A heap that stays as it is is looked at once", "[unit][geometric_stab
   }
 }
 
-TEST_CASE("Whatever a verdict rests on, a change of it is noticed", "[unit][geometric_stability]") {
+TEST_CASE("A change of any input of a verdict is detected", "[unit][geometric_stability]") {
   using Change = std::function<void(Bridge&)>;
   const auto move = [](Bridge& b, BodyId id, const Vec3& by) {
     BodyState state = b.world.states()[static_cast<std::size_t>(b.world.index_of(id))];
@@ -305,7 +305,7 @@ TEST_CASE("Whatever a verdict rests on, a change of it is noticed", "[unit][geom
   }
 }
 
-TEST_CASE("Another point, normal or pair in the list of contacts is noticed",
+TEST_CASE("Another point, normal or pair in the list of contacts is detected",
           "[unit][geometric_stability]") {
   using Change = std::function<void(ContactList&)>;
   const std::vector<std::pair<std::string, Change>> changes{
@@ -329,7 +329,7 @@ TEST_CASE("Another point, normal or pair in the list of contacts is noticed",
 
 TEST_CASE("Forgetting which bodies are stable changes no bit",
           "[determinism][geometric_stability]") {
-  // A plank slides on a pedestal that is smaller: its contact stays, its centre does not.
+  // A plank slides on a smaller pedestal: its contact stays, its centre moves.
   Structure s;
   s.add_fixed(Vec3(0.0, 0.5, 0.0), Vec3::Ones());
   const BodyId plank = s.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));
@@ -343,7 +343,7 @@ TEST_CASE("Forgetting which bodies are stable changes no bit",
     CHECK(s.find(boxes)[2] == (k <= 8 ? kUpright : kFree));
   }
 
-  // Heaps in which one box after the other is moved, pushed or taken away.
+  // Piles in which one box after the other is moved, pushed or removed.
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Random random(seed);
     Structure heaps = heap(random, 4);
@@ -366,7 +366,7 @@ TEST_CASE("Forgetting which bodies are stable changes no bit",
   }
 }
 
-TEST_CASE("Looking at an unchanged heap asks for no memory", "[unit][geometric_stability]") {
+TEST_CASE("Searching an unchanged pile allocates nothing", "[unit][geometric_stability]") {
   for (const StableRule rule : {StableRule::corners, StableRule::hull, StableRule::equilibrium}) {
     Bridge bridge(1.0);
     StableBoxes boxes(rule);
@@ -379,7 +379,7 @@ TEST_CASE("Looking at an unchanged heap asks for no memory", "[unit][geometric_s
   }
 }
 
-TEST_CASE("Worlds without bodies, without contacts and with nothing movable are looked at",
+TEST_CASE("Worlds without bodies, contacts or movable bodies are searched",
           "[unit][geometric_stability]") {
   for (const StableRule rule :
        {StableRule::off, StableRule::corners, StableRule::hull, StableRule::equilibrium}) {

@@ -28,7 +28,7 @@ using namespace tumble;
 constexpr double kGravity = 9.81;  // [m/s²]
 constexpr double kPi = std::numbers::pi;
 
-// Bodies at rest that touch.
+// Bodies at rest in contact.
 struct Pile : test::Pile {
   void gather() {
     double longest = 0.0;
@@ -61,7 +61,7 @@ double limit(const std::function<bool(double)>& stands, double falls, double hol
   return holds;
 }
 
-// How fast the second body leaves the first one at a point: what contacts resist if below 0.
+// Separation velocity of two bodies at a point, which contacts keep from being negative.
 double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& contact,
                const Vec3& point_w) {
   const auto of = [&](int body) {
@@ -72,7 +72,7 @@ double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& 
   return contact.normal_w.dot(of(contact.second) - of(contact.first));
 }
 
-// Boxes in layers, each at random over the one below: many fall.
+// Boxes in layers, each at a random place over the one below: many fall.
 Pile random_layers(Random& random) {
   Pile pile;
   pile.world.add_ground();
@@ -93,7 +93,7 @@ Pile random_layers(Random& random) {
   return pile;
 }
 
-// Figure 6.5, with lengths and masses in any unit: a top block, off by 0.2, on two that overhang.
+// Figure 6.5, with lengths and masses in any unit: a top block, offset by 0.2, on two that overhang.
 Pile heavy_top(double mass_ratio, double length, double mass) {
   Pile pile;
   for (const double side : {-1.0, 1.0}) {
@@ -125,7 +125,7 @@ Pile leaning_plank(double degrees, double friction, double turn) {
 
 TEST_CASE("A box on two ridges presses on them by the law of the lever",
           "[exact][geometric_stability]") {
-  // Ridges of 1 mm under a plank of 2 m: what is off the middle by x has (0.9 - x)/1.8 on the left.
+  // Ridges of 1 mm under a plank of 2 m: a load off the middle by x has (0.9 - x)/1.8 on the left.
   for (const double x : {-0.6, 0.0, 0.3}) {
     Pile pile;
     pile.add_fixed(Vec3(-0.9, 0.5, 0.0), Vec3(1e-3, 1.0, 1.0));
@@ -136,12 +136,12 @@ TEST_CASE("A box on two ridges presses on them by the law of the lever",
     const BalanceReport& report = equilibrium.solve(pile.world, task);
     CHECK(report.balanced);
     CHECK(report.unknowns == 8);
-    REQUIRE(equilibrium.pushes_w().size() == 8);
+    REQUIRE(equilibrium.forces_w().size() == 8);
     double left = 0.0;
     Vec3 sum_w = Vec3::Zero();
     for (std::size_t p = 0; p < 8; ++p) {
-      sum_w += equilibrium.pushes_w()[p];
-      if (p < 4) left += equilibrium.pushes_w()[p].y();
+      sum_w += equilibrium.forces_w()[p];
+      if (p < 4) left += equilibrium.forces_w()[p].y();
     }
     const double weight = 3.0 * kGravity;
     CHECK((sum_w - Vec3(0.0, weight, 0.0)).norm() < 1e-12 * weight);
@@ -162,11 +162,11 @@ TEST_CASE("A loaded lever tips when its moment about the edge of the pivot chang
     pile.add(Vec3(1.75, 0.85, 0.0), Vec3::Constant(0.5), 1.0);
     return pile.balanced();
   };
-  // [-] Thresholds come out to a few times the tolerance of balance, 1e-9; measured 3e-9.
+  // [-] Thresholds are accurate to a few times the tolerance of equilibrium, 1e-9; measured 3e-9.
   CHECK(limit(stands, 3.0, 1.0) == near(1.5).margin(2e-8));
 }
 
-TEST_CASE("What is left over proves that nothing can hold the bodies",
+TEST_CASE("The residual proves that no contact forces can hold the bodies",
           "[exact][geometric_stability]") {
   // Farkas: a motion that no contact resists, and in which the weights do work.
   Random random(63);
@@ -195,10 +195,10 @@ TEST_CASE("What is left over proves that nothing can hold the bodies",
     for (const Contact& contact : pile.contacts)
       for (int p = 0; p < contact.count; ++p, ++push) {
         const double leaves = parting(pile, equilibrium, contact, contact.points[at(p)].position_w);
-        const Vec3& force_w = equilibrium.pushes_w()[push];
+        const Vec3& force_w = equilibrium.forces_w()[push];
         resisted = std::min(resisted, leaves);
         CHECK(force_w.dot(contact.normal_w) >= 0.0);
-        // A contact that pushes does not part: what pushes and parts alike is rounding.
+        // A contact with a force does not separate: the product of both is rounding.
         CHECK(std::min(leaves / kGravity, force_w.norm() / kGravity) < 1e-9);
       }
     CHECK(resisted > -1e-9 * kGravity);
@@ -214,7 +214,7 @@ TEST_CASE("What is left over proves that nothing can hold the bodies",
   CHECK(falling > 100);
 }
 
-TEST_CASE("Forces of a balance hold every weight and every moment",
+TEST_CASE("Equilibrium forces balance every weight and every moment",
           "[exact][geometric_stability]") {
   Random random(64);
   int standing = 0;
@@ -231,8 +231,8 @@ TEST_CASE("Forces of a balance hold every weight and every moment",
         for (const auto& [body, sign] : {std::pair(contact.second, 1.0), {contact.first, -1.0}}) {
           const Vec3 arm_w =
               contact.points[at(p)].position_w - pile.world.states()[at(body)].position_w;
-          force_w[at(body)] += sign * equilibrium.pushes_w()[push];
-          torque_w[at(body)] += sign * arm_w.cross(equilibrium.pushes_w()[push]);
+          force_w[at(body)] += sign * equilibrium.forces_w()[push];
+          torque_w[at(body)] += sign * arm_w.cross(equilibrium.forces_w()[push]);
         }
     for (int b = 0; b < pile.world.count(); ++b) {
       const double mass = pile.world.bodies()[at(b)].mass;
@@ -245,7 +245,7 @@ TEST_CASE("Forces of a balance hold every weight and every moment",
   CHECK(standing > 100);
 }
 
-TEST_CASE("A weight free in the air falls with g, and what hangs together falls with it",
+TEST_CASE("A free body falls with g, and so do bodies in contact with it",
           "[unit][geometric_stability]") {
   Pile pile;
   const int low = pile.add(Vec3(0.0, 10.5, 0.0));
@@ -262,10 +262,10 @@ TEST_CASE("A weight free in the air falls with g, and what hangs together falls 
   }
 }
 
-TEST_CASE("Balance with friction finds a leaning plank's limit but for what the pyramid lacks",
+TEST_CASE("Equilibrium with friction finds a leaning plank's limit up to the error of the pyramid",
           "[exact][geometric_stability]") {
-  // Moments about the foot: mu >= cot/2 - t/(2L). A pyramid of n edges inside of Coulomb's cone has
-  // all of it along an edge, and cos(pi/n) of it between two.
+  // Moments about the foot: mu >= cot/2 - t/(2L). A pyramid of n edges inside Coulomb's cone has the full
+  // friction along an edge, and cos(pi/n) of it between two.
   for (const double degrees : {45.0, 60.0, 75.0}) {
     const double angle = degrees * kPi / 180.0;
     const double needed = 0.5 * std::cos(angle) / std::sin(angle) - 0.5 * 0.1 / 2.0;
@@ -279,13 +279,13 @@ TEST_CASE("Balance with friction finds a leaning plank's limit but for what the 
       const double between = needed / std::cos(kPi / edges);
       CHECK(least(kPi / edges) == near(between).margin(1e-7 * between));
     }
-    CHECK(!leaning_plank(degrees, 10.0, 0.0).balanced(0));  // no friction is looked for
+    CHECK(!leaning_plank(degrees, 10.0, 0.0).balanced(0));  // friction is disabled
   }
 }
 
 TEST_CASE("With friction a box on a slope is in balance up to the angle of friction",
           "[exact][geometric_stability]") {
-  // The slope is made by gravity: tan(angle) = mu, as long as the box does not tip at 45 degrees.
+  // Tilted gravity makes the slope: tan(angle) = mu, as long as the box does not tip at 45 degrees.
   const auto stands = [](double slope) {
     Pile pile;
     pile.world.add_ground(0.4);
@@ -297,7 +297,7 @@ TEST_CASE("With friction a box on a slope is in balance up to the angle of frict
   CHECK(limit(stands, 0.9, 0.1) == near(0.4).margin(1e-8));
 }
 
-TEST_CASE("Of friction only rough contacts have unknowns, and its forces hold the weight",
+TEST_CASE("Only rough contacts have unknown friction forces, and these hold the weight",
           "[unit][geometric_stability]") {
   Pile plank = leaning_plank(60.0, 0.4, 0.0);
   StaticEquilibrium equilibrium;
@@ -305,20 +305,20 @@ TEST_CASE("Of friction only rough contacts have unknowns, and its forces hold th
   const BalanceReport& report = equilibrium.solve(plank.world, task);
   CHECK(report.balanced);
   CHECK(report.unknowns == 2 + 2 * 8);  // two points on the smooth wall, two on the ground
-  REQUIRE(equilibrium.pushes_w().size() == 4);
+  REQUIRE(equilibrium.forces_w().size() == 4);
   Vec3 sum_w = Vec3::Zero();
   double across = 0.0;  // [N] of the ground, along x
   std::size_t push = 0;
   for (const Contact& contact : plank.contacts)
     for (int p = 0; p < contact.count; ++p, ++push) {
-      const Vec3& force_w = equilibrium.pushes_w()[push];
+      const Vec3& force_w = equilibrium.forces_w()[push];
       sum_w += contact.second == 2 ? force_w : Vec3(-force_w);  // on the plank
       const double normal = force_w.dot(contact.normal_w);
       if (contact.first == 0) across += force_w.x();
       CHECK((force_w - normal * contact.normal_w).norm() <= contact.friction * normal + 1e-12);
     }
   CHECK((sum_w - Vec3(0.0, kGravity, 0.0)).norm() < 1e-8 * kGravity);
-  // The wall pushes with m g (cot/2 - t/(2L)), and friction at the foot as much against it.
+  // The wall pushes with m g (cot/2 - t/(2L)), and friction at the foot is equal and opposite.
   const double wall = kGravity * (0.5 / std::sqrt(3.0) - 0.5 * 0.1 / 2.0);
   CHECK(across == near(-wall).margin(1e-8 * kGravity));
 }
@@ -339,7 +339,7 @@ TEST_CASE("A box wedged between walls may be held by friction, and by nothing el
   CHECK(!wedged(0.0, 8));
 }
 
-TEST_CASE("Thresholds of balance do not know metres, kilograms, or gravity",
+TEST_CASE("Thresholds of equilibrium do not depend on the units of length and mass, or on gravity",
           "[exact][geometric_stability]") {
   for (const double length : {1e-3, 1.0, 1e3})
     for (const double mass : {1e-6, 1.0, 1e6}) {
@@ -354,10 +354,10 @@ TEST_CASE("One body may have a hundred thousand times the mass of another, or fi
           "[exact][geometric_stability]") {
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
     INFO("top over the others: " << ratio);
-    // With a top that weighs next to nothing it falls, with a very heavy one it stands.
+    // With a nearly weightless top it falls, with a very heavy one it stands.
     CHECK(heavy_top_stands(ratio, 1.0, 1.0) == (ratio > 1.0));
   }
-  // Towers with one block that is heavier or lighter than the rest, against sums of moments.
+  // Towers with one block heavier or lighter than the rest, against sums of moments.
   Random random(67);
   int standing = 0;
   for (const double ratio : {1e-5, 1e-3, 1e3, 1e5, 1e7, 1e9}) {
@@ -383,7 +383,7 @@ TEST_CASE("One body may have a hundred thousand times the mass of another, or fi
       }
       if (std::abs(inside) < 1e-3) continue;
       standing += inside > 0.0 ? 1 : 0;
-      // Beyond, rounding of a push is felt by what is light; it is the safe answer that is given.
+      // Beyond, the rounding of a contact force can accelerate a light body; the result is on the safe side.
       if (ratio < 1e6) CHECK(pile.balanced() == (inside > 0.0));
       if (ratio > 1e6 && inside < 0.0) CHECK(!pile.balanced());
     }
@@ -421,7 +421,7 @@ TEST_CASE("Loads beside the weights are balanced, also if they are a couple",
   pile.add_fixed(Vec3(0.0, 1.5, 0.0), Vec3::Ones());
   CHECK(balanced(couple, false));
   CHECK(balanced(couple, true));
-  // What acts on an immovable body moves nothing.
+  // A load on an immovable body has no effect.
   CHECK(balanced({{0, Vec3::Zero(), down_w}}, true));
 }
 
@@ -461,7 +461,7 @@ TEST_CASE("Each island is judged by itself", "[unit][geometric_stability]") {
   CHECK(equilibrium.motion()[at(tips)].angular_w.z() < -1.0);
 }
 
-TEST_CASE("What balance refuses names the value and what would be right",
+TEST_CASE("Equilibrium refuses invalid input with the value and the right one",
           "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();
@@ -545,11 +545,11 @@ TEST_CASE("Friction never takes balance away, and more edges never do",
     const bool without = pile.balanced();
     for (Contact& contact : pile.contacts) contact.friction = 0.5;
     const bool four = pile.balanced(4);
-    const bool eight = pile.balanced(8);  // has the four among its edges
+    const bool eight = pile.balanced(8);  // contains the four among its edges
     CHECK((!without || four));
     CHECK((!four || eight));
   }
-  // A top block of half the mass holds figure 6.5 with friction only, by 14/(5 · 6.2) = 0.45.
+  // A top block of half the mass keeps figure 6.5 in balance with friction only, by 14/(5 · 6.2) = 0.45.
   Pile pile = heavy_top(0.5, 1.0, 1.0);
   CHECK(!pile.balanced());
   for (Contact& contact : pile.contacts) contact.friction = 0.5;

@@ -25,7 +25,7 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// [m] To the nearest of many points of the edges; 0 inside.
+// [m] Distance to the nearest of many points of the edges; 0 inside.
 double sampled_distance(const std::vector<Vec2>& hull, const Vec2& p) {
   bool inside = true;
   double nearest = std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ TEST_CASE("Hulls of random points are convex, counterclockwise, and hold every p
     std::vector<Vec2> points;
     const std::uint32_t count = 3 + random.below(12);
     for (std::uint32_t k = 0; k < count; ++k) {
-      // Multiples of a quarter: many lie on one line, and their crosses have no rounding.
+      // Multiples of a quarter: many lie on one line, and cross products have no rounding.
       const double x = 0.25 * random.below(9);
       points.emplace_back(x, 0.25 * random.below(9));
     }
@@ -125,7 +125,7 @@ TEST_CASE("Hulls of random points are convex, counterclockwise, and hold every p
 TEST_CASE("The lower corners of a box are those of the face that looks down, in order around it",
           "[exact][geometric_stability]") {
   const Vec3 half(0.5, 1.0, 2.0);
-  // On each of its six faces, and a little aslant.
+  // On each of its six faces, and slightly tilted.
   const std::vector<std::pair<Vec3, Vec2>> turns{
       {Vec3(0, 0, 0), Vec2(0.5, 2.0)},  {Vec3(180, 0, 0), Vec2(0.5, 2.0)},
       {Vec3(90, 0, 0), Vec2(0.5, 1.0)}, {Vec3(-90, 0, 0), Vec2(0.5, 1.0)},

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Towers as one heavier block: closed forms, loads, shapes that are no tower, orders.
+/// \brief Towers as one heavier block: closed forms, loads, shapes without towers, orders.
 #include "tumble/geometric_stability/towers.hpp"
 
 #include "tumble/base/index.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 using namespace tumble;
 
-// Bodies that touch, from scratch.
+// Bodies in contact, with gathered contacts.
 struct Pile : test::Pile {
   Pile() { margin = 1e-6; }
   Towers towers(std::span<const char> held = {}) {
@@ -29,11 +29,11 @@ struct Pile : test::Pile {
     result.run(world, contacts, held);
     return result;
   }
-  // Whether all is towers and stands.
+  // Whether all bodies are in towers that stand.
   bool stands() {
     const Towers found = towers();
     for (int b = 0; b < world.count(); ++b)
-      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::carried)
+      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::supported)
         return false;
     return true;
   }
@@ -66,7 +66,7 @@ Pile blocks_over_edge(int blocks, double scale) {
 
 }  // namespace
 
-TEST_CASE("A tower stands as long as the centre of what is above is over each support",
+TEST_CASE("A tower stands as long as the centre of the load is above each support",
           "[exact][geometric_stability]") {
   SECTION("blocks over an edge reach a half of the harmonic sum") {
     CHECK(harmonic_overhang(6) == near(49.0 / 40.0).margin(1e-15));
@@ -100,7 +100,7 @@ TEST_CASE("A tower stands as long as the centre of what is above is over each su
         top += high;
       }
       const Towers towers = pile.towers();
-      // By hand, from the top down; upright boxes touch in the overlap of two rectangles.
+      // Expected by hand, from the top down; upright boxes touch in the overlap of two rectangles.
       double mass = 0.0;
       Vec3 moment_w = Vec3::Zero();
       bool above_stands = true;
@@ -123,10 +123,10 @@ TEST_CASE("A tower stands as long as the centre of what is above is over each su
           inside = std::min({inside, centre_w[axis] - low, high - centre_w[axis]});
         }
         if (!above_stands) {
-          CHECK(towers.states()[at(b)] == TowerState::none);  // nothing is known
+          CHECK(towers.states()[at(b)] == TowerState::none);  // undecided
         } else if (inside > 1e-6) {
-          CHECK(towers.states()[at(b)] == TowerState::carried);
-          CHECK(towers.carriers()[at(b)] == b - 1);
+          CHECK(towers.states()[at(b)] == TowerState::supported);
+          CHECK(towers.supports()[at(b)] == b - 1);
           CHECK(towers.loads()[at(b)].mass == near(mass).margin(1e-12 * mass));
           CHECK((towers.loads()[at(b)].centre_w() - centre_w).norm() < 1e-12 * top);
         } else if (inside < -1e-6) {
@@ -155,7 +155,7 @@ TEST_CASE("Towers refuse a staircase that its blocks' own centres would let stan
   };
   CHECK(staircase(0.2 * (1.0 - 1e-6)).stands());
   Pile falls = staircase(0.2 * (1.0 + 1e-6));
-  // The centre of the upper four is no more over the lowest, which carries nothing then.
+  // The centre of the upper four is not above the lowest, which then has no load.
   CHECK(falls.towers().states()[2] == TowerState::tips);
   CHECK(falls.towers().states()[1] == TowerState::none);
   CHECK(!staircase(0.3).stands());
@@ -174,23 +174,22 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   const int on_alone = pile.add(Vec3(4.9, 1.5, 0.2));
   const Towers towers = pile.towers();
   const auto state = [&](int b) { return towers.states()[at(b)]; };
-  CHECK(state(on_top) == TowerState::carried);
-  CHECK(towers.carriers()[at(on_top)] == across);
+  CHECK(state(on_top) == TowerState::supported);
+  CHECK(towers.supports()[at(on_top)] == across);
   CHECK(state(across) == TowerState::none);
-  CHECK(towers.carriers()[at(across)] == -1);
-  // What is under a box that is no tower has not got all its loads.
+  CHECK(towers.supports()[at(across)] == -1);
+  // A body below a box that is not in a tower has not all its loads.
   CHECK(state(left) == TowerState::none);
   CHECK(state(right) == TowerState::none);
   CHECK(towers.loads()[at(across)].mass == near(2.0).margin(1e-15));
-  // Side by side: both may be pushed aside. What stands on one of them is still its load.
+  // Side by side: both may be pushed aside. A box on one of them is still its load.
   CHECK(state(alone) == TowerState::none);
   CHECK(state(touches) == TowerState::none);
-  CHECK(state(on_alone) == TowerState::carried);
+  CHECK(state(on_alone) == TowerState::supported);
   CHECK(towers.loads()[at(alone)].mass == near(2.0).margin(1e-15));
 }
 
-TEST_CASE("A body that is held counts for the ground: it is no load",
-          "[unit][geometric_stability]") {
+TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stability]") {
   Pile pile;
   pile.world.add_ground();
   const int low = pile.add(Vec3(0.0, 0.5, 0.0));
@@ -198,9 +197,9 @@ TEST_CASE("A body that is held counts for the ground: it is no load",
   const std::vector<char> held = {0, 1, 0};
   const Towers towers = pile.towers(held);
   CHECK(towers.states()[at(low)] == TowerState::none);
-  CHECK(towers.carriers()[at(low)] == -1);
-  CHECK(towers.states()[at(high)] == TowerState::carried);
-  CHECK(towers.carriers()[at(high)] == low);
+  CHECK(towers.supports()[at(low)] == -1);
+  CHECK(towers.states()[at(high)] == TowerState::supported);
+  CHECK(towers.supports()[at(high)] == low);
   CHECK(towers.loads()[0].mass == 0.0);
 }
 
@@ -224,7 +223,7 @@ TEST_CASE("A support given as two contacts holds as much as the two together",
   pile.gather();
   REQUIRE(pile.contacts.size() == 2);
   REQUIRE(pile.contacts[1].count == 4);
-  // Two points each, on opposite sides: neither line alone is under the centre.
+  // Two points each, on opposite sides: neither line alone supports the centre.
   Contact half = pile.contacts[1];
   std::sort(half.points.begin(), half.points.begin() + 4,
             [](const ContactPoint& a, const ContactPoint& b) {

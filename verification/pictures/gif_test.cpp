@@ -1,5 +1,5 @@
 /// \file
-/// \brief GIF files read back by a reader that is written from the specification alone.
+/// \brief GIF files read back by a decoder written from the specification alone.
 #include "tumble/pictures/gif.hpp"
 
 #include "tumble/base/random.hpp"
@@ -18,7 +18,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// Reads a GIF as a viewer does: each frame is what is seen after it.
+// Decodes a GIF as a viewer does: each frame is the picture displayed after it.
 class GifReader {
  public:
   struct Frame {
@@ -152,7 +152,7 @@ Raster plain(int width, int height, int grey) {
 }  // namespace
 
 TEST_CASE("A GIF that is read back has the pixels that were written", "[exact][picture]") {
-  // Noise of 200 colours is the worst for packing: its table fills and is cleared many times.
+  // Noise of 200 colours is the worst case: the dictionary fills and is cleared many times.
   Random random(5);
   std::vector<Raster> written;
   for (int k = 0; k < 5; ++k) {
@@ -191,7 +191,7 @@ TEST_CASE("A frame that does not differ takes a few bytes", "[unit][picture]") {
         .size();
   };
   CHECK(size(11) - size(1) < 300);
-  // The ends of packing: every length of a row of equal pixels, and so every length of the last code.
+  // The end of the code stream: every length of a row of equal pixels, and so every length of the last code.
   for (int width = 1; width < 600; ++width)
     CHECK(GifReader(to_gif(std::vector<int>{4}, [&](int) { return plain(width, 3, 7); }))
               .frames.at(0)
@@ -209,7 +209,7 @@ TEST_CASE("A palette keeps colours that are few and the most frequent ones of ma
   CHECK_THROWS_AS(ColourCount().chosen(4), std::invalid_argument);
   CHECK_THROWS_AS(few.chosen(0), std::invalid_argument);
 
-  // A sweep of 256 shades and two flat colours, for which 16 are to stand.
+  // A gradient of 256 shades and two flat colours, represented by 16 colours.
   ColourCount many;
   for (int grey = 0; grey < 256; ++grey) many.add(plain(1, 1, grey));
   many.add(plain(40, 40, 200));

@@ -40,7 +40,7 @@ std::string from_base64(const std::string& text) {
 
 std::size_t whole(const JsonValue& value) { return static_cast<std::size_t>(value.number); }
 
-// A glTF file as a viewer takes it in; what the specification asks for is checked on the way.
+// A glTF file as a viewer reads it; requirements of the specification are checked on the way.
 struct Read {
   explicit Read(const std::string& text) : json(JsonReader::read(text)) {
     CHECK(json.at("asset").at("version").text == "2.0");
@@ -59,7 +59,7 @@ struct Read {
     return type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4;
   }
 
-  // The numbers of an accessor, within their view and with the bounds that it tells.
+  // The numbers of an accessor, within their view and with its bounds.
   std::vector<double> rows(std::size_t number) const {
     const JsonValue& accessor = json.at("accessors").items.at(number);
     const JsonValue& view = json.at("bufferViews").items.at(whole(accessor.at("bufferView")));
@@ -104,7 +104,7 @@ struct Read {
     throw std::runtime_error("no node " + name);
   }
 
-  // The sampler that moves something of a node; null if none does.
+  // The sampler of a property of a node; null if there is none.
   const JsonValue* sampler(std::size_t node, const std::string& path) const {
     if (json.fields.count("animations") == 0) return nullptr;
     const JsonValue& animation = json.at("animations").items.at(0);
@@ -119,7 +119,7 @@ struct Read {
   std::string bytes;
 };
 
-// Three boxes and the ground: one that never moves, one that spins, one that comes and goes.
+// Three boxes and the ground: one never moves, one spins, one appears and disappears.
 RecordedRun three_boxes() {
   RecordedRun run;
   run.scene.title = "three \"boxes\"";
@@ -140,7 +140,7 @@ RecordedRun three_boxes() {
       frame.poses.push_back(pose);
     };
     add(0, Vec3(0.0, 0.5, -3.0), Quat::Identity());
-    // Just over a turn, with signs as a filter may give them.
+    // Just over a turn, with signs as a filter may produce them.
     Quat turned = rotation_from_vector(0.8 * k * axis_w);
     if (k % 3 == 1) turned.coeffs() *= -1.0;
     add(1, Vec3(0.1 * k, 3.0 - 0.2 * k, 0.0), turned);
@@ -157,7 +157,7 @@ TEST_CASE("A glTF file that is read back has the poses of the trajectory at its 
   const RecordedRun run = three_boxes();
   const Read read(to_gltf(run, run.frames, 0.5));
   CHECK(read.json.at("scenes").items.at(0).at("name").text == "three \"boxes\"");
-  CHECK(read.json.at("nodes").items.size() == 4);  // the ground too
+  CHECK(read.json.at("nodes").items.size() == 4);  // with the ground
   CHECK(read.json.at("scenes").items.at(0).at("nodes").items.size() == 4);
 
   const std::size_t top = read.node("top");
@@ -265,8 +265,8 @@ TEST_CASE("Frames that make no animation are refused", "[unit][picture]") {
 }
 
 TEST_CASE(
-    "Between recorded frames boxes are on the straight way and those of one frame alone are not "
-    "there",
+    "Between recorded frames boxes are interpolated linearly, and boxes of one frame alone are "
+    "absent",
     "[exact][picture]") {
   const RecordedRun run = three_boxes();
   const RecordedFrame at = frame_at(run, 2.25);
@@ -275,11 +275,11 @@ TEST_CASE(
   CHECK(at.poses[1].position_w == run.frames[2].poses[1].position_w);
   CHECK(at.poses[1].orientation_wb.coeffs() == run.frames[2].poses[1].orientation_wb.coeffs());
   const RecordedFrame between = frame_at(run, 2.25 + 0.25 * 0.125);
-  CHECK(between.poses.size() == 2);  // the guest comes with the next frame
+  CHECK(between.poses.size() == 2);  // the guest appears with the next frame
   const Vec3 expected_w = Vec3(0.1 * 2.25, 3.0 - 0.2 * 2.25, 0.0);
   CHECK((between.poses[1].position_w - expected_w).norm() <= 1e-15);  // [m] rounding
   const Quat& from = run.frames[2].poses[1].orientation_wb;
-  // [rad] rounding: a quarter of the way of 0.8 rad.
+  // [rad] rounding: a quarter of the rotation by 0.8 rad.
   CHECK(std::abs(angle_between(from, between.poses[1].orientation_wb) - 0.2) <= 1e-14);
   CHECK(frame_at(run, 2.0 + 3.5 * 0.125).poses.size() == 3);
   CHECK(frame_at(run, 3.0).poses.size() == 2);

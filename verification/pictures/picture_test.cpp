@@ -73,7 +73,7 @@ struct Judgement {
   int wrong = 0;   // that show another one than the ray meets first
 };
 
-// Looks at random pixels. Where two boxes overlap on the ray, either may be shown.
+// Tests random pixels. Where two boxes overlap on the ray, either may be shown.
 void judge(const std::vector<PictureBox>& boxes, const Camera& camera, const Picture& picture,
            int pixels, Random& random, Judgement& out) {
   for (int k = 0; k < pixels; ++k) {
@@ -102,7 +102,7 @@ void judge(const std::vector<PictureBox>& boxes, const Camera& camera, const Pic
 
 // --- scenes -------------------------------------------------------------------------------------
 
-// Boxes of all shapes in a cube, added as long as they do not overlap those that are there.
+// Boxes of all shapes in a cube, added if they do not overlap earlier ones.
 std::vector<PictureBox> falling_boxes(Random& random, int tries) {
   std::vector<PictureBox> boxes;
   for (int k = 0; k < tries; ++k) {
@@ -165,7 +165,7 @@ bool disjoint(const std::vector<Box>& boxes) {
   return true;
 }
 
-// Draws and judges scenes [begin, end). Returns how many of the pictures have rings in them.
+// Draws and checks scenes [begin, end). Returns the number of pictures with cyclic overlaps.
 int check_scenes(int begin, int end, int pixels) {
   Judgement judgement;
   int with_rings = 0;
@@ -193,15 +193,15 @@ int check_scenes(int begin, int end, int pixels) {
 
 TEST_CASE("Each pixel of a picture shows the box that the line of sight meets first",
           "[exact][picture]") {
-  check_scenes(0, 24, 300);  // has no ring in it
+  check_scenes(0, 24, 300);  // none has a cyclic overlap
 }
 
 TEST_CASE("Each pixel of 200 pictures shows the box that the line of sight meets first",
           "[.long][exact][picture]") {
-  CHECK(check_scenes(24, 224, 5000) >= 3);  // measured 5: they are hard enough
+  CHECK(check_scenes(24, 224, 5000) >= 3);  // measured 5: the scenes are hard enough
 }
 
-TEST_CASE("Three sticks that cover one another in a ring are drawn rightly", "[exact][picture]") {
+TEST_CASE("Three sticks that overlap cyclically are drawn correctly", "[exact][picture]") {
   const std::vector<Box> shapes = test::ring_of_sticks();
   std::vector<PictureBox> sticks;
   for (const Box& stick : shapes) sticks.push_back({stick});
@@ -214,7 +214,7 @@ TEST_CASE("Three sticks that cover one another in a ring are drawn rightly", "[e
   judge(sticks, camera, picture, 20000, random, judgement);
   CHECK(judgement.pixels > 2000);
   CHECK(judgement.wrong == 0);
-  // The cut that mends the ring has no outline: areas with one are whole faces or lines.
+  // The cut that resolves the cycle has no outline: areas with one are whole faces or lines.
   for (const PictureArea& area : picture.areas) {
     if (!area.outlined) continue;
     for (const Polygon& loop : area.loops)
@@ -265,7 +265,7 @@ TEST_CASE(
     const Camera camera = camera_for(cube, direction, 300.0, 200.0, true);
     const Picture picture = draw_boxes(cube, camera, false);
     REQUIRE(picture.areas.size() == 3);
-    // By where the face is in the picture, and how bright it is.
+    // Position of the face in the picture, and its brightness.
     std::vector<std::pair<double, std::uint32_t>> sides;
     std::uint32_t top = 0;
     double highest = kInfinity;
@@ -293,7 +293,7 @@ TEST_CASE("The shadow of a cube in the air lies where the light through its cent
   const Vec3 light = Lamp(view, 1).middle_w();
   const Vec3 center = cube[0].box.center_w;
   const Vec2 dark = view(center - center.y() / light.y() * light);
-  const Vec2 lit = view(Vec3(1.0, 0.0, -2.0));  // right under it: the lamp is far from overhead
+  const Vec2 lit = view(Vec3(1.0, 0.0, -2.0));  // directly below it: the lamp is far from vertical
   int layers = 0, over_dark = 0, over_lit = 0;
   double remaining = 1.0;
   for (const PictureArea& area : draw_boxes(cube, camera).areas) {
@@ -306,11 +306,11 @@ TEST_CASE("The shadow of a cube in the air lies where the light through its cent
   CHECK(layers == 12);
   CHECK(over_dark == layers);
   CHECK(over_lit == 0);
-  // [-] all layers together make the shadow that the floor's shade asks for; rounding
+  // [-] all layers together have the darkness of the floor's shadow; rounding
   CHECK(1.0 - remaining == near(Lamp(view, 1).shadow_depth(Vec3::UnitY())).epsilon(1e-12));
 }
 
-TEST_CASE("A box throws its shadow on the box below and not on the one above", "[exact][picture]") {
+TEST_CASE("A box casts its shadow on the box below and not on the one above", "[exact][picture]") {
   const std::vector<PictureBox> boxes = {upright(Vec3(0.0, 0.5, 0.0), Vec3(4.0, 1.0, 4.0)),
                                          upright(Vec3(0.0, 2.5, 0.0), Vec3::Ones())};
   const Picture picture =
@@ -376,7 +376,7 @@ TEST_CASE("Opposite sides of a die have seven pips together", "[unit][picture]")
   for (const PictureArea& area : picture.areas) {
     if (area.box == 0 && !area.outlined) most = std::max(most, area.loops.size());
   }
-  CHECK(most == 2);  // from above, the upper side is seen, and a sliver of the side with one
+  CHECK(most == 2);  // from above, the upper side is visible, and a sliver of the side with one
 }
 
 TEST_CASE("gnuplot and SVG get every area, in finite numbers", "[unit][picture]") {
@@ -400,7 +400,7 @@ TEST_CASE("gnuplot and SVG get every area, in finite numbers", "[unit][picture]"
   CHECK_THAT(svg, Contains("viewBox=\"0 0 300 200\"") && !Contains("nan"));
 }
 
-TEST_CASE("Cameras and pictures refuse what has no picture", "[unit][picture]") {
+TEST_CASE("Cameras and pictures refuse invalid input", "[unit][picture]") {
   const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   const auto camera = [&](const Vec3& direction, double width, double height) {
     return camera_for(cube, direction, width, height, true);

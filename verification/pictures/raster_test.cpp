@@ -48,9 +48,9 @@ Film film_of_a_fall() {
 
 }  // namespace
 
-TEST_CASE("A pixel that an area covers by a part is mixed by that part", "[exact][picture]") {
+TEST_CASE("A partly covered pixel is blended by the covered share", "[exact][picture]") {
   const std::array<int, 3> white = {255, 255, 255};
-  // From the middle of pixel 1 to a quarter of pixel 5, from row 1 to row 2: 16 points tell halves
+  // From the middle of pixel 1 to a quarter of pixel 5, from row 1 to row 2: 16 points resolve halves
   // and quarters exactly.
   const Raster half = rasterised(picture_of({rectangle(1.5, 1.0, 5.25, 3.0)}, 0x000000, 1.0));
   CHECK(half.width == 8);
@@ -63,7 +63,7 @@ TEST_CASE("A pixel that an area covers by a part is mixed by that part", "[exact
   CHECK(pixel(half, 6, 2) == white);
   CHECK(pixel(half, 2, 0) == white);
   CHECK(pixel(half, 2, 3) == white);
-  // Polygons that overlap darken once, whichever way they turn; opacity mixes in the same way.
+  // Overlapping polygons darken once, in any sense of rotation; opacity blends in the same way.
   Polygon turned = rectangle(2.0, 0.0, 7.0, 6.0);
   std::reverse(turned.begin(), turned.end());
   const Raster both =
@@ -74,7 +74,7 @@ TEST_CASE("A pixel that an area covers by a part is mixed by that part", "[exact
   CHECK(pixel(both, 7, 3) == white);
 }
 
-TEST_CASE("What is outside a picture is not painted and its size is checked", "[unit][picture]") {
+TEST_CASE("Areas outside a picture are not painted, and its size is checked", "[unit][picture]") {
   const Raster all = rasterised(picture_of({rectangle(-50.0, -9.0, 90.0, 70.0)}, 0x102030, 1.0));
   for (const int x : {0, 7})
     for (const int y : {0, 5}) CHECK(pixel(all, x, y) == std::array<int, 3>{0x10, 0x20, 0x30});
@@ -95,7 +95,7 @@ TEST_CASE("What is outside a picture is not painted and its size is checked", "[
   CHECK(pixel(two, 8, 5) == std::array<int, 3>{0x10, 0x20, 0x30});
 }
 
-TEST_CASE("Each digit has strokes of its own and a sign that there is not is refused",
+TEST_CASE("Each digit has its own strokes, and an unknown character is refused",
           "[unit][picture]") {
   std::set<std::string> looks;
   for (const char sign : std::string("0123456789.- s")) {
@@ -104,7 +104,7 @@ TEST_CASE("Each digit has strokes of its own and a sign that there is not is ref
     picture.areas = {lettering(std::string(1, sign), Vec2(3.0, 3.0), 10.0, 0)};
     const Raster raster = rasterised(picture);
     looks.emplace(raster.rgb.begin(), raster.rgb.end());
-    // Nothing leaves the letter's own place by more than half a stroke.
+    // No stroke leaves the cell of its letter by more than half its width.
     CHECK(pixel(raster, 1, 8) == std::array<int, 3>{255, 255, 255});
     CHECK(pixel(raster, 8, 1) == std::array<int, 3>{255, 255, 255});
     CHECK(pixel(raster, 8, 14) == std::array<int, 3>{255, 255, 255});
@@ -129,7 +129,7 @@ TEST_CASE("All frames of a film are seen by one camera and have their time in a 
         corner.push_back(static_cast<std::uint8_t>(pixel(raster, x, y)[1]));
     CHECK(std::count_if(corner.begin(), corner.end(), [](int c) { return c < 0x60; }) > 20);
     corners.emplace(corner.begin(), corner.end());
-    // The floor is the same in each, wherever the box is.
+    // The floor is the same in each frame, wherever the box is.
     CHECK(pixel(raster, 100, 70) == pixel(painter.painted(0), 100, 70));
   }
   CHECK(corners.size() == 4);

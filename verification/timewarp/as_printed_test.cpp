@@ -1,5 +1,5 @@
 /// \file
-/// \brief The two printed listings of the timewarp: what each misprint does, and that nothing else is
+/// \brief The two printed listings of the timewarp: the effect of each misprint, and that nothing else is
 ///        wrong with them.
 #include "tumble/base/random.hpp"
 #include "tumble/techniques.hpp"
@@ -18,10 +18,10 @@ using namespace tumble::test;
 
 constexpr auto kSimple = TimewarpListing::simple;
 constexpr auto kSafer = TimewarpListing::safer;
-// [-] Times and places on a line are found to a few times the resolution of 1e-6 s.
+// [-] Times and positions on a line are accurate to a few times the resolution of 1e-6 s.
 constexpr double kFound = 1e-5;
 
-// Nothing but the thesis's choices is left as printed.
+// Only the thesis's choices are left as printed.
 TimewarpErrata misprints() { return TimewarpErrata::all().without("T5").without("T9"); }
 
 TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = misprints()) {
@@ -44,7 +44,7 @@ World line_of(const char* boxes, const char* restitution = "1") {
   return world_of("line", {{"boxes", boxes}, {"restitution", restitution}});
 }
 
-// One frame and what is known after it.
+// One frame and the state after it.
 struct Frame {
   Frame(const World& start, const TimewarpAsPrintedOptions& options, double dt = 1.0)
       : world(start), technique(options) {
@@ -68,7 +68,7 @@ struct Frame {
   StepReport report;
 };
 
-// Two cubes fly over one another, and two others would meet beneath them while they overlap.
+// Two cubes fly over one another, and two others would collide beneath them while they overlap.
 World crossing() {
   World world;
   world.gravity_w = Vec3::Zero();
@@ -154,9 +154,8 @@ TEST_CASE("There are 19 errata of the timewarp", "[unit][timewarp]") {
 }
 
 TEST_CASE(
-    "With all misprints mended the printed timewarps tell the story of the forms as meant to the "
-    "last "
-    "bit",
+    "With all misprints mended the printed timewarps give the collisions of the forms as meant to "
+    "the last bit",
     "[reference][timewarp]") {
   for (const TimewarpListing listing : {kSimple, kSafer}) {
     const char* name = listing == kSimple ? "timewarp_simple" : "timewarp_safer";
@@ -189,7 +188,7 @@ TEST_CASE(
     compare(cage(seed), 1.0 / 30.0, 60);
     compare(pile(seed), 1.0 / 60.0, 30);
   }
-  // Cubes that stand in a row and are met from both sides at one time collide at one stroke.
+  // Cubes in a row that are hit from both sides simultaneously collide together.
   TimewarpAsPrinted as_printed(printed(all, kSimple, 100000));
   check_same(line_of("0:1,1.5:0,2.5:0,4:-1"), as_printed, *make_timewarp("timewarp_swept"), 1.0, 1);
 }
@@ -231,9 +230,9 @@ TEST_CASE("The timewarp as printed ends every step with finite numbers, whatever
   }
 }
 
-TEST_CASE("T1: a body that collides before it has got there is half a metre ahead at the end",
+TEST_CASE("T1: a body that collides before it is there is half a metre ahead at the end",
           "[exact][timewarp]") {
-  // At 0.5 s the first cube has come to the collision, the second one still is where it began; it
+  // At 0.5 s the first cube has reached the collision, the second one is still at its start; it
   // is pushed there, and then flies on for the half second that it should have flown before.
   const World world = line_of("0:1,2:-1");
   const Frame ignored(world, printed(but({"T1"})));
@@ -243,7 +242,7 @@ TEST_CASE("T1: a body that collides before it has got there is half a metre ahea
   const Frame mended(world, printed(misprints()));
   CHECK(mended.x(1) == near(2.0).margin(kFound));
 
-  // If the pair is bounced whichever way it moves, the second impulse undoes the first. In 0.9 s,
+  // If the pair is bounced whether it approaches or not, the second impulse undoes the first. In 0.9 s,
   // as at 1 s the two touch, and rounding decides whether that is one more collision.
   const Frame bounced(world, printed(but({"T1"}), kSimple, 50, true), 0.9);
   CHECK(bounced.events() == 2);
@@ -259,11 +258,11 @@ TEST_CASE("T2: with one counter for both loops the second body never comes to th
   CHECK(shared.x(1) == near(2.5).margin(kFound));
   CHECK(shared.valid_time(0) == near(0.5).margin(kFound));
   CHECK(shared.valid_time(1) == 0.0);
-  // It shows only in loops that are nested.
+  // It has an effect only in nested loops.
   CHECK(Frame(line_of("0:1,2:-1"), printed(but({"T2"}))).x(1) == near(2.0).margin(kFound));
 
-  // Tested against one another's old test states, and with nothing that ends it, the two of an
-  // inelastic collision collide for ever at the end of the frame, where the second one is not.
+  // Tested against one another's old test states, and without a contact stage, the two of an
+  // inelastic collision collide endlessly at the end of the frame, where the second one is not.
   const World world = line_of("0:2,1.5:0", "0.5");
   for (const bool separating : {false, true}) {
     const Frame endless(world, printed(but({"T1", "T2", "T3", "T6"}), kSimple, 50, separating));
@@ -299,16 +298,16 @@ TEST_CASE("T3: a test against the other's old state is one more collision, at th
     for (const std::size_t body : {0u, 1u})
       CHECK(mended.valid_time(body) == near(0.25).margin(kFound));
   }
-  // A search that does not trust test states does not fall for it.
+  // A search that does not use test states is not affected.
   const Frame swept(world, printed(but({"T3"}, TimewarpErrata::all())));
   CHECK(swept.technique.passes() == 1);
 }
 
 TEST_CASE("T4: without valid times a search takes states of different times for those of one",
           "[exact][timewarp]") {
-  // After 0.25 s the middle cube is where it was, and as fast as the first one was. Taken for its
-  // state at the start it meets the third one after 0.9 m / 3 m/s, which is 0.3 s; then comes the first
-  // one's turn at 0.3 m / 3 s ...
+  // After 0.25 s the middle cube is at its old place, and as fast as the first one was. Taken for its
+  // state at the start it collides with the third one after 0.9 m / 3 m/s, which is 0.3 s; then follows
+  // the first one at 0.3 m / 3 s ...
   const World world = line_of("0:2,1.5:0,3.4:-1");
   const auto check = [](const Frame& frame, std::initializer_list<double> times,
                         std::initializer_list<double> places) {
@@ -322,12 +321,13 @@ TEST_CASE("T4: without valid times a search takes states of different times for 
     check(Frame(world, printed(but({"T4"}), listing)), {0.25, 0.3, 0.1}, {-0.4, 1.8, 4.5});
     check(Frame(world, printed(misprints(), listing)), {0.25, 7.0 / 15.0, 0.9}, {0.4, 1.5, 4.0});
   }
-  // F2 does nearly the same to the other listing: all stamps stay at the start of the frame. The
+  // F2 has nearly the same effect in the other listing: all stamps stay at the start of the frame. The
   // third cube, a neighbour of the last collision, is flown for a whole second from 3.1 m on.
   check(Frame(world, printed(but({"F2"}), kSafer)), {0.25, 0.3, 0.6}, {0.1, 1.5, 5.1});
 }
 
-TEST_CASE("T5: who passes through another body within a frame is not seen", "[exact][timewarp]") {
+TEST_CASE("T5: a body that passes through another one within a frame is missed",
+          "[exact][timewarp]") {
   const World world = line_of("0:2,1.5:0,2.9:-1");
   const TimewarpErrata all = TimewarpErrata::all();
   const Frame missed(world, printed(but({"T5"}, all)));
@@ -351,14 +351,14 @@ TEST_CASE("T6: a ball that comes to rest fills a frame with collisions", "[exact
     CHECK(endless.technique.passes() == 500);
     CHECK(endless.events() >= 14);
     CHECK(endless.told.events[13].time < 10.21e-3);
-    CHECK(endless.valid_time(1) == near(10.2e-3).margin(5e-5));  // it does not get on
+    CHECK(endless.valid_time(1) == near(10.2e-3).margin(5e-5));  // no progress
     const Frame ended(world, printed(misprints(), listing, 500), dt);
     CHECK_FALSE(ended.capped());
     CHECK(ended.events() == 14);
   }
 }
 
-TEST_CASE("T7: who is put into overlap collides at the same time again and again",
+TEST_CASE("T7: a body put into overlap collides at the same time again and again",
           "[exact][timewarp]") {
   // Without the contact stage, which would end it.
   const World world = line_of("0:2,1.5:0", "0");
@@ -367,9 +367,9 @@ TEST_CASE("T7: who is put into overlap collides at the same time again and again
   CHECK(again.valid_time(0) > 0.25);
   CHECK(again.valid_time(0) < 0.25 + 2e-6);
   const Frame apart(world, printed(but({"T6"})));
-  CHECK(apart.valid_time(0) > 0.3);  // it gets on, though not to the end
+  CHECK(apart.valid_time(0) > 0.3);  // it makes progress, though not to the end
 
-  // Found with swept volumes, even a pair that parts is held back.
+  // With swept volumes, even a pair that separates makes no progress.
   const World bouncing = line_of("0:2,1.5:0", "0.5");
   const TimewarpErrata all = TimewarpErrata::all();
   CHECK(Frame(bouncing, printed(but({"T6", "T7"}, all))).capped());
@@ -415,7 +415,7 @@ TEST_CASE("T9: met from both sides at one time, one body after the other, a row 
   CHECK(std::abs(in_turn.v(0) + in_turn.v(2)) > 0.01);
 }
 
-TEST_CASE("T10: stamping the ground moves nobody", "[exact][timewarp]") {
+TEST_CASE("T10: stamping the ground moves no body", "[exact][timewarp]") {
   World world = ball_above_ground(1e-3, 0.0);
   const BodyProperties cube = world.bodies()[1];
   world.add(cube, make_state(cube, Vec3(3.0, 0.5008, 0.0)));
@@ -438,7 +438,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
     CHECK(frame.v(0) == near(2.0).margin(1e-15));
     CHECK(frame.v(1) == near(0.0).margin(1e-15));
   };
-  // With its stamp where it was, the same collision comes for ever, and the two end in one place.
+  // With an unchanged stamp, the same collision repeats endlessly, and the two end in one place.
   const Frame endless(world, printed(but({"F1", "F2"}), kSafer, 20));
   CHECK(endless.capped());
   CHECK(endless.events() == 20);
@@ -459,7 +459,7 @@ TEST_CASE("F1: test states that collide and are overwritten have never collided"
   CHECK(mended.v(1) == near(2.0).margin(1e-12));
 
   // As printed throughout nothing collides at all: the search among neighbours finds the present
-  // pair for ever (F6).
+  // pair endlessly (F6).
   const Frame nothing(world, printed(TimewarpErrata(), kSafer, 20));
   CHECK(nothing.capped());
   CHECK(nothing.events() == 0);
@@ -477,7 +477,7 @@ TEST_CASE("F3 and F4: a neighbour is left at the time of a collision that was no
     CHECK(left.x(2) == near(-1.45).margin(kFound));
   }
   CHECK(Frame(world, printed(misprints(), kSafer)).x(2) == near(-2.2).margin(kFound));
-  // Who is far away keeps its place all the same.
+  // A cube far away keeps its position all the same.
   CHECK(Frame(line_of("0:2,1.5:0,10:1"), printed(but({"F4"}), kSafer)).x(2) ==
         near(11.0).margin(kFound));
 }
@@ -487,7 +487,7 @@ TEST_CASE("F5: when an earlier collision is found the present one is lost", "[ex
   REQUIRE(lost.events() == 1);
   CHECK(lost.told.events[0].time == near(0.0625).margin(kFound));
   CHECK(lost.v(0) == near(2.0).margin(1e-15));
-  CHECK(lost.x(0) - lost.x(1) == near(0.5).margin(kFound));  // they overlap, and nobody minds
+  CHECK(lost.x(0) - lost.x(1) == near(0.5).margin(kFound));  // they overlap undetected
 
   const Frame mended(crossing(), printed(misprints(), kSafer));
   REQUIRE(mended.events() == 2);

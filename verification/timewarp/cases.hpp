@@ -1,5 +1,5 @@
 /// \file
-/// \brief Scenes, techniques and records that the tests of the timewarps share.
+/// \brief Scenes, techniques and records for the tests of the timewarps.
 #pragma once
 
 #include "tumble/scenes/library.hpp"
@@ -18,7 +18,7 @@
 
 namespace tumble::test {
 
-/// The techniques in which all bodies meet at the end of a frame, by name.
+/// The techniques whose bodies are synchronised at the end of a frame, by name.
 inline constexpr std::initializer_list<const char*> kSynchronised = {
     "timewarp_simple", "timewarp_safer", "timewarp_swept"};
 
@@ -27,8 +27,8 @@ inline constexpr std::initializer_list<const char*> kTimewarps = {
     "timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"};
 
 /// Makes a timewarp.
-/// \param name     which
-/// \param options  common options; the rest as it stands
+/// \param name     its name
+/// \param options  common options; all others are the defaults
 /// \return the technique
 inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
                                                 const TimewarpOptions& options = {}) {
@@ -44,17 +44,17 @@ inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
   return std::make_unique<TimewarpSwept>(swept);
 }
 
-/// Keeps all collisions.
+/// Stores all collisions.
 class Listener final : public Observer {
  public:
   void on_event(const Event& event) override { events.push_back(event); }
-  EventLog events;  ///< in the order in which they were told
+  EventLog events;  ///< in the order of their reports
 };
 
 /// The two bodies of a collision, by name, as in "a-b".
-/// \param world  where they live
+/// \param world  their world
 /// \param event  the collision
-/// \return their names with a dash
+/// \return their names joined by a hyphen
 inline std::string names_of(const World& world, const Event& event) {
   return world.name(world.index_of(event.first)) + "-" + world.name(world.index_of(event.second));
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Full timewarp remembers what was; the world may have been changed since.
+/// \brief Full timewarp with worlds that are changed between steps.
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Synchronised timewarps where the answer is known: cubes on a line, bounces, free fall.
+/// \brief Synchronised timewarps against closed forms: cubes on a line, bounces, free fall.
 #include "tumble/dynamics/snapshot.hpp"
 
 #include "support/catch.hpp"
@@ -39,7 +39,7 @@ World cube_above_ground(double height, double speed_up, double restitution) {
   return world;
 }
 
-// Looks at the valid times of a body, and at the gap of each pair that has just collided.
+// Records the valid times of a body, and the gap of each pair that has just collided.
 class Looker final : public TimewarpWatcher {
  public:
   Looker(const World& world, int body) : world_(world), body_(static_cast<std::size_t>(body)) {}
@@ -58,10 +58,10 @@ class Looker final : public TimewarpWatcher {
     ++collisions;
   }
 
-  double latest_time = 0.0;                                       // [s] stamped on the body
-  double way = 0.0;                                               // [m] of its valid state
+  double latest_time = 0.0;  // [s] largest valid time of the body
+  double way = 0.0;          // [m] displacement of its valid state
   double smallest_gap = std::numeric_limits<double>::infinity();  // [m]
-  bool in_order = true;                                           // the queue
+  bool in_order = true;                                           // whether the queue is sorted
   int collisions = 0;
 
  private:
@@ -76,19 +76,19 @@ void step_of(T technique, World& world, double dt, TimewarpWatcher& watcher) {
   technique.step(world, dt);
 }
 
-// A step of a technique that somebody looks at.
+// A step of an observed technique.
 void step_watched(std::string_view name, World& world, double dt, TimewarpWatcher& watcher) {
   if (name == "timewarp_simple") return step_of(TimewarpSimple(), world, dt, watcher);
   if (name == "timewarp_safer") return step_of(TimewarpSafer(), world, dt, watcher);
   step_of(TimewarpSwept(), world, dt, watcher);
 }
 
-// Elastic cubes of 1 m and equal mass on a line hand their velocities on, so that cubes without
+// Elastic cubes of 1 m and equal mass on a line exchange their velocities, so that cubes without
 // extent pass through one another: the n-th cube is where the n-th of those straight lines is. Pairs
 // collide where two lines cross.
 struct Crossing {
   double time = 0.0;  // [s]
-  int place = 0;      // of the left cube among all
+  int place = 0;      // index of the left cube
 };
 
 std::vector<Crossing> crossings(const std::vector<double>& x, const std::vector<double>& v,
@@ -129,8 +129,8 @@ TEST_CASE("Three boxes on a line collide at the times of the closed form", "[exa
       CHECK(names_of(world, heard.events[0]) == "a-b");
       CHECK(names_of(world, heard.events[1]) == "b-c");
       CHECK(names_of(world, heard.events[2]) == "a-b");
-      // Each collision is told up to one resolution early. What follows is moved by
-      // the speeds before it over those after it, 1.5 resolutions at most, and rounding of 1e-15.
+      // Each collision is reported up to one resolution early. The following ones are moved by
+      // the ratio of speeds before and after it, 1.5 resolutions at most, and rounding of 1e-15.
       const double close = 4.0 * resolution + 1e-14;
       CHECK(heard.events[0].time == near(0.25).margin(close));
       CHECK(heard.events[1].time == near(0.2 + 0.8 / 3.0).margin(close));
@@ -146,7 +146,7 @@ TEST_CASE("Three boxes on a line collide at the times of the closed form", "[exa
   }
 }
 
-TEST_CASE("Cubes that change places within a frame are missed by the thesis's search alone",
+TEST_CASE("Cubes that change places within a frame are missed only by the thesis's search",
           "[exact][timewarp]") {
   // B is hit at 0.25 s, flies at 2 m/s and passes through C; at the end of the frame they are apart.
   const char* boxes = "0:2,1.5:0,2.9:-1";
@@ -174,7 +174,7 @@ TEST_CASE("Cubes that change places within a frame are missed by the thesis's se
 }
 
 TEST_CASE("Random cubes on a line collide as straight lines cross", "[exact][timewarp]") {
-  // The thesis's search misses nothing as long as nobody flies further than its own width in a
+  // The thesis's search misses nothing as long as no cube flies further than its own width in a
   // frame (T5); swept volumes miss nothing at all.
   constexpr double kResolution = 1e-10;
   for (const double fastest : {1.0, 6.0}) {
@@ -218,8 +218,8 @@ TEST_CASE("Random cubes on a line collide as straight lines cross", "[exact][tim
   }
 }
 
-TEST_CASE("Collisions at one time are resolved at one stroke", "[exact][timewarp]") {
-  // The middle one is hit from both sides; each of the three is put back once.
+TEST_CASE("Simultaneous collisions are resolved together", "[exact][timewarp]") {
+  // The middle one is hit from both sides; each of the three is rolled back once.
   World world = line_of("0:1,1.5:0,3:-1");
   TimewarpSwept swept;
   Listener heard;
@@ -255,29 +255,28 @@ TEST_CASE("Cubes that stick go on together", "[exact][timewarp]") {
   }
 }
 
-TEST_CASE("A timewarp steps a world with nobody in it, or nobody who can move",
-          "[unit][timewarp]") {
+TEST_CASE("A timewarp steps an empty world, and one without movable bodies", "[unit][timewarp]") {
   for (const char* name : kTimewarps) {
     CAPTURE(name);
-    World nobody;
+    World empty;
     World ground;
     ground.add_ground();
     const BodyProperties block = fixed_box_properties(Vec3::Ones());
     ground.add(block, make_state(block, Vec3(0.0, 0.2, 0.0)));
     const auto technique = make_timewarp(name);
-    for (World* world : {&nobody, &ground, &nobody}) {
+    for (World* world : {&empty, &ground, &empty}) {
       const StepReport report = technique->step(*world, 0.1);
       CHECK(report.events == 0);
       CHECK(report.integrations == 0);
       CHECK(report.status == StepStatus::done);
     }
-    CHECK(nobody.time() == 0.2);
+    CHECK(empty.time() == 0.2);
   }
 }
 
 TEST_CASE("A body that flies past keeps its time and its place", "[exact][timewarp]") {
-  // The last cube is near the others' collision but for its height, or far away: nobody may stamp
-  // it or move its valid state before the end of the frame (F1 to F4).
+  // The last cube is near the others' collision except for its height, or far away: it must not be
+  // stamped, nor its valid state moved, before the end of the frame (F1 to F4).
   for (const char* name : kSynchronised) {
     for (const bool close_by : {false, true}) {
       CAPTURE(name, close_by);
@@ -301,8 +300,8 @@ TEST_CASE("A body that flies past keeps its time and its place", "[exact][timewa
 
 TEST_CASE("A neighbour that was met on the way is found by the safer timewarp",
           "[exact][timewarp]") {
-  // A flies to C; on the way it meets B, which sinks and is out of its way at the end of the frame,
-  // but not yet when A meets C.
+  // A flies to C; on the way it collides with B, which sinks and has left at the end of the frame,
+  // but not yet when A collides with C.
   World world = line_of("0:2,1.8:0,9:0");
   world.states()[1].position_w = Vec3(1.8, -0.1, 0.0);
   world.states()[1].linear_momentum_w = Vec3(0.0, -1.0, 0.0);
@@ -326,7 +325,7 @@ TEST_CASE("A neighbour that was met on the way is found by the safer timewarp",
 
 TEST_CASE("A train of bounces ends where its hops get shorter than the resolution",
           "[exact][timewarp]") {
-  // It hits the ground at 5 cm/s: parts at 5 cm/s times e, e², ..., and hops of 2 e^k v / g follow.
+  // It hits the ground at 5 cm/s: separates at 5 cm/s times e, e², ..., and hops of 2 e^k v / g follow.
   for (const char* name : kTimewarps) {
     for (const double e : {0.0, 0.5, 0.9}) {
       CAPTURE(name, e);
@@ -345,15 +344,15 @@ TEST_CASE("A train of bounces ends where its hops get shorter than the resolutio
       CHECK(report.fallbacks == 1);
       REQUIRE(static_cast<std::int64_t>(heard.events.size()) == report.events);
       if (std::string_view(name) == "timewarp_swept") {
-        // Conservative advancement gets as close as rounding to the ground.
+        // Conservative advancement ends at the ground up to rounding.
         CHECK(report.events == hops + 1);
       } else {
-        // Bisection stops up to a resolution before it, where hops of one or two resolutions are
-        // at their top: some bounces more, 3 for e = 0.9.
+        // Bisection ends up to a resolution earlier, where hops of one or two resolutions are
+        // at their top: some more bounces, 3 for e = 0.9.
         CHECK(report.events >= hops + 1);
         CHECK(report.events <= hops + 1 + static_cast<int>(e / 0.15));
       }
-      // Each hop may end up to a resolution early, which takes as much from the next ones.
+      // Each hop may end up to a resolution early, which delays the next ones by as much.
       double time = 0.0;
       double up = 0.05 * e;
       for (int k = 0; k <= std::min(hops, 6); ++k) {
@@ -380,7 +379,7 @@ TEST_CASE("A pair that collides too often in a frame is left to its end", "[unit
 }
 
 TEST_CASE("Bodies are apart at the time for which they are stamped", "[exact][timewarp]") {
-  // A bracket has two ends; the one with overlap would be found again for ever (T7).
+  // A bracket has two ends; the overlapping one would be found again endlessly (T7).
   for (const char* name : kSynchronised) {
     CAPTURE(name);
     World world = line_of("0:2,1.5:0,3.4:-1");
@@ -399,7 +398,7 @@ TEST_CASE("Bodies are apart at the time for which they are stamped", "[exact][ti
   }
 }
 
-TEST_CASE("A box let go a millimetre above the ground meets it after 14.278 ms",
+TEST_CASE("A box released a millimetre above the ground meets it after 14.278 ms",
           "[exact][timewarp]") {
   for (const char* name : kTimewarps) {
     CAPTURE(name);
@@ -413,7 +412,7 @@ TEST_CASE("A box let go a millimetre above the ground meets it after 14.278 ms",
     REQUIRE(heard.events.size() == 1);
     CHECK(heard.events[0].time <= exact + 1e-15);
     CHECK(heard.events[0].time > exact - 1e-6);
-    // Its ballistic arc, and as much again upwards.
+    // Its ballistic arc, and the same distance again upwards.
     const double after = 1.0 / 60.0 - exact;
     CHECK(world.states()[1].position_w.y() - 0.05 ==
           near(9.81 * exact * after - 0.5 * 9.81 * after * after).margin(1e-6 * 0.3));
@@ -421,8 +420,8 @@ TEST_CASE("A box let go a millimetre above the ground meets it after 14.278 ms",
 }
 
 TEST_CASE("A frame that is cut in two gives the collisions of a whole one", "[exact][timewarp]") {
-  // Flights are exact, so it does not matter where a frame ends (T8). Times agree to a resolution,
-  // however often it is passed on; cubes turn by a fixed angle, so that splitting is exact too.
+  // Flights are exact, so the end of a frame has no effect (T8). Times agree to a resolution,
+  // accumulated or not; cubes turn by a fixed angle, so that splitting is exact too.
   for (const char* name : {"timewarp_swept"}) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       CAPTURE(name, seed);
@@ -504,7 +503,7 @@ TEST_CASE("The timewarps refuse steps and options that make no sense", "[unit][t
     CHECK_THROWS_WITH(make_timewarp(name, {.resolution = std::nan("")}),
                       Contains("resolution = nan"));
     CHECK_THROWS_WITH(make_timewarp(name, {.pair_events = 0}), Contains("pair_events = 0"));
-    // A resolution that is lost in the rounding of the times of a frame.
+    // A resolution below the rounding of the times of a frame.
     CHECK_THROWS_WITH(make_timewarp(name, {.resolution = 1e-20})->step(world, 1.0),
                       Contains("resolution = 1e-20"));
     CHECK(world.hash().text() == before);

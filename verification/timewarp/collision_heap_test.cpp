@@ -1,5 +1,5 @@
 /// \file
-/// \brief The queue of foreseen collisions against a list that is searched from end to end.
+/// \brief The queue of predicted collisions against a list with linear search.
 #include "tumble/timewarp/collision_heap.hpp"
 
 #include "tumble/base/random.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using namespace tumble;
 
-// The same by brute force: what is forgotten is erased, the earliest is searched for.
+// By brute force: invalid entries are erased, the earliest is searched for.
 class PlainList {
  public:
   void insert(const ForeseenCollision& collision) { all_.push_back(collision); }
@@ -43,13 +43,12 @@ class PlainList {
 
 }  // namespace
 
-TEST_CASE("The queue gives the earliest collision and forgets those of a body",
-          "[unit][timewarp]") {
+TEST_CASE("The queue yields the earliest collision and drops those of a body", "[unit][timewarp]") {
   constexpr int kBodies = 7;
   Random random(5);
   CollisionHeap heap;
   for (int round = 0; round < 50; ++round) {
-    heap.reset(kBodies);  // what the last round has left is gone
+    heap.reset(kBodies);  // no entries of the last round remain
     PlainList list;
     for (int k = 0; k < 200; ++k) {
       const std::uint32_t what = random.below(10);
@@ -75,7 +74,8 @@ TEST_CASE("The queue gives the earliest collision and forgets those of a body",
   }
 }
 
-TEST_CASE("What is foreseen after a body was forgotten stays in the queue", "[unit][timewarp]") {
+TEST_CASE("Collisions predicted after a body was invalidated stay in the queue",
+          "[unit][timewarp]") {
   CollisionHeap heap;
   heap.reset(3);
   heap.insert({0.2, {0, 1}});

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Pairs that rest: when they are left to the end of the frame, that they stay, and come back.
+/// \brief Resting pairs: entry into the contact stage, rest, and release.
 #include "tumble/timewarp/contact_stage.hpp"
 
 #include "tumble/base/index.hpp"
@@ -38,7 +38,7 @@ double deepest_overlap(const World& world) {
 
 }  // namespace
 
-TEST_CASE("A pair goes to the contact stage when its hop is no longer than the resolution",
+TEST_CASE("A pair enters the contact stage when its hop is no longer than the resolution",
           "[exact][timewarp]") {
   const double g = 9.81;
   ContactStage stage({.resolution = 1e-3, .pair_events = 4});
@@ -52,7 +52,7 @@ TEST_CASE("A pair goes to the contact stage when its hop is no longer than the r
   CHECK(stage.entered() == 1);
   CHECK_FALSE(stage.holds({0, 1}));
 
-  // Without gravity there are no hops: only those that do not part at all.
+  // Without gravity there are no hops: only pairs that do not separate at all.
   const IndexPair other{0, 1};
   CHECK_FALSE(stage.count(other, 1e-9, 0.0));
   CHECK(stage.count(other, 0.0, 0.0));
@@ -60,7 +60,7 @@ TEST_CASE("A pair goes to the contact stage when its hop is no longer than the r
   CHECK(stage.pairs()[0] == other);
   CHECK(stage.pairs()[1] == pair);
 
-  // Released by a push, but not for ever.
+  // Released by a push, but not indefinitely.
   stage.release(2);
   CHECK_FALSE(stage.holds(pair));
   CHECK(stage.holds(other));
@@ -75,8 +75,9 @@ TEST_CASE("A pair goes to the contact stage when its hop is no longer than the r
   CHECK(stage.pairs().empty());
 }
 
-TEST_CASE("Two bodies that part without a push are told to part", "[unit][timewarp]") {
-  // Such a pair meets nobody at once, and must not be left to the end of the frame.
+TEST_CASE("Two bodies that separate without an impulse have a separation velocity",
+          "[unit][timewarp]") {
+  // Such a pair does not collide again at once, and must not be deferred.
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
   for (const double x : {0.0, 1.0})
@@ -93,7 +94,7 @@ TEST_CASE("Two bodies that part without a push are told to part", "[unit][timewa
   impacts.resolve(world, pairs, {.margin = 1e-6}, report);
   CHECK(impacts.separation_speed(world, pairs[0], 1.0 / 60.0) == near(0.5).margin(1e-15));
 
-  // Rounding is no parting.
+  // Rounding is no separation.
   world.states()[0].linear_momentum_w.x() = 1.0;
   world.states()[1].linear_momentum_w.x() = 1.0 + 1e-15;
   impacts.resolve(world, pairs, {.margin = 1e-6}, report);
@@ -102,7 +103,7 @@ TEST_CASE("Two bodies that part without a push are told to part", "[unit][timewa
 
 TEST_CASE("Cubes that touch after an impact from both sides do not meet again and again",
           "[unit][timewarp]") {
-  // The two in the middle are hit at one time and part with the rounding of it, 6e-16 m/s.
+  // The two in the middle are hit simultaneously and separate by rounding only, 6e-16 m/s.
   for (const char* name : kTimewarps) {
     CAPTURE(name);
     World world = world_of("line", {{"boxes", "0:1,1.5:0,2.5:0,4:-1"}});
@@ -136,7 +137,7 @@ TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timew
         const double slop = tolerance::repair_slop * (1.0 + tolerance::repair_closeness);
         CAPTURE(deepest, fastest, highest - energy, heard.events.size());
         CHECK(deepest <= slop);
-        // Each cube lies a slop deeper than the one below it.
+        // Each cube overlaps the one below by the permitted slop.
         for (int body = 1; body <= count; ++body) {
           const Vec3 way_w =
               world.states()[at(body)].position_w - start.states()[at(body)].position_w;
@@ -179,7 +180,7 @@ TEST_CASE("A hit on a resting stack is passed on within the frame", "[unit][time
     World world = tower(3, 0.8);
     const auto technique = make_timewarp(name);
     for (int k = 0; k < 5; ++k) technique->step(world, kFrame);
-    // It falls onto the top at 30 m/s, 0.1 m away: after 3.3 ms of a frame.
+    // It falls onto the top at 30 m/s from 0.1 m: after 3.3 ms of a frame.
     const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, 0.8);
     const double top = world.states()[3].position_w.y() + 0.5;
     world.add(cube,

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What holds in every scene: time stamps, mirrors, momentum, counters, an end to each step.
+/// \brief Properties in every scene: time stamps, mirrors, momentum, counters, termination of each step.
 #include "tumble/base/index.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/dynamics/energy.hpp"
@@ -16,7 +16,7 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// Where bodies without gravity ought to be after the collisions that were told of them.
+// Expected positions of bodies without gravity after the reported collisions.
 class DeadReckoning {
  public:
   explicit DeadReckoning(const World& world) : world_(world) {
@@ -53,7 +53,7 @@ class DeadReckoning {
 
 Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
-// Turning vectors keep their x and change the rest.
+// Axial vectors keep their x and change the other signs.
 BodyState mirrored(const BodyState& state) {
   BodyState out = state;
   out.position_w = mirrored(state.position_w);
@@ -100,8 +100,8 @@ Counts count_in_cage(Technique& technique, const char* count, int frames) {
     sum.pair_tests += report.pair_tests;
     sum.rewinds += report.rewinds;
   }
-  // A flight takes one frame; in full timewarp it takes eight, or as many as there are until somebody
-  // is met.
+  // A flight takes one frame; in full timewarp it takes eight, or as many as there are until a
+  // collision.
   const double frames_of_flight =
       technique_is_full(technique.name()) ? TimewarpFullOptions{}.stride : 1.0;
   const double flights = std::stod(count) * frames / frames_of_flight;
@@ -123,7 +123,7 @@ World small_world(const SceneRecipe& recipe) {
 }  // namespace
 
 TEST_CASE("At the end of a frame no body's time stamp is ahead of its state", "[exact][timewarp]") {
-  // Places are compared with velocities times the times between a body's own collisions. Rounding
+  // Positions are compared with velocities times the times between a body's own collisions. Rounding
   // of 60 frames and some ten collisions is 2e-14 m; a body that is stamped too early or too late
   // is off by millimetres.
   for (const char* name : kTimewarps) {
@@ -137,7 +137,7 @@ TEST_CASE("At the end of a frame no body's time stamp is ahead of its state", "[
       technique->observe(&heard);
       for (int k = 0; k < 60; ++k) {
         const StepReport report = technique->step(world, kFrame);
-        // Bodies that were moved apart are elsewhere for a good reason.
+        // Bodies moved by repair are elsewhere, correctly.
         if (report.deepest_overlap > 0.0 || report.fallbacks > 0) break;
         for (const Event& event : heard.events) {
           expected.push(event.first, event.time, -event.impulse_w);
@@ -154,7 +154,7 @@ TEST_CASE("At the end of a frame no body's time stamp is ahead of its state", "[
 }
 
 TEST_CASE("Swept volumes leave no two bodies overlapping", "[exact][timewarp]") {
-  // Nothing rests here; whatever is not found until a frame's end overlaps there.
+  // Nothing rests here; missed collisions overlap at the end of a frame.
   double deepest = 0.0;
   std::int64_t left_over = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -204,7 +204,7 @@ TEST_CASE("A mirrored scene has the mirrored collisions", "[exact][timewarp]") {
       }
     }
   }
-  // A mirror changes signs, and signs change no rounding.
+  // A reflection changes signs, and signs change no rounding.
   INFO("times " << worst_time << " s, places " << worst_place << " m");
   CHECK(worst_time == 0.0);
   CHECK(worst_place == 0.0);
@@ -242,8 +242,8 @@ TEST_CASE("Elastic cubes in a cage keep their energy, and their momentum up to t
 
 TEST_CASE("Elastic bricks in a cage lose or gain no more energy than their flights do",
           "[exact][timewarp]") {
-  // The rotation rule `splitting` keeps the energy of a free brick to second order in the time of
-  // a flight. What it may add up to is measured beside: each brick flown alone for each frame.
+  // The rotation rule `splitting` keeps the energy of a free brick to second order in the duration of
+  // a flight. The accumulated error is measured separately: each brick flown alone for each frame.
   for (const char* name : kTimewarps) {
     CAPTURE(name);
     World world = cage_of_bricks(60, 1);
@@ -272,8 +272,7 @@ TEST_CASE("Elastic bricks in a cage lose or gain no more energy than their fligh
   }
 }
 
-TEST_CASE("What a collision costs does not depend on how many bodies there are",
-          "[unit][timewarp]") {
+TEST_CASE("The cost of a collision does not depend on the number of bodies", "[unit][timewarp]") {
   for (const char* name : {"timewarp_simple", "timewarp_swept", "timewarp_full"}) {
     CAPTURE(name);
     const Counts few = count_in_cage(*make_timewarp(name), "27", 120);
@@ -283,7 +282,7 @@ TEST_CASE("What a collision costs does not depend on how many bodies there are",
     CAPTURE(few.pair_tests, more.pair_tests, many.pair_tests);
     CAPTURE(few.rewinds, more.rewinds, many.rewinds);
     // Two flights for each cube of a collision; one with a wall has one cube. Full timewarp flies to a
-    // collision, and on from there with the next flight.
+    // collision, and the next flight continues from there.
     for (const Counts& counts : {few, more, many}) {
       CHECK(counts.integrations >= (technique_is_full(name) ? 0.5 : 2.0));
       CHECK(counts.integrations <= 4.0 + 1e-12);
@@ -293,7 +292,7 @@ TEST_CASE("What a collision costs does not depend on how many bodies there are",
     CHECK(more.pair_tests < 1.5 * few.pair_tests);
     CHECK(many.pair_tests < 1.5 * few.pair_tests);
   }
-  // Where all are taken back it does depend on them.
+  // Where all bodies are rolled back the cost depends on their number.
   Basic basic;
   const Counts few = count_in_cage(basic, "27", 60);
   const Counts more = count_in_cage(basic, "125", 10);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Three ways to the same collisions: swept and full timewarp, and a search over all bodies.
+/// \brief Collisions by three methods: swept and full timewarp, and a search over all bodies.
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
@@ -14,13 +14,13 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// A story: the first collisions of a scene, and whether all searches came to their end.
+// The first collisions of a scene, and whether all searches converged.
 struct Story {
   EventLog events;
   bool complete = true;
 };
 
-Story tell(Technique& technique, World world, std::size_t length) {
+Story collect(Technique& technique, World world, std::size_t length) {
   Listener heard;
   technique.observe(&heard);
   Story out;
@@ -34,7 +34,7 @@ Story tell(Technique& technique, World world, std::size_t length) {
 }
 
 Story by_swept(const World& world, double resolution, std::size_t length) {
-  return tell(*make_timewarp("timewarp_swept", {.resolution = resolution}), world, length);
+  return collect(*make_timewarp("timewarp_swept", {.resolution = resolution}), world, length);
 }
 
 Story by_full(const World& world, double resolution, std::size_t length, double stride = 1.0,
@@ -44,7 +44,7 @@ Story by_full(const World& world, double resolution, std::size_t length, double 
   options.stride = stride;
   options.synchronise_every = synchronise_every;
   TimewarpFull full(options);
-  return tell(full, world, length);
+  return collect(full, world, length);
 }
 
 Story by_all(const World& world, double resolution, std::size_t length) {
@@ -52,10 +52,10 @@ Story by_all(const World& world, double resolution, std::size_t length) {
   options.search = SearchMethod::conservative;
   options.resolution = resolution;
   Basic basic(options);
-  return tell(basic, world, length);
+  return collect(basic, world, length);
 }
 
-// How many collisions two stories share from the start, and how far their times differ there.
+// Number of collisions that two runs share from the start, and the difference of their times.
 struct Agreement {
   std::size_t length = 0;
   double times = 0.0;  // [s]
@@ -72,7 +72,7 @@ Agreement agreement(const EventLog& a, const EventLog& b, std::size_t most) {
   return out;
 }
 
-// 8 to 12 cubes in a cage, every second time with gravity.
+// 8 to 12 cubes in a cage, every second case with gravity.
 World random_cage(std::uint64_t seed) {
   World world = world_of(
       "cage", {{"count", std::to_string(8 + seed % 5)}, {"spin", seed % 3 == 0 ? "10" : "2"}},
@@ -85,8 +85,8 @@ World random_cage(std::uint64_t seed) {
 
 TEST_CASE("Swept, full timewarp and a search over all bodies find the same collisions",
           "[reference][timewarp]") {
-  // A difference in time grows about a thousandfold in 30 collisions (measured: from 1e-13 s to
-  // 2e-10 s), whatever the order of computing; so it begins well below what is asked for.
+  // A time difference grows about a thousandfold in 30 collisions (measured: from 1e-13 s to
+  // 2e-10 s), in any order of computation; so the resolution is far below the tolerance.
   constexpr std::size_t kLength = 30;
   constexpr double kResolution = 1e-13;
   double worst = 0.0;
@@ -108,7 +108,7 @@ TEST_CASE("Swept, full timewarp and a search over all bodies find the same colli
   CHECK(worst < 1e-9);
 }
 
-TEST_CASE("The story of a full timewarp does not depend on how far bodies fly ahead",
+TEST_CASE("The collisions of a full timewarp do not depend on how far bodies fly ahead",
           "[reference][timewarp]") {
   constexpr std::size_t kLength = 30;
   double worst = 0.0;
@@ -129,8 +129,7 @@ TEST_CASE("The story of a full timewarp does not depend on how far bodies fly ah
   CHECK(worst < 1e-9);
 }
 
-TEST_CASE("Stories part later the more closely collisions are searched for",
-          "[reference][timewarp]") {
+TEST_CASE("Runs diverge later the finer the resolution of collisions", "[reference][timewarp]") {
   // Measured: 108 collisions in a row at 1e-7 s, 194 at 1e-13 s.
   double shared[2] = {0.0, 0.0};
   int compared[2] = {0, 0};

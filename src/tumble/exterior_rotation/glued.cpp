@@ -1,5 +1,5 @@
 /// \file
-/// \brief The technique in which whatever touches at the start sticks for ever.
+/// \brief The glued technique: bodies in contact at the start stick together permanently.
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include "tumble/base/error.hpp"
@@ -17,7 +17,7 @@
 namespace tumble {
 namespace {
 
-// The method of several stages, or nullptr.
+// The Runge-Kutta table of a scheme, or nullptr.
 const ButcherTable* table_of(GluedScheme scheme) {
   switch (scheme) {
     case GluedScheme::rk4:
@@ -50,10 +50,9 @@ constexpr std::size_t kMostChanges = 20;  // of each joint in a step, on average
 
 void refuse_too_many(std::size_t joints) {
   if (joints > kMostJoints)
-    require::that(false,
-                  std::to_string(joints) +
-                      " pairs of bodies touch: glued solves all joints at one stroke and takes " +
-                      std::to_string(kMostJoints) + " at most; give it fewer bodies");
+    require::that(false, std::to_string(joints) +
+                             " pairs of bodies touch: glued solves all joints together and takes " +
+                             std::to_string(kMostJoints) + " at most; use fewer bodies");
 }
 
 double kinetic_energy_of(const World& world) {
@@ -86,8 +85,8 @@ void Glued::find(const World& world) {
   try_dt_ = 0.0;
 }
 
-// Joins bodies that came since the last step, and leaves out those that are gone. Returns whether there
-// are any such, as in the first step; `fresh` gets the joints that are new.
+// Adds joints of new bodies and removes those of removed bodies. Returns whether there are any, as in the
+// first step; `fresh` receives the new joints.
 bool Glued::join(const World& world, std::vector<Joint>& fresh) {
   const auto was_there = [&](int body) {
     return std::binary_search(found_for_.begin(), found_for_.end(), world.ids()[at(body)]);
@@ -124,12 +123,12 @@ StepReport Glued::step(World& world, double dt) {
   // [S6.2:glued]
   double passed = 0.0;
   while (passed < dt) {
-    // One step, or as much of it as the accuracy allows.
+    // One step, or the part of it that the accuracy permits.
     const double left = dt - passed;
     start_.assign(world.states().begin(), world.states().end());
     double taken = options_.scheme == GluedScheme::dormand_prince ? advance_adaptively(left, world)
                                                                   : advance(left, world);
-    // Has a joint opened on the way? Then only up to there.
+    // If a joint has changed on the way: only up to that event.
     JointChange change;
     if (unilateral && report.events >= most_events) report.status = StepStatus::event_cap;
     if (unilateral && report.events < most_events && margin(world, change) < 0.0) {
@@ -149,22 +148,21 @@ StepReport Glued::step(World& world, double dt) {
   return report;
 }
 
-// One step of the scheme. Returns the estimate of its error, which only dormand_prince has; for the
-// others how far it got: the whole step.
+// One step of the scheme; returns its length, dt.
 double Glued::advance(double dt, World& world) {
   if (const ButcherTable* table = table_of(options_.scheme)) {
     if (!std::isfinite(runge_kutta_.step(*table, dt, joints_, forces_, world)))
       require::that(false, "dt = " + shortest_text(dt) +
                                ": a body makes a full turn or more in it, " +
-                               "or leaves all numbers: expected a shorter dt");
+                               "or its state becomes infinite: expected a shorter dt");
   } else {
     simple_.step(simple_of(options_.scheme), options_.pose, dt, joints_, forces_, world);
   }
   return dt;
 }
 
-// A step that keeps the accuracy: tried again, shorter, until it does. A step's error shrinks with its
-// fifth power; 0.9 leaves some room, and no step is five times longer or shorter than the one before.
+// A step that meets the accuracy, repeated with shorter lengths until it does. The error is proportional to
+// the fifth power of the step; 0.9 is a safety factor, and the length changes at most by a factor of five.
 double Glued::advance_adaptively(double most, World& world) {
   double dt = try_dt_ > 0.0 ? std::min(try_dt_, most) : most;
   for (;;) {
@@ -172,7 +170,7 @@ double Glued::advance_adaptively(double most, World& world) {
     const double share = error > 0.0 ? elementary::pow(options_.accuracy / error, 1.0 / 5) : 5.0;
     const double next = dt * std::clamp(0.9 * share, 0.2, 5.0);
     if (error <= options_.accuracy) {
-      // A step that had to be short says nothing about how long the next one may be.
+      // A step that was cut short does not determine the length of the next one.
       if (dt < most || next < dt || try_dt_ == 0.0) try_dt_ = next;
       return dt;
     }
@@ -185,14 +183,14 @@ double Glued::advance_adaptively(double most, World& world) {
   }
 }
 
-// What the joints say at the present states.
+// joint_margin() of the present states.
 double Glued::margin(const World& world, JointChange& change) {
   load_moving_bodies(world, moving_);
   forces_.hold(world, moving_, joints_, wrenches_);
   return joint_margin(joints_, world, moving_, forces_, change);
 }
 
-// Searches the step just made for the moment at which a joint changes, and leaves the bodies there.
+// Locates the event within the step just made, and leaves the bodies there.
 double Glued::find_event(double taken, double dt, World& world) {
   JointChange change;
   const auto margin_after = [&](double time) {
@@ -206,7 +204,7 @@ double Glued::find_event(double taken, double dt, World& world) {
   return event;
 }
 
-// Changes joints until all of them can be as they are, each at most once at an instant.
+// Changes joints until all of them are consistent, each at most once at an instant.
 void Glued::change_joints(double time, World& world, StepReport& report) {
   changed_.assign(joints_.size(), 0);
   for (;;) {
@@ -232,13 +230,13 @@ void Glued::change_joints(double time, World& world, StepReport& report) {
   }
 }
 
-// What joints do not allow of the velocities is lost, as in an impact that does not bounce. Nothing
-// happens where those that are new allow them but for rounding.
+// Removes the relative velocity that joints forbid, as in an impact without restitution. Does nothing
+// where the new joints forbid nothing but rounding.
 void Glued::end_relative_motion(std::span<const Joint> fresh, World& world, StepReport& report) {
   const auto loss = [&](std::span<const Joint> joints, World& after) {
     const double before = kinetic_energy_of(after);
     load_moving_bodies(after, moving_);
-    told_.project(moving_, joints, after.states());
+    record_forces_.project(moving_, joints, after.states());
     store_moving_bodies(moving_, after);
     return before - kinetic_energy_of(after);
   };
@@ -249,12 +247,12 @@ void Glued::end_relative_motion(std::span<const Joint> fresh, World& world, Step
 
 void Glued::record(const World& world) {
   load_moving_bodies(world, moving_);
-  told_.hold(world, moving_, joints_, wrenches_);
+  record_forces_.hold(world, moving_, joints_, wrenches_);
   records_.clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Joint& joint = joints_[j];
     if (joint.hold == JointHold::nothing) continue;
-    const Wrench& push = told_.on_second(static_cast<int>(j));
+    const Wrench& push = record_forces_.on_second(static_cast<int>(j));
     const JointPoint held = held_point(joint, world.states());
     ContactRecord record;
     record.time = world.time();
@@ -265,7 +263,7 @@ void Glued::record(const World& world) {
     record.push_w = push.force_w;
     record.is_impulse = false;
     record.state = ContactState::stick;
-    // The centre of pressure: where the force has no moment across the normal.
+    // The centre of pressure: the point about which the moment has no component across the normal.
     const double normal = push.force_w.dot(record.normal_w);
     if (normal > 0.0) record.point_w += record.normal_w.cross(push.torque_w) / normal;
     records_.push_back(record);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The technique in which whatever touches at the start sticks for ever (thesis 6.2).
+/// \brief The glued technique: bodies in contact at the start stick together permanently (thesis 6.2).
 ///
 /// Uses the chapter on analytic forces.
 #pragma once
@@ -18,10 +18,10 @@
 
 namespace tumble {
 
-/// How the motion is integrated.
+/// Time integration schemes.
 enum class GluedScheme : std::uint8_t {
   rk4,             ///< classical_table()
-  dormand_prince,  ///< dormand_prince_table(), steps as long as the accuracy allows
+  dormand_prince,  ///< dormand_prince_table(), with adaptive steps
   midpoint,        ///< midpoint_table()
   forward_euler,   ///< SimpleScheme::forward_euler, the thesis's
   semi_implicit,   ///< SimpleScheme::semi_implicit
@@ -33,29 +33,29 @@ enum class GluedScheme : std::uint8_t {
 /// \return each once
 std::span<const GluedScheme> glued_schemes();
 
-/// The name that a user calls a scheme by.
+/// The name of a scheme in options.
 /// \param scheme one of them
-/// \return as in the enumeration
+/// \return its enumerator as text
 std::string_view name_of(GluedScheme scheme);
 
 /// Whether joints can open.
 enum class GluedJoints : std::uint8_t {
   bilateral,  ///< glue: a joint pulls as well as it pushes
-  unilateral  ///< very high friction and no glue: what would have to be pulled comes apart
+  unilateral  ///< unlimited friction without glue: a joint that would have to pull opens
 };
 
-/// When it is noticed that a joint opens, comes apart or closes.
+/// Time at which a change of a joint takes effect.
 enum class GluedEvents : std::uint8_t {
-  located,  ///< the moment is searched for, and the step is divided there
-  step_end  ///< at the end of the step in which it happened
+  located,  ///< the event is located, and the step divided there
+  step_end  ///< at the end of the step
 };
 
-/// Options of the technique.
+/// Options of the glued technique.
 struct GluedOptions {
-  GluedScheme scheme = GluedScheme::rk4;        ///< how the motion is integrated
-  PoseUpdate pose = PoseUpdate::separate;       ///< of the schemes that find forces once
-  GluedJoints joints = GluedJoints::bilateral;  ///< whether they can open
-  GluedEvents events = GluedEvents::located;    ///< when that is noticed
+  GluedScheme scheme = GluedScheme::rk4;        ///< time integration
+  PoseUpdate pose = PoseUpdate::separate;       ///< of the schemes with one evaluation of forces
+  GluedJoints joints = GluedJoints::bilateral;  ///< whether joints can open
+  GluedEvents events = GluedEvents::located;    ///< time of their changes
   /// [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
   double accuracy = tolerance::rotation_accuracy;
 };
@@ -78,25 +78,24 @@ void describe(GluedOptions& o, Visitor& v) {
            "scheme=dormand_prince: error allowed in a step, in edges and radians");
 }
 
-/// Bodies that stick where they touch at the start, and know no other contact.
+/// Bodies that stick where they touch at the start, without any other contact.
 ///
-/// The situation of section 6.2 by itself: friction so high that nothing slips, and forces that are
-/// right at the instant for which they are found. What is left to go wrong is the integration, and
-/// every scheme that is chosen here shows its own error.
+/// The situation of section 6.2 in isolation: unlimited friction, and forces that are exact at the instant
+/// at which they are computed. The remaining error is that of the integration scheme.
 ///
-/// The first step finds the joints (find_joints()). A body that is added later sticks to what it touches
-/// in the next step; the others keep their joints as they are. What joints do not allow of the velocities
-/// is lost then, as in an impact that does not bounce. Bodies that have come apart, or come together
-/// later, pass through each other.
+/// The first step finds the joints (find_joints()). A body that is added later sticks to the bodies it
+/// touches in the next step; other joints do not change. Relative velocity that new joints forbid is
+/// removed, as in an impact without restitution. Bodies that have come apart, or meet later, pass
+/// through each other.
 ///
-/// **Unilateral joints** change at events, see joint_margin(). Located, each is found to
-/// `tolerance::joint_moment` of a step by steps of other lengths from the same start, the joint is
-/// changed, and the step goes on from there; the order of the scheme is kept across it. Noticed at the
-/// end of a step, an event is up to a step late. A face that opens costs the square of the delay, an edge
-/// that lets go the delay itself, as its friction ends at once: order 1 is left.
+/// **Unilateral joints** change at events, see joint_margin(). A located event is found to
+/// `tolerance::joint_moment` of a step by repeating the step with other lengths; the joint is changed, and
+/// the step continues from there, so that the order of the scheme is preserved. With `step_end` a change
+/// is up to a step late. The error is quadratic in the delay where a face opens, and linear where an edge
+/// is released, as its friction ends at once: order 1 remains.
 /// \par Cost
-/// As many solves of the joints as the scheme has stages, one more a step for unilateral joints, and some
-/// forty steps' worth for a located event.
+/// As many solves of the joints as the scheme has stages, one more per step for unilateral joints, and
+/// about forty steps for a located event.
 /// \algorithm{A group that sticks: section 6.2 with its footnote}
 /// \verified{Orders of the glued column are 1, 1, 1, 2 and 4}
 class Glued : public Technique {
@@ -109,22 +108,22 @@ class Glued : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "glued"; }
   /// \copydoc Technique::step
-  /// Worlds in which more than a hundred pairs of bodies touch are refused.
+  /// Worlds with more than a hundred pairs in contact are refused.
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
-  /// One for each joint that holds: where the force acts, at the pose for which it was found last.
+  /// One for each closed joint: the point of action of its force, at the pose of the last evaluation.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
-  /// The joints as they are now.
+  /// The present joints.
   /// \return empty before the first step, unless find() was called
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   /// Finds the joints now instead of in the first step.
   /// \param world the bodies
-  /// \throws std::invalid_argument for more than a hundred pairs that touch
+  /// \throws std::invalid_argument for more than a hundred pairs in contact
   void find(const World& world);
-  /// How many systems of joint forces were solved in all steps: the work, whatever the machine.
+  /// Number of systems of joint forces solved in all steps: the cost, independent of the machine.
   /// \return from 0
   [[nodiscard]] int solves() const { return forces_.solves(); }
 
@@ -144,15 +143,14 @@ class Glued : public Technique {
   JointForces forces_;
   RungeKutta runge_kutta_;
   SimpleSteps simple_;
-  double try_dt_ =
-      0.0;  // [s] of dormand_prince: what the next step may be as long as; 0: not known
+  double try_dt_ = 0.0;  // [s] of dormand_prince: length to try for the next step; 0: unknown
 
   // Storage of one step.
   std::vector<BodyState> start_;
   std::vector<MovingBody> moving_;
   std::vector<Wrench> wrenches_;
   std::vector<char> changed_;  // by joint, at one instant
-  JointForces told_;           // for contacts() and impacts: not counted as work
+  JointForces record_forces_;  // for contacts() and impacts: not counted as cost
   std::vector<ContactRecord> records_;
 };
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Two bodies that stick where they touch.
+/// \brief Joints between bodies that stick where they touch.
 #include "tumble/exterior_rotation/joint.hpp"
 
 #include "tumble/base/error.hpp"
@@ -23,7 +23,7 @@ Vec3 to_body(const BodyState& state, const Vec3& point_w) {
   return state.orientation_wb.conjugate() * (point_w - state.position_w);
 }
 
-// The corners that are held: a range of places, counted around the area.
+// The held corners: a range of indices, counted around the area.
 struct Held {
   int begin = 0;
   int count = 0;
@@ -46,7 +46,7 @@ Held held_corners(const Joint& joint) {
 }  // namespace
 
 Joint joint_of(const World& world, const Contact& contact) {
-  require::that(contact.count > 0, "contact: it has no point, and nothing can be glued");
+  require::that(contact.count > 0, "contact without a point: expected at least one to glue");
   Joint joint;
   joint.first = contact.first;
   joint.second = contact.second;
@@ -67,7 +67,7 @@ Joint joint_of(const World& world, const Contact& contact) {
 
 std::vector<Joint> find_joints(const World& world, double margin) {
   require::not_negative(margin, "margin");
-  double size = 0.0;  // the margin of the broad phase has to do for all pairs
+  double size = 0.0;  // the margin of the broad phase has to cover all pairs
   for (const BodyProperties& body : world.bodies())
     if (body.shape == Shape::box) size = std::max(size, body.size.minCoeff());
   std::vector<Bounds> bounds;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief When joints open, come apart and close.
+/// \brief Events of joints without glue: opening, separation and closing.
 #include "tumble/exterior_rotation/joint_events.hpp"
 
 #include "tumble/base/index.hpp"
@@ -12,7 +12,7 @@
 namespace tumble {
 namespace {
 
-// Size and mass of a joint's lighter movable body: units of its forces.
+// Size and mass of a joint's lighter movable body, as units of its forces.
 struct Unit {
   double size = 1.0;
   double mass = 1.0;
@@ -49,7 +49,7 @@ double joint_margin(std::span<const Joint> joints, const World& world,
     const JointPoint held = held_point(joint, states);
     // [S6.2:events]
     if (joint.hold == JointHold::area) {
-      // Moments about the sides. Corners are in order; the middle tells which way is in.
+      // Moments about the sides. Corners are in order; the centre defines the inward direction.
       for (int k = 0; k < joint.count; ++k) {
         const Vec3 from_w = corner_of(joint, k, states).second_w;
         Vec3 along_w = (corner_of(joint, k + 1, states).second_w - from_w).normalized();
@@ -60,10 +60,10 @@ double joint_margin(std::span<const Joint> joints, const World& world,
       }
       continue;
     }
-    // An edge or a corner that would have to pull comes apart.
+    // An edge or a corner that would have to pull separates.
     look(push.force_w.dot(normal_w) / weight, {place, JointHold::nothing, 0});
     if (joint.hold != JointHold::edge || !joint.is_area()) continue;
-    // An area that was open closes: the bodies have turned back, and still approach.
+    // An open area closes once the bodies overlap again and approach.
     Vec3 middle_w = Vec3::Zero();
     for (int k = 0; k < joint.count; ++k)
       middle_w += corner_of(joint, k, states).second_w / joint.count;

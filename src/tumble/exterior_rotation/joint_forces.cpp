@@ -1,5 +1,5 @@
 /// \file
-/// \brief The forces in joints.
+/// \brief Joint forces.
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
 #include "tumble/base/index.hpp"
@@ -12,26 +12,26 @@
 namespace tumble {
 namespace {
 
-// Acceleration of a point of a body that does not accelerate: it goes on an arc.
+// Centripetal acceleration of a point of a body whose centre does not accelerate.
 Vec3 centripetal(const MovingBody& body, const Vec3& point_w) {
   const Vec3& omega_w = body.angular_velocity_w;
   return omega_w.cross(omega_w.cross(point_w - body.position_w));
 }
 
-// Bodies that areas make one. Whatever else is between two of them is redundant, and is left out as
-// such: once steps have moved them apart by a gap, its rows no longer depend quite on others, and would
-// get forces that go with one over the square of the gap.
+// Sets of bodies united by areas. Any further joint between two of them is redundant and is left out:
+// once steps have opened a gap, its rows no longer depend exactly on others, and would get forces that
+// grow as one over the square of the gap.
 class OneBody {
  public:
   explicit OneBody(std::span<const MovingBody> bodies) : parent_(bodies.size()) {
-    int wall = -1;  // all immovable bodies are one
+    int wall = -1;  // all immovable bodies are one set
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const bool movable = !bodies[k].inverse_mass.isZero(0.0);
       if (!movable && wall < 0) wall = static_cast<int>(k);
       parent_[k] = movable ? static_cast<int>(k) : wall;
     }
   }
-  // Whether they were two until now.
+  // Whether the two were separate until now.
   bool join(int a, int b) {
     a = root_of(a);
     b = root_of(b);
@@ -50,14 +50,14 @@ class OneBody {
 
 }  // namespace
 
-// The rows of all joints. The held point: its relative velocity along the axes
-// of the world. An edge: no turning but about itself. An area: no turning.
+// The rows of all joints. The held point: relative velocity along the axes
+// of the world. An edge: rotation except about itself. An area: all rotation.
 void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const Joint> joints,
                            std::span<const BodyState> states) {
   rows_.clear();
   pushes_.assign(joints.size(), Wrench{});
   OneBody one(bodies);
-  std::vector<bool> ties(joints.size());  // makes two bodies one
+  std::vector<bool> ties(joints.size());  // unites two bodies
   for (std::size_t j = 0; j < joints.size(); ++j)
     ties[j] = joints[j].hold == JointHold::area && one.join(joints[j].first, joints[j].second);
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -97,12 +97,12 @@ void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const J
   }
 }
 
-// J W J' x = -b, where rows that depend on those before them are left out.
+// J W J' x = -b; rows that depend on earlier ones are left out.
 void JointForces::solve(std::span<const MovingBody> bodies) {
   const int n = static_cast<int>(rows_.size());
   ++solves_;
   if (A_.rows() != n) A_.resize(n, n);
-  // What a unit of row j does to a body, and what row i sees of it.
+  // Motion of row i for a unit force of row j, by way of one body.
   const auto seen = [&](const Row& i, const Row& j, int body, bool i_second, bool j_second) {
     const MovingBody& m = bodies[at(body)];
     const Vec3& turn_i = i_second ? i.turn_second_w : i.turn_first_w;
@@ -123,7 +123,7 @@ void JointForces::solve(std::span<const MovingBody> bodies) {
       A_(i, j) = A_(j, i) = sum;
     }
   }
-  // Times a power of two, exactly, so that roots do not depend on the unit of mass.
+  // Scaled by a power of two, exactly, so that roots do not depend on the unit of mass.
   int exponent = 0;
   if (n > 0) std::frexp(A_(0, 0), &exponent);
   A_ *= std::ldexp(1.0, -exponent);
@@ -150,7 +150,7 @@ void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (world.bodies()[k].movable()) rates[k].force_w = world.bodies()[k].mass * world.gravity_w;
 
-  // J a + dJ/dt v without joints. A body alone: W g, and ω' = I^-1 (L x ω).
+  // J a + dJ/dt v without joints. A free body: W g, and ω' = I^-1 (L x ω).
   const auto alone = [&](int body) {
     const MovingBody& m = bodies[at(body)];
     const Vec3& momentum_w = world.states()[at(body)].angular_momentum_w;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runge and Kutta's methods for bodies in joints.
+/// \brief Runge-Kutta methods for bodies in joints.
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 
 #include "tumble/base/index.hpp"
@@ -22,7 +22,7 @@ void add(double weight, const Rate& rate, Rate& sum) {
   sum.l_w += weight * rate.l_w;
 }
 
-// Whether rotation vectors can tell what happened, and all is made of numbers.
+// Whether all numbers are finite and rotation vectors are below a full turn.
 template <typename Rate>
 bool within_a_turn(const std::vector<Rate>& changes) {
   return std::all_of(changes.begin(), changes.end(), [](const Rate& c) {
@@ -78,7 +78,7 @@ void RungeKutta::change(const std::array<double, ButcherTable::kMostStages>& wei
 double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Joint> joints,
                         JointForces& forces, World& world) {
   start_.assign(world.states().begin(), world.states().end());
-  const auto put = [&] {  // the start and the changes since
+  const auto put = [&] {  // adds the changes to the start
     for (std::size_t k = 0; k < start_.size(); ++k) {
       if (!world.bodies()[k].movable()) continue;
       BodyState& state = world.states()[k];
@@ -95,7 +95,7 @@ double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Jo
   };
   // [S6.2:rungekutta]
   for (int s = 0; s < table.stages; ++s) {
-    // A stage: where the slopes so far lead to, and the forces there.
+    // A stage: the state that the slopes so far lead to, and the forces there.
     change(table.a[at(s)], s, dt, change_);
     if (!within_a_turn(change_)) return too_far();
     put();
@@ -108,7 +108,7 @@ double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Jo
                            wrenches_[k].force_w, wrenches_[k].torque_w};
   }
   // [S6.2:rungekutta]
-  // The error, from the weights of two orders; then the answer.
+  // The error, from the weights of two orders; then the result.
   change(table.error, table.stages, dt, change_);
   double error = 0.0;
   const double g = world.gravity_w.norm();

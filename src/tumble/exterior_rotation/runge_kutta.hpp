@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runge and Kutta's methods for bodies in joints, with the forces found anew at each stage
+/// \brief Runge-Kutta methods for bodies in joints, with joint forces computed at each stage
 ///        (footnote of thesis 6.2).
 ///
 /// Uses the chapter on analytic forces.
@@ -12,15 +12,15 @@
 
 namespace tumble {
 
-/// The coefficients of an explicit method.
+/// The coefficients of an explicit Runge-Kutta method.
 struct ButcherTable {
-  static constexpr int kMostStages = 7;  ///< of Dormand and Prince
+  static constexpr int kMostStages = 7;  ///< those of Dormand and Prince
 
-  int stages = 1;  ///< how often forces are found in a step
-  int order = 1;   ///< of the answer
+  int stages = 1;  ///< evaluations of forces in a step
+  int order = 1;   ///< of the result
   std::array<std::array<double, kMostStages>, kMostStages> a{};  ///< [-] of stages, row by row
-  std::array<double, kMostStages> b{};                           ///< [-] of the answer
-  std::array<double, kMostStages> error{};  ///< [-] of its difference from one of lower order
+  std::array<double, kMostStages> b{};                           ///< [-] of the result
+  std::array<double, kMostStages> error{};  ///< [-] difference from a result of lower order
 };
 
 /// The midpoint rule: forces at the start and half a step later. Order 2.
@@ -32,19 +32,19 @@ const ButcherTable& midpoint_table();
 /// \see Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.
 const ButcherTable& classical_table();
 
-/// Order 5, with an estimate of its error by one of order 4.
+/// Order 5, with an error estimate from order 4.
 /// \return seven stages
 /// \see Dormand, Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6, 1980.
 const ButcherTable& dormand_prince_table();
 
-/// Steps of a group of bodies in joints.
+/// Integrator for a group of bodies in joints.
 ///
 /// The unknowns of a body are its centre x, the rotation vector r from its orientation at the start of
 /// the step, and both momenta:
 /// \f[ \dot x = P/m, \quad \dot r = \operatorname{rate}(r, \omega), \quad \dot P = m g + F, \quad
 ///     \dot L = \tau , \f]
-/// with rotation_vector_rate() and joint forces of JointForces at the pose and velocity of the stage. A
-/// rotation vector makes stages linear, so an orientation never has to be brought back to length 1.
+/// with rotation_vector_rate() and joint forces of JointForces at the pose and velocity of the stage. With
+/// rotation vectors the stages are linear, so no orientation has to be normalised.
 /// \par Cost
 /// One solve of the joints in each stage.
 /// \see Munthe-Kaas, "Runge-Kutta methods on Lie groups", BIT 38, 1998.
@@ -55,18 +55,18 @@ class RungeKutta {
   /// One step of all movable bodies.
   /// \param table   the method
   /// \param dt      [s] above 0, shorter than a turn of every body
-  /// \param joints  what is held during the step
-  /// \param forces  finds the forces
-  /// \param world   states in and out; time is not counted
-  /// \return [-] the estimate of the error, the largest over bodies of position over shortest edge, of
-  ///         angle, and of the momenta's velocities over \f$\sqrt{gL}\f$ (L/dt without gravity) and that
-  ///         over L; 0 for a table without an estimate. Infinite if a body would turn by a full turn
-  ///         or more, or go where numbers end: the states are then as before
+  /// \param joints  held during the step
+  /// \param forces  solver for the forces
+  /// \param world   states in and out; its time does not change
+  /// \return [-] error estimate, the largest over bodies of position over shortest edge, of angle, and of
+  ///         the momenta's velocities over \f$\sqrt{gL}\f$ (L/dt without gravity) and that over L; 0 for a
+  ///         table without an estimate. Infinite if a body would make a full turn or more, or its state
+  ///         become infinite: the states are then unchanged
   double step(const ButcherTable& table, double dt, std::span<const Joint> joints,
               JointForces& forces, World& world);
 
  private:
-  // The rates of a body's unknowns, or the unknowns' changes.
+  // The rates of a body's unknowns, or their changes.
   struct Rate {
     Vec3 x_w = Vec3::Zero();
     Vec3 r_w = Vec3::Zero();

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Steps with forces found once.
+/// \brief Steps with one evaluation of forces.
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
 #include "tumble/base/index.hpp"
@@ -26,7 +26,7 @@ void SimpleSteps::step(SimpleScheme scheme, PoseUpdate pose, double dt,
       break;
     // [S6.2:simple]
     // [S6.2:impulse]
-    case SimpleScheme::impulse:  // gravity; then what the joints do not allow is taken away
+    case SimpleScheme::impulse:  // gravity; then joints remove the velocity that they forbid
       load_moving_bodies(world, moving_);
       for (std::size_t k = 0; k < moving_.size(); ++k)
         if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
@@ -35,17 +35,17 @@ void SimpleSteps::step(SimpleScheme scheme, PoseUpdate pose, double dt,
       find_references(joints, world);
       before_.assign(world.states().begin(), world.states().end());
       move(pose, dt, world);
-      for (std::size_t k = 0; k < before_.size(); ++k) {  // momenta change by impulses only
+      for (std::size_t k = 0; k < before_.size(); ++k) {  // only impulses change momenta
         world.states()[k].linear_momentum_w = before_[k].linear_momentum_w;
         world.states()[k].angular_momentum_w = before_[k].angular_momentum_w;
       }
       break;
     // [S6.2:impulse]
     // [S6.2:leapfrog]
-    case SimpleScheme::leapfrog:  // half of the way, forces there, the other half
+    case SimpleScheme::leapfrog:  // half a step of motion, forces there, the other half
       move(pose, 0.5 * dt, world);
       before_.assign(world.states().begin(), world.states().end());
-      // The rates depend on the velocities in the middle of the kick: half of it as a trial.
+      // The rates depend on the velocities in the middle of the kick: half a kick as a trial.
       find_rates(pose, joints, forces, world);
       kick(pose, 0.5 * dt, world);
       find_rates(pose, joints, forces, world);
@@ -59,7 +59,7 @@ void SimpleSteps::step(SimpleScheme scheme, PoseUpdate pose, double dt,
   }
 }
 
-// The reference velocity u of each body: 0 for a group that a joint ties to something immovable, else
+// The reference velocity u of each body: 0 for a group that joints connect to an immovable body, otherwise
 // that of the group's centre of mass, which only gravity changes.
 void SimpleSteps::find_references(std::span<const Joint> joints, const World& world) {
   pairs_.clear();
@@ -88,7 +88,7 @@ void SimpleSteps::find_references(std::span<const Joint> joints, const World& wo
   }
 }
 
-// What acts on each body now, and what that does to its twist.
+// The wrench on each body now, and the rate of its twist.
 void SimpleSteps::find_rates(PoseUpdate pose, std::span<const Joint> joints, JointForces& forces,
                              const World& world) {
   load_moving_bodies(world, moving_);
@@ -99,7 +99,7 @@ void SimpleSteps::find_rates(PoseUpdate pose, std::span<const Joint> joints, Joi
     const MovingBody& m = moving_[k];
     if (!world.bodies()[k].movable()) continue;
     // [S6.2:twist]
-    // The motion itself turns v - u with the body; forces change what is left.
+    // The motion itself turns v - u with the body; forces change the rest.
     const Vec3& omega_w = m.angular_velocity_w;
     rates_[k].linear_w = m.inverse_mass.cwiseProduct(wrenches_[k].force_w) -
                          omega_w.cross(m.velocity_w - reference_w_[k]);
@@ -110,9 +110,9 @@ void SimpleSteps::find_rates(PoseUpdate pose, std::span<const Joint> joints, Joi
   }
 }
 
-// Changes the velocities: the momenta by forces and torques, or the twist at the place where the body
-// is now. Forward Euler has moved it since the rates were found, and a twist has another velocity there,
-// as seen from what moves at the reference velocity.
+// Changes the velocities: the momenta by forces and torques, or the twist at the present position. Forward
+// Euler has moved the body since the rates were computed, and a twist has another velocity at another
+// point, relative to the reference velocity.
 void SimpleSteps::kick(PoseUpdate pose, double dt, World& world) {
   if (pose == PoseUpdate::separate) {
     for (std::size_t k = 0; k < wrenches_.size(); ++k) {
@@ -150,7 +150,7 @@ void SimpleSteps::move(PoseUpdate pose, double dt, World& world) {
     state.position_w += dt * reference_w_[k] + along_arc(rotation_w, dt * relative_w);
     m.velocity_w = reference_w_[k] + turn * relative_w;
     // [S6.2:move]
-    m.position_w += dt * reference_w_[k];  // what kick() measures from
+    m.position_w += dt * reference_w_[k];  // kick() measures relative to this motion
     m.changed = true;
     store_moving_body(m, world.bodies()[k], state);
   }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief A step that is halved as often as the bodies need it.
+/// \brief Adaptive time step by halving (thesis 6.3.1).
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "tumble/base/error.hpp"
@@ -18,7 +18,7 @@ double thickness(const BodyProperties& body) {
                                      : body.size.minCoeff();
 }
 
-// [m] Of the bodies that move.
+// [m] Of the movable bodies.
 double shortest_edge(const World& world) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const BodyProperties& body : world.bodies())
@@ -26,8 +26,8 @@ double shortest_edge(const World& world) {
   return shortest;
 }
 
-// By how many halvings a sub-step has to be shorter than the whole to begin at this place. Places and
-// lengths are in the shortest sub-steps.
+// Halvings needed for a sub-step to be aligned at this place. Places and lengths are in the shortest
+// sub-steps.
 int aligned(std::int64_t place, int halvings) {
   int k = 0;
   while (place % (std::int64_t{1} << (halvings - k)) != 0) ++k;
@@ -74,7 +74,7 @@ AdaptiveStep::AdaptiveStep(const AdaptiveStep& other)
       broad_phase_(other.broad_phase_->clone()),
       level_(other.level_),
       quiet_(other.quiet_),
-      ways_(other.ways_),
+      displacements_(other.displacements_),
       substeps_(other.substeps_),
       touched_(other.touched_) {}
 
@@ -95,17 +95,17 @@ StepReport AdaptiveStep::step(World& world, double dt) {
     const std::int64_t length = whole >> k;
     double h = dt / static_cast<double>(std::int64_t{1} << k);
     place += length;
-    // The clock's rounding is made up for at the end. Where it does not tell sub-steps, it cannot be.
+    // The last sub-step absorbs the clock's rounding, unless the clock cannot resolve sub-steps.
     if (place == whole && k > 0 && end > world.time()) h = end - world.time();
-    remember_corners(world);
+    store_corners(world);
     const StepReport report = technique.step(world, h);
     substeps_.push_back(h);
     add_report(report, total);
     total.contacts = report.contacts;
     if (!all_finite(world)) total.status = StepStatus::not_finite;
     if (total.status >= StepStatus::unsolved) break;
-    take_ways(world);
-    if (takes_call(world, report)) {
+    store_displacements(world);
+    if (requests_halving(world, report)) {
       level_ = std::min(level_ + 1, options_.halvings);
       quiet_ = 0;
     } else if ((quiet_ += length) >= whole * options_.calm) {
@@ -118,7 +118,7 @@ StepReport AdaptiveStep::step(World& world, double dt) {
 }
 
 // [S6.3.1:ahead]
-// Of the lengths that may begin here, the longest that no two near bodies use to move too far.
+// The longest length that may begin here and in which no two near bodies move too far.
 int AdaptiveStep::halvings_for(const World& world, double dt, int least) {
   int k = std::max(least, level_);
   if (k == options_.halvings) return k;
@@ -133,7 +133,7 @@ int AdaptiveStep::halvings_for(const World& world, double dt, int least) {
     if (!a.movable() && !b.movable()) continue;
     const BodyState& s = world.states()[i];
     const BodyState& t = world.states()[j];
-    // Two bodies that move fall alike.
+    // Gravity does not change the relative velocity of two movable bodies.
     const double fall = a.movable() && b.movable() ? 0.0 : gravity;
     const double speed = (velocity(a, s) - velocity(b, t)).norm();
     const double spin = std::max(angular_velocity(a, s).norm(), angular_velocity(b, t).norm());
@@ -147,7 +147,7 @@ int AdaptiveStep::halvings_for(const World& world, double dt, int least) {
 }
 // [S6.3.1:ahead]
 
-// Bodies whose ways within h come near each other.
+// Pairs of bodies whose bounds, swept over h, overlap.
 void AdaptiveStep::find_near(const World& world, double h) {
   bounds_.resize(world.bodies().size());
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
@@ -160,22 +160,22 @@ void AdaptiveStep::find_near(const World& world, double h) {
     const double reach = 0.5 * body.size.norm();
     const double turn = std::min(1.0, h * angular_velocity(body, state).norm());
     bounds_[i] = bounds_of(body, state, turn * reach);
-    const Vec3 way_w = h * (velocity(body, state) + h * world.gravity_w);
-    bounds_[i].low += way_w.cwiseMin(0.0);
-    bounds_[i].high += way_w.cwiseMax(0.0);
+    const Vec3 displacement_w = h * (velocity(body, state) + h * world.gravity_w);
+    bounds_[i].low += displacement_w.cwiseMin(0.0);
+    bounds_[i].high += displacement_w.cwiseMax(0.0);
   }
   broad_phase_->find_pairs(bounds_, pairs_);
 }
 
-void AdaptiveStep::remember_corners(const World& world) {
+void AdaptiveStep::store_corners(const World& world) {
   before_.resize(world.bodies().size());
   for (std::size_t i = 0; i < before_.size(); ++i)
     if (world.bodies()[i].movable())
       before_[i] = corners_of(box_of(world.bodies()[i], world.states()[i]));
 }
 
-// How the bodies have moved that were in contact.
-void AdaptiveStep::take_ways(const World& world) {
+// Stores the displacements of the bodies in contact.
+void AdaptiveStep::store_displacements(const World& world) {
   touching_.clear();
   for (const ContactRecord& contact : contacts()) {
     touching_.push_back(contact.first);
@@ -183,31 +183,31 @@ void AdaptiveStep::take_ways(const World& world) {
   }
   sort_and_thin(touching_);
   touched_.insert(touched_.end(), touching_.begin(), touching_.end());
-  std::swap(ways_, ways_before_);
-  ways_.clear();
+  std::swap(displacements_, displacements_before_);
+  displacements_.clear();
   for (const BodyId id : touching_) {
     const auto i = static_cast<std::size_t>(world.index_of(id));
     if (!world.bodies()[i].movable()) continue;
-    Way way{id, corners_of(box_of(world.bodies()[i], world.states()[i]))};
-    for (std::size_t c = 0; c < way.way_w.size(); ++c) way.way_w[c] -= before_[i][c];
-    ways_.push_back(way);
+    Displacement moved{id, corners_of(box_of(world.bodies()[i], world.states()[i]))};
+    for (std::size_t c = 0; c < moved.corners_w.size(); ++c) moved.corners_w[c] -= before_[i][c];
+    displacements_.push_back(moved);
   }
 }
 
 // [S6.3.1:call]
-// Whether the sub-step asks for smaller ones.
-bool AdaptiveStep::takes_call(const World& world, const StepReport& report) const {
+// Whether the sub-step requests smaller ones.
+bool AdaptiveStep::requests_halving(const World& world, const StepReport& report) const {
   if (report.deepest_overlap > options_.overlap * shortest_edge(world)) return true;
-  auto before = ways_before_.begin();
-  for (const Way& now : ways_) {
-    while (before != ways_before_.end() && before->id < now.id) ++before;
-    if (before == ways_before_.end()) break;
+  auto before = displacements_before_.begin();
+  for (const Displacement& now : displacements_) {
+    while (before != displacements_before_.end() && before->id < now.id) ++before;
+    if (before == displacements_before_.end()) break;
     if (before->id != now.id) continue;
     const auto i = static_cast<std::size_t>(world.index_of(now.id));
     const double least = options_.shake * thickness(world.bodies()[i]);
-    for (std::size_t c = 0; c < now.way_w.size(); ++c)
-      if (now.way_w[c].dot(before->way_w[c]) < 0.0 &&
-          std::min(now.way_w[c].norm(), before->way_w[c].norm()) > least)
+    for (std::size_t c = 0; c < now.corners_w.size(); ++c)
+      if (now.corners_w[c].dot(before->corners_w[c]) < 0.0 &&
+          std::min(now.corners_w[c].norm(), before->corners_w[c].norm()) > least)
         return true;
   }
   return false;

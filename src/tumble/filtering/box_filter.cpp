@@ -1,5 +1,5 @@
 /// \file
-/// \brief The box filter, frame by frame.
+/// \brief The box filter: a moving average of poses (thesis 5.5).
 #include "tumble/filtering/box_filter.hpp"
 
 #include "tumble/base/error.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostFrames = 1001;
 
-// A body in a frame, or nullptr. Most frames have the bodies of the one before: first look there.
+// A body in a frame, or nullptr. Its place in the frame before is tried first.
 const BodyState* find(std::span<const BodyId> ids, std::span<const BodyState> states, BodyId id,
                       std::size_t hint) {
   if (hint < ids.size() && ids[hint] == id) return &states[hint];
@@ -27,9 +27,9 @@ const BodyState* find(std::span<const BodyId> ids, std::span<const BodyState> st
   return &states[static_cast<std::size_t>(place - ids.begin())];
 }
 
-// Whether a body is less than half a turn from the middle of a window, if it came there by way of
-// a neighbour. Of q and -q, the same orientation, the one is meant that is closer to that of the
-// neighbour, which becomes this one.
+// Whether a body is less than half a turn from the middle of a window, coming from a neighbouring frame.
+// Of q and -q, the same orientation, the one closer to that of the neighbour is used; it becomes the
+// neighbour.
 bool within_half_a_turn(const Quat& q, const Quat& middle, Eigen::Vector4d& neighbour) {
   neighbour = neighbour.dot(q.coeffs()) < 0.0 ? Eigen::Vector4d(-q.coeffs()) : q.coeffs();
   return neighbour.dot(middle.coeffs()) > 0.0;
@@ -77,7 +77,7 @@ void BoxFilter::take(const Frame& frame, const FrameSink& show) {
 // [S5.5:live]
 
 // [S5.5]
-// The pose in the middle of a window, and the momenta there.
+// The mean pose of a window, with the momenta of its middle.
 BodyState BoxFilter::mean(BodyId id, std::size_t hint, int middle) const {
   const auto body = [&](int place) { return find(at(place).ids, at(place).states, id, hint); };
   BodyState out = *body(middle);
@@ -94,7 +94,7 @@ BodyState BoxFilter::mean(BodyId id, std::size_t hint, int middle) const {
         !within_half_a_turn(before->orientation_wb, centre, neighbours[0]) ||
         !within_half_a_turn(after->orientation_wb, centre, neighbours[1]))
       break;
-    ++reach;  // sums of two, so that a run played backwards gives the same bits
+    ++reach;  // sums of two, so that a reversed run gives the same bits
     moved += (before->position_w - out.position_w) + (after->position_w - out.position_w);
     turned += rotation_vector(before->orientation_wb * centre.conjugate()) +
               rotation_vector(after->orientation_wb * centre.conjugate());
@@ -114,7 +114,7 @@ void BoxFilter::end(const FrameSink& show) {
   broken_ = false;
 }
 
-// Puts a frame behind the others, in the storage of the oldest one if that is no longer needed.
+// Appends a frame, in the storage of the oldest one if that is no longer needed.
 void BoxFilter::keep(const Frame& frame) {
   if (kept_.size() < static_cast<std::size_t>(frames()))
     kept_.emplace_back();
@@ -127,7 +127,7 @@ void BoxFilter::keep(const Frame& frame) {
   kept.states.assign(frame.states.begin(), frame.states.end());
 }
 
-// Which frame the causal form shows of a body now: half a window ago, or the one it came in with.
+// The frame whose pose the causal form shows of a body now: half a window ago, or its first one.
 int BoxFilter::delayed(BodyId id, std::size_t hint) const {
   int place = newest();
   while (place > std::max(0, newest() - half_) &&

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The box filter: each pose becomes the mean of those around it (thesis 5.5).
+/// \brief The box filter: a moving average of poses (thesis 5.5).
 #pragma once
 
 #include "tumble/filtering/pose_filter.hpp"
@@ -8,13 +8,13 @@
 
 namespace tumble {
 
-/// Which frames a box filter averages to show one.
+/// Position of the averaging window of a box filter.
 enum class BoxWindow : std::uint8_t {
-  centred,  ///< as many before as after, so later frames are waited for
-  causal    ///< those up to now: shown at once, and late
+  centred,  ///< as many frames before as after; waits for later frames
+  causal    ///< past frames only: no waiting, but a delay
 };
 
-/// Low-pass filter: the mean over an odd number of frames, as in the thesis with five.
+/// Low-pass filter: the mean over an odd number of frames, five in the thesis.
 ///
 /// With \f$h\f$ frames on each side of frame c,
 /// \f[ \tilde x_c = x_c + \frac1{2h+1}\sum_{k=1}^{h}\bigl((x_{c-k}-x_c)+(x_{c+k}-x_c)\bigr),\qquad
@@ -24,29 +24,29 @@ enum class BoxWindow : std::uint8_t {
 /// about a fixed axis or along a line is multiplied by
 /// \f$H(f) = \frac1{2h+1}\bigl(1+2\sum_k\cos 2\pi k f\bigr)\f$, see response().
 ///
-/// A run of equal poses keeps its bits, and a constant velocity its path. *Ends*: near the first and
-/// last frame of a body the window shrinks to what there is on both sides, so these two frames are
-/// shown as they are. A window also ends where a body has turned by half a turn or more from the
-/// middle, beyond which its rotation vector says little.
+/// A run of equal poses keeps its bits, a constant velocity its path. *Ends*: near the first and last
+/// frame of a body the window shrinks symmetrically, so these two frames are unchanged. A window also
+/// ends where a body has turned by half a turn or more from the middle, as its rotation vector is then
+/// ambiguous.
 ///
 /// `causal` shows of each body in frame n the pose that `centred` shows in frame n - h, bit for bit,
-/// and in its first h frames where it came in: nothing is held back, and all is h frames late. What
-/// `centred` shows in the last h frames is never seen.
+/// and its first pose in its first h frames: it waits for no frame, but lags by h frames. The last h
+/// poses of `centred` are never shown.
 /// \par Spacing
-/// Frames must be equally spaced, to tolerance::equal_spacing. One frame may break it, if it is the
-/// last: a run's last step is cut to end at its duration. No window has that frame, as if the run
-/// had ended before it; `centred` shows it as it is.
+/// Frames must be equally spaced, to tolerance::equal_spacing. Only the last frame may differ, as the
+/// last step of a run is cut at its duration. No window contains that frame; `centred` shows it
+/// unchanged.
 /// \par Cost
 /// O(frames in the window) for a body and frame, about 0.1 microseconds each.
 class BoxFilter : public PoseFilter {
  public:
   /// Makes the filter.
   /// \param frames  in the window, odd, 1 to 1001; 1 changes nothing
-  /// \param window  around the frame that is shown, or before it
+  /// \param window  its position
   /// \throws std::invalid_argument for another number of frames
   explicit BoxFilter(int frames, BoxWindow window = BoxWindow::centred);
 
-  /// How many frames are averaged.
+  /// Number of frames averaged.
   /// \return odd
   [[nodiscard]] int frames() const { return 2 * half_ + 1; }
 
@@ -54,7 +54,7 @@ class BoxFilter : public PoseFilter {
   [[nodiscard]] std::string text() const override;
   [[nodiscard]] std::unique_ptr<PoseFilter> clone() const override;
 
-  /// By what a motion of one frequency is multiplied, \f$H(f)\f$; below 0 it is shown inverted.
+  /// Factor by which a motion of one frequency is multiplied, \f$H(f)\f$; negative: inverted.
   /// \param frames     in the window, odd
   /// \param frequency  [1/frame] 0 to 1/2
   /// \return [-] 1 at frequency 0
@@ -80,9 +80,9 @@ class BoxFilter : public PoseFilter {
   int half_;
   BoxWindow window_;
   std::vector<Kept> kept_;  // the last frames() frames, oldest first
-  int waiting_ = 0;         // how many of them have not been shown, at the end of kept_
+  int waiting_ = 0;         // how many of them have not been shown yet
   double interval_ = 0.0;   // [s] between frames; 0 before there are two
-  bool broken_ = false;     // the newest came after another interval: there must be none after it
+  bool broken_ = false;     // the newest came after another interval: no frame may follow
   std::vector<BodyState> shown_;
 };
 

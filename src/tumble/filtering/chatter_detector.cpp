@@ -1,5 +1,5 @@
 /// \file
-/// \brief The rule that tells chatter, and the memory that it needs.
+/// \brief Classification of motion from earlier frames: chatter, rest or movement (thesis 6.3.1).
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include "tumble/base/error.hpp"
@@ -34,17 +34,17 @@ ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options)
 }
 
 void ChatterDetector::add(const World& world, std::span<const char> in_contact) {
-  // Messages are made only when they are needed: this is called in every step.
+  // Messages are built only when needed: this is called in every step.
   if (in_contact.size() != world.states().size())
     require::that(false, "in_contact has " + std::to_string(in_contact.size()) +
                              " bodies, the world " + std::to_string(world.count()));
   const double now = world.time();
   if (frames_.begun() && !(now >= frames_.now()))
     require::that(false, "the world's time " + shortest_text(now) + " s is before the last one");
-  frames_.go_on(now);
+  frames_.advance(now);
   forget_removed(world, tracks_);
   const auto frames = static_cast<std::size_t>(options_.window + 1);
-  std::size_t place = 0;  // bodies and tracks are both in the order of ids
+  std::size_t place = 0;  // bodies and tracks are both sorted by id
   for (int i = 0; i < world.count(); ++i) {
     const BodyProperties& body = world.bodies()[at(i)];
     if (!body.movable()) continue;
@@ -63,7 +63,7 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
   gravity_ = world.gravity_w.norm();
 }
 
-// The frames between the last step and this one; all of them lie on the line between the two.
+// Adds the frames between the last step and this one, interpolated linearly.
 void ChatterDetector::take_frames(const Placement& place, bool touches, Track& track) const {
   const auto frames = static_cast<std::size_t>(options_.window + 1);
   track.touched = track.touched || touches;
@@ -72,7 +72,7 @@ void ChatterDetector::take_frames(const Placement& place, bool touches, Track& t
     track.places[k] = place + (1.0 - frames_.share(n)) * (track.last - place);
     track.places[k + frames] = track.places[k];
     track.touching[k] = track.touched ? 1 : 0;
-    track.touched = touches;  // all later ones are of this step alone
+    track.touched = touches;  // later frames belong to this step alone
   }
   if (frames_.first() < frames_.end()) track.touched = false;
   track.last = place;
@@ -99,9 +99,8 @@ std::optional<MotionHistory> ChatterDetector::history(BodyId id) const {
 }
 
 // [S6.3.1:chatter]
-// What is cheap to ask comes first; a comparison with what is not a number fails. Without gravity a
-// path is too long.
-double ChatterDetector::clearness(const Track& track, const MotionHistory& history) const {
+// The cheap conditions come first; a comparison with NaN fails. Without gravity every path is too long.
+double ChatterDetector::swing_ratio(const Track& track, const MotionHistory& history) const {
   const double frames = options_.window;
   const double unit = std::sqrt(gravity_ * track.edge) * frames / options_.frame_rate;  // [m] V W h
   const auto touched =
@@ -115,18 +114,18 @@ double ChatterDetector::clearness(const Track& track, const MotionHistory& histo
 }
 // [S6.3.1:chatter]
 
-double ChatterDetector::clearness(BodyId id) const {
+double ChatterDetector::swing_ratio(BodyId id) const {
   const Track* track = find(id);
-  return track == nullptr ? 0.0 : clearness(*track, history_of(window(*track)));
+  return track == nullptr ? 0.0 : swing_ratio(*track, history_of(window(*track)));
 }
 
 Motion ChatterDetector::motion(BodyId id) const {
   const Track* track = find(id);
   if (track == nullptr) return Motion::moves;
   const MotionHistory history = history_of(window(*track));
-  if (!std::isfinite(history.path)) return Motion::moves;  // a largest number leaves NaN out
+  if (!std::isfinite(history.path)) return Motion::moves;  // maxima ignore NaN
   if (history.excursion <= options_.rest * track->edge) return Motion::rests;
-  const double clear = clearness(*track, history);
+  const double clear = swing_ratio(*track, history);
   return clear > 0.0 && clear >= options_.share ? Motion::chatters : Motion::moves;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Measures of what should rest.
+/// \brief Measures of unwanted motion at rest, from a body's corners.
 #include "tumble/filtering/corner_motion.hpp"
 
 #include "tumble/base/error.hpp"
@@ -19,7 +19,7 @@ std::vector<Corners> corner_path(const Trajectory& run, BodyId id, const BodyPro
 double largest_excursion(std::span<const Corners> path, double least) {
   double largest = least;
   for (std::size_t c = 0; c < 8 && !path.empty(); ++c) {
-    // The diagonal of what bounds a corner's places is no smaller than any of their distances.
+    // The diagonal of the bounds of a corner's positions is an upper limit of their distances.
     Vec3 low = path[0][c];
     Vec3 high = low;
     for (const Corners& corners : path) {
@@ -63,7 +63,7 @@ double squirm(std::span<const Corners> path, double interval) {
   return std::sqrt(largest / frames) / (squares * interval);
 }
 
-double largest_way(const Corners& from, const Corners& to) {
+double largest_displacement(const Corners& from, const Corners& to) {
   double largest = 0.0;
   for (std::size_t c = 0; c < 8; ++c) largest = std::max(largest, (to[c] - from[c]).norm());
   return largest;
@@ -76,8 +76,8 @@ Pops pops(std::span<const Corners> shown, std::span<const Corners> computed, dou
   require::positive(least, "least of pops()");
   Pops out;
   for (std::size_t f = 1; f < shown.size(); ++f) {
-    const double step = largest_way(shown[f - 1], shown[f]);
-    if (step < least || !(step > largest_way(computed[f - 1], computed[f]))) continue;
+    const double step = largest_displacement(shown[f - 1], shown[f]);
+    if (step < least || !(step > largest_displacement(computed[f - 1], computed[f]))) continue;
     ++out.count;
     out.largest = std::max(out.largest, step);
   }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How a body moves that should rest, told from its corners: amplitude, acceleration, squirm,
+/// \brief Measures of unwanted motion at rest, from a body's corners: amplitude, acceleration, squirm
 ///        and pops (thesis 5.5).
 #pragma once
 
@@ -15,16 +15,16 @@ namespace tumble {
 /// The corners of a box in one frame, in the order of Box [m], world frame.
 using Corners = std::array<Vec3, 8>;
 
-/// Where a body's corners are, frame by frame.
+/// The corners of a body, frame by frame.
 /// \param run    recorded frames
 /// \param id     the body
 /// \param body   its constant part, a box
-/// \return one for each frame that has it, in order of time
+/// \return one for each frame that has the body, in order of time
 std::vector<Corners> corner_path(const Trajectory& run, BodyId id, const BodyProperties& body);
 
-/// The largest distance between two places of a corner: the amplitude of chatter, peak to peak.
+/// The largest distance between two positions of a corner: the amplitude of chatter, peak to peak.
 /// \param path   corners in successive frames
-/// \param least  [m] below it the answer does not matter, which saves work
+/// \param least  [m] smaller distances need not be computed, which saves work
 /// \return [m] at least `least`
 /// \par Cost
 /// O(n) where bounds show that it is below `least`, O(n²) else.
@@ -36,41 +36,40 @@ double largest_excursion(std::span<const Corners> path, double least = 0.0);
 /// \return [m] 0 for fewer than three frames
 double rms_second_difference(std::span<const Corners> path);
 
-/// Frames of the line that squirm is the slope of, at 60 Hz a sixth of a second from end to end.
+/// Frames in the line fit of squirm(); at 60 Hz a sixth of a second from end to end.
 inline constexpr int kSquirmFrames = 11;
 
-/// Squirm: the speed at which a body moves slowly, as an eye follows it that cannot follow chatter.
+/// Squirm: the speed of slow motion, as the eye sees it when it cannot follow chatter.
 ///
-/// A straight line is fitted to each corner's places in kSquirmFrames successive frames; its slope is
-/// the corner's slow velocity in the middle of them,
+/// A straight line is fitted to each corner's positions in kSquirmFrames successive frames; its slope is
+/// the corner's slow velocity in the middle frame,
 /// \f[ u_k = \frac{\sum_{j=-5}^{5} j\, x_{k+j}}{110\,\Delta t}. \f]
-/// Squirm is the root mean square of \f$u_k\f$ over all frames that have five on each side, of the
-/// corner where it is largest. A drift is measured as it is; a swing of amplitude a and frequency f
-/// well below 1/(11 Δt) by its speed \f$\sqrt2\,\pi f a\f$; shaking to and fro in every frame as 0.
+/// Squirm is the root mean square of \f$u_k\f$ over all frames that have five on each side, for the
+/// corner where it is largest. A drift counts with its speed; a swing of amplitude a and frequency f
+/// well below 1/(11 Δt) with its speed \f$\sqrt2\,\pi f a\f$; an oscillation frame by frame as 0.
 /// \param path      corners in successive frames
 /// \param interval  [s] between frames, above 0
 /// \return [m/s] 0 for fewer than kSquirmFrames frames
 double squirm(std::span<const Corners> path, double interval);
 
-/// The largest way of a corner between two poses.
-/// \param from  corners of the one
-/// \param to    corners of the other
+/// The largest displacement of a corner between two poses.
+/// \param from  corners of the first pose
+/// \param to    corners of the second
 /// \return [m]
-double largest_way(const Corners& from, const Corners& to);
+double largest_displacement(const Corners& from, const Corners& to);
 
-/// Frames in which a body that is shown jumps.
+/// Frames in which a displayed body jumps.
 struct Pops {
-  int count = 0;         ///< how many there are
-  double largest = 0.0;  ///< [m] way of a corner in the largest
+  int count = 0;         ///< number of such frames
+  double largest = 0.0;  ///< [m] largest displacement of a corner in one
 };
 
-/// Counts pops: shown steps that are larger than the computed step between the same two frames, and
-/// at least as large as a given length. The size of a step is the way of the corner that goes
-/// farthest.
-/// \param shown     corners as shown
-/// \param computed  corners as computed, in the same frames
-/// \param least     [m] what counts, above 0
-/// \return how many, and the largest
+/// Counts pops: displayed steps that are larger than the computed step between the same two frames, and
+/// at least as large as a given length. The size of a step is the largest displacement of a corner.
+/// \param shown     displayed corners
+/// \param computed  computed corners, in the same frames
+/// \param least     [m] size of the smallest pop that counts, above 0
+/// \return number of pops, and the largest
 /// \throws std::invalid_argument if the two have different lengths
 Pops pops(std::span<const Corners> shown, std::span<const Corners> computed, double least);
 

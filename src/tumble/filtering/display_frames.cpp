@@ -13,7 +13,7 @@ std::int64_t DisplayFrames::frame_from(double time) const {
   return static_cast<std::int64_t>(std::ceil(time * rate_ - tolerance::frame_slack));
 }
 
-void DisplayFrames::go_on(double now) {
+void DisplayFrames::advance(double now) {
   const std::int64_t next = begun_ ? end_ : frame_from(now);
   last_ = begun_ ? now_ : now;
   now_ = now;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Which frames of a display lie between two steps of a run (thesis 5.5).
+/// \brief Frames of a display that lie between two steps of a run (thesis 5.5).
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
@@ -10,28 +10,28 @@
 
 namespace tumble {
 
-/// Frames at multiples of a fixed time, whatever the time step is.
+/// Frames at multiples of a fixed time, independent of the time step.
 ///
-/// Frame n is shown at n over the rate. A step that ends by tolerance::frame_slack of a frame before it
-/// still shows it. Between two steps things are where the straight line is.
+/// Frame n is at time n over the rate. A step shows it even if it ends before it by up to
+/// tolerance::frame_slack of a frame. Poses between two steps are interpolated linearly.
 class DisplayFrames {
  public:
-  /// Before the first step.
+  /// Starts before the first step.
   /// \param rate    [1/s] frames per second
-  /// \param window  how many frames are in sight; of a step over more, only the last ones are taken
+  /// \param window  of a step over more frames, only this many last ones are shown
   DisplayFrames(double rate, int window) : rate_(rate), window_(window) {}
 
-  /// Goes on by a step; the first call shows at most the frame at its own time.
-  /// \param now [s] the time after the step, not before that of the step before
-  void go_on(double now);
+  /// Adds a step; the first call shows at most the frame at its own time.
+  /// \param now [s] time after the step, not before that of the last step
+  void advance(double now);
 
-  /// Whether there has been a step, or a start.
-  /// \return false until go_on() is called
+  /// Whether a step or a start has been added.
+  /// \return false until advance() is called
   [[nodiscard]] bool begun() const { return begun_; }
   /// The time after the last step.
   /// \return [s]
   [[nodiscard]] double now() const { return now_; }
-  /// The first frame of the last step that is in sight.
+  /// The first frame that the last step shows.
   /// \return end() if the step shows none
   [[nodiscard]] std::int64_t first() const { return first_; }
   /// The first frame that has not been shown yet.
@@ -40,10 +40,10 @@ class DisplayFrames {
   /// The first frame at a time or after it.
   /// \param time [s]
   /// \return its number
+  /// \return its number
   [[nodiscard]] std::int64_t frame_from(double time) const;
-  /// Where a frame lies within the last step.
+  /// Position of a frame within the last step.
   /// \param frame first() to end() - 1
-  /// \return [-] share of the step that is over by then, 0 to 1
   [[nodiscard]] double share(std::int64_t frame) const;
 
  private:
@@ -56,9 +56,9 @@ class DisplayFrames {
   std::int64_t end_ = 0;
 };
 
-/// Forgets the bodies that are no more, or do not move any more.
+/// Removes the tracks of bodies that are no longer in the world or no longer movable.
 /// \param world   the bodies
-/// \param tracks  what is known of each, with its `id`; their order is kept
+/// \param tracks  each with the `id` of its body; their order is kept
 template <class Track>
 void forget_removed(const World& world, std::vector<Track>& tracks) {
   std::erase_if(tracks, [&](const Track& track) {

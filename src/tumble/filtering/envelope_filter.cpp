@@ -1,5 +1,5 @@
 /// \file
-/// \brief Two envelope filters: one that pops, as in the thesis, and one that does not.
+/// \brief Two envelope filters: the thesis's, which pops, and one that does not.
 #include "tumble/filtering/envelope_filter.hpp"
 
 #include "tumble/base/error.hpp"
@@ -20,7 +20,7 @@ std::string text_of(const Envelope& envelope) {
   return shortest_text(envelope.radius) + "m," + shortest_text(envelope.angle) + "rad";
 }
 
-// How far two poses are apart, in envelopes.
+// Distance of two poses, in envelopes.
 double apart(const BodyState& a, const BodyState& b, const Envelope& envelope) {
   return std::max((a.position_w - b.position_w).norm() / envelope.radius,
                   angle_between(a.orientation_wb, b.orientation_wb) / envelope.angle);
@@ -67,7 +67,7 @@ void SoftEnvelopeFilter::follow(const BodyState& now, double dt, FollowedBody& b
     body.shown = now;
     return;
   }
-  // What is left of the way to the computed pose is as long as is allowed.
+  // The remaining distance to the computed pose is the allowed one.
   const double left = allowed / offset;
   const Vec3 turn = rotation_vector(body.shown.orientation_wb * now.orientation_wb.conjugate());
   body.shown.position_w = now.position_w + left * (body.shown.position_w - now.position_w);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Making filters from text.
+/// \brief Construction of filters from text.
 #include "tumble/filtering/filters.hpp"
 
 #include "tumble/base/error.hpp"
@@ -26,8 +26,7 @@ constexpr std::array<FilterRecipe, 4> kFilters = {{
      "low-pass whose cutoff rises with speed (Casiez 2012)"},
 }};
 
-// A unit, and what a number in it is to be multiplied with and then divided by for SI: 9 mm are to be
-// the same bits as 0.009 m.
+// A unit, with the factor and the divisor that convert to SI: 9 mm must have the same bits as 0.009 m.
 struct Unit {
   std::string_view name;
   double times;
@@ -40,7 +39,7 @@ constexpr std::array<Unit, 1> kPlain = {{{"", 1.0, 1.0}}};
 
 std::string quoted(std::string_view word) { return std::string("\"").append(word).append("\""); }
 
-// What a user wrote, taken apart at the colon and the commas.
+// The text form of a filter, split at the colon and the commas.
 struct Request {
   std::string text;
   std::string_view form;

@@ -10,10 +10,10 @@
 
 namespace tumble {
 
-/// A filter that a user can name.
+/// A filter that can be selected by name.
 struct FilterRecipe {
-  std::string_view name;     ///< what a user calls it
-  std::string_view form;     ///< with its numbers, for example "box:FRAMES[,causal]"
+  std::string_view name;     ///< its name
+  std::string_view form;     ///< with its parameters, for example "box:FRAMES[,causal]"
   std::string_view summary;  ///< one line
 };
 
@@ -21,15 +21,15 @@ struct FilterRecipe {
 /// \return in the order of the chapter
 std::span<const FilterRecipe> filter_library();
 
-/// Makes a filter from what a user writes: a name, a colon, numbers with their units.
+/// Makes a filter from its text form: a name, a colon, parameters with their units.
 ///
 /// `box:5`, `box:5,causal`, `envelope:0.01m,1deg`, `soft_envelope:10mm,0.02rad`,
-/// `one_euro:1Hz`, `one_euro:1Hz,16`, `one_euro:1Hz,16,1Hz`. What is left out takes the standard
-/// numbers, and so does a name alone. Lengths are in `m` or `mm`, angles in `deg` or `rad`, cutoffs
-/// in `Hz`; the gain of the one-euro filter is written without its unit.
-/// \param text what the user wrote
+/// `one_euro:1Hz`, `one_euro:1Hz,16`, `one_euro:1Hz,16,1Hz`. Omitted parameters have their defaults;
+/// a name alone is enough. Lengths are in `m` or `mm`, angles in `deg` or `rad`, cutoffs in `Hz`; the
+/// gain of the one-euro filter is written without its unit.
+/// \param text name and parameters
 /// \return the filter; its text() gives the same filter again
-/// \throws std::invalid_argument naming what is wrong and what would be right
+/// \throws std::invalid_argument naming the mistake and the correct form
 std::unique_ptr<PoseFilter> filter_of(std::string_view text);
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Bodies that come, stay and go under a following filter.
+/// \brief Filters whose displayed pose follows the computed one (thesis 5.5).
 #include "tumble/filtering/following_filter.hpp"
 
 namespace tumble {
@@ -8,7 +8,7 @@ void FollowingFilter::take(const Frame& frame, const FrameSink& show) {
   const double dt = frame.time - last_time_;
   next_.clear();
   states_.clear();
-  auto known = bodies_.begin();  // ascending by id, as the frame's bodies are
+  auto known = bodies_.begin();  // sorted by id, as the frame's bodies are
   for (std::size_t k = 0; k < frame.ids.size(); ++k) {
     const BodyState& now = frame.states[k];
     while (known != bodies_.end() && known->id < frame.ids[k]) ++known;

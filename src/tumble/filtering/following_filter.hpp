@@ -1,5 +1,5 @@
 /// \file
-/// \brief Filters that show each body at a pose which follows the computed one (thesis 5.5).
+/// \brief Filters whose displayed pose follows the computed one (thesis 5.5).
 #pragma once
 
 #include "tumble/filtering/pose_filter.hpp"
@@ -8,27 +8,27 @@
 
 namespace tumble {
 
-/// What a following filter knows of a body.
+/// State of a following filter for one body.
 struct FollowedBody {
-  BodyId id{};                     ///< whose
-  BodyState shown;                 ///< its pose as it is shown; the momenta are not used
-  BodyState computed;              ///< in the frame before
-  Vec3 velocity_w = Vec3::Zero();  ///< [m/s] smoothed, for filters that go by speed; world frame
+  BodyId id{};                     ///< the body
+  BodyState shown;                 ///< displayed pose; the momenta are not used
+  BodyState computed;              ///< computed state in the last frame
+  Vec3 velocity_w = Vec3::Zero();  ///< [m/s] smoothed, for filters that use speed; world frame
   Vec3 angular_velocity_w = Vec3::Zero();  ///< [rad/s] the same, world frame
 };
 
-/// A filter that has, for each body, the pose that is shown, and moves it on from frame to frame.
+/// A filter that keeps a displayed pose for each body and updates it frame by frame.
 ///
-/// The first frame of a body is shown as it is, and each frame at once: the latency is 0.
+/// The first frame of a body is displayed as computed, and each frame at once: the latency is 0.
 class FollowingFilter : public PoseFilter {
  protected:
   FollowingFilter() = default;
 
  private:
-  /// Moves the pose that is shown of a body.
+  /// Updates the displayed pose of a body.
   /// \param now   its computed state
-  /// \param dt    [s] since the frame before
-  /// \param body  what is known of it; `shown` is to be changed, `computed` is still the one before
+  /// \param dt    [s] since the last frame
+  /// \param body  `shown` in and out; `computed` is that of the last frame
   virtual void follow(const BodyState& now, double dt, FollowedBody& body) const = 0;
 
   void take(const Frame& frame, const FrameSink& show) override;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Calm bodies count as slow while the technique steps.
+/// \brief Sleep for islands that only chatter.
 #include "tumble/filtering/freezing.hpp"
 
 #include "tumble/base/error.hpp"
@@ -11,7 +11,7 @@
 namespace tumble {
 namespace {
 
-// Makes bodies count as slow, and takes that back however the step ends.
+// Makes bodies count as slow, and undoes that however the step ends.
 class CountedAsSlow {
  public:
   CountedAsSlow(Technique& technique, std::span<const char> bodies) : technique_(technique) {
@@ -33,7 +33,7 @@ CalmBodies::CalmBodies(const ChatterDetectorOptions& options) : detector_(option
 void CalmBodies::add(const World& world, std::span<const char> in_contact) {
   detector_.add(world, in_contact);
   next_.clear();
-  auto known = anchors_.begin();  // ascending by id, as the world's bodies are
+  auto known = anchors_.begin();  // sorted by id, as the world's bodies are
   for (std::size_t k = 0; k < world.ids().size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable()) continue;

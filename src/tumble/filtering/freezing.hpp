@@ -1,5 +1,5 @@
 /// \file
-/// \brief Heaps that only chatter are put to sleep (thesis 4.5, 6.3.1).
+/// \brief Sleep for islands that only chatter (thesis 4.5, 6.3.1).
 #pragma once
 
 #include "tumble/dynamics/wrapped_technique.hpp"
@@ -11,12 +11,12 @@
 
 namespace tumble {
 
-/// Bodies that were told to rest or chatter, and have not got away since.
+/// Bodies classified as resting or chattering that have not left their place since.
 ///
-/// A body becomes calm in a frame in which a ChatterDetector does not tell that it moves, and is so
-/// until its corners are, in the root mean square, farther than tolerance::resting_movement of its
-/// shortest edge from where they were in that frame. Then it has to be told anew. So a single doubtful
-/// window does not unsettle a heap, and nobody who goes somewhere stays calm for long.
+/// A body becomes calm in a frame in which a ChatterDetector does not classify it as moving, and stays
+/// calm until its corners are, in the root mean square, farther than tolerance::resting_movement of its
+/// shortest edge from their places in that frame. Then it must be classified again. So a single doubtful
+/// window does not disturb a pile, and a moving body does not stay calm for long.
 class CalmBodies {
  public:
   /// Starts with an empty memory.
@@ -24,7 +24,7 @@ class CalmBodies {
   /// \throws std::invalid_argument for a number out of range
   explicit CalmBodies(const ChatterDetectorOptions& options = {});
 
-  /// Takes in the world after a step (and at the start).
+  /// Adds the world after a step (and at the start).
   /// \param world       the bodies
   /// \param in_contact  see ChatterDetector::add()
   /// \throws std::invalid_argument as ChatterDetector::add()
@@ -32,17 +32,17 @@ class CalmBodies {
 
   /// Whether a body is calm.
   /// \param id the body
-  /// \return false for an immovable one or one that is not there too
+  /// \return false also for a body that is absent or immovable
   [[nodiscard]] bool calm(BodyId id) const;
 
-  /// Who tells how bodies move.
+  /// The detector.
   /// \return as of the last step
   [[nodiscard]] const ChatterDetector& detector() const { return detector_; }
 
  private:
   struct Anchor {
     BodyId id{};
-    Placement place;  // [m] where it became calm
+    Placement place;  // [m] where the body became calm
   };
 
   ChatterDetector detector_;
@@ -50,26 +50,24 @@ class CalmBodies {
   std::vector<Anchor> next_;     // storage
 };
 
-/// A technique in which heaps fall asleep that do nothing but chatter.
+/// A technique in which islands that only chatter fall asleep.
 ///
-/// Calm bodies (CalmBodies) count as slow for the technique's SleepingRule, whatever their speed: so
-/// an island sleeps once all of its bodies have been slow or calm for tolerance::sleeping_time, and it
-/// touches something immovable. All else is that rule's: the energy that is lost is booked as damping,
-/// and the island wakes when something touches or pushes it. Poses stay as they are in the
-/// frame in which it falls asleep: nothing jumps.
+/// Calm bodies (CalmBodies) count as slow for the technique's SleepingRule, at any speed: an island
+/// sleeps once all of its bodies have been slow or calm for tolerance::sleeping_time and it touches an
+/// immovable body. The rest is that rule's: the lost energy is booked as damping, and the island wakes
+/// when touched or pushed. Poses do not change in the frame in which it falls asleep.
 ///
-/// The technique must have its own sleeping switched on; without it nothing is changed. With adaptive
-/// steps, AdaptiveStep goes around this one: the other way round only contacts of the last sub-step
-/// would be seen. A world whose time is before the last one, as of a copy from earlier, is told anew:
-/// nobody in it is calm.
+/// The technique must have its own sleeping switched on, otherwise this one has no effect. AdaptiveStep
+/// must wrap this technique: inside it, only contacts of the last sub-step would be seen. If a world's
+/// time is before that of the last step, as in an earlier copy, the memory is cleared: no body is calm.
 /// \par Cost
-/// A step of the detector for each body, asleep or not; telling for each that is not calm.
-/// \algorithm{Chatter told from earlier steps: section 6.3.1}
-/// \verified{A heap that only chatters falls asleep if chatter is detected from history, and not otherwise}
+/// A step of the detector for each body, asleep or not; a classification for each that is not calm.
+/// \algorithm{Chatter detected from earlier steps: section 6.3.1}
+/// \verified{An island that only chatters falls asleep if chatter is detected from history, and not otherwise}
 class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.
-  /// \param technique  with sleeping on; the wrapper's own from here on
+  /// \param technique  with sleeping on; owned by the wrapper
   /// \param options    of the detector
   /// \throws std::invalid_argument for no technique, or a number out of range
   explicit FreezeOnChatter(std::unique_ptr<Technique> technique,
@@ -78,13 +76,13 @@ class FreezeOnChatter : public WrappedTechnique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
-  /// Who is calm.
+  /// The calm bodies.
   /// \return as of the last step
   [[nodiscard]] const CalmBodies& calm_bodies() const { return calm_; }
 
  private:
   CalmBodies calm_;
-  double last_time_ = 0.0;        // [s] of the world after the last step
+  double last_time_ = 0.0;        // [s] world time after the last step
   std::vector<char> in_contact_;  // storage
   std::vector<char> slow_;        // storage: the calm bodies by index
 };

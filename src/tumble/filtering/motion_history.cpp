@@ -1,5 +1,5 @@
 /// \file
-/// \brief Features of a few frames of motion.
+/// \brief Features of a body's motion in its last frames.
 #include "tumble/filtering/motion_history.hpp"
 
 #include "tumble/base/error.hpp"
@@ -12,9 +12,9 @@
 namespace tumble {
 namespace {
 
-constexpr int kRounds = 8;  // of the power method: each one takes off the ratio of two eigenvalues
+constexpr int kRounds = 8;  // of the power method: each reduces the error by a ratio of eigenvalues
 
-// The direction of a line, not its sense; 0 if nothing moves.
+// The direction of a line, without its sense; 0 without motion.
 Placement principal_direction(std::span<const Placement> places) {
   Placement direction = Placement::Zero();
   double longest = 0.0;
@@ -75,7 +75,7 @@ MotionHistory history_of(std::span<const Placement> places) {
     const double from_middle = static_cast<double>(k) - 0.5 * last;
     squares += from_middle * from_middle;
   }
-  history.way = (places.back() - places.front()).norm();
+  history.displacement = (places.back() - places.front()).norm();
   history.drift = slope.norm() * last / squares;
   return history;
 }
@@ -83,7 +83,7 @@ MotionHistory history_of(std::span<const Placement> places) {
 double swing_of(std::span<const Placement> places, int reversals) {
   require::that(reversals >= 1, "swing_of: expected at least 1 reversal");
   const Coordinates along = along_principal_direction(places);
-  // The best so far of those that end at each place, by the sense of their last part.
+  // Best values for sequences that end at each place, by the sense of their last part.
   Coordinates forth;
   Coordinates back;
   forth.fill(std::numeric_limits<double>::infinity());
@@ -91,7 +91,8 @@ double swing_of(std::span<const Placement> places, int reversals) {
   double swing = 0.0;
   for (int part = 0; part <= reversals; ++part) {
     swing = 0.0;
-    for (std::size_t end = places.size(); end-- > 0;) {  // places before it are of the part before
+    for (std::size_t end = places.size();
+         end-- > 0;) {  // earlier places still have the part before
       double best_forth = 0.0;
       double best_back = 0.0;
       for (std::size_t begin = 0; begin < end; ++begin) {

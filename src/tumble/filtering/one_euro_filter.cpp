@@ -1,5 +1,5 @@
 /// \file
-/// \brief The one-euro filter, body by body.
+/// \brief The one-euro filter: a low-pass filter whose cutoff rises with speed.
 #include "tumble/filtering/one_euro_filter.hpp"
 
 #include "tumble/base/error.hpp"
@@ -11,7 +11,7 @@
 namespace tumble {
 namespace {
 
-// By what share exponential smoothing with a cutoff [Hz] goes to the new value.
+// The share by which exponential smoothing with a cutoff [Hz] approaches the new value.
 double share_of(double cutoff, double dt) {
   return 1.0 / (1.0 + 1.0 / (2.0 * std::numbers::pi * cutoff * dt));
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What all filters have in common.
+/// \brief The part common to all filters.
 #include "tumble/filtering/pose_filter.hpp"
 
 #include "tumble/base/error.hpp"
@@ -55,7 +55,7 @@ Trajectory filtered(const Trajectory& run, const PoseFilter& filter) {
   Trajectory shown;
   const FrameSink show = [&](const Frame& frame) { shown.record(frame); };
   const std::unique_ptr<PoseFilter> own = filter.clone();
-  own->finish([](const Frame&) {});  // what the filter may have seen is of another run
+  own->finish([](const Frame&) {});  // clears frames of another run
   for (int k = 0; k < run.count(); ++k) own->add(run.frame(k), show);
   own->finish(show);
   return shown;

@@ -1,7 +1,7 @@
 /// \file
-/// \brief Filters that change what is shown of a run, and never the run (thesis 5.5).
+/// \brief Filters of displayed poses, which never change the simulation (thesis 5.5).
 ///
-/// Of the chapters this one is built on none: it sees frames only.
+/// This chapter is built on no other: it uses frames only.
 #pragma once
 
 #include "tumble/dynamics/trajectory.hpp"
@@ -12,43 +12,42 @@
 
 namespace tumble {
 
-/// Takes frames as they come to be shown; what a frame points to is valid during the call only.
+/// Receives frames to display; the data that a frame points to is valid during the call only.
 using FrameSink = std::function<void(const Frame&)>;
 
-/// Changes the poses that are shown of a run.
+/// Base of filters for the displayed poses of a run.
 ///
-/// A filter takes in frames as they are computed and shows as many frames, in the same order, with
-/// the same times, bodies and momenta: only positions and orientations differ. Some frames may be
-/// held back until later ones are known; latency() says how many. Memory is bounded, and what is
-/// shown depends on the frames alone: whole runs, pieces of them and frames that come in live give
-/// the same bits. Each body is filtered by itself, from the frame it comes in to the one it leaves
-/// with, so a body that comes back is a new one.
+/// A filter takes in computed frames and displays as many frames, in the same order, with the same times,
+/// bodies and momenta: only positions and orientations differ. Some frames may be held back until
+/// later ones are known, at most latency(). Memory is bounded, and the result depends on the frames
+/// alone: whole runs, parts of them and live frames give the same bits. Each body is filtered on its
+/// own, from its first frame to its last; a body that comes back counts as new.
 class PoseFilter {
  public:
   virtual ~PoseFilter() = default;
 
-  /// Takes in the next frame.
+  /// Adds the next frame.
   /// \param frame  all bodies at one time; after the frame before
-  /// \param show   told about the frames that can be shown now, oldest first
+  /// \param show   receives the frames that can be displayed now, oldest first
   /// \throws std::invalid_argument naming frame and body: a state that is not finite, a quaternion
   ///         that is not of length 1, ids that do not ascend, a time not after the one before, a
-  ///         spacing that the filter cannot use. The filter is then as before
+  ///         spacing that the filter cannot use. The filter is then unchanged
   void add(const Frame& frame, const FrameSink& show);
 
-  /// The run is over: shows what was held back and forgets everything, ready for another run.
-  /// \param show told about the frames that are left, oldest first
+  /// Ends the run: displays the frames held back and clears the memory, ready for another run.
+  /// \param show receives the remaining frames, oldest first
   void finish(const FrameSink& show);
 
-  /// How many frames a frame is held back until it can be shown.
-  /// \return 0 for a filter that shows each frame at once
+  /// Number of frames by which display is delayed.
+  /// \return 0 for a filter that displays each frame at once
   [[nodiscard]] virtual int latency() const { return 0; }
 
-  /// The filter as a user writes it, see filter_of().
+  /// The text form of the filter, see filter_of().
   /// \return for example "box:5"
   [[nodiscard]] virtual std::string text() const = 0;
 
   /// A copy with all memory.
-  /// \return goes on exactly like this one
+  /// \return behaves exactly like this one
   [[nodiscard]] virtual std::unique_ptr<PoseFilter> clone() const = 0;
 
  protected:
@@ -61,24 +60,24 @@ class PoseFilter {
   /// \return this
   PoseFilter& operator=(const PoseFilter& other) = default;
 
-  /// How a message names the next frame.
-  /// \param frame  what add() was given
+  /// Name of the next frame in messages.
+  /// \param frame  passed to add()
   /// \return for example "frame 3 at 0.05 s", counted from 0
   [[nodiscard]] std::string where(const Frame& frame) const;
 
  private:
-  // What add() does with a frame that is in order; throws only for its spacing, before any change.
+  // Processes a valid frame for add(); throws only for its spacing, before any change.
   virtual void take(const Frame& frame, const FrameSink& show) = 0;
-  // Shows the rest and forgets all frames.
+  // Displays the remaining frames and clears the memory.
   virtual void end(const FrameSink& show) = 0;
 
-  std::int64_t taken_ = 0;  // frames since the run began
+  std::int64_t taken_ = 0;  // number of frames in this run
   double last_time_ = 0.0;  // [s] of the last of them
 };
 
 /// Filters a recorded run.
 /// \param run     its frames, any number
-/// \param filter  how; a fresh copy is used, so the filter itself stays as it is
+/// \param filter  the filter; a fresh copy is used
 /// \return as many frames
 /// \throws std::invalid_argument as PoseFilter::add()
 Trajectory filtered(const Trajectory& run, const PoseFilter& filter);
@@ -86,24 +85,24 @@ Trajectory filtered(const Trajectory& run, const PoseFilter& filter);
 /// Filters a run while it is computed.
 class FilteringObserver : public Observer {
  public:
-  /// Takes in the start.
+  /// Adds the start.
   /// \param world   the bodies before the first step
-  /// \param filter  how; a copy is used
-  /// \param every   take in every so many steps, at least 1
+  /// \param filter  the filter; a copy is used
+  /// \param every   add every n-th step, at least 1
   /// \throws std::invalid_argument if `every` is below 1, or as PoseFilter::add()
   FilteringObserver(const World& world, const PoseFilter& filter, int every = 1);
 
-  /// Takes in the world after a step.
+  /// Adds the world after a step.
   /// \param world   the bodies
   /// \param report  not used
   /// \throws std::invalid_argument as PoseFilter::add()
   void on_step(const World& world, const StepReport& report) override;
 
-  /// The run is over: the frames that were held back are shown too.
+  /// Ends the run: the frames held back are displayed too.
   void finish();
 
-  /// What can be shown by now.
-  /// \return the frames so far, latency() fewer than were taken in before finish()
+  /// The frames displayed so far.
+  /// \return latency() fewer than were added before finish()
   [[nodiscard]] const Trajectory& shown() const { return shown_; }
 
  private:

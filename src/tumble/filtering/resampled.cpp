@@ -1,5 +1,5 @@
 /// \file
-/// \brief Frames between frames.
+/// \brief A run resampled at equal times.
 #include "tumble/filtering/resampled.hpp"
 
 #include "tumble/base/error.hpp"
@@ -23,7 +23,7 @@ BodyState between(const BodyState& a, const BodyState& b, double share) {
   return out;
 }
 
-// The bodies that both frames have, in between.
+// Interpolates the bodies that both frames have.
 class Mixer {
  public:
   Frame mix(const Frame& a, const Frame& b, double time) {

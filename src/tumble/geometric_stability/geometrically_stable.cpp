@@ -1,5 +1,5 @@
 /// \file
-/// \brief The listing SETGEOMETRICALLYSTABLE.
+/// \brief Geometric stability: the listing SETGEOMETRICALLYSTABLE.
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
 #include "tumble/base/error.hpp"
@@ -15,7 +15,7 @@
 namespace tumble {
 namespace {
 
-// A coordinate as a reader wants it.
+// A coordinate for messages.
 std::string coordinate(double value) { return rounded_text(value, 4); }
 
 }  // namespace
@@ -33,7 +33,7 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
   outlines_.assign(outlines.begin(), outlines.end());
   rule_ = rule;
   // [SETGEOMETRICALLYSTABLE:1-5]
-  // What has infinite mass is stable, whatever touches it.
+  // A body of infinite mass is always stable.
   stable.resize(objects.size());
   for (std::size_t o = 0; o < objects.size(); ++o) stable[o] = objects[o].movable() ? 0 : 1;
   // [SETGEOMETRICALLYSTABLE:1-5]
@@ -44,17 +44,17 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
   sort_contact_points_ascending(contacts);
   // [SETGEOMETRICALLYSTABLE:6]
 
-  // In a pile supporters are lower than what they support and are
-  // decided first. Wherever that is not so, another sweep finds it.
+  // In a pile supporting bodies are lower than supported ones and are
+  // decided first. Other cases need another sweep.
   held_.assign(objects.size(), 0);
   holds_.assign(sorted_.size(), 0);
   corners_.assign(objects.size(), 0);
   for (bool found = true; found;) {
     found = false;
     // [SETGEOMETRICALLYSTABLE:7-17]
-    // A point on a stable body marks the corner that it is under.
-    // With all corners marked, and nothing under it that is not
-    // stable, the upper body is stable.
+    // A point on a stable body marks the corner above it. A body
+    // with all corners marked, and no unstable body below it, is
+    // stable.
     for (std::size_t i = 0; i < sorted_.size(); ++i) {
       const Point& c = sorted_[i];
       if (stable[at(c.bottom)] == 0 || holds_[i] != 0) continue;
@@ -81,8 +81,8 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
                                      double rising, std::span<const char> moving) {
   vetoes_.assign(world.bodies().size(), kNone);
   // [SETGEOMETRICALLYSTABLE:18-20]
-  // A contact from the side speaks against both bodies, and
-  // nothing that comes later overrules it.
+  // A side contact is a veto for both bodies, and nothing that
+  // comes later overrules it.
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].count == 0 || is_vertical(contacts[c].normal_w, tolerances_.vertical)) continue;
     for (const int body : {contacts[c].first, contacts[c].second})
@@ -96,7 +96,7 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
     const double speed = std::sqrt(g * body.size.minCoeff());
     const BodyState& state = world.states()[o];
     const bool rises = state.linear_momentum_w.y() > rising * body.mass * speed;
-    const bool steady = std::isinf(tolerances_.steady) ||  // not looked at; else no if NaN
+    const bool steady = std::isinf(tolerances_.steady) ||  // not tested; false for NaN
                         tipping_speed(body, state) <= tolerances_.steady * speed;
     if (rises || !steady || (!moving.empty() && moving[o] != 0)) vetoes_[o] = kMoving;
   }
@@ -133,7 +133,7 @@ void GeometricStability::mark_projected_corners(const World& world, const Point&
       corners_[at(c.top)] = static_cast<std::uint8_t>(corners_[at(c.top)] | 1U << k);
 }
 
-// The hull of the points under a body that are on stable ones.
+// Builds the hull of the points on stable bodies below a body.
 void GeometricStability::take_hull(int body) {
   points_.clear();
   for (std::size_t i = 0; i < sorted_.size(); ++i)
@@ -141,7 +141,7 @@ void GeometricStability::take_hull(int body) {
   convex_hull(points_, hull_);
 }
 
-// The corners that are to be held.
+// Collects the corners that need support.
 void GeometricStability::take_outline(const World& world, int body) {
   if (!outlines_.empty() && !outlines_[at(body)].empty())
     outline_.assign(outlines_[at(body)].begin(), outlines_[at(body)].end());
@@ -161,9 +161,9 @@ bool GeometricStability::covered(const World& world, int body) {
 StabilityVerdict GeometricStability::verdict(const World& world, int body) {
   require::that(
       body >= 0 && at(body) < stable_.size(),
-      "body " + std::to_string(body) + ": run() has looked at " + std::to_string(stable_.size()));
+      "body " + std::to_string(body) + ": the last run() had " + std::to_string(stable_.size()));
   if (!world.bodies()[at(body)].movable()) return {StabilityReason::immovable};
-  if (stable_[at(body)] != 0) return {StabilityReason::carried};
+  if (stable_[at(body)] != 0) return {StabilityReason::supported};
   const int veto = vetoes_[at(body)];
   if (veto == kMoving) return {StabilityReason::moving};
   if (veto != kNone) return {StabilityReason::side_contact, veto};
@@ -171,7 +171,7 @@ StabilityVerdict GeometricStability::verdict(const World& world, int body) {
     if (c.top == body && stable_[at(c.bottom)] == 0)
       return {StabilityReason::unstable_support, c.contact};
 
-  // Nothing but a corner is left: the one that is farthest from what holds.
+  // The remaining reason is a corner: the one farthest from its supports.
   take_hull(body);
   const BodyProperties& properties = world.bodies()[at(body)];
   take_outline(world, body);
@@ -187,8 +187,8 @@ StabilityVerdict GeometricStability::verdict(const World& world, int body) {
   return {StabilityReason::corner, -1, *std::max_element(outline_.begin(), outline_.end(), worse)};
 }
 
-std::string told(const World& world, std::span<const Contact> contacts,
-                 const StabilityVerdict& verdict) {
+std::string explanation(const World& world, std::span<const Contact> contacts,
+                        const StabilityVerdict& verdict) {
   const auto pair = [&] {
     const Contact& contact = contacts[at(verdict.contact)];
     return world.name(contact.first) + " and " + world.name(contact.second);
@@ -196,19 +196,19 @@ std::string told(const World& world, std::span<const Contact> contacts,
   switch (verdict.reason) {
     case StabilityReason::immovable:
       return "immovable";
-    case StabilityReason::carried:
-      return "whatever is put on it is carried";
+    case StabilityReason::supported:
+      return "supports any load";
     case StabilityReason::moving:
-      return "goes up, sinks or tips";
+      return "rises, sinks or tips";
     case StabilityReason::side_contact:
-      return "the contact of " + pair() + " is not below or above";
+      return "the contact of " + pair() + " is not vertical";
     case StabilityReason::unstable_support:
       return "of " + pair() + ", the lower one is not stable";
     case StabilityReason::corner:
       break;
   }
   return "the corner at x = " + coordinate(verdict.corner_xz.x()) +
-         " m, z = " + coordinate(verdict.corner_xz.y()) + " m is not carried";
+         " m, z = " + coordinate(verdict.corner_xz.y()) + " m is not supported";
 }
 
 }  // namespace tumble

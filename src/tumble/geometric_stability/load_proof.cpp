@@ -1,5 +1,5 @@
 /// \file
-/// \brief The largest load-proof set, by taking out who breaks a condition.
+/// \brief The largest load-proof set, by removing bodies that break a condition.
 #include "tumble/geometric_stability/load_proof.hpp"
 
 #include "tumble/base/index.hpp"
@@ -28,9 +28,9 @@ void LoadProof::run(const World& world, std::span<const Contact> contacts,
   const auto undecided = [&](int b) { return stable[at(b)] != 0 && known_[at(b)] == 0; };
 
   // [S6.3.1:load_proof]
-  // All are members at first. Whoever is pushed from below or aside by
-  // somebody who is none, or has a corner that is not carried, is
-  // taken out, and so, then, may be those who leant on it.
+  // All are members at first. A body that a body outside the set
+  // pushes from below or from the side, or that has an unsupported
+  // corner, is removed; then others may break a condition.
   for (bool lost = true; lost;) {
     lost = false;
     for (int b = 0; b < world.count(); ++b) {
@@ -69,7 +69,7 @@ bool LoadProof::touched_from_outside(std::span<const Contact> contacts,
   });
 }
 
-// Whether a weight on any corner of a body's outline is balanced by contacts among members.
+// Whether contacts among members balance a weight on any corner of a body's outline.
 bool LoadProof::carries_corners(const World& world, int body) {
   const double height = world.states()[at(body)].position_w.y();
   corners_from_above(box_of(world.bodies()[at(body)], world.states()[at(body)]), outline_);

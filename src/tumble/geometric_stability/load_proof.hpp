@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who carries every load on top, found without corners or hulls (thesis 5.4, 6.3.1).
+/// \brief Bodies that support any load on top, by static equilibrium (thesis 5.4, 6.3.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -12,33 +12,32 @@
 
 namespace tumble {
 
-/// The largest set of bodies that stays at rest whatever is put on it.
+/// The largest set of bodies that stays at rest under any load on top.
 ///
 /// A set of bodies that neither rise, sink nor tip (tolerance::resting_speed) is load-proof if
-/// 1. what is movable and outside touches it from above only, with vertical normals, and
+/// 1. movable bodies outside the set touch it from above only, with vertical normals, and
 /// 2. contacts within it, and with immovable bodies, can balance a load that acts straight down on
 ///    any corner of any member's outline.
 ///
-/// Loads from outside then are sums of such loads. Their balance, together with rest, obeys all
+/// Every load from outside is a sum of such loads. Their equilibrium, together with rest, satisfies all
 /// conditions of the complementarity problem of the contact forces, whose accelerations are unique:
-/// no member accelerates, whatever the forces are. That is the thesis's promise (5.4) without its
-/// rule: bodies that touch side by side may be members, and so may a box whose corners hang over
-/// if its neighbours cannot let it tip. What the rule calls stable is load-proof; its own weight is a
-/// mixture of such loads.
+/// no member accelerates under any load. That is the thesis's promise (5.4) without its rule: bodies
+/// may touch side by side, and corners may overhang if neighbours prevent tipping. Every body that is
+/// stable by the rule is load-proof; its own weight is a sum of such loads, too.
 ///
-/// The union of two load-proof sets is one, so there is a largest. It is found by beginning with all
-/// and taking out whoever breaks a condition, until nobody does; the order does not matter. Members
-/// by the rule of the hull are known beforehand and count as immovable.
+/// The union of two load-proof sets is load-proof, so there is a largest. It is found by starting with
+/// all bodies and removing those that break a condition, in any order. Members by the rule of the
+/// hull are known beforehand and treated as immovable.
 /// \par Cost
-/// A static equilibrium for each corner of each undecided body, up to as many times as bodies are
-/// taken out one after the other. For looking at structures, not for every step.
+/// A static equilibrium for each corner of each undecided body, repeated at most as often as bodies are
+/// removed. For the analysis of structures, not for every step.
 /// \algorithm{Every load on top: sections 5.4 and 6.3.1}
 /// \verified{Load-proof bodies do not accelerate, whatever is put on top}
 class LoadProof {
  public:
   /// Finds the set.
   /// \param world     the bodies where they are
-  /// \param contacts  what touches
+  /// \param contacts  their contacts
   /// \param stable    out: one for each body index, 1 if it is immovable or a member
   void run(const World& world, std::span<const Contact> contacts, std::vector<char>& stable);
 

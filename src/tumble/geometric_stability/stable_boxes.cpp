@@ -1,5 +1,5 @@
 /// \file
-/// \brief From the thesis's rule to balance, cheapest first, with a memory.
+/// \brief From the thesis's rule to static equilibrium, cheapest first, with a memory.
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
 #include "tumble/base/error.hpp"
@@ -17,12 +17,12 @@
 namespace tumble {
 namespace {
 
-// How a body moves, as far as balance is concerned.
+// Motion of a body, as far as equilibrium is concerned.
 enum Motion : char {
-  kStill = 0,  // not at all
+  kStill = 0,  // none
   kSlides,     // along the ground
   kSpins,      // about the vertical
-  kUnsettled   // rises, sinks or tips, or has a point that is still to come down
+  kUnsettled   // rises, sinks or tips, or has a gap to close
 };
 
 constexpr char hold(Hold how) { return static_cast<char>(how); }
@@ -66,7 +66,7 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
     const double reach = 0.5 * world.bodies()[b].size.norm();
     const double unit = std::sqrt(g * world.bodies()[b].size.minCoeff());
     const double slow = tolerance::resting_speed * unit;
-    char& motion = motion_.emplace_back(kUnsettled);  // what is no number stays so
+    char& motion = motion_.emplace_back(kUnsettled);  // stays so for NaN
     if (std::abs(v.y()) + reach * Vec2(omega.x(), omega.z()).norm() <= slow) motion = kSpins;
     if (std::abs(v.y()) + reach * omega.norm() <= slow) motion = kSlides;
     if (v.norm() + reach * omega.norm() <= tolerance::standstill * unit) motion = kStill;
@@ -86,7 +86,7 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
   }
 }
 
-// Whether all that the last search rests on is as it was then.
+// Whether the input of the last search is unchanged.
 bool StableBoxes::unchanged(const World& world, std::span<const Contact> contacts) const {
   if (!known_ || contacts.size() != basis_.contacts.size() || motion_ != basis_.motion ||
       world.gravity_w != basis_.gravity_w ||
@@ -94,7 +94,7 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
     return false;
   for (std::size_t b = 0; b < basis_.inverse_masses.size(); ++b)
     if (world.bodies()[b].inverse_mass != basis_.inverse_masses[b]) return false;
-  // A support that is smaller than what lies on it says nothing of where that is.
+  // Poses are compared, too: contact points on a small support do not determine the pose of a large body.
   const auto stays = [&](int body) {
     const BodyState& now = world.states()[at(body)];
     const BodyState& then = basis_.states[at(body)];
@@ -125,20 +125,20 @@ void StableBoxes::search(const World& world, std::span<const Contact> contacts) 
   }
   for (std::size_t b = 0; b < held_.size(); ++b)
     if (!world.bodies()[b].movable()) held_[b] = hold(Hold::still);
-  // Without weight there is nothing to be held against.
+  // Without gravity every island is trivially in equilibrium.
   if (rule_ == StableRule::equilibrium && !world.gravity_w.isZero(0.0))
     add_balanced(world, contacts);
 }
 
-// Towers on what is stable, and islands in balance.
+// Adds towers on stable bodies, and islands in equilibrium.
 void StableBoxes::add_balanced(const World& world, std::span<const Contact> contacts) {
   apart_ = held_;
   for (std::size_t b = 0; b < apart_.size(); ++b)
     if (motion_[b] > kSlides) apart_[b] = 1;
   towers_.run(world, contacts, apart_);
 
-  // Towers are loads on what carries them; of the rest, every island is looked at as a whole.
-  const auto is_load = [&](int b) { return towers_.states()[at(b)] == TowerState::carried; };
+  // Towers become loads on their supports; the other bodies are examined in whole islands.
+  const auto is_load = [&](int b) { return towers_.states()[at(b)] == TowerState::supported; };
   left_.clear();
   for (const Contact& contact : contacts)
     if (contact.count > 0 && !is_load(contact.first) && !is_load(contact.second))
@@ -156,8 +156,8 @@ void StableBoxes::add_balanced(const World& world, std::span<const Contact> cont
   take_towers(world);
 }
 
-// Leaves alone what would take longer to look at than to compute: its contacts go, so that nothing holds it.
-// Leaves the islands of what is left in islands_.
+// Drops the contacts of islands that cost more to examine than to solve, so that they are not held. The
+// remaining islands are in islands_.
 void StableBoxes::drop_large_islands(const World& world) {
   islands_.build(world.bodies(), left_, held_);
   drop_.assign(left_.size(), 0);
@@ -176,7 +176,7 @@ void StableBoxes::drop_large_islands(const World& world) {
   islands_.build(world.bodies(), left_, held_);
 }
 
-// Islands in balance stay where they are: whole ones, of bodies that do not move.
+// Holds whole islands that are in equilibrium and do not move.
 void StableBoxes::take_islands(const World& world) {
   drop_large_islands(world);
   const BalanceReport& found =
@@ -193,18 +193,18 @@ void StableBoxes::take_islands(const World& world) {
     const char fastest = upright ? kSlides : kStill;
     const bool in_balance = std::all_of(members.begin(), members.end(), [&](int b) {
       return equilibrium_.balanced()[at(b)] != 0 && motion_[at(b)] <= fastest &&
-             towers_.states()[at(b)] != TowerState::carried;
+             towers_.states()[at(b)] != TowerState::supported;
     });
     if (!in_balance) continue;
     for (const int b : members) held_[at(b)] = hold(upright ? Hold::upright : Hold::still);
   }
 }
 
-// A tower stands if what it stands on does.
+// Holds towers whose support is held.
 void StableBoxes::take_towers(const World& world) {
   for (int b = 0; b < world.count(); ++b) {
     int under = b;
-    while (towers_.carriers()[at(under)] >= 0) under = towers_.carriers()[at(under)];
+    while (towers_.supports()[at(under)] >= 0) under = towers_.supports()[at(under)];
     if (under != b && held_[at(under)] != hold(Hold::free)) held_[at(b)] = hold(Hold::upright);
   }
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Balance of forces that push, island by island.
+/// \brief Static equilibrium of contact forces, island by island.
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
 #include "tumble/base/error.hpp"
@@ -16,7 +16,7 @@
 namespace tumble {
 namespace {
 
-// Two directions across a normal, at right angles.
+// Two orthogonal directions in the contact plane.
 std::pair<Vec3, Vec3> across(const Vec3& normal_w) {
   Eigen::Index least = 0;
   normal_w.cwiseAbs().minCoeff(&least);
@@ -42,7 +42,7 @@ const BalanceReport& StaticEquilibrium::solve(const World& world, const BalanceT
   return report_;
 }
 
-// What acts on each body, and the root S of its inverse inertia; nothing is known yet.
+// Sets the forces on each body and the root S of its inverse inertia; clears the results.
 void StaticEquilibrium::load(const World& world, const BalanceTask& task) {
   const std::size_t count = world.bodies().size();
   balanced_.assign(count, 1);
@@ -73,10 +73,10 @@ void StaticEquilibrium::load(const World& world, const BalanceTask& task) {
     first_push_.push_back(pushes);
     pushes += contact.count;
   }
-  pushes_w_.assign(at(pushes), Vec3::Zero());
+  forces_w_.assign(at(pushes), Vec3::Zero());
 }
 
-// One island: its columns, the nearest point of their cone, and what is left.
+// Solves one island: its columns, the nearest point of their cone, and the residual.
 void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int island) {
   const std::span<const int> members = islands_.bodies(island);
   int columns = 0;
@@ -84,15 +84,16 @@ void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int
   for (std::size_t k = 0; k < members.size(); ++k) slot_[at(members[k])] = static_cast<int>(k);
 
   // [S6.3.1:balance]
-  // Contacts can hold what acts if some sum of their pushes, none
-  // of them negative, is its opposite. Measured in the root of
-  // masses, what the best sum leaves is how the bodies start to move.
+  // Contacts are in equilibrium with the loads if a combination of
+  // their unit forces, with no negative coefficient, is opposite to
+  // the loads. The residual of the best combination, in the metric of
+  // the masses, is the initial acceleration.
   push_place_.clear();
   push_of_w_.clear();
   G_.setZero(static_cast<Eigen::Index>(6 * members.size()), columns);
   for (const int c : islands_.contacts(island)) add_columns(world, task, c);
   d_.setZero(static_cast<Eigen::Index>(6 * members.size()));
-  double scale = 0.0;  // [m/s²] of the fastest without contacts
+  double scale = 0.0;  // [m/s²] largest acceleration without contacts
   for (const int b : members) {
     const BodyProperties& body = world.bodies()[at(b)];
     const Wrench& acts = acting_[at(b)];
@@ -110,7 +111,7 @@ void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int
   take(world, task, island, scale);
 }
 
-// The pushes of a contact's points, as columns.
+// Adds the unit forces of a contact's points, as columns.
 void StaticEquilibrium::add_columns(const World& world, const BalanceTask& task, int which) {
   const Contact& contact = task.contacts[at(which)];
   const int edges = pushes_of(task, contact) / std::max(contact.count, 1);
@@ -146,17 +147,17 @@ void StaticEquilibrium::add_push_on(const World& world, int body, const Vec3& po
       -(root_inertia_w_[at(body)].transpose() * arm_w.cross(push_w));
 }
 
-// What is left over, as accelerations; in balance if they are nothing but rounding.
+// Stores the residual as accelerations; the island is in equilibrium if they are at rounding level.
 void StaticEquilibrium::take(const World& world, const BalanceTask& task, int island,
                              double scale) {
   const std::span<const int> members = islands_.bodies(island);
   for (std::size_t j = 0; j < push_place_.size(); ++j)
-    pushes_w_[at(push_place_[j])] += result_.f[j] * push_of_w_[j];
-  // What a push is rounded by is not nothing to a body that is light.
+    forces_w_[at(push_place_[j])] += result_.f[j] * push_of_w_[j];
+  // The rounding of a contact force can accelerate a light body.
   for (const int c : islands_.contacts(island)) {
     const Contact& contact = task.contacts[at(c)];
     for (int p = 0; p < contact.count; ++p) {
-      const double push = pushes_w_[at(first_push_[at(c)] + p)].norm();
+      const double push = forces_w_[at(first_push_[at(c)] + p)].norm();
       pushed_[at(contact.first)] += push;
       pushed_[at(contact.second)] += push;
     }

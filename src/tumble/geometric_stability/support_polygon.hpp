@@ -13,12 +13,12 @@
 
 namespace tumble {
 
-/// The corners of the face of a box that looks down most, seen from above.
+/// The corners of the lowest face of a box, seen from above: the face whose normal is nearest to down.
 /// \param box the box
 /// \return [m] x and z of each, in order around the face
 [[nodiscard]] std::array<Vec2, 4> lower_corners(const Box& box);
 
-/// A bit for each of the lower corners: all of them are held.
+/// The bits of all four lower corners.
 inline constexpr std::uint8_t kAllCorners = 0b1111;
 
 /// All corners of a box, seen from above.
@@ -31,13 +31,13 @@ void corners_from_above(const Box& box, std::vector<Vec2>& corners);
 /// \param hull    out: its corners, counterclockwise, without those within an edge
 void convex_hull(std::vector<Vec2>& points, std::vector<Vec2>& hull);
 
-/// How far a point is outside of a convex polygon.
+/// Distance of a point from a convex polygon.
 /// \param hull   from convex_hull(); may be a line or a point
 /// \param point  [m]
-/// \return [m] to the nearest point of the polygon; 0 inside, infinity for an empty hull
+/// \return [m] 0 inside, infinity for an empty hull
 [[nodiscard]] double distance_to_hull(std::span<const Vec2> hull, const Vec2& point);
 
-/// Whether a point lies in a convex polygon, or outside by no more than a margin.
+/// Whether a point lies in a convex polygon, or within a margin around it.
 /// \param hull    from convex_hull(); may be a line or a point
 /// \param point   [m]
 /// \param margin  [m] at least 0

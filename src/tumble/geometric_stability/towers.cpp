@@ -1,5 +1,5 @@
 /// \file
-/// \brief From the top down: what rests on one body only becomes a load on it.
+/// \brief From the top down: a box that rests on one body becomes a load on it.
 #include "tumble/geometric_stability/towers.hpp"
 
 #include "tumble/base/index.hpp"
@@ -12,7 +12,7 @@
 namespace tumble {
 namespace {
 
-constexpr int kNobody = -1;
+constexpr int kNone = -1;
 constexpr int kSeveral = -2;
 
 }  // namespace
@@ -25,16 +25,16 @@ void Towers::run(const World& world, std::span<const Contact> contacts,
   for (int b = 0; b < world.count(); ++b)
     if (above_[at(b)] == 0) ready_.push_back(b);
   // [S6.3.1:tower]
-  // From the top down: whoever carries nothing that is not known
-  // becomes, with all that it carries, a load on the one below.
+  // From the top down: a body whose load is known becomes, with its
+  // load, a load on the body below.
   while (!ready_.empty()) {
     const int body = ready_.back();
     ready_.pop_back();
     if (no_tower_[at(body)] != 0 || below_[at(body)] < 0) continue;
     settle(world, contacts, body);
-    if (states_[at(body)] != TowerState::carried) continue;
+    if (states_[at(body)] != TowerState::supported) continue;
     const int under = below_[at(body)];
-    carriers_[at(body)] = under;
+    supports_[at(body)] = under;
     loads_[at(under)].mass += loads_[at(body)].mass;
     loads_[at(under)].moment += loads_[at(body)].moment;
     for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
@@ -43,14 +43,14 @@ void Towers::run(const World& world, std::span<const Contact> contacts,
   // [S6.3.1:tower]
 }
 
-// Who is below each body, and how much there is above it.
+// Finds the body below each body, and counts the contacts above it.
 void Towers::count_neighbours(const World& world, std::span<const Contact> contacts,
                               std::span<const char> held) {
   const std::size_t count = world.bodies().size();
   states_.assign(count, TowerState::none);
-  carriers_.assign(count, kNobody);
+  supports_.assign(count, kNone);
   loads_.assign(count, {});
-  below_.assign(count, kNobody);
+  below_.assign(count, kNone);
   above_.assign(count, 0);
   no_tower_.assign(count, 0);
   contact_of_.assign(count, -1);
@@ -74,13 +74,13 @@ void Towers::count_neighbours(const World& world, std::span<const Contact> conta
     const int bottom = second_is_top ? contact.first : contact.second;
     ++above_[at(bottom)];
     int& below = below_[at(top)];
-    below = below == kNobody || below == bottom ? bottom : kSeveral;
+    below = below == kNone || below == bottom ? bottom : kSeveral;
     next_contact_[c] = contact_of_[at(top)];
     contact_of_[at(top)] = static_cast<int>(c);
   }
 }
 
-// Is the centre of a body and of all that it carries above what holds it?
+// Compares the centre of a body and its load with the hull of its support.
 void Towers::settle(const World& world, std::span<const Contact> contacts, int body) {
   points_.clear();
   for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
@@ -92,7 +92,7 @@ void Towers::settle(const World& world, std::span<const Contact> contacts, int b
   const Vec3 centre_w = loads_[at(body)].centre_w();
   const double margin = tolerance::exact_balance * world.bodies()[at(body)].size.minCoeff();
   states_[at(body)] = hull_contains(hull_, Vec2(centre_w.x(), centre_w.z()), margin)
-                          ? TowerState::carried
+                          ? TowerState::supported
                           : TowerState::tips;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Boxes on boxes, seen as one heavier box (thesis 6.3.1, figure 6.4).
+/// \brief Towers of boxes, each treated as one heavier box (thesis 6.3.1, figure 6.4).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -12,58 +12,57 @@
 
 namespace tumble {
 
-/// What was found about a body by Towers.
+/// State of a body in Towers.
 enum class TowerState : std::uint8_t {
-  none,     ///< not part of a tower: rests on several bodies, or has contacts from the side
-  carried,  ///< with what it carries, counts as a load on the body below
-  tips  ///< rests on one body, and the centre of it and what it carries is not above the support
+  none,       ///< not part of a tower: rests on several bodies, or has side contacts
+  supported,  ///< in equilibrium on one body; with all above it, a load on that body
+  tips        ///< rests on one body, but the common centre of mass is not above the support
 };
 
-/// Weight that acts at one place.
+/// Weight that acts at one point.
 struct TowerLoad {
   double mass = 0.0;           ///< [kg]
-  Vec3 moment = Vec3::Zero();  ///< [kg m] mass times place, world frame
+  Vec3 moment = Vec3::Zero();  ///< [kg m] mass times position, world frame
 
   /// The centre of mass.
-  /// \pre there is a mass
+  /// \pre mass > 0
   /// \return [m] world frame
   [[nodiscard]] Vec3 centre_w() const { return moment / mass; }
 };
 
-/// Stacks seen as one heavier block.
+/// Stacks treated as one heavier block.
 ///
-/// A body that rests on one other body only, with vertical normals, and carries nothing that is not
-/// known yet, is in balance exactly if its weight and what it carries act above the hull of its
-/// support. Then it acts on the body below as a load at that place, whichever way the forces spread
-/// over the support. From the top down that decides whole towers, box by box, without a system of
-/// equations; what is left is the part of a pile where a box rests on several others.
+/// A body that rests on only one other body, with vertical normals, and whose load is known, is in
+/// equilibrium exactly if the centre of its weight and its load is above the hull of its support. It
+/// then acts on the body below as a load at that centre, however the forces are distributed over the
+/// support. From the top down that decides whole towers, box by box, without a system of equations;
+/// the rest of a pile is where a box rests on several others.
 ///
-/// Exact for weights at rest without friction, and for these only: a push from the side, or a
-/// base that accelerates, can take such a tower apart, as it takes apart any heap.
+/// Exact for weights at rest without friction only: a push from the side, or an accelerating base, can
+/// overturn such a tower like any stack.
 ///
-/// Supports must be vertical as exact_vertical() says. Without gravity along -y there are no
-/// towers.
+/// Supports must be vertical to exact_vertical(). Without gravity along -y there are no towers.
 /// \par Cost and determinism
-/// O(points of contact), each looked at twice. The result does not depend on any order.
+/// O(points of contact), each visited twice. The result does not depend on any order.
 /// \algorithm{A stack as one heavier block: section 6.3.1}
-/// \verified{A tower stands as long as the centre of what is above is over each support}
+/// \verified{A tower stands as long as the centre of the load is above each support}
 class Towers {
  public:
   /// Finds towers.
-  /// \param world     the bodies where they are
-  /// \param contacts  what touches
-  /// \param held      by index, not 0: stays where it is; nobody's load. May be empty
+  /// \param world     the bodies
+  /// \param contacts  their contacts
+  /// \param held      by index, not 0: treated as immovable and never a load. May be empty
   void run(const World& world, std::span<const Contact> contacts, std::span<const char> held);
 
-  /// What was found, by body index.
+  /// State of each body, by index.
   /// \return one for each
   [[nodiscard]] std::span<const TowerState> states() const { return states_; }
 
-  /// The body under a carried one, by body index.
-  /// \return -1 for what is not carried
-  [[nodiscard]] std::span<const int> carriers() const { return carriers_; }
+  /// The body below a supported one, by index.
+  /// \return -1 for other bodies
+  [[nodiscard]] std::span<const int> supports() const { return supports_; }
 
-  /// What a body weighs down with: itself and what is carried, by body index.
+  /// Load of a body on its support, by index: itself and all above it.
   /// \return one for each
   [[nodiscard]] std::span<const TowerLoad> loads() const { return loads_; }
 
@@ -73,14 +72,14 @@ class Towers {
   void settle(const World& world, std::span<const Contact> contacts, int body);
 
   std::vector<TowerState> states_;
-  std::vector<int> carriers_;
+  std::vector<int> supports_;
   std::vector<TowerLoad> loads_;
-  std::vector<int> below_;         // by body: the only body below; kNobody, kSeveral
-  std::vector<int> above_;         // by body: how many contacts from above are not settled
-  std::vector<char> no_tower_;     // by body: never part of one
-  std::vector<int> contact_of_;    // by body: the places of contacts with the body below, chained
+  std::vector<int> below_;         // by body: the only body below; kNone, kSeveral
+  std::vector<int> above_;         // by body: number of unsettled contacts from above
+  std::vector<char> no_tower_;     // by body: never part of a tower
+  std::vector<int> contact_of_;    // by body: first of its contacts with the body below
   std::vector<int> next_contact_;  // by contact: the next one of the same body
-  std::vector<int> ready_;         // bodies with nothing unsettled above
+  std::vector<int> ready_;         // bodies without unsettled contacts from above
   std::vector<Vec2> points_;
   std::vector<Vec2> hull_;
 };

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What counts as straight up and down (thesis 5.4).
+/// \brief Tolerances of the vertical (thesis 5.4).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -21,17 +21,17 @@ namespace tumble {
   return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <= tolerance;
 }
 
-/// Whether gravity acts, and along the negative y axis, as the thesis takes it.
+/// Whether gravity acts along the negative y axis, as the thesis assumes.
 /// \param world  the world
 /// \return true if so
 [[nodiscard]] inline bool gravity_is_down(const World& world) {
   return world.gravity_w.y() < 0.0 && world.gravity_w.x() == 0.0 && world.gravity_w.z() == 0.0;
 }
 
-/// How far a normal may be off the vertical where boxes leave the system of exact forces.
+/// Largest deviation of a normal from the vertical for boxes left out of the system of contact forces.
 ///
-/// A load pushes what is under it aside with this share of itself, so that a light body under a heavy
-/// one needs a more exact support.
+/// A load has this share of itself as a horizontal force on its support, so that a light body under a
+/// heavy one needs a more exact support.
 /// \param world  the bodies
 /// \return [-] tolerance::exact_vertical times the lightest movable mass over the heaviest
 [[nodiscard]] inline double exact_vertical(const World& world) {
@@ -45,7 +45,7 @@ namespace tumble {
                         : tolerance::exact_vertical;
 }
 
-/// How fast a body sinks or rises, or its rim does as it tips.
+/// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips.
 /// \param body   its constant part
 /// \param state  its state
 /// \return [m/s] at least 0

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Perspective, and how far back a camera has to stand.
+/// \brief Perspective, and the distance of a camera.
 #include "tumble/pictures/camera.hpp"
 
 #include "tumble/base/error.hpp"
@@ -26,9 +26,9 @@ struct Fit {
     low = std::min(low, x - slope * z);
     high = std::max(high, x + slope * z);
   }
-  // The closest eye: both equations hold with equality.
+  // The closest eye: both conditions hold with equality.
   [[nodiscard]] double depth(double slope) const { return (high - low) / (2.0 * slope); }
-  // Farther back there is play; the middle of it leaves equal room on both sides.
+  // Farther back there is freedom; the middle leaves equal margins on both sides.
   [[nodiscard]] double across() const { return 0.5 * (low + high); }
 };
 
@@ -60,7 +60,7 @@ Vec2 Projection::operator()(const Vec3& point_w) const {
 
 Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, double width,
                   double height, double air) {
-  require::that(!points_w.empty(), "no points: give what is to be seen");
+  require::that(!points_w.empty(), "no points: expected at least two");
   require::finite(direction_w, "direction_w");
   require::within(air, 0.0, 0.4, "air");
   Camera camera;
@@ -70,7 +70,7 @@ Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, doubl
   camera.eye_w = direction_w;
   const Projection axes(camera);
 
-  // Across and upwards; whichever needs more room decides how far back the eye is.
+  // Across and upwards; the direction that needs more space determines the distance of the eye.
   const double slope_x = (0.5 * width - air * height) / axes.scale();
   const double slope_y = (0.5 - air) * height / axes.scale();
   require::that(slope_x > 0.0,

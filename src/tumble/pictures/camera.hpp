@@ -1,5 +1,5 @@
 /// \file
-/// \brief From where a picture is taken, and where a point of the world comes to lie on it.
+/// \brief Camera of a picture, and its projection from the world to pixels.
 #pragma once
 
 #include "tumble/base/types.hpp"
@@ -8,47 +8,46 @@
 
 namespace tumble {
 
-/// From where a picture is taken. Its upper edge is upwards in the world.
+/// Position, direction and size of a picture. Its upper edge is upwards in the world.
 struct Camera {
-  Vec3 eye_w = Vec3(6.0, 5.0, 10.0);  ///< [m] where the eye is
-  Vec3 target_w = Vec3::Zero();       ///< [m] what is in the middle of the picture
+  Vec3 eye_w = Vec3(6.0, 5.0, 10.0);  ///< [m] position of the camera
+  Vec3 target_w = Vec3::Zero();       ///< [m] point in the middle of the picture
   double field_of_view = 0.5;         ///< [rad] from the lower to the upper edge
   double width = 900.0;               ///< [px]
   double height = 600.0;              ///< [px]
 };
 
-/// A camera that looks at points from a direction, as close as it can be with all of them in the
-/// picture.
-/// \param points_w     [m] what is to be seen, at least two different ones
+/// The closest camera that has all points in the picture, seen from a direction.
+/// \param points_w     [m] at least two different ones
 /// \param direction_w  [-] from the points to the eye, any length but 0, not vertical
 /// \param width        [px] above 0
 /// \param height       [px] above 0
-/// \param air          [-] how much of the height stays free at each edge, 0 to 0.4
-/// \return the camera; along one pair of edges points lie on the frame of free air
+/// \param air          [-] free margin at each edge, as a share of the height, 0 to 0.4
+/// \return the camera; along one pair of edges points lie on the margin
 /// \throws std::invalid_argument naming the value that is out of range
 Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, double width,
                   double height, double air = 0.06);
 
-/// A camera as a map from the world to pixels.
+/// Perspective projection from the world to pixels.
 class Projection {
  public:
-  /// Makes the map.
-  /// \param camera from where
+  /// Makes the projection.
+  /// \param camera the camera
   /// \throws std::invalid_argument for values that are not finite, a line of sight that is vertical
   ///         or of length 0, a field of view outside 0.01 to 3 rad, or a size not above 0
   explicit Projection(const Camera& camera);
 
-  /// Where a point comes to lie.
+  /// The image of a point.
   /// \param point_w [m] world frame, its depth above 0
   /// \return [px] from the upper left corner, y down
   [[nodiscard]] Vec2 operator()(const Vec3& point_w) const;
 
-  /// How far a point is in front of the eye.
+  /// Distance of a point in front of the eye.
   /// \param point_w [m] world frame
   /// \return [m] along the middle line of sight; below 0 behind the eye
   [[nodiscard]] double depth(const Vec3& point_w) const { return -back_w_.dot(point_w - eye_w_); }
 
-  /// Against the line of sight.
+  /// Direction opposite to the line of sight.
   /// \return [-] length 1, world frame
   [[nodiscard]] const Vec3& back_w() const { return back_w_; }
   /// To the right in the picture.
@@ -57,7 +56,7 @@ class Projection {
   /// Upwards in the picture.
   /// \return [-] length 1, world frame
   [[nodiscard]] const Vec3& up_w() const { return up_w_; }
-  /// How large things appear.
+  /// Scale of the projection.
   /// \return [px] of a length of 1 m across the line of sight at a depth of 1 m
   [[nodiscard]] double scale() const { return scale_; }
 

@@ -18,7 +18,7 @@ constexpr double kPause = 1.0;           // [s] at the end
 constexpr double kLetterShare = 0.04;    // height of a digit over that of the picture
 constexpr double kSmallestLetter = 9.0;  // [px]
 
-// The floor is drawn around what there is in all of the film: this box is around all of it.
+// The floor is drawn around all boxes of the film: this box contains them.
 PictureBox around(const Film& film) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -33,7 +33,7 @@ PictureBox around(const Film& film) {
   return {make_box(0.5 * (low + high), Quat::Identity(), high - low)};
 }
 
-// Two decimals, or as many as tell frames apart.
+// Two decimals, or as many as distinguish all frames.
 int decimals_of(const Film& film) {
   if (film.frames.size() < 2) return 2;
   const double interval = (film.frames.back().time - film.frames.front().time) /

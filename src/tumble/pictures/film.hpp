@@ -1,5 +1,5 @@
 /// \file
-/// \brief Films: frames of boxes that one camera sees, with the time in a corner.
+/// \brief Films: frames of boxes seen by one camera, with the time in a corner.
 #pragma once
 
 #include "tumble/pictures/picture.hpp"
@@ -10,20 +10,20 @@
 
 namespace tumble {
 
-/// A moment of a film.
+/// A frame of a film.
 struct FilmFrame {
-  double time = 0.0;              ///< [s] that is written into it
-  std::vector<PictureBox> boxes;  ///< what is seen
+  double time = 0.0;              ///< [s] displayed in it
+  std::vector<PictureBox> boxes;  ///< its boxes
 };
 
-/// Frames and who looks at them.
+/// Frames and their camera.
 struct Film {
   std::vector<FilmFrame> frames;  ///< times ascending
   Camera camera;                  ///< of all frames; its size is that of the film
   bool floor = true;              ///< whether the floor y = 0 is drawn
 };
 
-/// A film that shows all of its boxes, all of the time.
+/// A film whose camera has all boxes in the picture at all times.
 /// \param frames       at least one box in them
 /// \param direction_w  [-] from the boxes to the eye, any length but 0, not vertical
 /// \param width        [px] of the film
@@ -38,14 +38,14 @@ Film film_of(std::vector<FilmFrame> frames, const Vec3& direction_w, int width, 
 /// \verified{All frames of a film are seen by one camera and have their time in a corner}
 class FilmPainter {
  public:
-  /// Finds what all frames share: what the floor is drawn around, and the decimals of the time.
-  /// \param film  has to outlive this
+  /// Finds the data that all frames share: the extent of the floor, and the decimals of the time.
+  /// \param film  must outlive this object
   explicit FilmPainter(const Film& film);
 
   /// Paints a frame.
   /// \param frame  its number, from 0
-  /// \return its pixels, with the time above to the left: as many decimals as tell frames apart, two at least
-  /// \throws std::invalid_argument for a frame that there is not, or as draw_boxes() does
+  /// \return its pixels, with the time at the upper left: at least two decimals, and enough to distinguish frames
+  /// \throws std::invalid_argument for an unknown frame, or as draw_boxes() does
   [[nodiscard]] Raster painted(int frame) const;
 
  private:
@@ -54,7 +54,7 @@ class FilmPainter {
   int decimals_;
 };
 
-/// How long each frame of a film is shown: the last one for a second more.
+/// Duration of each frame of a film: the last one is shown for a second more.
 /// \param film  the film, at least one frame
 /// \param rate  [1/s] frames in a second, 1 to 50
 /// \return [1/100 s] for each frame

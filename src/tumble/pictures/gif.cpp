@@ -1,5 +1,5 @@
 /// \file
-/// \brief GIF: frames as differences, packed by Lempel, Ziv and Welch's method.
+/// \brief GIF: differences of frames, compressed by the method of Lempel, Ziv and Welch.
 #include "tumble/pictures/gif.hpp"
 
 #include "tumble/base/error.hpp"
@@ -13,8 +13,8 @@
 namespace tumble {
 namespace {
 
-constexpr int kStays = kGifColours;  // the number of a pixel that stays what it was
-constexpr int kSampledFrames = 8;    // whose colours make the palette
+constexpr int kStays = kGifColours;  // the index of an unchanged pixel
+constexpr int kSampledFrames = 8;    // for the palette
 constexpr unsigned kLetterBits = 8;  // of a pixel
 constexpr unsigned kMostBits = 12;   // of a code
 constexpr int kClear = 1 << kLetterBits;
@@ -28,7 +28,7 @@ void add_word(std::string& out, int value) {
   add_byte(out, value >> 8);
 }
 
-// Codes of growing length, put together to bytes from the lowest bit on.
+// Codes of growing length, packed into bytes from the lowest bit on.
 class Codes {
  public:
   void add(int code, unsigned bits) {
@@ -54,10 +54,10 @@ class Codes {
   unsigned count_ = 0;
 };
 
-// A code for each sequence of pixels that has been met: the children of a code are a list.
+// The dictionary of pixel sequences: the children of a code are a list.
 class Words {
  public:
-  // The code of a sequence and one more pixel; -1 if it has not been met. Then it gets the next code.
+  // The code of a known sequence with one more pixel; -1 if that is new, and then gets the next code.
   int child_or_add(int code, std::uint8_t pixel) {
     for (int k = first_[at(code)]; k >= 0; k = next_[at(k)])
       if (pixel_[at(k)] == pixel) return k;
@@ -71,7 +71,7 @@ class Words {
     std::fill(first_.begin(), first_.begin() + kClear, -1);
     count_ = kEnd + 1;
   }
-  // The code that was given last.
+  // The latest code.
   [[nodiscard]] int last() const { return count_ - 1; }
 
  private:
@@ -95,7 +95,7 @@ std::string packed(const std::vector<std::uint8_t>& pixels) {
     }
     codes.add(code, bits);
     code = pixels[k];
-    // A reader is one code behind: codes get longer once the last one that it knows is full.
+    // A decoder is one code behind: codes get longer once the last one that it knows is full.
     if (words.last() == 1 << bits) ++bits;
     if (words.last() == (1 << kMostBits) - 1) {
       codes.add(kClear, bits);
@@ -109,14 +109,14 @@ std::string packed(const std::vector<std::uint8_t>& pixels) {
   return static_cast<char>(kLetterBits) + codes.blocks();
 }
 
-// What a viewer shows, and what has to be written for it to show another frame.
+// The displayed picture, and the encoding of the change to another frame.
 class Screen {
  public:
   Screen(Palette& palette, int width, int height)
       : palette_(palette), width_(width), height_(height) {
     shown_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kStays);
   }
-  // What has to be written for a frame.
+  // The encoding of a frame.
   std::string next(const Raster& raster, int delay);
   [[nodiscard]] bool fits(const Raster& raster) const {
     return raster.width == width_ && raster.height == height_;
@@ -149,7 +149,7 @@ std::string Screen::next(const Raster& raster, int delay) {
   if (right < 0) left = right = top = bottom = 0;  // a frame has at least one pixel
 
   std::string out("\x21\xf9\x04\x05",
-                  4);  // what follows is laid over what is there; kStays is clear
+                  4);  // the frame is laid over the displayed one; kStays is transparent
   add_word(out, delay);
   add_byte(out, kStays);
   out += '\0';
@@ -173,7 +173,7 @@ std::string head_of(const Raster& first, const std::vector<std::uint32_t>& colou
     const std::uint32_t colour = k < colours.size() ? colours[k] : 0;
     for (const unsigned shift : {16U, 8U, 0U}) add_byte(out, static_cast<int>(colour >> shift));
   }
-  return out + std::string("\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19);  // begins anew for ever
+  return out + std::string("\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19);  // repeat endlessly
 }
 
 }  // namespace

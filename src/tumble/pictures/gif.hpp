@@ -11,24 +11,24 @@
 
 namespace tumble {
 
-/// The most colours that a GIF of ours shows; one more number stands for pixels that stay.
+/// The most colours of a GIF written here; one more index stands for unchanged pixels.
 inline constexpr int kGifColours = 255;
 
-/// How long each frame is shown. Hundredths of a second are all that there is: rates that they do not divide
-/// are kept on the average, and above 50 frames a second browsers slow down.
-/// \param frames  how many, at least one
+/// Duration of each frame. The unit is a hundredth of a second: other rates are kept on average; above 50
+/// frames a second browsers slow down.
+/// \param frames  number of frames, at least one
 /// \param rate    [1/s] frames in a second, 1 to 50
-/// \param pause   [s] for which the last one stays on top, 0 to 60
+/// \param pause   [s] extra duration of the last frame, 0 to 60
 /// \return [1/100 s] for each frame
 /// \throws std::invalid_argument naming the value that is out of range
 std::vector<int> gif_delays(int frames, double rate, double pause);
 
-/// Writes a film that begins anew when it is over.
+/// Writes a film that repeats endlessly.
 ///
-/// All frames share one palette: the colours of frames from all over the film, in cells that are split
-/// where they differ most, each by its most frequent colour, so that flat colours stay what
-/// they are. Of a frame only the rectangle that has changed is written.
-/// \param delays  [1/100 s] how long each frame is shown, 1 to 65535
+/// All frames share one palette: the colours of sampled frames, in cells that are split where the spread
+/// is largest, each represented by its most frequent colour, so that flat colours are kept exactly.
+/// Only the rectangle of a frame that has changed is written.
+/// \param delays  [1/100 s] duration of each frame, 1 to 65535
 /// \param frame   paints frame k, from 0; called twice for some
 /// \return the bytes of the file, the same every time
 /// \throws std::invalid_argument for no frames, a delay out of range, or frames of different sizes

@@ -21,10 +21,10 @@ namespace {
 using Use = GltfBuffer::Use;
 
 constexpr std::uint32_t kGround = 0xe4e1da;
-constexpr double kGroundShare = 1.5;   // its half edge over that of what is above it
+constexpr double kGroundShare = 1.5;   // its half edge over that of the bodies' extent
 constexpr double kGroundThick = 0.01;  // over its edge
 
-// A list of the first numbers of another.
+// Writes the first numbers of a list.
 void write_list(Json& json, std::string_view name, const std::vector<float>& numbers,
                 std::size_t count) {
   json.key(name).begin_list();
@@ -32,7 +32,7 @@ void write_list(Json& json, std::string_view name, const std::vector<float>& num
   json.end_list();
 }
 
-// Screens are brighter in the middle than their numbers say; glTF wants light.
+// From sRGB to linear light, which glTF requires.
 double light_of(std::uint32_t colour, unsigned shift) {
   const double share = static_cast<double>(colour >> shift & 0xffU) / 255.0;
   return share <= 0.04045 ? share / 12.92 : elementary::pow((share + 0.055) / 1.055, 2.4);
@@ -80,7 +80,7 @@ Writer::Writer(const RecordedRun& run, std::span<const RecordedFrame> frames, do
   for (const RecordedFrame& frame : frames)
     seconds_.push_back(static_cast<float>((frame.time - frames.front().time) / speed));
   times_ = buffer_.add(Use::keys, 1, seconds_, true);
-  World world;  // for the colours: all that there ever is
+  World world;  // for the colours: all bodies of the run
   for (const SceneBox& box : run.scene.boxes)
     world.add(properties_of(box), make_state(properties_of(box), box.position_w), box.name);
   const std::vector<PictureBox> pictures = picture_boxes(world);
@@ -102,7 +102,7 @@ void Writer::add_box() {
     for (const auto& [u, v] :
          {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
       Vec3 corner = 0.5 * out * Vec3::Unit(axis);
-      corner[(axis + 1) % 3] = 0.5 * u * out;  // counter-clockwise as seen from outside
+      corner[(axis + 1) % 3] = 0.5 * u * out;  // counter-clockwise from outside
       corner[(axis + 2) % 3] = 0.5 * v;
       add_numbers(corner, points);
       add_numbers(out * Vec3::Unit(axis), normals);
@@ -135,7 +135,7 @@ void Writer::add_body(const SceneBox& box, std::uint32_t colour, const GltfTrack
   if (std::count(track.there.begin(), track.there.end(), 0) > 0) add_visibility(scale, track.there);
 }
 
-// A key wherever a body comes or goes.
+// Adds a key wherever a body appears or disappears.
 void Writer::add_visibility(const std::vector<float>& scale, const std::vector<char>& there) {
   std::vector<float> times, scales;
   for (std::size_t k = 0; k < there.size(); ++k) {
@@ -189,7 +189,7 @@ void Writer::write_nodes(Json& json) const {
   json.end_list();
 }
 
-// The same box in each colour: meshes have the numbers of their materials.
+// The same box in each colour: mesh and material have the same index.
 void Writer::write_meshes(Json& json) const {
   json.key("meshes").begin_list();
   for (std::size_t k = 0; k < materials_.size(); ++k) {

@@ -9,7 +9,7 @@
 namespace tumble {
 namespace {
 
-// Numbers by which glTF calls things, from OpenGL.
+// Constants of glTF, from OpenGL.
 constexpr std::int64_t kFloat = 5126, kUnsignedShort = 5123;
 constexpr std::int64_t kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
@@ -30,8 +30,8 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-// Views of vertices have one accessor each, so that they need no stride; everything begins at a
-// multiple of four bytes.
+// Views of vertices have one accessor each, so that they need no stride; all of them are aligned to four
+// bytes.
 GltfBuffer::View& GltfBuffer::view_for(Use use) {
   bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
   if (use == Use::keys && !views_.empty() && views_.back().use == use) return views_.back();

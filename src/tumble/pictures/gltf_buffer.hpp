@@ -1,5 +1,5 @@
 /// \file
-/// \brief The numbers of a glTF file: a buffer, and what is where in it.
+/// \brief The numbers of a glTF file: a buffer with views and accessors.
 #pragma once
 
 #include "tumble/record/json.hpp"
@@ -10,10 +10,10 @@
 
 namespace tumble {
 
-/// The buffer of a glTF file as it is being filled, with its views and accessors.
+/// Builder for the buffer of a glTF file, with its views and accessors.
 class GltfBuffer {
  public:
-  /// What the numbers of a part are for.
+  /// The use of a part of the buffer.
   enum class Use {
     vertices,  ///< points or normals of a mesh
     indices,   ///< of its triangles
@@ -24,14 +24,14 @@ class GltfBuffer {
   /// \param use      vertices or keys
   /// \param columns  of a row: 1, 3 or 4
   /// \param numbers  row by row, at least one row
-  /// \param bounds   whether the least and the largest number of each column are told, as glTF asks for
-  ///                 with points and times
-  /// \return the number of the accessor
+  /// \param bounds   whether to give the minimum and maximum of each column, as glTF requires for points
+  ///                 and times
+  /// \return the index of the accessor
   std::int64_t add(Use use, int columns, const std::vector<float>& numbers, bool bounds);
 
-  /// Adds numbers of points.
+  /// Adds indices of points.
   /// \param numbers at least one
-  /// \return the number of the accessor
+  /// \return the index of the accessor
   std::int64_t add(const std::vector<std::uint16_t>& numbers);
 
   /// Writes accessors, views and the buffer itself as the fields of a glTF file.
@@ -49,7 +49,7 @@ class GltfBuffer {
     std::size_t offset = 0;  // [bytes] in the view
     std::size_t rows = 0;
     int columns = 0;
-    bool whole = false;  // numbers of points
+    bool whole = false;  // indices of points
     std::vector<float> low, high;
   };
 

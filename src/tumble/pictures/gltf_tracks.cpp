@@ -17,7 +17,7 @@ std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
   std::vector<std::optional<GltfTrack>> tracks(run.scene.boxes.size());
   std::vector<Vec3> position_w(tracks.size());
   std::vector<Quat> orientation_wb(tracks.size());
-  // Before a body comes it is where it will appear: where it is first seen is looked for beforehand.
+  // Before a body appears it has the pose of its first frame, which is searched first.
   for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame) {
     for (const RecordedPose& pose : frame->poses) {
       const auto k = static_cast<std::size_t>(pose.box);
@@ -34,8 +34,8 @@ std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
       tracks[k]->moves = tracks[k]->moves || pose.position_w != position_w[k] ||
                          pose.orientation_wb.coeffs() != orientation_wb[k].coeffs();
       position_w[k] = pose.position_w;
-      // q and -q are the same orientation; a viewer that goes straight from key to key takes the
-      // one on the same side.
+      // q and -q are the same orientation; linear interpolation needs the one with a dot product >= 0
+      // with the last key.
       const bool same_side = pose.orientation_wb.dot(orientation_wb[k]) >= 0.0;
       orientation_wb[k].coeffs() = (same_side ? 1.0 : -1.0) * pose.orientation_wb.coeffs();
     }

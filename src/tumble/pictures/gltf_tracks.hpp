@@ -1,5 +1,5 @@
 /// \file
-/// \brief The ways of bodies through frames, as the keys of a glTF animation.
+/// \brief Trajectories of bodies as the keys of a glTF animation.
 #pragma once
 
 #include "tumble/record/recorded_run.hpp"
@@ -10,30 +10,30 @@
 
 namespace tumble {
 
-/// The way of one body through all frames.
+/// The trajectory of one body.
 struct GltfTrack {
   std::vector<float>
-      positions;  ///< [m] x y z for each frame; where it is not there, of one where it is
-  std::vector<float> orientations;  ///< [-] x y z w, likewise; neighbours are on the same side
-  std::vector<char> there;          ///< whether it is there, for each frame
+      positions;  ///< [m] x y z for each frame; where it is absent, of a frame that has it
+  std::vector<float> orientations;  ///< [-] x y z w, likewise; neighbours have a dot product >= 0
+  std::vector<char> there;          ///< whether it is present, for each frame
   bool moves = false;               ///< whether two of its poses differ
 };
 
-/// Follows every body.
-/// \param run     of which the frames are
-/// \param frames  times ascending
-/// \return for each box of the scene; none for one that no frame has
+/// Collects the trajectory of each body.
+/// \param run     the recorded run
+/// \param frames  its frames, times ascending
+/// \return for each box of the scene; none for one that is in no frame
 std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
                                                   std::span<const RecordedFrame> frames);
 
 /// Adds numbers in single precision to a list.
 /// \param v     x, y, z
-/// \param list  what they are added to
+/// \param list  receives the numbers
 void add_numbers(const Vec3& v, std::vector<float>& list);
 
 /// Adds numbers in single precision to a list.
 /// \param q     a quaternion
-/// \param list  what x, y, z and w are added to, in the order of glTF
+/// \param list  receives x, y, z and w, in the order of glTF
 void add_numbers(const Quat& q, std::vector<float>& list);
 
 }  // namespace tumble

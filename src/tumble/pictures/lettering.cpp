@@ -15,7 +15,7 @@ constexpr double kTall = 6.0;    // units of a digit's height
 constexpr double kThick = 0.42;  // half the width of a stroke
 constexpr double kCorner = 0.7;  // of a joint's disc, an octagon: its diagonals over its radius
 
-// A letter: strokes from corner to corner, in units from its upper left corner.
+// A letter: strokes as lists of corners, in units from its upper left corner.
 struct Letter {
   char sign;
   double width;  // with the space after it

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Numbers written into a picture, for films.
+/// \brief Numbers drawn into a picture, for films.
 #pragma once
 
 #include "tumble/pictures/picture.hpp"
@@ -8,14 +8,14 @@
 
 namespace tumble {
 
-/// Writes a time or another number as an area of a picture, in strokes of its own: pixels need no font.
+/// Draws a time or another number as an area of a picture, in strokes, since a raster has no font.
 /// \param text    digits, points, hyphens, blanks and the letter s
 /// \param corner  [px] upper left corner of the first letter
 /// \param height  [px] of a digit, above 0
 /// \param colour  0xRRGGBB
 /// \return the strokes
-/// \throws std::invalid_argument naming a letter that there is not
-/// \verified{Each digit has strokes of its own and a sign that there is not is refused}
+/// \throws std::invalid_argument naming an unknown letter
+/// \verified{Each digit has its own strokes, and an unknown character is refused}
 PictureArea lettering(std::string_view text, const Vec2& corner, double height,
                       std::uint32_t colour);
 

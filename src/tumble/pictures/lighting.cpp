@@ -11,12 +11,12 @@
 namespace tumble {
 namespace {
 
-// Where the lamp is, seen by the one who looks: up, to the left and behind him.
+// Direction to the lamp, relative to the viewer: up, to the left and behind.
 constexpr double kUp = 0.84, kLeft = 0.42, kBehind = 0.38;
 
-constexpr double kFromEverywhere = 0.58;  // light that reaches every face
-constexpr double kFromLamp = 0.42;        // and what the lamp adds where it shines straight on it
-constexpr double kAwayFromLamp = 0.14;    // less of it reaches faces that look away from the lamp
+constexpr double kFromEverywhere = 0.58;  // ambient light
+constexpr double kFromLamp = 0.42;        // diffuse light at normal incidence
+constexpr double kAwayFromLamp = 0.14;    // decrease of ambient light on faces opposite to the lamp
 constexpr double kGloss = 0.18;           // white in the brightest face
 constexpr std::uint32_t kDark = 0x10101a;
 
@@ -66,7 +66,7 @@ double Lamp::shadow_depth(const Vec3& normal_w) const {
 }
 
 Polygon shadow_of(const Box& box, const Plane& plane, const Vec3& light_w) {
-  // The box's outline in front of the surface: its corners there, and where edges pass through it.
+  // The box's silhouette in front of the surface: its corners there, and the points where edges cross it.
   std::array<double, 8> heights;
   Polygon points;
   const std::array<Vec3, 8> corners_w = corners_of(box);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Splitting cells of colours where they differ most.
+/// \brief Division of colours into cells, split where the spread is largest.
 #include "tumble/pictures/palette.hpp"
 
 #include "tumble/base/error.hpp"
@@ -17,7 +17,7 @@ int channel_of(std::uint32_t colour, int channel) {
   return static_cast<int>(colour >> (16U - 8U * static_cast<unsigned>(channel)) & 0xffU);
 }
 
-// Neighbours in the list of entries, and along which channel they differ most.
+// Consecutive entries, and the channel in which they differ most.
 struct Cell {
   std::vector<Entry> entries;
   int channel = 0;
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> ColourCount::chosen(std::size_t most) const {
     const auto widest =
         std::max_element(cells.begin(), cells.end(),
                          [](const Cell& a, const Cell& b) { return a.spread < b.spread; });
-    if (widest->entries.size() < 2) break;  // all cells have one colour each
+    if (widest->entries.size() < 2) break;  // each cell has one colour
     std::array<std::vector<Entry>, 2> parts;
     for (const Entry& entry : widest->entries)
       parts[channel_of(entry.colour, widest->channel) > widest->mean ? 1 : 0].push_back(entry);

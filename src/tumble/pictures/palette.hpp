@@ -1,5 +1,5 @@
 /// \file
-/// \brief A few colours for many.
+/// \brief Reduction of colours to a small palette.
 #pragma once
 
 #include "tumble/pictures/raster.hpp"
@@ -22,9 +22,9 @@ class ColourCount {
   /// \param raster the picture
   void add(const Raster& raster);
 
-  /// Chooses colours that stand for all that were counted.
-  /// \param most  how many at most, above 0
-  /// \return so many or fewer, ascending: exactly those that were counted if they are no more
+  /// Chooses colours that represent all counted ones.
+  /// \param most  largest number of them, above 0
+  /// \return ascending: exactly the counted colours if they are no more than that
   /// \verified{A palette keeps colours that are few and the most frequent ones of many}
   [[nodiscard]] std::vector<std::uint32_t> chosen(std::size_t most) const;
 
@@ -32,16 +32,16 @@ class ColourCount {
   std::vector<Entry> entries_;  // colours ascending
 };
 
-/// The nearest of a few colours.
+/// Nearest colour in a palette.
 class Palette {
  public:
-  /// Makes an empty table of answers.
+  /// Makes it with an empty cache.
   /// \param colours  ascending, 1 to 256
   explicit Palette(std::vector<std::uint32_t> colours);
 
-  /// The number of the colour that is shown for another.
+  /// The index of the nearest colour.
   /// \param colour 0xRRGGBB
-  /// \return from 0; of a colour that is in the palette its own
+  /// \return from 0; for a colour in the palette its own
   [[nodiscard]] std::uint8_t nearest(std::uint32_t colour);
 
   /// All colours.
@@ -50,7 +50,7 @@ class Palette {
 
  private:
   std::vector<std::uint32_t> colours_;
-  std::vector<std::int16_t> known_;  // by the upper six bits of each channel; -1: not asked yet
+  std::vector<std::int16_t> known_;  // cache by the upper six bits of each channel; -1: empty
 };
 
 }  // namespace tumble

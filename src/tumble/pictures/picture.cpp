@@ -1,5 +1,5 @@
 /// \file
-/// \brief The order in which areas are painted, and what is cut off.
+/// \brief Painter's order of areas, and clipping.
 #include "tumble/pictures/picture.hpp"
 
 #include "tumble/base/error.hpp"
@@ -15,11 +15,11 @@
 namespace tumble {
 namespace {
 
-constexpr double kTooSmall = 0.02;    // [px²] an area that nobody sees
+constexpr double kTooSmall = 0.02;    // [px²] an invisible area
 constexpr double kOutlineRoom = 1.5;  // [px] beside an edge for the line that is drawn along it
-constexpr int kDeepestRing = 6;       // how often a ring is looked for inside what is left of one
+constexpr int kDeepestRing = 6;       // most nested cyclic overlaps
 
-// Puts areas into a picture in the right order.
+// Adds areas to a picture in painter's order.
 class Painter {
  public:
   Painter(const PictureScene& scene, double width, double height);
@@ -28,10 +28,10 @@ class Painter {
   Picture take() { return std::move(picture_); }
 
  private:
-  // A box, ready to be painted as often as rings ask for.
+  // A box, ready to be painted repeatedly.
   struct Prepared {
     Polygon outline;                 // [px]
-    std::vector<PictureArea> areas;  // faces and what falls on them
+    std::vector<PictureArea> areas;  // faces, with pips and shadows
   };
 
   void paint(const std::vector<int>& numbers, const Polygon& region, int depth);
@@ -70,13 +70,13 @@ void Painter::paint_boxes() {
   paint(all, frame_, 0);
 }
 
-// What two boxes both take up of a region.
+// The intersection of two boxes' outlines with a region.
 Polygon Painter::common(int one, int other, const Polygon& region, double room) const {
   return clipped(clipped(region, prepared_[at(one)].outline, room), prepared_[at(other)].outline,
                  room);
 }
 
-// Paints some of the boxes, as far as they are in a region.
+// Paints some of the boxes, clipped to a region.
 void Painter::paint(const std::vector<int>& numbers, const Polygon& region, int depth) {
   std::vector<Box> shapes;
   for (const int number : numbers) shapes.push_back(scene_.boxes[at(number)].box);
@@ -93,8 +93,8 @@ void Painter::paint(const std::vector<int>& numbers, const Polygon& region, int 
   if (sorted.cycles > 0 && depth == kDeepestRing) picture_.rings += sorted.cycles;
 }
 
-// After a ring: wherever a box was painted before one that it covers, everything in the part of the
-// picture that both take up is painted again. Fewer boxes meet there, and in the end no ring.
+// Resolves a cyclic overlap: wherever a box was painted before one that it covers, everything in the
+// intersection of the two is painted again. Fewer boxes overlap there, and finally none cyclically.
 void Painter::mend(const std::vector<int>& order, const Polygon& region, int depth) {
   for (std::size_t later = 1; later < order.size(); ++later) {
     for (std::size_t sooner = 0; sooner < later; ++sooner) {
@@ -102,7 +102,7 @@ void Painter::mend(const std::vector<int>& order, const Polygon& region, int dep
       const int other = order[later];
       if (area_of(common(one, other, region, 0.0)) < kTooSmall) continue;
       const std::array<Box, 2> pair = {scene_.boxes[at(one)].box, scene_.boxes[at(other)].box};
-      if (painters_order(pair, scene_.eye_w).order.front() == 0) continue;  // painted rightly
+      if (painters_order(pair, scene_.eye_w).order.front() == 0) continue;  // correct order
       const Polygon wider = common(one, other, region, kOutlineRoom);
       std::vector<int> there;
       for (const int number : order) {
@@ -113,8 +113,8 @@ void Painter::mend(const std::vector<int>& order, const Polygon& region, int dep
   }
 }
 
-// Adds what of an area is inside a region. A cut area loses its outline: what is left of that is
-// drawn as lines, or the cut would get one too.
+// Adds the part of an area inside a region. A clipped area loses its outline, and the rest of that is drawn
+// as lines, so that the cut gets no line.
 void Painter::add(const PictureArea& area, const Polygon& region) {
   PictureArea inside = area;
   inside.loops.clear();
@@ -152,7 +152,7 @@ Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, do
   }
   const Camera camera = camera_for(points_w, direction_w, width, height);
   if (!floor) return camera;
-  // Once more, with the shadows: where the lamp is goes by the direction of the eye alone.
+  // Once more, with the shadows: the lamp depends on the direction of the eye only.
   const Plane ground{};
   const Lamp lamp(Projection(camera), 1);
   for (const PictureBox& b : boxes) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Pictures of boxes in three dimensions: in exact order, shaded, with soft shadows.
+/// \brief Pictures of boxes in three dimensions: exact hidden surfaces, shading, soft shadows.
 #pragma once
 
 #include "tumble/geometry/box.hpp"
@@ -15,30 +15,30 @@ namespace tumble {
 
 /// A box to be drawn.
 struct PictureBox {
-  Box box;                          ///< where it is
+  Box box;                          ///< its pose and size
   std::uint32_t colour = 0x0072b2;  ///< 0xRRGGBB
   bool die = false;                 ///< with pips on its faces, see pips_of_side()
 };
 
-/// The pips on a side of a die: 1, 2 and 3 at its positive axes, and 7 on opposite sides together.
+/// The pips on a side of a die: 1, 2 and 3 at its positive axes; opposite sides have 7 together.
 /// \param side 0 to 5, see Box
 /// \return 1 to 6
 int pips_of_side(int side);
 
-/// The number of the box of an area that belongs to none.
+/// Value of PictureArea::box for areas of no box.
 inline constexpr int kNoBox = -1;
 
 /// A filled area.
 struct PictureArea {
-  /// [px] from the upper left corner, y down. Convex, all in the same sense of rotation; what is
-  /// inside any of them is filled, once. Two points are a line.
+  /// [px] from the upper left corner, y down. Convex, all in the same sense of rotation; their union is
+  /// filled. Two points are a line.
   std::vector<Polygon> loops;
   std::uint32_t colour = 0;   ///< 0xRRGGBB
   double opacity = 1.0;       ///< [-] 0 to 1
   std::uint32_t outline = 0;  ///< 0xRRGGBB of a thin line around
   bool outlined = false;      ///< whether there is such a line
-  bool shadow = false;        ///< whether it darkens what was drawn before it
-  int box = kNoBox;           ///< on which box it is, by its number; kNoBox: on the floor
+  bool shadow = false;        ///< whether it is a shadow on areas drawn before
+  int box = kNoBox;           ///< index of its box; kNoBox: on the floor
 };
 
 /// Areas to be drawn from first to last.
@@ -46,13 +46,12 @@ struct Picture {
   double width = 0.0;              ///< [px]
   double height = 0.0;             ///< [px]
   std::vector<PictureArea> areas;  ///< floor and its shadows, then faces and theirs
-  /// Rings of boxes that cover one another and could not be mended: some pixels are wrong. 0 else.
+  /// Cyclic overlaps of boxes that could not be resolved: some pixels are wrong. Normally 0.
   int rings = 0;
 };
 
-/// A camera that looks at boxes from a direction and has them, and their shadows, in the picture.
-/// \param boxes        what is to be seen, at least one; for several pictures by one camera, the
-///                     boxes of all of them
+/// A camera that has boxes and their shadows in the picture, seen from a direction.
+/// \param boxes        at least one; for several pictures by one camera, the boxes of all of them
 /// \param direction_w  [-] from the boxes to the eye, any length but 0, not vertical
 /// \param width        [px] above 0
 /// \param height       [px] above 0
@@ -64,24 +63,23 @@ Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, do
 
 /// Draws boxes.
 ///
-/// Faces that look away are left out, the others are drawn box by box in painter's order. Where
-/// boxes cover one another in a ring, what they have in common is drawn again, so that no pixel is
-/// wrong for disjoint boxes. The floor fades into the white of the page; shadows fall on it and
-/// on faces.
-/// \param boxes   in front of the eye; slight overlap is drawn as separation() sees it
-/// \param camera  from where
+/// Back faces are omitted, the others are drawn box by box in painter's order. Where boxes overlap
+/// cyclically, their common region is drawn again, so that no pixel is wrong for disjoint boxes. The
+/// floor fades into the white of the page; shadows fall on it and on faces.
+/// \param boxes   in front of the eye; the order of slightly overlapping boxes is that of separation()
+/// \param camera  the camera
 /// \param floor   whether the floor y = 0 is drawn
-/// \param around  around what the floor is seen, for several pictures by one camera; none: `boxes`
+/// \param around  the floor is drawn around these, for several pictures by one camera; none: `boxes`
 /// \return the areas, all inside the picture
-/// \throws std::invalid_argument for a camera that Projection refuses, or a box that reaches
-///         behind the eye or contains it, by its number
+/// \throws std::invalid_argument for a camera that Projection rejects, or a box that reaches
+///         behind the eye or contains it, by its index
 /// \par Cost
 /// n² pairs of boxes: about 50 ms for 125 boxes, 0.2 s for 400.
 Picture draw_boxes(std::span<const PictureBox> boxes, const Camera& camera, bool floor = true,
                    std::span<const PictureBox> around = {});
 
-/// Writes a picture as commands of gnuplot, to be read after a terminal has been set; objects of
-/// an earlier picture are taken away, so that several pictures can stand on one page (multiplot).
+/// Writes a picture as gnuplot commands, to be read after a terminal has been set; objects of an
+/// earlier picture are removed, so that several pictures can be on one page (multiplot).
 /// \param picture the areas
 /// \return the commands
 std::string to_gnuplot(const Picture& picture);

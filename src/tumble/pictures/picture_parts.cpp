@@ -18,9 +18,9 @@ constexpr std::uint32_t kPageColour = 0xffffff;
 constexpr std::uint32_t kFloorColour = 0xe4e1da;
 constexpr std::uint32_t kShadowColour = 0x14141f;
 constexpr std::uint32_t kPipColour = 0xfffffa;
-constexpr double kOutlineShare = 0.62;  // how much of the shadow's colour is in an outline
-constexpr double kFloorBegins = 0.9;    // where the floor begins to fade, over the radius of what
-constexpr double kFloorEnds = 2.3;      //   is on it, and where it has become the page
+constexpr double kOutlineShare = 0.62;  // share of the shadow's colour in an outline
+constexpr double kFloorBegins = 0.9;    // start of the floor's fading, over the radius of the boxes
+constexpr double kFloorEnds = 2.3;      //   on it, and its end, where it is white
 constexpr int kFloorSteps = 20;         // shades in between: one or two levels of colour each
 constexpr int kCircleCorners = 72;      // of a large circle
 constexpr int kPipCorners = 16;         // of a small one
@@ -43,7 +43,7 @@ Polygon circle(const Vec2& middle, const Vec2& radii, int corners) {
   return out;
 }
 
-// An area for one point of the lamp; all of them together make a whole shadow.
+// An area for one point of the lamp; the overlay of all of them is the shadow.
 PictureArea shadow_layer(const Lamp& lamp, const Vec3& normal_w, int box) {
   PictureArea area;
   area.colour = kShadowColour;
@@ -54,7 +54,7 @@ PictureArea shadow_layer(const Lamp& lamp, const Vec3& normal_w, int box) {
   return area;
 }
 
-// Whether a box may be between the lamp and a receiver, from the balls around them.
+// Whether a box may be between the lamp and a receiver, by their bounding spheres.
 bool shades(const Box& box, const Box& receiver, const Lamp& lamp) {
   const Vec3 way_w = box.center_w - receiver.center_w;
   const double along = way_w.dot(lamp.middle_w());
@@ -112,9 +112,8 @@ PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& came
           Lamp(view, points_of_lamp(1, 200, boxes.size()))};
 }
 
-// The floor: discs around what stands on it, the wider the closer to the white of the page. It has
-// no edge and no horizon that could draw the eye away. On it one area for each point of the lamp,
-// with the shadows of all boxes in it.
+// The floor: concentric discs, the larger the closer to the white of the page, so that it has neither an edge
+// nor a horizon. On it is one area for each point of the lamp, with the shadows of all boxes.
 std::vector<PictureArea> floor_areas(const PictureScene& scene,
                                      std::span<const PictureBox> around) {
   std::vector<PictureArea> areas;
@@ -132,7 +131,7 @@ std::vector<PictureArea> floor_areas(const PictureScene& scene,
   const Vec2 middle = 0.5 * (low + high);
   const double radius = 0.5 * (high - low).norm();
 
-  // Nothing of the floor may be behind the eye: depth(p) = depth(0) + p.(its slopes) >= nearest.
+  // All of the floor must be in front of the eye: depth(p) = depth(0) + p.(its slopes) >= nearest.
   const Projection& view = scene.view;
   const Vec2 slopes(-view.back_w().dot(floor.u_w), -view.back_w().dot(floor.v_w));
   const double depth = view.depth(floor.origin_w);
@@ -167,7 +166,7 @@ std::vector<PictureArea> face_areas(const PictureScene& scene, std::size_t numbe
     const Vec3 normal_w = box.axes_w.col(axis) * (side % 2 == 0 ? -1.0 : 1.0);
     const Plane face{box.center_w + box.half[axis] * normal_w, box.axes_w.col(next),
                      box.axes_w.col(last), normal_w};
-    if (normal_w.dot(scene.eye_w - face.origin_w) <= 0.0) continue;  // looks away
+    if (normal_w.dot(scene.eye_w - face.origin_w) <= 0.0) continue;  // back face
     const Vec2 half(box.half[next], box.half[last]);
     const Polygon rectangle{-half, Vec2(half.x(), -half.y()), half, Vec2(-half.x(), half.y())};
     PictureArea area;

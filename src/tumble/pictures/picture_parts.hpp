@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a picture is painted with: the floor, and the faces of a box with what falls on them.
+/// \brief Parts of a picture: the floor, and the faces of a box with pips and shadows.
 #pragma once
 
 #include "tumble/pictures/lighting.hpp"
@@ -10,34 +10,34 @@
 
 namespace tumble {
 
-/// A scene and who looks at it.
+/// A scene with its camera and lamps.
 struct PictureScene {
-  std::span<const PictureBox> boxes;  ///< what is seen
-  Vec3 eye_w = Vec3::Zero();          ///< [m] from where
-  Projection view;                    ///< how points become pixels
-  Lamp lamp;                          ///< what shines on them, in points for shadows on the floor
-  Lamp face_lamp;                     ///< the same, in points for shadows on faces
+  std::span<const PictureBox> boxes;  ///< all boxes
+  Vec3 eye_w = Vec3::Zero();          ///< [m] position of the camera
+  Projection view;                    ///< projection to pixels
+  Lamp lamp;                          ///< for faces and for shadows on the floor
+  Lamp face_lamp;                     ///< the same, with fewer points, for shadows on faces
 };
 
-/// A scene and its lamps. Shadows of many boxes are small and many: fewer points make each.
-/// \param boxes   what is seen
-/// \param camera  from where
+/// A scene and its lamps. The more boxes there are, the fewer points a lamp has.
+/// \param boxes   all boxes
+/// \param camera  the camera
 /// \return the scene
-/// \throws std::invalid_argument for a camera that Projection refuses
+/// \throws std::invalid_argument for a camera that Projection rejects
 [[nodiscard]] PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& camera);
 
 /// The floor y = 0 with the shadows of all boxes on it.
-/// \param scene   what stands on it or above
-/// \param around  around what it is seen
-/// \return areas from the farthest to the nearest layer; they may reach beyond the picture. None
+/// \param scene   all boxes
+/// \param around  boxes that define the extent of the floor
+/// \return areas from the farthest to the nearest layer; they may extend beyond the picture. None
 ///         if the eye is below the floor
 [[nodiscard]] std::vector<PictureArea> floor_areas(const PictureScene& scene,
                                                    std::span<const PictureBox> around);
 
-/// The faces of a box that are seen, with pips and the shadows of other boxes on them.
+/// The visible faces of a box, with pips and the shadows of other boxes.
 /// \param scene   all boxes
-/// \param number  which one, an index of `scene.boxes`
-/// \return areas in the order of painting; they may reach beyond the picture
+/// \param number  an index of `scene.boxes`
+/// \return areas in the order of painting; they may extend beyond the picture
 [[nodiscard]] std::vector<PictureArea> face_areas(const PictureScene& scene, std::size_t number);
 
 }  // namespace tumble

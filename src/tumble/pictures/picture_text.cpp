@@ -7,7 +7,7 @@
 namespace tumble {
 namespace {
 
-// A tenth of a pixel is as fine as anybody sees.
+// A tenth of a pixel is below visibility.
 std::string pair_text(double x, double y, char separator) {
   return fixed_text(x, 1).append(1, separator).append(fixed_text(y, 1));
 }
@@ -16,7 +16,7 @@ std::string share_text(double share) { return fixed_text(share, 4); }
 
 std::string whole_text(double pixels) { return fixed_text(pixels, 0); }
 
-// gnuplot's polygons have one loop: each loop after the first is reached over a bridge of no width.
+// gnuplot's polygons have one loop: further loops are joined by a bridge of no width.
 Polygon joined(const std::vector<Polygon>& loops) {
   Polygon out;
   for (const Polygon& loop : loops) {

@@ -16,8 +16,8 @@ Polygon convex_hull(Polygon points) {
   std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  // First the lower half from left to right, then the upper one back: a corner that does not turn
-  // left is none.
+  // First the lower half from left to right, then the upper one back: corners without a left turn are
+  // removed.
   Polygon hull;
   for (int half = 0; half < 2; ++half) {
     const std::size_t start = hull.size();
@@ -51,7 +51,7 @@ Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane) {
 Polygon clipped(const Polygon& polygon, const Polygon& convex, double slack) {
   Polygon out = polygon;
   for (std::size_t k = 0; k < convex.size() && !out.empty(); ++k) {
-    // Going round counter-clockwise, the outside is on the right.
+    // In counter-clockwise order the outside is on the right.
     const Vec2 edge = convex[(k + 1) % convex.size()] - convex[k];
     const Vec2 normal(edge.y(), -edge.x());
     out = clipped(out, HalfPlane{normal, normal.dot(convex[k]) + slack * edge.norm()});

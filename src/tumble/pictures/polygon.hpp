@@ -26,15 +26,15 @@ struct HalfPlane {
 
 /// The part of a polygon in a half-plane.
 /// \param polygon     convex; a line is given as two points
-/// \param half_plane  what to keep
-/// \return its corners in the same sense of rotation; none if nothing is left
+/// \param half_plane  the part to keep
+/// \return its corners in the same sense of rotation; none if the intersection is empty
 /// \see Sutherland, Hodgman, "Reentrant polygon clipping", CACM 1974.
 [[nodiscard]] Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane);
 
 /// The part of a polygon in a convex polygon.
 /// \param polygon  convex
 /// \param convex   counter-clockwise
-/// \param slack    [any] by how much its edges are moved outwards first
+/// \param slack    [any] distance by which its edges are first moved outwards
 /// \return as above
 [[nodiscard]] Polygon clipped(const Polygon& polygon, const Polygon& convex, double slack = 0.0);
 

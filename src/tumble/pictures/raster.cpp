@@ -1,5 +1,5 @@
 /// \file
-/// \brief Painting convex polygons with smooth edges.
+/// \brief Rasterisation of convex polygons, antialiased.
 #include "tumble/pictures/raster.hpp"
 
 #include "tumble/base/error.hpp"
@@ -17,7 +17,7 @@ constexpr unsigned kAllPoints = 0xf;  // one row of them
 constexpr double kOutline = 0.4;      // [px] half the width of an outline
 constexpr double kMostPixels = 1e4;
 
-// Where a level line runs through a convex polygon; empty if `right` is less than `left`.
+// Intersection of a horizontal line with a convex polygon; empty if `right` is less than `left`.
 struct Span {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
@@ -54,7 +54,7 @@ class Canvas {
     covered_.assign(static_cast<std::size_t>(width), 0);
   }
 
-  // What is inside any of the polygons gets the colour, once.
+  // Fills the union of the polygons.
   void fill(const std::vector<Polygon>& polygons, std::uint32_t colour, double opacity);
   Raster take() { return std::move(raster_); }
 
@@ -63,8 +63,8 @@ class Canvas {
   void blend(int y, std::uint32_t colour, double opacity);
 
   Raster raster_;
-  // Of the row that is being painted: which points of each pixel are covered, a bit each, and the
-  // pixels with any.
+  // For the row being painted: a bit for each covered point of a pixel, and the range of pixels with
+  // any.
   std::vector<std::uint16_t> covered_;
   int first_ = 0, last_ = -1;
 };
@@ -110,7 +110,7 @@ void Canvas::cover(const Span& span, int row) {
   last_ = std::max(last_, b / kPoints);
 }
 
-// Mixes the colour into what is there by the share of covered points, and forgets these.
+// Blends the colour into the row by the share of covered points, and clears these.
 void Canvas::blend(int y, std::uint32_t colour, double opacity) {
   const std::int32_t rgb[3] = {static_cast<std::int32_t>(colour >> 16U & 0xffU),
                                static_cast<std::int32_t>(colour >> 8U & 0xffU),

@@ -16,19 +16,19 @@ struct Raster {
   std::vector<std::uint8_t> rgb;  ///< red, green and blue of each pixel, row by row from above
 };
 
-/// Paints a picture. Edges are smooth: of each pixel 16 points are looked at.
+/// Paints a picture, antialiased with 16 points for each pixel.
 /// \param picture  the areas; a size above 0, rounded down to whole pixels
 /// \return its pixels, on white
-/// \throws std::invalid_argument for a size that is no number from 1 to 10000 pixels
-/// \verified{A pixel that an area covers by a part is mixed by that part}
+/// \throws std::invalid_argument for a size outside 1 to 10000 pixels
+/// \verified{A partly covered pixel is blended by the covered share}
 /// \par Cost
 /// The pixels that areas cover: about 10 ms for a pyramid of 55 boxes at 480 x 320.
 Raster rasterised(const Picture& picture);
 
-/// Puts pictures beside each other.
+/// Joins two pictures side by side.
 /// \param left   a picture
 /// \param right  one of the same height
-/// \return both
+/// \return the joined picture
 /// \throws std::invalid_argument if their heights differ
 Raster beside(const Raster& left, const Raster& right);
 

@@ -12,7 +12,7 @@
 namespace tumble {
 namespace {
 
-// Okabe and Ito's colours; vermilion is kept for the projectile.
+// Okabe and Ito's colours; vermilion is reserved for the projectile.
 constexpr std::array<std::uint32_t, 5> kColours = {0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7,
                                                    0x56b4e9};
 constexpr std::uint32_t kProjectile = 0xd55e00;

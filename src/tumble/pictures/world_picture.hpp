@@ -1,5 +1,5 @@
 /// \file
-/// \brief How the bodies of a world are drawn.
+/// \brief Colours and shapes of a world's bodies in pictures.
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
@@ -9,11 +9,11 @@
 
 namespace tumble {
 
-/// All boxes of a world with their colours: immovable ones grey, one that is called "projectile"
-/// vermilion, the others in turn from colours that colour-blind readers can tell apart (Okabe and
-/// Ito), muted if there are many. Those whose name begins with "die" get pips.
+/// All boxes of a world with their colours: immovable ones grey, one named "projectile" vermilion, the
+/// others in turn from colours that colour-blind readers can distinguish (Okabe and Ito), muted if there
+/// are many. Those whose name begins with "die" get pips.
 /// \param world the bodies
-/// \return one for each body but the ground, in the order of the world
+/// \return one for each body except the ground, in the order of the world
 std::vector<PictureBox> picture_boxes(const World& world);
 
 /// Whether a world has a ground.

@@ -22,7 +22,7 @@ double in_free_falls(double second_difference, double gravity) {
 
 void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
   const bool begun = frames_.begun();
-  frames_.go_on(world.time());
+  frames_.advance(world.time());
   forget_removed(world, tracks_);
   std::size_t place = 0;  // bodies and tracks are both in the order of ids
   for (int i = 0; i < world.count(); ++i) {

@@ -49,7 +49,7 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
 /// \param time  [s] within the recorded times
 /// \return the recorded frame itself at its time
 /// \throws std::invalid_argument naming the recorded times if `time` is outside
-/// \verified{Between recorded frames boxes are on the straight way and those of one frame alone are not there}
+/// \verified{Between recorded frames boxes are interpolated linearly, and boxes of one frame alone are absent}
 RecordedFrame frame_at(const RecordedRun& run, double time);
 
 /// The bodies of a frame as a world, at rest.

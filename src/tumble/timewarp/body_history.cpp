@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a body has been through, and how far it is known (Mirtich 2000).
+/// \brief The trajectory of one body, and the time until which it is known (Mirtich 2000).
 #include "tumble/timewarp/body_history.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a body has been through, and how far it is known (Mirtich 2000).
+/// \brief The trajectory of one body, and the time until which it is known (Mirtich 2000).
 #pragma once
 
 #include "tumble/dynamics/flight.hpp"
@@ -11,68 +11,68 @@
 
 namespace tumble {
 
-/// A state of a body from which its way is known until the next one.
+/// A state of a body; its trajectory from here to the next milestone is free flight.
 struct Milestone {
-  /// [s] when
+  /// [s] time of the state
   double time = 0.0;
-  BodyState state;  ///< from here on
-  /// Number of the collision that has made it; kNoCollision if the body has merely been flown here.
+  BodyState state;  ///< at that time
+  /// Number of the collision that produced it; kNoCollision if the body was only integrated to here.
   std::int64_t collision = kNoCollision;
-  /// [s] micro-steps of the flight from here, so that it is the same whenever it is looked at
+  /// [s] micro-step of the flight from here; kept so that the flight is reproducible
   double micro_step = std::numeric_limits<double>::infinity();
   static constexpr std::int64_t kNoCollision = -1;  ///< see collision
 };
 
-/// The way of one body: milestones, between them free flight, and a local time until which it holds.
+/// The trajectory of one body: milestones, free flight between them, and the body's local time.
 ///
-/// Times are counted from the start of the frame, so that those of the past are below 0.
+/// Times are counted from the start of the frame; those of earlier frames are negative.
 class BodyHistory {
  public:
-  /// Begins anew.
-  /// \param milestone  its first one
+  /// Starts a new history.
+  /// \param milestone  its first milestone
   void begin(const Milestone& milestone);
 
-  /// Goes on to a milestone, which becomes the local time.
+  /// Appends a milestone, whose time becomes the local time.
   /// \param milestone  not before the local time
   /// \param body       the body's constant part
   /// \param gravity_w  [m/s²] world frame
   void add(const Milestone& milestone, const BodyProperties& body, const Vec3& gravity_w);
 
-  /// Makes the local time an earlier one. Milestones stay.
+  /// Sets the local time back. Milestones stay.
   /// \param time  [s] not before the last milestone
   void end_at(double time) { known_until_ = time; }
 
-  /// Takes the last milestone away; the local time stays.
+  /// Removes the last milestone; the local time stays.
   void remove_last() { milestones_.pop_back(); }
 
-  /// Forgets all milestones but the last one before a time, and those after it.
+  /// Removes all milestones before a time except the last of them.
   /// \param time  [s]
   void forget_before(double time);
 
-  /// Counts times from another moment.
-  /// \param by  [s] is taken off all of them
+  /// Moves the origin of time.
+  /// \param by  [s] subtracted from all times
   void shift(double by);
 
-  /// Bounds of the way from the first milestone to the local time; made anew by measure().
+  /// Bounds of the trajectory from the first milestone to the local time; updated by measure().
   /// \return world frame
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
-  /// Makes the bounds anew.
+  /// Recomputes the bounds.
   /// \param body       the body's constant part
   /// \param gravity_w  [m/s²] world frame
   void measure(const BodyProperties& body, const Vec3& gravity_w);
 
-  /// The local time: until when the way is known.
+  /// The local time, until which the trajectory is known.
   /// \return [s]; infinite for a body that cannot move
   [[nodiscard]] double known_until() const { return known_until_; }
 
   /// All milestones.
-  /// \return in the order of their times; at least one
+  /// \return in order of time; at least one
   [[nodiscard]] std::span<const Milestone> milestones() const { return milestones_; }
 
   /// The milestone from which the body flies at a time.
   /// \param time  [s] not before the first one
-  /// \return the last one before the time, or the first one of all
+  /// \return the last one before the time, or the first one if there is none before
   [[nodiscard]] const Milestone& before(double time) const;
 
  private:

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions that are foreseen, the earliest first (thesis A.1: collisionHeap).
+/// \brief Priority queue of predicted collisions, earliest first (thesis A.1: collisionHeap).
 #include "tumble/timewarp/collision_heap.hpp"
 
 #include "tumble/base/index.hpp"

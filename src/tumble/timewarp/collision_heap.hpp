@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions that are foreseen, the earliest first (thesis A.1: collisionHeap).
+/// \brief Priority queue of predicted collisions, earliest first (thesis A.1: collisionHeap).
 #pragma once
 
 #include "tumble/geometry/broad_phase.hpp"
@@ -9,80 +9,80 @@
 
 namespace tumble {
 
-/// A collision of two bodies, if neither meets anybody else before.
+/// A collision that two bodies will have if neither collides with another body before.
 struct ForeseenCollision {
   double time = 0.0;  ///< [s] since the start of the frame
-  IndexPair pair;     ///< who
+  IndexPair pair;     ///< the two bodies
 };
 
-/// Whether two foreseen collisions are the same.
-/// \param a  the one
-/// \param b  the other
+/// Equality of predicted collisions.
+/// \param a  first
+/// \param b  second
 /// \return true if pair and time agree
 inline bool operator==(const ForeseenCollision& a, const ForeseenCollision& b) {
   return a.time == b.time && a.pair == b.pair;
 }
 
-/// The order in which foreseen collisions happen: by time, and by indices at one time.
-/// \param a  the one
-/// \param b  the other
+/// Order of predicted collisions: by time, then by the indices of the bodies.
+/// \param a  first
+/// \param b  second
 /// \return true if a comes before b
 inline bool operator<(const ForeseenCollision& a, const ForeseenCollision& b) {
   return a.time != b.time ? a.time < b.time : a.pair < b.pair;
 }
 
-/// The queue of a timewarp: gives the earliest collision, and forgets those of a body at once.
+/// The queue of a timewarp: yields the earliest collision, and drops all collisions of a body at once.
 ///
-/// A body whose way has changed makes everything wrong that was foreseen for it. Entries remember
-/// how often their bodies had been forgotten; those from before are left where they are and skipped
-/// when they come to the top.
+/// When the velocity of a body changes, every collision predicted for it becomes invalid. Each entry
+/// stores how often its bodies had been invalidated when it was inserted; outdated entries stay in the
+/// heap and are skipped when they reach the top.
 /// \par Cost and determinism
-/// O(log n) to insert and to remove the first, O(1) to forget a body. The order of insertion does not
-/// matter. No allocation once warm.
+/// O(log n) to insert or to remove the first, O(1) to invalidate a body. The result does not depend on
+/// the order of insertion. No allocation once warm.
 /// \algorithm{The queue of collisions: appendix A.1}
-/// \verified{The queue gives the earliest collision and forgets those of a body}
+/// \verified{The queue yields the earliest collision and drops those of a body}
 class CollisionHeap {
  public:
-  /// Empties it.
-  /// \param bodies  how many there are
+  /// Empties the queue.
+  /// \param bodies  number of bodies
   void reset(int bodies);
 
   /// Adds a collision.
-  /// \param collision  its bodies are below the number given to reset()
+  /// \param collision  its indices are below the number given to reset()
   void insert(const ForeseenCollision& collision);
 
-  /// Forgets all collisions of a body.
+  /// Drops all collisions of a body.
   /// \param body its index
   void forget(int body);
 
-  /// Whether nothing is foreseen any more.
+  /// Whether the queue is empty.
   /// \return true if so
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
   /// The earliest collision.
-  /// \return it; there must be one
+  /// \return it; the queue must not be empty
   [[nodiscard]] const ForeseenCollision& first() const { return heap_.front().collision; }
 
-  /// Takes the earliest collision out.
-  /// \return it; there must be one
+  /// Removes the earliest collision.
+  /// \return it; the queue must not be empty
   ForeseenCollision remove_first();
 
-  /// All that is foreseen, for whoever wants to look.
-  /// \return in their order. Allocates
+  /// All predicted collisions, for observers.
+  /// \return earliest first. Allocates
   [[nodiscard]] std::vector<ForeseenCollision> entries() const;
 
  private:
   struct Entry {
     ForeseenCollision collision;
-    std::uint32_t first_forgotten = 0;  // how often its first body had been forgotten
+    std::uint32_t first_forgotten = 0;  // invalidations of its first body before it was inserted
     std::uint32_t second_forgotten = 0;
   };
   static bool later(const Entry& a, const Entry& b) { return b.collision < a.collision; }
   [[nodiscard]] bool valid(const Entry& entry) const;
   void drop_forgotten();
 
-  std::vector<Entry> heap_;               // the first one is always valid
-  std::vector<std::uint32_t> forgotten_;  // by body: how often
+  std::vector<Entry> heap_;               // the first entry is always valid
+  std::vector<std::uint32_t> forgotten_;  // by body: number of invalidations
 };
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Pairs that collide again and again are left to the end of the frame.
+/// \brief Pairs that collide repeatedly in a frame and are deferred to its end.
 #include "tumble/timewarp/contact_stage.hpp"
 
 #include "tumble/base/error.hpp"
@@ -19,17 +19,17 @@ void ContactStage::begin() {
   entered_ = 0;
 }
 
-bool ContactStage::count(const IndexPair& pair, double parting, double gravity) {
+bool ContactStage::count(const IndexPair& pair, double separation_speed, double gravity) {
   Record& record = record_of(pair);
   ++record.events;
-  // A hop takes 2 v / g.
-  const bool at_once = 2.0 * parting <= gravity * rule_.resolution;
+  // The time between bounces is 2 v / g.
+  const bool at_once = 2.0 * separation_speed <= gravity * rule_.resolution;
   if (!at_once && record.events < rule_.pair_events) return false;
-  leave(pair);
+  defer(pair);
   return true;
 }
 
-void ContactStage::leave(const IndexPair& pair) {
+void ContactStage::defer(const IndexPair& pair) {
   Record& record = record_of(pair);
   if (record.held) return;
   record.held = true;
@@ -51,11 +51,11 @@ void ContactStage::release(int body) {
 
 void ContactStage::release_pushed(const World& world, std::span<const int> pushed,
                                   std::span<const MovingBody> before, double dt) {
-  const double hardly = world.gravity_w.norm() * dt;
+  const double gained_by_gravity = world.gravity_w.norm() * dt;
   for (const int index : pushed) {
     const auto body = static_cast<std::size_t>(index);
     const MovingBody now = moving_body_of(world.bodies()[body], world.states()[body]);
-    if (speed_change(world.bodies()[body], before[body], now) > hardly) release(index);
+    if (speed_change(world.bodies()[body], before[body], now) > gained_by_gravity) release(index);
   }
 }
 

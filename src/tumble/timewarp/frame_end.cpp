@@ -1,6 +1,6 @@
 /// \file
-/// \brief The end of a timewarp's frame: resting bodies are stopped, overlapping ones moved apart (thesis
-///        A.1: fixInterpenetration).
+/// \brief The end of a timewarp's frame: resting contacts and repair of overlap (thesis A.1:
+///        fixInterpenetration).
 #include "tumble/timewarp/frame_end.hpp"
 
 #include "tumble/base/index.hpp"
@@ -29,7 +29,7 @@ void FrameEnd::settle(World& world, double dt, double resolution, std::span<cons
   book(repair_.run(world, candidates_), report);
 }
 
-// Adds bodies that touch those that rest, directly or over others.
+// Adds the pairs in contact that are connected to the resting ones through movable bodies.
 void FrameEnd::join_touching(const World& world, double reach, StepReport& report) {
   const auto movable = [&](int body) { return world.bodies()[at(body)].movable(); };
   const auto join = [&](const IndexPair& pair) {

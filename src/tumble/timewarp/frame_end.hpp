@@ -1,6 +1,6 @@
 /// \file
-/// \brief The end of a timewarp's frame: who rests is stopped, who overlaps is moved apart (thesis
-///        A.1: fixInterpenetration).
+/// \brief The end of a timewarp's frame: resting contacts and repair of overlap (thesis A.1:
+///        fixInterpenetration).
 #pragma once
 
 #include "tumble/contact/repair.hpp"
@@ -12,25 +12,24 @@
 
 namespace tumble {
 
-/// Ends a frame.
+/// Resolves resting contacts and repairs overlap at the end of a frame.
 ///
-/// Pairs that were left to the end of the frame (see ContactStage) are resolved together, without
-/// restitution, and with them those that touch one another and hang together with them through
-/// movable bodies. The cubes of a stack fall alike, so that none of them meets another one in a frame;
-/// if the lowest alone were stopped at its end, the others would fall on it in the next. To touch is to
-/// be no farther apart than gravity brings bodies within a resolution of the search at the frame's last
-/// speed of fall, g dt times the resolution.
+/// Deferred pairs (see ContactStage) are resolved together, without restitution, with all pairs in
+/// contact that are connected to them through movable bodies. The cubes of a stack fall alike, so that
+/// none of them collides with another in a frame; if only the lowest were stopped at its end, the
+/// others would fall on it in the next. Pairs count as in contact up to a gap of g dt times the
+/// resolution: the distance that bodies approach in one resolution at the speed gained in the frame.
 ///
-/// Then all bodies that overlap are moved apart. What a pair at rest has fallen in the frame is taken back
-/// along the normal only: on a slope of angle θ it creeps by \f$\tfrac12 g\sin\theta\,\Delta t^2\f$ in each.
+/// Then all overlapping bodies are moved apart, along the normal only: on a slope of angle θ a resting
+/// body creeps by \f$\tfrac12 g\sin\theta\,\Delta t^2\f$ in each frame.
 /// \par Cost
-/// A broad phase, a separation for each near pair, and two if anybody rests. No allocation once warm.
+/// A broad phase and a separation for each near pair, twice with resting pairs. No allocation once warm.
 /// \verified{A box and a stack of five at rest stay where they are}
 class FrameEnd {
  public:
-  /// Makes the storage.
+  /// Makes it with its storage.
   FrameEnd();
-  /// Makes new storage; there is nothing to copy.
+  /// A copy has fresh storage; there is no state to copy.
   FrameEnd(const FrameEnd&) : FrameEnd() {}
   FrameEnd& operator=(const FrameEnd&) = delete;
   ~FrameEnd() = default;
@@ -39,9 +38,9 @@ class FrameEnd {
   /// \param world       bodies at its end; in and out
   /// \param dt          [s] its length
   /// \param resolution  [s] of the search for collisions
-  /// \param held        pairs that were left to it, sorted, each once
+  /// \param held        deferred pairs, sorted, each once
   /// \param report      gets counts, energy and the deepest overlap
-  /// \param records     gets the contact points of those who rest
+  /// \param records     gets the contact points of resting pairs
   void settle(World& world, double dt, double resolution, std::span<const IndexPair> held,
               StepReport& report, std::vector<ContactRecord>& records);
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions of pairs of bodies at one instant, the others left alone (thesis A.1:
+/// \brief Impacts of some pairs at one instant, independent of all other bodies (thesis A.1:
 ///        collideTwoObjects).
 #include "tumble/timewarp/instant_impacts.hpp"
 
@@ -16,7 +16,7 @@
 namespace tumble {
 namespace {
 
-// Whether what is left of approach is what gravity does in a frame, or less than repair leaves.
+// Whether the remaining approach is what gravity adds in a frame, or closes less than repair permits.
 bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
                      const InstantReport& left, double dt) {
   double size = std::numeric_limits<double>::infinity();
@@ -44,8 +44,8 @@ bool only_rounding(const World& world, const Event& event, double time) {
   return true;
 }
 
-void tell_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
-                 double dt, std::vector<ContactRecord>& records, std::vector<Event>& events) {
+void record_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
+                   double dt, std::vector<ContactRecord>& records, std::vector<Event>& events) {
   add_records(contacts, moment.time, records);
   for (const Contact& contact : contacts) {
     const std::optional<Event> event = event_of(contact, moment);
@@ -114,8 +114,8 @@ double InstantImpacts::slowest_separation(const IndexPair& pair, bool pushed_onl
     for (int p = 0; p < contact.count; ++p) {
       const ContactPoint& point = contact.points[at(p)];
       if (pushed_only && !(point.normal_impulse > 0.0)) continue;
-      const Vec3 parting_w = relative_velocity(first, second, point.position_w);
-      slowest = std::min(slowest, contact.normal_w.dot(parting_w));
+      const Vec3 velocity_w = relative_velocity(first, second, point.position_w);
+      slowest = std::min(slowest, contact.normal_w.dot(velocity_w));
     }
   }
   return slowest;

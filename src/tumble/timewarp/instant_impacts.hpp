@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions of pairs of bodies at one instant, the others left alone (thesis A.1:
+/// \brief Impacts of some pairs at one instant, independent of all other bodies (thesis A.1:
 ///        collideTwoObjects).
 #pragma once
 
@@ -14,89 +14,88 @@
 
 namespace tumble {
 
-/// How collisions of an instant are resolved.
+/// Options for impacts of one instant.
 struct InstantOptions {
-  /// [s] how much before they touch a search may have stopped: contact reaches as far as bodies
-  /// come in that time
+  /// [s] by how much a search may end before contact; sets the distance up to which contacts are
+  /// gathered
   double resolution = tolerance::event_resolution;
-  bool bounce = true;   ///< with the restitution of the bodies; else with none
+  bool bounce = true;   ///< with the restitution of the bodies; otherwise with none
   double dt = 0.0;      ///< [s] length of the frame, see InstantReport::status
-  double margin = 0.0;  ///< [m] contact reaches at least as far as this
+  double margin = 0.0;  ///< [m] contacts are gathered at least up to this distance
 };
 
-/// What collisions of an instant did.
+/// Result of the impacts of one instant.
 struct InstantReport {
-  /// How the worst of them ended. A solver that meets its cap counts as done if the approach that it
-  /// leaves brings bodies no closer in a frame than repair leaves them, or is as slow as what gravity
-  /// does in a frame.
+  /// The worst status of all. A solver that reached its cap counts as done if the remaining approach
+  /// velocity is no more than gravity adds in a frame, or closes no more in a frame than the overlap
+  /// that repair permits.
   ImpactStatus status = ImpactStatus::done;
-  double approach_left = 0.0;         ///< [m/s] the fastest
+  double approach_left = 0.0;         ///< [m/s] the largest remaining approach velocity
   std::span<const Contact> contacts;  ///< with their impulses; valid until the next call
 };
 
-/// By how much an impact changes the speed of some point of a body, at most.
+/// Upper bound on the velocity change of any point of a body in an impact.
 /// \param body    its constant part
-/// \param before  how it moved
-/// \param after   how it moves
-/// \return [m/s] the change of its centre's velocity, and that of its spin times half its diagonal
+/// \param before  its motion before the impact
+/// \param after   and after it
+/// \return [m/s] change of linear velocity plus change of angular velocity times half the diagonal
 [[nodiscard]] double speed_change(const BodyProperties& body, const MovingBody& before,
                                   const MovingBody& after);
 
-/// Whether a collision is one of rounding, as bodies that rest on each other have it in every frame.
+/// Whether an impact is negligible, as resting bodies have them in every frame.
 /// \param world  the bodies
-/// \param event  their collision
-/// \param time   [s] to look ahead, above 0
-/// \return true if its impulse moves neither by more than tolerance::rounding_overlap of its size
-///         in that time
+/// \param event  the impact
+/// \param time   [s] above 0
+/// \return true if its impulse moves each body in that time by at most tolerance::rounding_overlap
+///         times the body's size
 [[nodiscard]] bool only_rounding(const World& world, const Event& event, double time);
 
-/// What is told of an impact: all its points, and its collisions but for those of rounding.
+/// Records an impact: all its points as contacts, and as events those that are not negligible.
 /// \param world     the bodies
 /// \param contacts  with their impulses
-/// \param moment    time and rewinds of all of it
+/// \param moment    time and rewinds for all events
 /// \param dt        [s] length of the frame, see only_rounding()
 /// \param records   gets the points added
 /// \param events    gets the collisions added
-void tell_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
-                 double dt, std::vector<ContactRecord>& records, std::vector<Event>& events);
+void record_impact(const World& world, std::span<const Contact> contacts, const Event& moment,
+                   double dt, std::vector<ContactRecord>& records, std::vector<Event>& events);
 
-/// The bodies of some pairs that can be pushed.
+/// Lists the movable bodies of some pairs.
 /// \param world  the bodies
 /// \param pairs  by index
 /// \param out    is overwritten: indices, ascending, each once
 void list_movable(const World& world, std::span<const IndexPair> pairs, std::vector<int>& out);
 
-/// Resolves the collisions of some pairs at one instant.
+/// Solver for the impacts of some pairs at one instant.
 ///
-/// Only the bodies of these pairs are looked at: in a timewarp the others are at other times. Pairs
-/// that hang together through movable bodies are resolved at one stroke, so that the order of
-/// bodies does not matter; heaps with more than kMostPoints points are resolved pair by pair in
-/// kPasses passes instead.
+/// Only the bodies of these pairs are read: in a timewarp the others are at other times. Islands are
+/// solved simultaneously, so that the order of bodies does not matter; islands with more than
+/// kMostPoints points are solved sequentially in kPasses sweeps instead.
 /// \par Cost
-/// That of ImpactSolver for these pairs, however many bodies there are. No allocation once warm.
+/// That of ImpactSolver for these pairs, independent of the number of bodies. No allocation once warm.
 class InstantImpacts {
  public:
-  /// [-] Largest heap that is resolved at one stroke. Reason: its problem is dense and takes the
+  /// [-] Largest island that is solved simultaneously. Reason: its problem is dense and costs the
   /// third power of this, half a millisecond at 64.
   static constexpr int kMostPoints = 64;
-  /// [-] Passes over larger heaps. Reason: what they leave is a matter of the next frame.
+  /// [-] Sweeps over larger islands. Reason: the remaining error is left to the next frame.
   static constexpr int kPasses = 20;
 
-  /// Resolves.
+  /// Resolves the impacts.
   /// \param world    momenta of the pairs' bodies in and out; their poses are those of the instant
   /// \param pairs    by index, first < second, each once, sorted
   /// \param options  see there
-  /// \param report   gets counts and energy added
-  /// \return what happened
+  /// \param report   counts and energy are added to it
+  /// \return the result
   InstantReport resolve(World& world, std::span<const IndexPair> pairs,
                         const InstantOptions& options, StepReport& report);
 
-  /// How fast two bodies part after the last call.
-  /// \param world  as it was given
+  /// Separation velocity of two bodies after the last call of resolve().
+  /// \param world  as given to it
   /// \param pair   one of its pairs
-  /// \param time   [s] who parts by no more than rounding in this time does not part
-  /// \return [m/s] where they were pushed, at the slowest such place; if they were not, at the slowest
-  ///         of all; 0 if they do not part or do not touch
+  /// \param time   [s] separation by no more than rounding in this time counts as 0
+  /// \return [m/s] smallest over the points with an impulse, or over all points if there are none; 0
+  ///         if the bodies do not separate or do not touch
   [[nodiscard]] double separation_speed(const World& world, const IndexPair& pair,
                                         double time) const;
 

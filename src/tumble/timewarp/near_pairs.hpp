@@ -1,5 +1,5 @@
 /// \file
-/// \brief The pairs that have to be searched again once some bodies have collided.
+/// \brief Pairs to be searched again after some bodies have collided.
 #pragma once
 
 #include "tumble/base/index.hpp"
@@ -10,9 +10,9 @@
 
 namespace tumble {
 
-/// Visits each pair of one of some bodies with any other whose bounds meet its own, once.
-/// \param bodies    indices, ascending
-/// \param searched  gets an index; false: the body starts no pair
+/// Visits once each pair of a listed body and any other body whose bounds overlap.
+/// \param bodies    indices of the listed bodies, ascending
+/// \param searched  gets an index; false: no pair starts from this body
 /// \param bounds    of all bodies
 /// \param visit     gets the pair
 template <class Searched, class Visit>
@@ -22,7 +22,7 @@ void for_each_near_pair(std::span<const int> bodies, const Searched& searched,
     if (!searched(body)) continue;
     for (int other = 0; other < static_cast<int>(bounds.size()); ++other) {
       if (other == body || !overlap(bounds[at(body)], bounds[at(other)])) continue;
-      // A pair of two of these bodies is met twice.
+      // A pair of two listed bodies is found twice.
       const bool again = other < body && searched(other) &&
                          std::binary_search(bodies.begin(), bodies.end(), other);
       if (!again) visit(IndexPair{std::min(body, other), std::max(body, other)});

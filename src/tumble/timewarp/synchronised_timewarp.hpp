@@ -1,24 +1,24 @@
 /// \file
-/// \brief The parts that all forms of the synchronised timewarp have.
+/// \brief Common base of all forms of the synchronised timewarp.
 #pragma once
 
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 namespace tumble {
 
-/// A synchronised timewarp without its main loop: a frame, the queue of collisions, a watcher.
+/// A synchronised timewarp without its main loop: frame, queue of collisions, watcher.
 class SynchronisedTimewarp : public Technique {
  public:
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return frame_.contacts();
   }
 
-  /// Shows the queue, collision by collision.
+  /// Sets an observer of the queue, called after each collision.
   /// \param watcher  nullptr: none. Not owned
   void watch(TimewarpWatcher* watcher) { watcher_ = watcher; }
 
  protected:
-  /// Makes the storage.
+  /// Makes the technique.
   /// \param options see there
   /// \param method  which pairs are searched, and how
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair

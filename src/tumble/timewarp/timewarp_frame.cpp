@@ -1,5 +1,5 @@
 /// \file
-/// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+/// \brief Functions that the listings of the synchronised timewarp call (thesis 5.1, A.1).
 #include "tumble/timewarp/timewarp_frame.hpp"
 
 #include "tumble/base/error.hpp"
@@ -67,7 +67,7 @@ Flight TimewarpFrame::flight() const {
                 .rule = options_.rotation};
 }
 
-// Where a pair has to overlap to be searched: at the end of the frame, or anywhere on the way there.
+// Bounds that must overlap for a pair to be searched: of the test state, or of the trajectory to it.
 Bounds TimewarpFrame::bounds_of_body(int body) const {
   const BodyProperties& properties = world_->bodies()[at(body)];
   if (method_ == SearchMethod::discrete) return bounds_of(properties, test[at(body)]);
@@ -94,7 +94,7 @@ void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {
   if (const std::optional<double> time = first_collision(pair, dt_)) heap.insert({*time, pair});
 }
 
-// When two bodies collide before an end, each flown from its valid state.
+// The time of a pair's first collision before `end`, each body flown from its valid state.
 std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
   const double start = std::max(valid_times[at(pair.first)], valid_times[at(pair.second)]);
@@ -117,7 +117,7 @@ std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, doub
                                   : advance_to_collision(all, pair, start, end, how);
   report.pair_tests += found.evaluations;
   report.searches += found.evaluations;
-  if (found.status == CollisionStatus::cap_reached) stage_.leave(pair);
+  if (found.status == CollisionStatus::cap_reached) stage_.defer(pair);
   if (found.status != CollisionStatus::found) return std::nullopt;
   return found.time;
 }
@@ -132,7 +132,7 @@ std::span<const int> TimewarpFrame::find_near(const ForeseenCollision& collision
   const Bounds second = swept(collision.pair.second);
   near_.clear();
   for (int body = 0; body < world_->count(); ++body) {
-    // A body that is valid at a later time already has no way until then.
+    // A body that is valid at a later time has no trajectory until then.
     if (valid_times[at(body)] > collision.time) continue;
     const Bounds own = swept(body);
     if (overlap(own, first) || overlap(own, second)) near_.push_back(body);
@@ -178,13 +178,13 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
     stage_.count(pair, impacts_.separation_speed(*world_, pair, dt_), world_->gravity_w.norm());
 }
 
-// Reports the collisions of one time.
+// Reports the collisions of one instant.
 void TimewarpFrame::report_collisions(std::span<const Contact> contacts, double time, int rewinds) {
   Event moment;
   moment.time = world_->time() + time;
   moment.rewinds = rewinds;
   events_.clear();
-  tell_impact(*world_, contacts, moment, dt_, records_, events_);
+  record_impact(*world_, contacts, moment, dt_, records_, events_);
   report.events += static_cast<std::int64_t>(events_.size());
   for (const Event& event : events_)
     if (observer_ != nullptr) observer_->on_event(event);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Calls that the listings of the synchronised timewarp take for granted (thesis 5.1, A.1).
+/// \brief Functions that the listings of the synchronised timewarp call (thesis 5.1, A.1).
 #pragma once
 
 #include "tumble/base/options.hpp"
@@ -20,12 +20,12 @@ namespace tumble {
 
 /// Options of all forms of the timewarp.
 struct TimewarpOptions {
-  double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
+  double resolution = tolerance::event_resolution;  ///< [s] of the search for collisions
   int pair_events = ContactRule{}.pair_events;      ///< see ContactRule
-  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
+  RotationRule rotation = RotationRule::splitting;  ///< integration of the rotation in flight
 
-  /// [-] Separations computed in one search before it is given up. Reason: bricks that spin at
-  /// 100 rad/s take up to 2000 at a resolution of a microsecond and 30000 at 1e-14 s.
+  /// [-] Cap on separations computed in one search. Reason: bricks that spin at 100 rad/s take up to
+  /// 2000 at a resolution of a microsecond and 30000 at 1e-14 s.
   static constexpr int kMostSeparations = 50000;
 };
 
@@ -43,22 +43,22 @@ void describe(TimewarpOptions& o, Visitor& v) {
 
 /// Checks the length of a step.
 /// \param dt       [s]
-/// \param options  its resolution has to show in times up to the longest flight
-/// \param steps    [-] how many steps that takes
+/// \param options  the resolution must be above the rounding of times up to the longest flight
+/// \param steps    [-] number of steps in the longest flight
 /// \throws std::invalid_argument for a dt that is not above 0, or a resolution too small for it
 void require_step(double dt, const TimewarpOptions& options, double steps = 1.0);
 
-/// Checks the states of all bodies.
+/// Checks that all states are finite.
 /// \param world  the bodies
-/// \throws std::invalid_argument naming a body whose place or momenta are not finite
+/// \throws std::invalid_argument naming a body whose position or momenta are not finite
 void require_finite_states(const World& world);
 
 /// The state of a synchronised timewarp between two collisions, for observers.
 struct TimewarpLook {
-  const ForeseenCollision* current = nullptr;   ///< the one resolved last; nullptr: none yet
+  const ForeseenCollision* current = nullptr;   ///< the one just resolved; nullptr: none yet
   std::span<const ForeseenCollision> foreseen;  ///< the queue, the earliest first
   std::span<const BodyState> valid;             ///< by index: the valid states
-  std::span<const double> valid_times;  ///< [s] by index: of which time, from the frame's start
+  std::span<const double> valid_times;  ///< [s] by index: their times, from the frame's start
   std::span<const BodyState> test;      ///< by index: the states at the end of the frame
 };
 
@@ -71,33 +71,33 @@ class TimewarpWatcher {
   virtual void on_queue(const TimewarpLook& look) = 0;
 };
 
-/// One frame of a synchronised timewarp: two states for each body, and everything that the listings
-/// call without saying how.
+/// One frame of a synchronised timewarp: two states for each body, and all functions that the listings
+/// call without defining them.
 ///
-/// Times are counted from the start of the frame. The **valid state** of a body is in the world; it
-/// belongs to the body's **valid time**. Its **test state** is where it will be at the end of the frame
-/// if it meets no other. A collision of two bodies is searched from the later of their valid times,
-/// each flown there from its own valid state in one go (T4, T8), and the last time at which they
-/// are apart is taken (T7). Two bodies that overlap when their search begins collide at once if
-/// they go deeper.
+/// Times are counted from the start of the frame. The **valid state** of a body is in the world and
+/// belongs to the body's **valid time**. Its **test state** is its state at the end of the frame if it
+/// does not collide. The collision of two bodies is searched from the later of their valid times, each
+/// body flown there from its own valid state in one integration (T4, T8); the result is the last time
+/// at which they are apart (T7). Two bodies that overlap when their search begins collide at once if
+/// the overlap is increasing.
 ///
-/// Which pairs are searched: *discrete*, as in the thesis, those whose test states overlap; a pair
-/// that has met and parted by then, or changed places, is missed (T5). *Conservative*: those whose
-/// ways may meet, which misses nothing that overlaps for one resolution.
+/// Pairs that are searched: *discrete*, as in the thesis, those whose test states overlap; a pair that
+/// has collided and separated by then, or changed places, is missed (T5). *Conservative*, those whose
+/// swept bounds overlap; no overlap of at least one resolution is missed.
 ///
-/// Immovable bodies are valid at all times: they are not integrated and nothing that was foreseen
-/// with them is forgotten, as no impact changes them.
+/// Immovable bodies are valid at all times: they are not integrated, and collisions predicted with them
+/// are kept, as no impact changes them.
 /// \par Cost
-/// A frame: a broad phase, and a search for each near pair. A body that has collided: n comparisons
-/// of bounds and a search for each near pair.
+/// A frame: a broad phase and a search for each near pair. Each body of a collision: n comparisons of
+/// bounds and a search for each near pair.
 class TimewarpFrame {
  public:
-  /// Makes the storage.
+  /// Makes the frame.
   /// \param options  see there
   /// \param method   which pairs are searched, and how
   /// \throws std::invalid_argument for an option out of range
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
-  /// A copy with options only; nothing else is needed from frame to frame.
+  /// A copy with options only; no other state is kept from frame to frame.
   /// \param other the original
   TimewarpFrame(const TimewarpFrame& other);
   TimewarpFrame& operator=(const TimewarpFrame&) = delete;
@@ -106,7 +106,7 @@ class TimewarpFrame {
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
   /// \param dt        [s] its length
-  /// \param observer  gets the collisions; may be nullptr
+  /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
 
@@ -115,56 +115,56 @@ class TimewarpFrame {
   std::vector<double> valid_times;  ///< [s] since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether a body can move at all.
+  /// Whether a body is movable.
   /// \param body  its index
-  /// \return false: nothing is integrated or forgotten for it
+  /// \return false: it is neither integrated nor invalidated
   [[nodiscard]] bool movable(int body) const;
 
-  /// Flies a body: integrateForward.
+  /// Integrates a body in free flight: integrateForward.
   /// \param state  in and out
   /// \param body   its index
-  /// \param time   [s] for how long
+  /// \param time   [s] duration
   void integrate_forward(BodyState& state, int body, double time);
 
   /// Finds the collisions of all pairs: findAllCollisions.
-  /// \param heap  gets them
+  /// \param heap  receives them
   void find_all_collisions(CollisionHeap& heap);
 
   /// Finds the collisions of some bodies, each pair once: addCollisionsForObject.
   /// \param bodies  indices, ascending; their valid and test states must be up to date
-  /// \param heap    gets the collisions
+  /// \param heap    receives the collisions
   void add_collisions_of(std::span<const int> bodies, CollisionHeap& heap);
 
-  /// The bodies that may have met one of two by a time, the two included: findNearObjects. Those
-  /// whose bounds, swept from its valid time until then, meet those of one of the two.
+  /// The bodies that may have touched one of two by a time, the two included: findNearObjects. Their
+  /// bounds, swept from the valid time until then, overlap those of one of the two.
   /// \param collision  the two, and the time
   /// \return indices, ascending; valid until the next call
   std::span<const int> find_near(const ForeseenCollision& collision);
 
-  /// The earliest collision in a group before another one: findCollisionsForGroup. Pairs are tested
-  /// at the time of the other one, in their test states.
-  /// \param group  indices, ascending, their test states at that time
-  /// \param other  the collision that is about to be resolved; its pair is left out
-  /// \return the earliest that is before it by more than a resolution; nothing if there is none
+  /// The earliest collision in a group before another collision: findCollisionsForGroup. Pairs are
+  /// tested in their test states.
+  /// \param group  indices, ascending, with test states at the time of the other collision
+  /// \param other  the collision about to be resolved; its pair is excluded
+  /// \return the earliest, if it precedes the other by more than a resolution
   std::optional<ForeseenCollision> first_of_group(std::span<const int> group,
                                                   const ForeseenCollision& other);
 
-  /// Resolves collisions at one time: collideTwoObjects. The valid states must be of that time.
-  /// \param pairs  the bodies, sorted
+  /// Resolves simultaneous collisions: collideTwoObjects. The valid states must be of that time.
+  /// \param pairs  the colliding pairs, sorted
   /// \param time   [s] since the start of the frame
   void collide(std::span<const IndexPair> pairs, double time);
 
-  /// Resolves contacts at rest (see FrameEnd), repairs what overlaps (fixInterpenetration) and ends
-  /// the frame. The valid states must be of its end.
+  /// Resolves resting contacts (see FrameEnd), repairs overlap (fixInterpenetration) and ends the
+  /// frame. The valid states must be those at its end.
   void finish();
 
   /// The contact points of this frame, each at the time of its collision.
   /// \return valid until the next frame
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
-  /// Shows the state of affairs to a watcher.
+  /// Passes the present state to a watcher.
   /// \param watcher  nullptr: none
-  /// \param current  the collision resolved last; nullptr: none yet
+  /// \param current  the collision just resolved; nullptr: none yet
   /// \param heap     the queue
   void show(TimewarpWatcher* watcher, const ForeseenCollision* current,
             const CollisionHeap& heap) const;
@@ -189,8 +189,8 @@ class TimewarpFrame {
   std::vector<Bounds> bounds_;  // by index
   std::vector<IndexPair> candidates_;
   std::vector<int> near_;
-  std::vector<int> pushed_;         // the movable bodies of an impact, ascending
-  std::vector<MovingBody> before_;  // by index: those, before it
+  std::vector<int> pushed_;         // movable bodies of an impact, ascending
+  std::vector<MovingBody> before_;  // by index: their motion before it
   std::vector<Event> events_;       // of one impact
   std::vector<ContactRecord> records_;
 };

@@ -40,10 +40,10 @@ StepReport TimewarpFull::step(World& world, double dt) {
   begin(world, dt);
 
   // [S2.4.3:loop]
-  // Whoever is furthest behind flies on, until nobody is behind the end of the step.
+  // The body furthest behind flies on, until no body is behind the end of the step.
   for (int body = next_body(); body >= 0; body = next_body()) {
     advance(body);
-    // Nobody will be taken back beyond the smallest local time.
+    // No body will be rolled back beyond the smallest local time.
     if (++flights_since_forgetting_ >= world.count()) forget_past(known_by_all_);
   }
   // [S2.4.3:loop]
@@ -53,7 +53,7 @@ StepReport TimewarpFull::step(World& world, double dt) {
   return report_;
 }
 
-// Takes over what has been changed since the last step.
+// Adopts changes made since the last step.
 void TimewarpFull::begin(const World& world, double dt) {
   dt_ = dt;
   report_ = {};
@@ -61,8 +61,8 @@ void TimewarpFull::begin(const World& world, double dt) {
   horizon_ = options_.synchronise_every > 0 ? dt * (options_.synchronise_every - frames_)
                                             : std::numeric_limits<double>::infinity();
   const auto changed = [&](int body) { return !(world.states()[at(body)] == shown_[at(body)]); };
-  // Everything begins anew after a step that was broken off, with other bodies, and if somebody was
-  // moved who cannot move: all that was tested was tested against the old place.
+  // All histories restart after an incomplete step, with other bodies, and if an immovable body has
+  // been moved: all tests were made against its old place.
   bool anew = !whole_ || !same_bodies(world, scratch_);
   for (int body = 0; body < world.count() && !anew; ++body) anew = !movable(body) && changed(body);
   whole_ = false;
@@ -103,7 +103,7 @@ double TimewarpFull::end_of_flight(int body) const {
 }
 
 // [S2.4.3:flight]
-// A body flies on by a stride, unless it meets somebody whose way is known.
+// A body flies on by a stride, unless it collides with a known trajectory.
 void TimewarpFull::advance(int body) {
   const Meeting meeting = first_meeting(body, end_of_flight(body));
   if (meeting.other >= 0) {
@@ -119,7 +119,7 @@ void TimewarpFull::advance(int body) {
 }
 // [S2.4.3:flight]
 
-// The first collision of a body on its flight with the ways of the others, as far as both are known.
+// The first collision of a body's flight with the known trajectories of the others.
 TimewarpFull::Meeting TimewarpFull::first_meeting(int body, double target) {
   Meeting best{target, -1};
   const Bounds flight = bounds_from(histories_[at(body)].milestones().back(), target,
@@ -149,7 +149,7 @@ void TimewarpFull::meet(int body, int other, const Bounds& flight, Meeting& best
   }
 }
 
-// When two bodies collide between a start and an end, each flown from its milestone.
+// The time at which two bodies first collide in an interval, each flown from its milestone.
 std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int other,
                                                                    const Milestone& other_from,
                                                                    double start, double end) {
@@ -176,7 +176,7 @@ std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int
     ++report_.pair_tests;
     return gap_at(both, pair, time).distance;
   };
-  // Bodies that overlap and part are looked at again a frame later, as in the other forms.
+  // Overlapping bodies that separate are tested again a frame later, as in the other forms.
   double from = start;
   for (double now = gap(from); now < 0.0; now = gap(from)) {
     if (gap(from + how.resolution) < now) return Meeting{from, other};
@@ -187,7 +187,7 @@ std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int
   report_.pair_tests += found.evaluations;
   report_.searches += found.evaluations;
   if (found.status == CollisionStatus::cap_reached) {
-    // Known to be apart until here: the flight ends, and the pair is left to the end of the frame.
+    // Known to be apart until here: the flight ends, and the pair is deferred to the end of the frame.
     holds_.push_back({{std::min(body, other), std::max(body, other)}, found.time});
     return Meeting{found.time, -1};
   }
@@ -196,10 +196,9 @@ std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int
 }
 
 // [S2.4.3:collide]
-// The other body goes back to the time of the collision, with all that this undoes. Then both are at
-// that time, and collide.
+// The other body is rolled back to the time of the collision. Then both are at that time, and collide.
 void TimewarpFull::collide(int body, const Meeting& meeting) {
-  take_back(meeting.other, meeting.time, false);
+  roll_back(meeting.other, meeting.time, false);
   Resolved collision;
   collision.number = next_number_++;
   collision.time = meeting.time;
@@ -226,7 +225,7 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   Event moment;
   moment.time = scratch_.time() + meeting.time;
   moment.rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1;
-  tell_impact(scratch_, impact.contacts, moment, dt_, collision.records, collision.events);
+  record_impact(scratch_, impact.contacts, moment, dt_, collision.records, collision.events);
   for (std::size_t k = 0; k < 2; ++k) {
     const BodyProperties& properties = scratch_.bodies()[at(both[k])];
     if (!properties.movable()) continue;
@@ -240,9 +239,9 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   resolved_.push_back(std::move(collision));
 }
 
-// The rule of ContactStage, with the collisions of the last dt for those of a frame. A hold, and its
-// end, are of the collision that has made it, and are undone with it.
-void TimewarpFull::hold_or_release(const Resolved& collision, double parting) {
+// The rule of ContactStage, applied to the collisions of the last dt. The start and the end of a hold
+// belong to the collisions that caused them, and are undone with these.
+void TimewarpFull::hold_or_release(const Resolved& collision, double separation_speed) {
   const auto events_of = [&](const IndexPair& pair) {
     return std::count_if(resolved_.begin(), resolved_.end(), [&](const Resolved& r) {
       return r.pair == pair && !r.cancelled && r.time > collision.time - dt_;
@@ -260,7 +259,7 @@ void TimewarpFull::hold_or_release(const Resolved& collision, double parting) {
       hold.ended_by = collision.number;
     }
   }
-  const bool at_once = 2.0 * parting <= gravity * options_.resolution;
+  const bool at_once = 2.0 * separation_speed <= gravity * options_.resolution;
   if (at_once || events_of(collision.pair) + 1 >= options_.pair_events)
     holds_.push_back({collision.pair, collision.time, collision.number});
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Timewarp as Mirtich made it: every body has a time of its own (thesis 2.4.3).
+/// \brief Mirtich's timewarp: every body has its own local time (thesis 2.4.3).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -19,13 +19,13 @@ namespace tumble {
 
 /// Options of the full timewarp.
 struct TimewarpFullOptions : TimewarpOptions {
-  /// [-] how far a body flies at a time, in steps; 0: as far as the step, or the next
-  /// synchronisation, lets it. Above 0 a body may be ahead of the step. Reason: of cubes that meet
-  /// somebody every ten steps, pairs are tested least with 8 to 16
+  /// [-] length of a flight in steps; 0: to the end of the step or to the next synchronisation. Above
+  /// 0 a body may be ahead of the step. Reason: for cubes that collide every ten steps, 8 to 16 need
+  /// the fewest pair tests
   double stride = 8.0;
-  static constexpr double kShortestStride = 0.01;  ///< [-] shorter ones would make no progress
-  static constexpr double kLongestStride = 1e5;    ///< [-] longer ones would lose digits
-  /// Frames from one synchronisation to the next, in which nobody gets ahead; 0: never
+  static constexpr double kShortestStride = 0.01;  ///< [-] a shorter one would make no progress
+  static constexpr double kLongestStride = 1e5;    ///< [-] a longer one would lose digits
+  /// Frames between synchronisations, at which all local times agree; 0: never
   int synchronise_every = 0;
 };
 
@@ -42,40 +42,41 @@ void describe(TimewarpFullOptions& o, Visitor& v) {
           "frames from one synchronisation of all bodies to the next; 0: never");
 }
 
-/// What a full timewarp has done to the histories, in all steps so far.
+/// Rollbacks of a full timewarp, in all steps so far.
 struct TimewarpWork {
   std::int64_t cancelled = 0;        ///< collisions that were resolved and undone
-  std::int64_t taken_back = 0;       ///< bodies whose local time went back
+  std::int64_t rolled_back = 0;      ///< bodies rolled back
   std::int64_t most_milestones = 0;  ///< kept at one time, of all bodies together
 };
 
-/// Every body flies ahead on its own; who is found to have flown past a collision goes back to it.
+/// Optimistic simulation: every body flies ahead on its own and is rolled back if it has flown past a
+/// collision.
 ///
-/// Each body has a history and a **local time** until which it is known. Again and again, the body
-/// whose local time is the smallest flies on by a stride. Its flight is tested against the ways of all
-/// others, as far as they are known. If it meets somebody at a time t, that body is **taken back** to
-/// t. What it did afterwards is undone: each collision of its future is cancelled, which takes back the
-/// partner of that collision to the time of it, and so on. Then the two collide.
+/// Each body has a history and a **local time** until which it is known. Repeatedly, the body with the
+/// smallest local time flies on by a stride. Its flight is tested against the known trajectories of all
+/// others. If it collides with a body at a time t, that body is **rolled back** to t: each collision
+/// in its future is cancelled, which rolls back the partner to the time of that collision, and so on.
+/// Then the collision of the two is resolved.
 ///
-/// The smallest local time is the **global virtual time**. Nobody is ever taken back beyond it, since a
-/// flight that is tested begins there: it only grows, collisions before it are final, and milestones
-/// before it are dropped. At the end of a step it has reached the step's end; collisions of the step
-/// are told in the order of their times, and bodies are shown where they are then. Whoever is ahead
-/// stays ahead. A pair of bodies is tested once for each stretch of time that both have flown.
+/// The smallest local time is the **global virtual time**. It only grows, and no body is ever rolled
+/// back beyond it, since every tested flight begins there: earlier collisions are final, earlier
+/// milestones are dropped. A step ends when it has reached the step's end; the collisions of the step
+/// are reported in order of time, and the world gets the states at that time. Bodies ahead of it stay
+/// ahead. A pair is tested once for each interval of time that both have flown.
 ///
-/// A pair that rests is left to the end of the frame (see ContactStage, whose rule it is; it is kept
-/// here with each collision, since collisions may be cancelled). Bodies that are changed then, by
-/// repair of overlap, or between two steps by the user, begin a new history, which takes back all that
-/// has met them since. Collisions at equal times are resolved one after the other.
+/// Resting pairs are deferred to the end of the frame by the rule of ContactStage; the deferral is kept
+/// with its collision, which may be cancelled. A body that is changed then, by repair of overlap, or
+/// by the user between two steps, starts a new history, which rolls back all bodies that have collided
+/// with it since. Collisions at equal times are resolved one after the other.
 ///
-/// Bodies that do not turn evenly fly in micro-steps as long as the step in which a flight began, so
-/// that their rotation is as good as that of the other forms however long a flight is. Looking at a body between
-/// two milestones is not counted as an integration.
+/// Bodies whose angular velocity is not constant fly in micro-steps of the length of the step in which
+/// the flight began, so that long flights are as accurate as those of the other forms. Evaluating a
+/// trajectory between two milestones is not counted as an integration.
 /// \par Cost
-/// A flight: n comparisons of bounds and searches with those that are near. A collision: two flights
-/// more, and what it takes back; a pair that rests costs a look at all that rest.
+/// A flight: n comparisons of bounds and a search for each near body. A collision: two flights more,
+/// and the rollback; a resting pair costs a scan of all resting pairs.
 /// \algorithm{Mirtich's timewarp: section 2.4.3}
-/// \deviation{Bodies that stay in contact are left to the end of the frame, where the paper flies contact groups together.}
+/// \deviation{Bodies in lasting contact are deferred to the end of the frame, where the paper flies contact groups together.}
 /// \see Mirtich, "Timewarp rigid body simulation", SIGGRAPH 2000; Jefferson, "Virtual time", ACM
 ///      Trans. Program. Lang. Syst. 7, 1985.
 /// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
@@ -90,30 +91,30 @@ class TimewarpFull final : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
-  /// What has been done to the histories.
+  /// Counts of rollbacks.
   /// \return counts since it was made
   [[nodiscard]] const TimewarpWork& work() const { return work_; }
 
-  /// The history of a body, as the last step has left it.
-  /// \param body  its index in that step; there must have been one
+  /// The history of a body after the last step.
+  /// \param body  its index in that step, which must have been taken
   /// \return with times counted from the end of that step
   [[nodiscard]] const BodyHistory& history(int body) const {
     return histories_[static_cast<std::size_t>(body)];
   }
 
  private:
-  // A collision that was resolved, and may still be cancelled.
+  // A collision that was resolved and may still be cancelled.
   struct Resolved {
     std::int64_t number = 0;
     double time = 0.0;  // [s]
     IndexPair pair;
     bool cancelled = false;
     StepReport booked;                  // its energy and status
-    std::array<double, 2> pushes = {};  // [m/s] by how much the speeds of the two changed, at most
+    std::array<double, 2> pushes = {};  // [m/s] bounds on the velocity changes of the two
     std::vector<Event> events;
     std::vector<ContactRecord> records;
   };
-  // A pair that is left to the end of the frame.
+  // A pair deferred to the end of the frame.
   struct Hold {
     IndexPair pair;
     double since = 0.0;  // [s]
@@ -121,12 +122,12 @@ class TimewarpFull final : public Technique {
     double until = std::numeric_limits<double>::infinity();
     std::int64_t ended_by = Milestone::kNoCollision;
   };
-  // Who is met first on a flight, or nobody until a time.
+  // The first collision on a flight; other = -1: none until this time.
   struct Meeting {
     double time = 0.0;  // [s]
     int other = -1;
   };
-  // A body's place in the order of local times; void if its local time has changed since.
+  // A body's entry in the queue of local times; void if its local time has changed since.
   struct Turn {
     double time = 0.0;
     int body = 0;
@@ -145,19 +146,19 @@ class TimewarpFull final : public Technique {
   std::optional<Meeting> first_collision(int body, int other, const Milestone& other_from,
                                          double start, double end);
   void collide(int body, const Meeting& meeting);
-  void hold_or_release(const Resolved& collision, double parting);
+  void hold_or_release(const Resolved& collision, double separation_speed);
 
-  // timewarp_history.cpp: taking back, and the end of a step.
+  // timewarp_history.cpp: rollback, and the end of a step.
   void begin_anew(int body, double time, const BodyState& state);
   void wait_for_turn(int body);
-  void take_back(int body, double time, bool also_at_it);
+  void roll_back(int body, double time, bool also_at_it);
   void undo(std::int64_t number);
   Resolved& resolved(std::int64_t number);
   void drop_holds_of(int body);
   [[nodiscard]] bool held(const IndexPair& pair, double time) const;
   [[nodiscard]] bool waits_for_frame(int body) const;
   void show(World& world);
-  void tell_final();
+  void report_final();
   void finish(World& world);
   void settle(World& world);
   void forget_past(double time);
@@ -171,18 +172,18 @@ class TimewarpFull final : public Technique {
   InstantImpacts impacts_;
   FrameEnd end_;
 
-  World scratch_;  // bodies as they were when the histories began; states are overwritten
-  std::vector<BodyState> shown_;  // by index: as the last step has left the world
+  World scratch_;                 // bodies when the histories began; states are overwritten
+  std::vector<BodyState> shown_;  // by index: states at the end of the last step
   std::vector<BodyHistory> histories_;
   std::vector<Turn> turns_;         // a heap
-  std::vector<Resolved> resolved_;  // in the order of their numbers
+  std::vector<Resolved> resolved_;  // ascending numbers
   std::vector<Hold> holds_;
   std::int64_t next_number_ = 0;
   int flights_since_forgetting_ = 0;
-  bool whole_ = false;         // the last step came to its end, so that histories and world agree
+  bool whole_ = false;         // the last step was completed: histories and world agree
   int frames_ = 0;             // since the last synchronisation
   double dt_ = 0.0;            // [s] of this step
-  double horizon_ = 0.0;       // [s] nobody flies beyond
+  double horizon_ = 0.0;       // [s] no body flies beyond
   double known_by_all_ = 0.0;  // [s] the global virtual time
   StepReport report_;
   TimewarpWork work_;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Timewarp as Mirtich made it: taking back, and the end of a step (thesis 2.4.3).
+/// \brief Mirtich's timewarp: rollback, and the end of a step (thesis 2.4.3).
 #include "tumble/base/index.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
@@ -13,7 +13,7 @@ std::unique_ptr<Technique> TimewarpFull::clone() const {
   return std::make_unique<TimewarpFull>(*this);
 }
 
-// A brick turns by a rule that errs with the length of its steps: a long flight takes several.
+// Integrating a brick's rotation has an error that grows with the step: a long flight takes several.
 Milestone TimewarpFull::milestone(int body, double time, const BodyState& state,
                                   std::int64_t collision) const {
   const bool evenly = turns_evenly(scratch_.bodies()[at(body)], state, options_.rotation);
@@ -29,10 +29,10 @@ BodyState TimewarpFull::flown(int body, const Milestone& from, double time) cons
 
 bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].movable(); }
 
-// A body gets a new history; whoever has met it from that time on goes back to that meeting.
+// Starts a new history; bodies that have collided with this one since that time are rolled back.
 void TimewarpFull::begin_anew(int body, double time, const BodyState& state) {
   BodyHistory& history = histories_[at(body)];
-  if (!history.milestones().empty()) take_back(body, time, true);
+  if (!history.milestones().empty()) roll_back(body, time, true);
   history.begin(milestone(body, time, state, Milestone::kNoCollision));
   if (!movable(body)) history.end_at(std::numeric_limits<double>::infinity());
   history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
@@ -46,9 +46,9 @@ void TimewarpFull::wait_for_turn(int body) {
 }
 
 // [S2.4.3:take_back]
-// What a body did after a time is undone. Each collision of its future is cancelled; its partner
-// goes back to just before it, which may cancel others, and so on.
-void TimewarpFull::take_back(int body, double time, bool also_at_it) {
+// Rolls a body back. Each collision of its future is cancelled; the partner goes back to just before
+// it, which may cancel others, and so on.
+void TimewarpFull::roll_back(int body, double time, bool also_at_it) {
   if (!movable(body)) return;
   BodyHistory& history = histories_[at(body)];
   const auto undone = [&](double when) { return also_at_it ? when >= time : when > time; };
@@ -57,9 +57,9 @@ void TimewarpFull::take_back(int body, double time, bool also_at_it) {
     history.remove_last();
   }
   if (history.known_until() > time) {
-    // Ends of frames that are reached in different ways differ by rounding.
+    // Ends of frames that are computed in different ways differ by rounding.
     if (history.known_until() - time > options_.resolution) {
-      ++work_.taken_back;
+      ++work_.rolled_back;
       ++report_.rewinds;
     }
     history.end_at(time);
@@ -83,7 +83,7 @@ void TimewarpFull::undo(std::int64_t number) {
     BodyHistory& history = histories_[at(body)];
     const auto is_it = [&](const Milestone& m) { return m.collision == number; };
     const std::span<const Milestone> way = history.milestones();
-    if (std::none_of(way.begin(), way.end(), is_it)) continue;  // the one that was taken back
+    if (std::none_of(way.begin(), way.end(), is_it)) continue;  // the body that was rolled back
     std::int64_t last = Milestone::kNoCollision;
     do {
       last = history.milestones().back().collision;
@@ -93,7 +93,7 @@ void TimewarpFull::undo(std::int64_t number) {
     history.end_at(std::min(history.known_until(), collision.time));
     drop_holds_of(body);
     history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
-    ++work_.taken_back;
+    ++work_.rolled_back;
     ++report_.rewinds;
     wait_for_turn(body);
   }
@@ -111,7 +111,7 @@ TimewarpFull::Resolved& TimewarpFull::resolved(std::int64_t number) {
   return *found;
 }
 
-// Whoever was left alone because a search met its cap is searched anew if one of the two goes back.
+// A pair held because its search reached the cap is searched again if one of the two is rolled back.
 void TimewarpFull::drop_holds_of(int body) {
   const double until = histories_[at(body)].known_until();
   std::erase_if(holds_, [&](const Hold& hold) {
@@ -126,7 +126,7 @@ bool TimewarpFull::held(const IndexPair& pair, double time) const {
   });
 }
 
-// Whether a body is left to the end of the frame, which it must not pass.
+// Whether a body is in a deferred pair, so that it must not pass the end of the frame.
 bool TimewarpFull::waits_for_frame(int body) const {
   return std::any_of(holds_.begin(), holds_.end(), [&](const Hold& hold) {
     return (hold.pair.first == body || hold.pair.second == body) && std::isinf(hold.until);
@@ -135,7 +135,7 @@ bool TimewarpFull::waits_for_frame(int body) const {
 
 void TimewarpFull::finish(World& world) {
   show(world);
-  tell_final();
+  report_final();
   settle(world);
   ++frames_;
   const bool synchronised = options_.synchronise_every > 0 && frames_ >= options_.synchronise_every;
@@ -152,7 +152,7 @@ void TimewarpFull::finish(World& world) {
   count_from_here();
 }
 
-// Puts all bodies where they are at the end of the step.
+// Puts all bodies into their states at the end of the step.
 void TimewarpFull::show(World& world) {
   for (int body = 0; body < world.count(); ++body) {
     if (!movable(body)) continue;
@@ -161,8 +161,8 @@ void TimewarpFull::show(World& world) {
   shown_.assign(world.states().begin(), world.states().end());
 }
 
-// Tells the collisions before the end of the step, which nothing can cancel any more, in their order.
-void TimewarpFull::tell_final() {
+// Reports the collisions of this step in order of time; they cannot be cancelled any more.
+void TimewarpFull::report_final() {
   std::stable_sort(resolved_.begin(), resolved_.end(), [](const Resolved& a, const Resolved& b) {
     return a.time != b.time ? a.time < b.time : a.number < b.number;
   });
@@ -181,7 +181,7 @@ void TimewarpFull::tell_final() {
             [](const Resolved& a, const Resolved& b) { return a.number < b.number; });
 }
 
-// Pairs that were left to the end of the frame come to rest, and overlap is repaired.
+// Resolves deferred pairs and repairs overlap.
 void TimewarpFull::settle(World& world) {
   resting_.clear();
   for (const Hold& hold : holds_)
@@ -196,7 +196,7 @@ void TimewarpFull::settle(World& world) {
 }
 
 // [S2.4.3:forget]
-// Milestones before a time that all have passed are of no use, but for the last one.
+// Drops milestones that no rollback can reach, except the last before `time`.
 void TimewarpFull::forget_past(double time) {
   flights_since_forgetting_ = 0;
   std::int64_t kept = 0;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The synchronised timewarp that looks at neighbours too (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
+/// \brief The synchronised timewarp that also tests neighbours (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
 #include "tumble/timewarp/timewarp_safer.hpp"
 
 #include "tumble/base/index.hpp"
@@ -17,10 +17,10 @@ std::unique_ptr<Technique> TimewarpSafer::clone() const {
 
 // | symbol        | meaning                                                  | unit |
 // |---------------|----------------------------------------------------------|------|
-// | valid         | states that are known to be right, each at its own time  |      |
+// | valid         | states known to be correct, each at its own time         |      |
 // | valid_times   | those times, since the start of the frame                | s    |
-// | test          | states at the end of the frame, if it meets no other;    |      |
-// |               | near a collision for a while at its time                 |      |
+// | test          | states at the end of the frame without collisions;       |      |
+// |               | those near a collision: temporarily at its time          |      |
 StepReport TimewarpSafer::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
   const std::span<BodyState> valid = world.states();
@@ -33,7 +33,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   };
 
   // [SAFERSYNCTIMEWARP:1-4]
-  // Every body flies to the end of the frame, as if it met no other.
+  // Every body flies to the end of the frame, ignoring all others.
   for (int i = 0; i < world.count(); ++i) {
     valid_times[at(i)] = 0.0;
     test_at(i, dt);
@@ -50,8 +50,8 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     // [SAFERSYNCTIMEWARP:5-7]
 
     // [SAFERSYNCTIMEWARP:8-13]
-    // Every body that may have met one of the two by then, the two
-    // included, flies to that time. Do some of them overlap
+    // Every body that may have touched one of the two by then, the
+    // two included, flies to that time. Do some of them overlap
     // there, other than the two themselves (F6)?
     const std::span<const int> near = frame_.find_near(current);
     for (const int index : near) test_at(index, current.time);
@@ -59,14 +59,14 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     // [SAFERSYNCTIMEWARP:8-13]
 
     // [SAFERSYNCTIMEWARP:21-23]
-    // In any case (F5) they get their test states at the end of
-    // the frame back (F3, F4).
+    // In any case (F5) they get back their test states at the end
+    // of the frame (F3, F4).
     for (const int index : near) test_at(index, dt);
     // [SAFERSYNCTIMEWARP:21-23]
 
     // [SAFERSYNCTIMEWARP:14-16]
-    // An earlier collision comes first. The present one waits: it
-    // is void only if one of its bodies is changed (F5).
+    // An earlier collision comes first. The present one returns to
+    // the queue: it is invalid only if one of its bodies changes (F5).
     if (earlier) {
       collision_heap_.insert(*earlier);
       collision_heap_.insert(current);
@@ -76,9 +76,9 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     // [SAFERSYNCTIMEWARP:14-16]
 
     // [SAFERSYNCTIMEWARP:17-20]
-    // No earlier one: what else was foreseen for the two is void,
-    // and their valid states become those of the collision (F1,
-    // F2).
+    // No earlier one: all other collisions predicted for the two are
+    // invalid, and their valid states become those at the time of
+    // this collision (F1, F2).
     const std::array<int, 2> both = {current.pair.first, current.pair.second};
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
@@ -93,8 +93,8 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     // [SAFERSYNCTIMEWARP:24]
 
     // [SAFERSYNCTIMEWARP:25-29]
-    // Both fly to the end of the frame anew, and then it is looked
-    // at what they meet there.
+    // Both fly to the end of the frame again; then collisions are
+    // predicted for them.
     for (const int index : both) test_at(index, dt);
     frame_.add_collisions_of(both, collision_heap_);
     // [SAFERSYNCTIMEWARP:25-29]
@@ -102,7 +102,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   }
 
   // [SAFERSYNCTIMEWARP:30-32]
-  // No bodies meet any more: the test states are valid.
+  // The queue is empty: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
     valid[at(i)] = test[at(i)];
     valid_times[at(i)] = dt;
@@ -110,7 +110,7 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:30-32]
 
   // [SAFERSYNCTIMEWARP:33-34]
-  // What was missed has left overlap; bodies are moved apart.
+  // Missed collisions have left overlap; bodies are moved apart.
   frame_.finish();
   return frame_.report;
   // [SAFERSYNCTIMEWARP:33-34]

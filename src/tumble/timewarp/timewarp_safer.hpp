@@ -1,5 +1,5 @@
 /// \file
-/// \brief The synchronised timewarp that looks at neighbours too (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
+/// \brief The synchronised timewarp that also tests neighbours (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -8,21 +8,20 @@
 
 namespace tumble {
 
-/// As TimewarpSimple, but before two bodies collide everybody near them is put to that time, to see
-/// whether a neighbour has met another body earlier.
+/// TimewarpSimple with a check before each collision: bodies near the two are moved to that time, to
+/// find out whether one of them has collided earlier.
 ///
-/// Near is a body that may have touched one of the two on the way there (F7). If two of them overlap at that
-/// time, and met before it by more than the resolution, that collision goes into the queue and the
-/// present one goes back (F5, F6). So bodies that meet on the way to a collision and would have parted
-/// by the end of the frame are found, if a collision that is found happens beside them while they
-/// overlap. Bodies that are not near a collision, or overlap for shorter than that, are missed as before, and
-/// a collision that was resolved too early is not taken back.
+/// Near bodies are those that may have touched one of the two until then (F7). If two of them overlap
+/// at that time, and collided before it by more than the resolution, that collision goes into the
+/// queue and the present one back to it (F5, F6). So a collision whose bodies would have separated by
+/// the end of the frame is found if another collision happens near it while they overlap. Other short
+/// overlaps are missed as before, and a collision that was resolved too early is not rolled back.
 /// \par Cost
-/// That of TimewarpSimple, and for each collision two flights and a test with each other for
-/// every body that is near.
+/// That of TimewarpSimple, and for each collision two flights for every near body and a test for every
+/// pair of them.
 /// \algorithm{SAFERSYNCTIMEWARP: section 5.1 and appendix A.1}
-/// \deviation{Pairs that rest on one another are left to the end of the frame, since the listing would not come to its end.}
-/// \deviation{Immovable bodies are not stamped, and what was foreseen with them is kept.}
+/// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
+/// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{A body that flies past keeps its time and its place}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
 class TimewarpSafer final : public SynchronisedTimewarp {
@@ -36,7 +35,7 @@ class TimewarpSafer final : public SynchronisedTimewarp {
   /// Advances the world.
   /// \param world  all bodies; in and out
   /// \param dt     [s] above 0
-  /// \return what was done; `restarts` counts the collisions that went back for an earlier one
+  /// \return the report; `restarts` counts the collisions put back for an earlier one
   /// \throws std::invalid_argument for a dt that is not finite and above 0
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;

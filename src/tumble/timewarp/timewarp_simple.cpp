@@ -17,9 +17,9 @@ std::unique_ptr<Technique> TimewarpSimple::clone() const {
 
 // | symbol        | meaning                                                  | unit |
 // |---------------|----------------------------------------------------------|------|
-// | valid         | states that are known to be right, each at its own time  |      |
+// | valid         | states known to be correct, each at its own time         |      |
 // | valid_times   | those times, since the start of the frame                | s    |
-// | test          | states at the end of the frame, if it meets no other     |      |
+// | test          | states at the end of the frame without collisions        |      |
 StepReport TimewarpSimple::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
   const std::span<BodyState> valid = world.states();
@@ -27,8 +27,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   std::vector<double>& valid_times = frame_.valid_times;
 
   // [SIMPLESYNCTIMEWARP:1-4]
-  // Every body flies to the end of the frame, as if it met no other.
-  // What is known for certain is its state at the start.
+  // Every body flies to the end of the frame, ignoring all others.
+  // Valid is its state at the start.
   for (int i = 0; i < world.count(); ++i) {
     test[at(i)] = valid[at(i)];
     frame_.integrate_forward(test[at(i)], i, dt);
@@ -44,17 +44,17 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   frame_.show(watcher_, nullptr, collision_heap_);
 
   // [SIMPLESYNCTIMEWARP:6-7]
-  // The earliest of all collisions is real: nothing that is
-  // known of can come between.
+  // The earliest of all collisions is certain: no known collision
+  // can precede it.
   while (!collision_heap_.empty()) {
     const ForeseenCollision current = collision_heap_.remove_first();
     const std::array<int, 2> both = {current.pair.first, current.pair.second};
     // [SIMPLESYNCTIMEWARP:6-7]
 
     // [SIMPLESYNCTIMEWARP:8-12]
-    // Its two bodies go to that time, both of them before they
-    // collide (T1, T2). Whatever else was foreseen for them is
-    // void.
+    // Its two bodies go to that time, both of them before the
+    // collision is resolved (T1, T2). All other collisions predicted
+    // for them are invalid.
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
       collision_heap_.forget(index);
@@ -68,9 +68,9 @@ StepReport TimewarpSimple::step(World& world, double dt) {
     // [SIMPLESYNCTIMEWARP:13]
 
     // [SIMPLESYNCTIMEWARP:14-18]
-    // Both fly to the end of the frame anew. Only then is it
-    // searched for what they meet there (T3), each pair from the
-    // later of its two valid times on (T4).
+    // Both fly to the end of the frame again. Only then are
+    // collisions predicted for them (T3), each pair searched from
+    // the later of its two valid times on (T4).
     for (const int index : both) {
       test[at(index)] = valid[at(index)];
       frame_.integrate_forward(test[at(index)], index, dt - valid_times[at(index)]);
@@ -81,7 +81,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   }
 
   // [SIMPLESYNCTIMEWARP:19-21]
-  // No bodies meet any more: the test states are valid.
+  // The queue is empty: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
     valid[at(i)] = test[at(i)];
     valid_times[at(i)] = dt;
@@ -89,7 +89,7 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:19-21]
 
   // [SIMPLESYNCTIMEWARP:22-23]
-  // What was missed has left overlap; bodies are moved apart.
+  // Missed collisions have left overlap; bodies are moved apart.
   frame_.finish();
   return frame_.report;
   // [SIMPLESYNCTIMEWARP:22-23]

@@ -8,23 +8,23 @@
 
 namespace tumble {
 
-/// Collisions in the order of their times, taking back only the two bodies of each.
+/// Collisions in order of time, rolling back only the two bodies of each.
 ///
-/// At the start of a frame every body flies to the frame's end, into its test state. Pairs that
-/// overlap there are searched for the time at which they met, and wait in a queue. Of the earliest one
-/// the two bodies, and no others, are put where they were at that time; they collide, fly to the
-/// end anew, and what was foreseen for them is found afresh. So a collision costs the same however
-/// many bodies there are, where `basic` takes back all of them.
+/// At the start of a frame every body flies to the frame's end, into its test state. Pairs that overlap
+/// there are searched for the time of their collision and put into a queue. The two bodies of the
+/// earliest collision, and no others, go back to its time; the collision is resolved, both fly to the
+/// end again, and new collisions are predicted for them. So the cost of a collision does not depend on
+/// the number of bodies, whereas `basic` rolls back all of them.
 ///
-/// What it misses is the thesis's own: bodies that meet and part within a frame or change places (T5),
-/// and whatever follows from that. Collisions closer than the resolution come in the order of bodies
-/// (T9). Bodies that rest on one another are left to the end of the frame: see ContactStage.
+/// As in the thesis, bodies that collide and separate within a frame, or change places, are missed
+/// (T5), with all consequences. Collisions closer than the resolution are resolved in order of the
+/// bodies' indices (T9). Resting pairs are deferred to the end of the frame: see ContactStage.
 /// \par Cost
-/// A frame: n flights and a broad phase. A collision: 4 flights, n comparisons of bounds, and the
-/// searches of pairs that are near the two.
+/// A frame: n flights and a broad phase. A collision: 4 flights, n comparisons of bounds, and a search
+/// for each near pair.
 /// \algorithm{SIMPLESYNCTIMEWARP: section 5.1 and appendix A.1}
-/// \deviation{Pairs that rest on one another are left to the end of the frame, since the listing would not come to its end.}
-/// \deviation{Immovable bodies are not stamped, and what was foreseen with them is kept.}
+/// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
+/// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{Three boxes on a line collide at the times of the closed form}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
 class TimewarpSimple final : public SynchronisedTimewarp {

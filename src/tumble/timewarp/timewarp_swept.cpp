@@ -1,5 +1,5 @@
 /// \file
-/// \brief The synchronised timewarp with swept volumes (thesis 5.1): nothing is missed.
+/// \brief The synchronised timewarp with swept volumes, which misses no collision (thesis 5.1).
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "tumble/base/index.hpp"
@@ -17,7 +17,7 @@ std::unique_ptr<Technique> TimewarpSwept::clone() const {
 
 // [S5.1:swept]
 // As in the simple form: test states at the end of the frame, a queue, the earliest collision first,
-// its bodies taken back alone. What differs is how the queue is filled.
+// only its bodies rolled back. The queue is filled by a different search.
 StepReport TimewarpSwept::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
   const std::span<BodyState> valid = world.states();
@@ -56,7 +56,7 @@ StepReport TimewarpSwept::step(World& world, double dt) {
 }
 // [S5.1:swept]
 
-// Takes the earliest collision, and all that are foreseen within a resolution of it.
+// Takes the earliest collision, and all predicted within a resolution of it.
 void TimewarpSwept::take_moment(const World& world) {
   first_ = collision_heap_.remove_first();
   pairs_.assign(1, first_.pair);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The synchronised timewarp with swept volumes (thesis 5.1): nothing is missed.
+/// \brief The synchronised timewarp with swept volumes, which misses no collision (thesis 5.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -8,13 +8,12 @@
 
 namespace tumble {
 
-/// What becomes of collisions closer in time than the resolution.
+/// Treatment of collisions closer in time than the resolution.
 enum class TieRule : std::uint8_t {
-  /// Those that follow one within a resolution are resolved with it at one stroke: their order is not
-  /// known, so none is made up.
+  /// Those within a resolution of the earliest are resolved simultaneously: their order is not known,
+  /// so none is chosen.
   together,
-  /// One after the other by their times as found, as the thesis's forms do it: they may be in the
-  /// wrong order.
+  /// One after the other by the times found, as in the thesis's forms: possibly in the wrong order.
   one_by_one
 };
 
@@ -33,14 +32,14 @@ void describe(TimewarpSweptOptions& o, Visitor& v) {
          "collisions closer in time than the resolution: resolved together, or in the order found");
 }
 
-/// TimewarpSimple with the cure that the thesis names: whose swept volumes meet is searched, and
-/// times are found by conservative advancement, rotation included.
+/// TimewarpSimple with the remedy that the thesis names: pairs with overlapping swept volumes are
+/// searched, by conservative advancement, rotation included.
 ///
-/// Every pair that overlaps for one resolution or longer is found, wherever in the frame. So each
-/// collision is foreseen before it is its turn, none is resolved too early, and the order is that of a
-/// search over all bodies, while only those that collide are taken back.
+/// Every overlap of at least one resolution is found, anywhere in the frame. So each collision is
+/// predicted in time, none is resolved too early, and the order is that of a search over all bodies,
+/// while only colliding bodies are rolled back.
 /// \par Cost
-/// As TimewarpSimple; searches take more tests, the faster bodies spin.
+/// As TimewarpSimple; the faster bodies spin, the more tests a search takes.
 /// \algorithm{Timewarp with swept volumes: section 5.1}
 /// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
 class TimewarpSwept final : public SynchronisedTimewarp {
@@ -59,8 +58,8 @@ class TimewarpSwept final : public SynchronisedTimewarp {
 
   TimewarpSweptOptions options_;
   ForeseenCollision first_;
-  std::vector<IndexPair> pairs_;  // of one moment
-  std::vector<int> bodies_;       // ditto
+  std::vector<IndexPair> pairs_;  // of the collisions being resolved
+  std::vector<int> bodies_;       // of those pairs
 };
 
 }  // namespace tumble

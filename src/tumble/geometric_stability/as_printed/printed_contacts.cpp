@@ -1,5 +1,5 @@
 /// \file
-/// \brief Contact points as the listings of the thesis's appendix speak of them (thesis 4.4, 5.4, A.2).
+/// \brief Contact points in the terms of the appendix's listings (thesis 4.4, 5.4, A.2).
 #include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
 
 #include "tumble/base/error.hpp"

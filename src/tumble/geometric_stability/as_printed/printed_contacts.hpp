@@ -1,5 +1,5 @@
 /// \file
-/// \brief Contact points as the listings of the thesis's appendix speak of them (thesis 4.4, 5.4, A.2).
+/// \brief Contact points in the terms of the appendix's listings (thesis 4.4, 5.4, A.2).
 #pragma once
 
 #include "tumble/contact/contact.hpp"
@@ -10,10 +10,10 @@
 
 namespace tumble {
 
-/// One contact point with the names that FIXCONTACTCONSTRAINTS and SETGEOMETRICALLYSTABLE use.
+/// A contact point in the terms of FIXCONTACTCONSTRAINTS and SETGEOMETRICALLYSTABLE.
 ///
-/// The listings do not say which of two bodies is the upper one. Here it is the one with the
-/// higher centre (that of the ground is at height 0); of equals, the second.
+/// The listings do not define the upper one of two bodies. Here it is the one with the higher centre
+/// (that of the ground is at height 0); of equals, the second.
 struct PrintedContact {
   int upper = 0;                         ///< index of the upper body
   int lower = 0;                         ///< index of the lower body
@@ -22,10 +22,10 @@ struct PrintedContact {
 };
 
 /// All contact points, the lowest first; of equals, the one that comes first in the list.
-/// \param world     where the bodies are now: tells which of two is the upper one
-/// \param contacts  who touched whom when they were gathered
+/// \param world     the bodies; their present poses decide which of two is the upper one
+/// \param contacts  contacts when they were gathered
 /// \return one for each point
-/// \throws std::invalid_argument for a contact of a body that there is not
+/// \throws std::invalid_argument for a contact of an unknown body
 [[nodiscard]] std::vector<PrintedContact> sort_contact_points_ascending(
     const World& world, std::span<const Contact> contacts);
 

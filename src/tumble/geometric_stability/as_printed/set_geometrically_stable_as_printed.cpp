@@ -1,5 +1,5 @@
 /// \file
-/// \brief The listing SETGEOMETRICALLYSTABLE as it is printed (thesis 5.4, A.2).
+/// \brief The listing SETGEOMETRICALLYSTABLE as printed (thesis 5.4, A.2).
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "tumble/base/error.hpp"
@@ -15,7 +15,7 @@
 namespace tumble {
 namespace {
 
-// Erratum G8: two directions, or two places in the ground plane, are equal if they are the same.
+// Erratum G8: two directions, or two points in the ground plane, are equal only if they are identical.
 bool equivalent(const Vec3& direction_w, const Vec3& vertical_w, bool tolerant) {
   if (!tolerant) return direction_w == vertical_w;
   return direction_w.cross(vertical_w).norm() <= tolerance::vertical_normal &&
@@ -24,7 +24,7 @@ bool equivalent(const Vec3& direction_w, const Vec3& vertical_w, bool tolerant) 
 
 Vec2 project_xz_plane(const Vec3& point_w) { return {point_w.x(), point_w.z()}; }
 
-// Marks the corners of a body that lie over a place.
+// Marks the corners of a body above a point.
 void mark_projected_corners(const World& world, int body, const Vec2& place, bool tolerant,
                             PrintedStability& o) {
   const auto index = static_cast<std::size_t>(body);
@@ -51,17 +51,17 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
   const auto immovable = [&](int body) {
     return !world.bodies()[static_cast<std::size_t>(body)].movable();
   };
-  // Erratum G7: not asked is whether a body is on its way up.
+  // Erratum G7: rising bodies are not excluded.
   const auto rises = [&](int body) {
     const Vec3& momentum_w = world.states()[static_cast<std::size_t>(body)].linear_momentum_w;
     return repairs.rising && momentum_w.y() > repairs.upward_momentum;
   };
-  // Erratum G5: corners stay marked from the step before.
+  // Erratum G5: corners stay marked from the last step.
   if (repairs.fresh_corners)
     for (PrintedStability& o : bodies) o.corners = 0;
 
   // [SETGEOMETRICALLYSTABLE:1-5]
-  // At first, bodies with infinite mass are stable, and no others.
+  // At first only bodies of infinite mass are stable.
   for (int o = 0; o < world.count(); ++o) {
     if (immovable(o)) {
       of(o).stable = true;
@@ -75,10 +75,10 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
   const std::vector<PrintedContact> sorted = sort_contact_points_ascending(world, contacts);
   // [SETGEOMETRICALLYSTABLE:6]
 
-  // Erratum G3 repaired: what speaks against a body is collected first.
+  // Erratum G3 mended: vetoes are collected first.
   std::vector<bool> vetoed(bodies.size(), false);
   const auto clear = [&](int body) {
-    // Erratum G4: an immovable one too.
+    // Erratum G4: also for an immovable body.
     if (repairs.immovable && immovable(body)) return;
     of(body).stable = false;
     if (repairs.vetoes_last) vetoed[static_cast<std::size_t>(body)] = true;
@@ -101,7 +101,7 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     // [SETGEOMETRICALLYSTABLE:7]
     // [SETGEOMETRICALLYSTABLE:8-12]
-    // who is above and who below, and the normal that leaves the upper one.
+    // the upper and the lower body, and the normal out of the upper one.
     const PrintedContact& c = sorted[i];
     const int top_index = c.upper;
     const int bot_index = c.lower;
@@ -109,11 +109,11 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
     const Vec3 outward_normal = -c.lower_to_upper_w;
     // [SETGEOMETRICALLYSTABLE:8-12]
     // [SETGEOMETRICALLYSTABLE:13]
-    // On something stable, straight below it?
+    // On a stable body, straight below?
     if (equivalent(outward_normal, negative_y_axis, repairs.tolerances) && of(bot_index).stable) {
       // [SETGEOMETRICALLYSTABLE:13]
       // [SETGEOMETRICALLYSTABLE:14-15]
-      // Mark the corner that is over this point.
+      // Mark the corner above this point.
       const Vec2 projected_contact_point = project_xz_plane(c.point_w);
       mark_projected_corners(world, top_index, projected_contact_point, repairs.tolerances, o);
       // [SETGEOMETRICALLYSTABLE:14-15]
@@ -125,7 +125,7 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
       }
       // [SETGEOMETRICALLYSTABLE:16-17]
       // [SETGEOMETRICALLYSTABLE:18-20]
-      // Else it is not, unless the normal points straight up.
+      // Otherwise it is unstable, unless the normal points straight up.
     } else {
       if (!equivalent(outward_normal, positive_y_axis, repairs.tolerances)) {
         clear(top_index);

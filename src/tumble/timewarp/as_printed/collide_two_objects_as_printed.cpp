@@ -1,6 +1,6 @@
 /// \file
-/// \brief What collisions do, and how a frame ends, in the listings of the synchronised timewarp as
-///        printed (thesis A.1).
+/// \brief Impacts and the end of a frame in the listings of the synchronised timewarp, as printed
+///        (thesis A.1).
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 
@@ -10,7 +10,7 @@
 namespace tumble {
 namespace {
 
-// [-] A gap is to be reached across by all corners of a face, in spite of rounding.
+// [-] A margin beyond a gap, so that all corners of a face are reached in spite of rounding.
 constexpr double kMore = 1.0 + 1e-9;
 
 }  // namespace
@@ -34,7 +34,7 @@ void PrintedQueries::collide_valid(const PrintedMoment& moment) {
   }
   missed_.clear();
   collide_approaching(approaching_, 0.0, moment.time);
-  // As printed a pair need not touch when it is its turn (T1, T3, T4).
+  // As printed a pair need not be in contact when it is resolved (T1, T3, T4).
   const std::vector<IndexPair> apart = std::exchange(missed_, {});
   for (const IndexPair& pair : apart) {
     const double margin = kMore * std::max(gap_of(world_->states(), pair), 0.0);
@@ -42,8 +42,8 @@ void PrintedQueries::collide_valid(const PrintedMoment& moment) {
   }
 }
 
-// Collides pairs whose surfaces are no farther apart than the margin [m], or than a search may
-// leave them; the others are missed.
+// Resolves pairs whose gap is at most the margin [m], or at most as wide as a search may leave it; other
+// pairs are added to missed_.
 void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, double margin,
                                          double time) {
   if (pairs.empty()) return;
@@ -55,9 +55,9 @@ void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, doubl
   Event moment;
   moment.time = world_->time() + time;
   moment.rewinds = keep_pushed(pairs);
-  report.rewinds += margin == 0.0 ? moment.rewinds : 0;  // else they have been counted
+  report.rewinds += margin == 0.0 ? moment.rewinds : 0;  // otherwise already counted
   std::vector<Event> events;
-  tell_impact(*world_, impact.contacts, moment, dt_, records_, events);
+  record_impact(*world_, impact.contacts, moment, dt_, records_, events);
   report.events += static_cast<std::int64_t>(events.size());
   for (const Event& event : events)
     if (observer_ != nullptr) observer_->on_event(event);
@@ -76,8 +76,8 @@ void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, doubl
   }
 }
 
-// Two bodies that part get the impulse of a collision all the same, at the centre of their contact:
-// they approach afterwards. Not if they approach, or no contact is found.
+// Applies the impulse of a collision to two separating bodies, at the centre of their contact, so that
+// they approach afterwards. False if they approach, or have no contact.
 bool PrintedQueries::bounce_separating(const IndexPair& pair, double time) {
   ContactList contacts;
   double margin = search_margin(*world_, moving_, {&pair, 1}, options_.resolution);
@@ -116,7 +116,7 @@ bool PrintedQueries::bounce_separating(const IndexPair& pair, double time) {
   return true;
 }
 
-// Keeps the bodies of some pairs that can be pushed; how many there are.
+// Stores the movable bodies of some pairs; returns their number.
 int PrintedQueries::keep_pushed(std::span<const IndexPair> pairs) {
   list_movable(*world_, pairs, pushed_);
   return static_cast<int>(pushed_.size());

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Which collisions the listings of the synchronised timewarp find, as printed (thesis A.1).
+/// \brief The search for collisions in the listings of the synchronised timewarp, as printed (thesis A.1).
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 
 #include "tumble/timewarp/near_pairs.hpp"
@@ -43,8 +43,8 @@ void PrintedQueries::begin(World& world, double dt, Observer* observer) {
 
 bool PrintedQueries::stamped(int body) const { return movable(body) || !mended_.movable_only; }
 
-// Erratum T8: one step of semi-implicit Euler, however long; after two steps a body is elsewhere
-// than after one of both lengths.
+// Erratum T8: one step of semi-implicit Euler of any length; two steps do not lead to the same state
+// as one step of their total length.
 void PrintedQueries::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
   const BodyProperties& properties = world_->bodies()[at(body)];
@@ -55,13 +55,13 @@ void PrintedQueries::integrate_forward(BodyState& state, int body, double time) 
   ++report.integrations;
 }
 
-// The flight in which integrate_forward() puts bodies: x + t (v + t g) is the parabola of twice the
-// gravity (T8).
+// The gravity of the flight that integrate_forward() computes: x + t (v + t g) is a parabola for twice
+// the gravity (T8).
 Vec3 PrintedQueries::gravity_of_flight() const {
   return mended_.exact_flight ? world_->gravity_w : Vec3(2.0 * world_->gravity_w);
 }
 
-// Erratum T4: the listings hand no valid times to a search.
+// Erratum T4: the listings pass no valid times to a search.
 Flight PrintedQueries::flight() const {
   return Flight{.bodies = world_->bodies(),
                 .states = world_->states(),
@@ -70,7 +70,7 @@ Flight PrintedQueries::flight() const {
                 .rule = options_.rotation};
 }
 
-// Erratum T5: where the body is at the end. Mended: its way there.
+// Erratum T5: bounds of the test state. Mended: of the flight to it.
 Bounds PrintedQueries::bounds_of_body(int body) const {
   const BodyProperties& properties = world_->bodies()[at(body)];
   if (!mended_.ways) return bounds_of(properties, test[at(body)]);
@@ -90,7 +90,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
   const ForeseenCollision first = heap.remove_first();
   out.time = first.time;
   out.pairs.assign(1, first.pair);
-  // Erratum T9 mended: and what cannot be distinguished from it in time.
+  // Erratum T9 mended: with all that cannot be distinguished from it in time.
   const double last = first.time + options_.resolution;
   while (mended_.together && !heap.empty() && heap.first().time <= last)
     out.pairs.push_back(heap.remove_first().pair);
@@ -122,10 +122,9 @@ double PrintedQueries::gap_of(std::span<const BodyState> states, const IndexPair
       .distance;
 }
 
-// When two bodies collide before an end. They do if their test states overlap; the time is searched
-// between the start, which is the later of their valid times, and the end, with both flown from
-// their valid states. So test states that do not belong to the valid ones (T3) are a collision at
-// the end.
+// The time of a pair's first collision before `end`: it collides if the test states overlap. The time is
+// searched between the later of the valid times and the end, both bodies flown from their valid
+// states. So test states that do not follow from the valid ones (T3) are a collision at the end.
 std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
   const double start = std::max(all.valid_times[at(pair.first)], all.valid_times[at(pair.second)]);
@@ -134,7 +133,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
     return gap_at(all, pair, time).distance;
   };
   if (!mended_.ways && gap_of(test, pair) >= 0.0) return std::nullopt;
-  // Erratum T7: a pair that overlaps to begin with collides now, and now again.
+  // Erratum T7: a pair that overlaps at the start of its search collides now, again and again.
   if (!(start < end)) {
     const bool now = !mended_.apart && (!mended_.ways || gap(end) < 0.0);
     return now ? std::optional(end) : std::nullopt;
@@ -151,7 +150,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
                                            : bisect_collision(all, pair, {start, end}, how);
   report.pair_tests += found.evaluations;
   report.searches += found.evaluations;
-  if (found.status == CollisionStatus::cap_reached && mended_.contact_stage) stage_.leave(pair);
+  if (found.status == CollisionStatus::cap_reached && mended_.contact_stage) stage_.defer(pair);
   if (found.status != CollisionStatus::found) return std::nullopt;
   return mended_.apart ? found.time : found.overlap_time;
 }
@@ -159,7 +158,7 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
 void PrintedQueries::find_near_objects(const PrintedMoment& moment, std::vector<int>& out) const {
   const auto bounds = [&](int body) {
     const BodyProperties& properties = world_->bodies()[at(body)];
-    // Erratum F7: where it is in its test state. Mended: its way from its valid time on.
+    // Erratum F7: bounds of the test state. Mended: of the flight from the valid time on.
     if (!mended_.swept) return bounds_of(properties, test[at(body)]);
     return bounds_of_flight(properties, world_->states()[at(body)], gravity_of_flight(),
                             moment.time - valid_times[at(body)], 0.5 * properties.size.norm());
@@ -167,7 +166,7 @@ void PrintedQueries::find_near_objects(const PrintedMoment& moment, std::vector<
   out.clear();
   for (int body = 0; body < world_->count(); ++body) {
     const bool itself = std::binary_search(moment.indices.begin(), moment.indices.end(), body);
-    // A body that is valid at a later time already has no way until then.
+    // A body that is valid at a later time has no trajectory until then.
     if (!itself && mended_.swept && valid_times[at(body)] > moment.time) continue;
     const Bounds own = bounds(body);
     const bool near = std::any_of(moment.indices.begin(), moment.indices.end(),

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the listings of the synchronised timewarp call, as printed (thesis A.1).
+/// \brief Functions that the listings of the synchronised timewarp call, as printed (thesis A.1).
 #pragma once
 
 #include "tumble/base/index.hpp"
@@ -23,17 +23,17 @@ enum class TimewarpListing : std::uint8_t {
 
 /// Options of the timewarp as printed.
 struct TimewarpAsPrintedOptions {
-  TimewarpListing listing = TimewarpListing::simple;  ///< which one
-  TimewarpErrata repaired;                            ///< which errata are mended
-  double resolution = tolerance::event_resolution;    ///< [s] how exactly times are searched for
-  int cap = 1000;  ///< [-] passes of the main loop in a frame until it is given up, at least 1
+  TimewarpListing listing = TimewarpListing::simple;  ///< the listing
+  TimewarpErrata repaired;                            ///< errata that are mended
+  double resolution = tolerance::event_resolution;    ///< [s] of the search for collisions
+  int cap = 1000;  ///< [-] cap on passes of the main loop in a frame, at least 1
   int pair_events = ContactRule{}.pair_events;  ///< see ContactRule; used where T6 is mended
-  /// Whether collideTwoObjects bounces bodies that part, too. The listings do not say.
+  /// Whether collideTwoObjects bounces separating bodies, too. The listings do not define it.
   bool collide_separating = false;
-  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
+  RotationRule rotation = RotationRule::splitting;  ///< integration of the rotation in flight
 };
 
-/// Names the options that the reading as meant does not have to a visitor, see options.hpp.
+/// Names the options that the reading as meant lacks to a visitor, see options.hpp.
 /// \param o  the options
 /// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
@@ -44,46 +44,46 @@ void describe(TimewarpAsPrintedOptions& o, Visitor& v) {
          "reading=as_printed: how collideTwoObjects treats two bodies that separate");
 }
 
-/// Whose momenta collideTwoObjects changes: the two lists of the listings.
+/// The two lists of the listings: the one whose momenta collideTwoObjects changes.
 enum class CollidedObjects : std::uint8_t {
   valid,  ///< validObjects
   test    ///< testObjects
 };
 
-/// The collision that the main loop is at: curCollision. One pair; if T9 is mended, all pairs that
+/// The present collision of the main loop, curCollision: one pair, or with T9 mended all pairs that
 /// collide within a resolution.
 struct PrintedMoment {
   double time = 0.0;             ///< [s] since the start of the frame
-  std::vector<IndexPair> pairs;  ///< who, sorted
+  std::vector<IndexPair> pairs;  ///< sorted
   std::vector<int> indices;      ///< objectIndices: the bodies of the pairs, ascending
 };
 
-/// The functions that the listings of appendix A.1 call without saying how, each in the way that
-/// the print suggests, or with some of the errata mended.
+/// The functions that the listings of appendix A.1 call without defining them, each as the print
+/// suggests, or with some of the errata mended.
 ///
 /// | errata | as printed                            | mended                                     |
 /// |--------|---------------------------------------|--------------------------------------------|
 /// | T4     | states count as of the frame's start  | as of their valid times                    |
-/// | T5     | overlapping test states are searched  | whose ways may meet                        |
-/// | T6     | a pair may collide for ever           | ContactStage                               |
-/// | T7     | the bracket's overlapping end is kept | the end that is apart                      |
+/// | T5     | overlapping test states are searched  | overlapping swept bounds are searched      |
+/// | T6     | a pair may collide endlessly          | ContactStage                               |
+/// | T7     | the overlapping end of the bracket    | the end without overlap                    |
 /// | T8     | integrateForward is an Euler step     | fly()                                      |
-/// | T9     | collisions come one by one            | those within a resolution together         |
-/// | F6     | the present pair is in its group      | is not, and what is found must be earlier  |
-/// | F7     | near is whose test state is near      | whose way is, from its valid time on       |
+/// | T9     | collisions are resolved one by one    | those within a resolution together         |
+/// | F6     | the present pair is in its group      | it is excluded; others must be earlier     |
+/// | F7     | near: bounds of the test states       | bounds swept from the valid time on        |
 ///
-/// T7 says, too, what becomes of bodies that overlap when their search begins: as printed they
-/// collide there, and mended only if they go deeper. The Euler step of T8 is the semi-implicit one.
-/// "Earlier" in F6 is by more than a resolution, and as printed any time will do.
+/// T7 also decides on bodies that overlap when their search begins: as printed they collide, mended only
+/// if the overlap increases. The Euler step of T8 is the semi-implicit one. "Earlier" in F6 means by
+/// more than a resolution; as printed, any time is accepted.
 ///
 /// The other errata are in the lines of the listings themselves: see TimewarpAsPrinted.
 class PrintedQueries {
  public:
-  /// Makes the storage.
+  /// Makes it with its storage.
   /// \param options see there
   /// \throws std::invalid_argument for an option out of range
   explicit PrintedQueries(const TimewarpAsPrintedOptions& options);
-  /// A copy with options only; nothing else is needed from frame to frame.
+  /// A copy with options only; no other state is kept from frame to frame.
   /// \param other the original
   PrintedQueries(const PrintedQueries& other);
   PrintedQueries& operator=(const PrintedQueries&) = delete;
@@ -92,7 +92,7 @@ class PrintedQueries {
   /// Starts a frame.
   /// \param world     all bodies; kept until fix_interpenetration()
   /// \param dt        [s] its length
-  /// \param observer  told about collisions; may be nullptr
+  /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
 
@@ -101,49 +101,49 @@ class PrintedQueries {
   std::vector<double> valid_times;  ///< [s] validTimes, since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether lines that stamp a body are meant for this one.
+  /// Whether the lines that stamp a body apply to this one.
   /// \param body  its index
-  /// \return T10: always; mended, if it can move
+  /// \return as printed always (T10); mended, if it is movable
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
   /// \param state  in and out
   /// \param body   its index
-  /// \param time   [s] for how long; may be negative
+  /// \param time   [s] duration; may be negative
   void integrate_forward(BodyState& state, int body, double time);
 
   /// findAllCollisions.
-  /// \param heap  is emptied, then gets them
+  /// \param heap  emptied, then receives them
   void find_all_collisions(CollisionHeap& heap);
 
   /// removeFirstCollision.
   /// \param heap  is not empty
-  /// \param out   gets the collision, and those that come with it (T9)
+  /// \param out   receives the collision, and with T9 mended those within a resolution of it
   void remove_first_collision(CollisionHeap& heap, PrintedMoment& out) const;
 
   /// addCollisionsForObject, for one body or for several, each pair once.
   /// \param bodies  indices, ascending
-  /// \param heap    gets the collisions
+  /// \param heap    receives the collisions
   void add_collisions_for(std::span<const int> bodies, CollisionHeap& heap);
 
   /// findNearObjects.
-  /// \param moment  its bodies are always among them
-  /// \param out     gets indices, ascending
+  /// \param moment  the collision; its bodies are always included
+  /// \param out     receives indices, ascending
   void find_near_objects(const PrintedMoment& moment, std::vector<int>& out) const;
 
-  /// findCollisionsForGroup, and the first one of them.
-  /// \param group   indices, ascending, their test states at the time of the moment
-  /// \param moment  what is about to be resolved
-  /// \return the earliest; nothing if there is none
+  /// findCollisionsForGroup, reduced to the earliest collision.
+  /// \param group   indices, ascending, with test states at the time of the moment
+  /// \param moment  the collision about to be resolved
+  /// \return the earliest collision, if there is one
   std::optional<ForeseenCollision> find_collisions_for_group(std::span<const int> group,
                                                              const PrintedMoment& moment);
 
-  /// collideTwoObjects, wherever the two are: bodies that do not touch are pushed across the gap.
-  /// \param objects  which list's
-  /// \param moment   who, and when
+  /// collideTwoObjects, at any distance: the impulse acts across a gap.
+  /// \param objects  the list to change
+  /// \param moment   the collision
   void collide_two_objects(CollidedObjects objects, const PrintedMoment& moment);
 
-  /// fixInterpenetration. Also ends the frame, with the pairs in the contact stage if T6 is mended.
+  /// fixInterpenetration. Also ends the frame, and resolves the pairs in the contact stage (T6 mended).
   void fix_interpenetration();
 
   /// The contact points of this frame, each at the time of its collision.
@@ -188,13 +188,13 @@ class PrintedQueries {
   double dt_ = 0.0;         // [s]
   Observer* observer_ = nullptr;
   std::vector<BodyState> start_;  // of the frame
-  std::vector<double> zeros_;     // [s] T4: the valid times that searches believe in
+  std::vector<double> zeros_;     // [s] T4: the valid times used by searches
   std::vector<Bounds> bounds_;    // by index
   std::vector<IndexPair> candidates_;
   std::vector<MovingBody> moving_;  // of the bodies of a collision, before it
   std::vector<IndexPair> approaching_;
   std::vector<IndexPair> missed_;
-  std::vector<int> pushed_;  // of the collision resolved last: who can be
+  std::vector<int> pushed_;  // movable bodies of the collision resolved last
   std::vector<ContactRecord> records_;
 };
 

@@ -32,7 +32,7 @@ StepReport TimewarpAsPrinted::step(World& world, double dt) {
   return queries_.report;
 }
 
-// Whether the main loop has met its cap; if not, another pass begins.
+// Whether the main loop has reached its cap; if not, counts another pass.
 bool TimewarpAsPrinted::given_up() {
   if (passes_ >= options_.cap) {
     queries_.report.status = std::max(queries_.report.status, StepStatus::event_cap);
@@ -42,7 +42,7 @@ bool TimewarpAsPrinted::given_up() {
   return false;
 }
 
-// Keeps what the last lines overwrite.
+// Saves the states that the last lines of the listing overwrite.
 void TimewarpAsPrinted::main_loop_ended() {
   valid_times_ = queries_.valid_times;
   test_states_ = queries_.test;

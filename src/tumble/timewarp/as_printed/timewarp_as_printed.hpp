@@ -13,37 +13,37 @@
 
 namespace tumble {
 
-/// The thesis's two listings of a synchronised timewarp, statement by statement, with every misprint of
-/// the print, or without some of them.
+/// The thesis's two listings of a synchronised timewarp, statement by statement, with all their
+/// misprints, or with some of them mended.
 ///
-/// It is there to be compared with the reading as meant: a run with all errata mended but one shows
-/// what that one does. What the listings call without saying how is in PrintedQueries, with the
-/// errata that are there; those in the lines themselves are
+/// It serves to be compared with the reading as meant: a run with all errata mended but one shows the
+/// effect of that one. Functions that the listings call without defining them are in PrintedQueries,
+/// with their errata; those in the lines themselves are
 ///
 /// | errata | as printed                                        | mended                       |
 /// |--------|---------------------------------------------------|------------------------------|
 /// | T1     | one body collides before the other one is there   | both go there first          |
-/// | T2     | two nested loops share a counter, and end at once | each has its own             |
+/// | T2     | two nested loops share a counter and end at once  | each has its own             |
 /// | T3     | a body is searched against an old test state      | both test states first       |
-/// | T10    | immovable bodies are stamped, and searched anew   | they are not                 |
-/// | F1     | test states collide, and are overwritten          | the valid states do          |
-/// | F2     | valid times stay at the frame's start             | they do not                  |
-/// | F3     | neighbours are not put back                       | they are                     |
-/// | F4     | what is put back flies to the collision           | to the end of the frame      |
-/// | F5     | an earlier collision makes the present one lost   | it waits, with its states    |
+/// | T10    | immovable bodies are stamped and searched again   | they are not                 |
+/// | F1     | test states collide and are then overwritten      | valid states collide         |
+/// | F2     | valid times stay at the frame's start             | they are updated             |
+/// | F3     | test states of neighbours are not restored        | they are                     |
+/// | F4     | restored test states are those at the collision   | at the end of the frame      |
+/// | F5     | an earlier collision discards the present one     | it and its states are kept   |
 ///
-/// T2 shows only where T1 is not mended, F3 and F4 only with neighbours near the collision, F6 only
-/// where T7 is not mended: else the present pair is apart at its time. F8 is a choice and F9 is a
-/// misprint in a caption; mending them changes nothing. T5 and T9 are choices, too: mended they make of
-/// the simple listing what TimewarpSwept is.
-/// \par How it ends
-/// `event_cap` if the main loop has met its cap: test states then become valid as they are.
-/// `not_finite` if they are not numbers: the frame is then taken back, up to its time.
+/// T2 has an effect only where T1 is not mended, F3 and F4 only with neighbours near the collision, F6
+/// only where T7 is not mended: otherwise the present pair is apart at its time. F8 is a choice and F9 a
+/// misprint in a caption; mending them changes nothing. T5 and T9 are choices, too: with them mended the
+/// simple listing is equivalent to TimewarpSwept.
+/// \par Status
+/// `event_cap` if the main loop has reached its cap: test states then become valid as they are.
+/// `not_finite` if they are not numbers: the frame is then undone, except for its time.
 /// \par Cost
-/// As TimewarpSimple and TimewarpSafer, but each body that has collided costs n bounds. Allocates.
+/// As TimewarpSimple and TimewarpSafer, but each body of a collision costs n bounds. Allocates.
 /// \algorithm{Timewarp as printed: appendix A.1}
 /// \deviation{The main loop is capped.}
-/// \verified{With all misprints mended the printed timewarps tell the story of the forms as meant to the last bit}
+/// \verified{With all misprints mended the printed timewarps give the collisions of the forms as meant to the last bit}
 /// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
 class TimewarpAsPrinted final : public Technique {
  public:
@@ -62,16 +62,15 @@ class TimewarpAsPrinted final : public Technique {
     return queries_.contacts();
   }
 
-  /// The valid times as the main loop of the last frame left them, before all are stamped.
+  /// The valid times after the main loop of the last frame, before the last lines overwrite them.
   /// \return [s] by index, from the start of the frame; valid until the next step
   [[nodiscard]] std::span<const double> valid_times() const { return valid_times_; }
 
-  /// The test states as the main loop of the last frame left them: before bodies that overlap are
-  /// moved apart.
+  /// The test states after the main loop of the last frame, before overlap is repaired.
   /// \return by index; valid until the next step
   [[nodiscard]] std::span<const BodyState> test_states() const { return test_states_; }
 
-  /// How often the main loop of the last frame was passed.
+  /// Passes of the main loop in the last frame.
   /// \return [-] from 0 to the cap
   [[nodiscard]] int passes() const { return passes_; }
 

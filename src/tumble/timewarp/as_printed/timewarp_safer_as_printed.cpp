@@ -14,7 +14,7 @@ namespace tumble {
 // | test          | testObjects: states at the end of the frame, or of line 12   |      |
 // | current       | curCollision                                                 |      |
 // | near          | nearIndices                                                  |      |
-// | both          | how many bodies `current` has: 2, or more if T9 is mended    |      |
+// | both          | number of bodies in `current`: 2, or more with T9 mended     |      |
 void TimewarpAsPrinted::safer(World& world, double dt) {
   const TimewarpErrata& repaired = options_.repaired;
   const bool test_states_first = repaired.has("T3");
@@ -44,19 +44,19 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:5]
 
   // [SAFERSYNCTIMEWARP:6]
-  // While one is foreseen,
+  // While a collision is predicted,
   while (!collision_heap_.empty()) {
     // [SAFERSYNCTIMEWARP:6]
     if (given_up()) break;
     // [SAFERSYNCTIMEWARP:7-8]
-    // take the first one, and see who is near.
+    // take the first one, and find the near bodies.
     queries_.remove_first_collision(collision_heap_, current);
     queries_.find_near_objects(current, near);
     // [SAFERSYNCTIMEWARP:7-8]
     const int both = static_cast<int>(current.indices.size());
     if (nothing_lost) scratch = test;
     // [SAFERSYNCTIMEWARP:9-12]
-    // Whoever is near flies to that time.
+    // They fly to that time.
     for (std::size_t i = 0; i < near.size(); ++i) {
       const int index = near[i];
       test[at(index)] = valid[at(index)];
@@ -64,7 +64,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
     }
     // [SAFERSYNCTIMEWARP:9-12]
     // [SAFERSYNCTIMEWARP:13-14]
-    // Has anybody met anybody there?
+    // Has one of them collided by then?
     const std::optional<ForeseenCollision> earlier =
         queries_.find_collisions_for_group(near, current);
     if (earlier) {
@@ -81,23 +81,23 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         for (const int index : near) test[at(index)] = scratch[at(index)];
       }
       // [SAFERSYNCTIMEWARP:16]
-      // If nobody has:
+      // If not:
     } else {
       // [SAFERSYNCTIMEWARP:16]
       int index = 0;
       // [SAFERSYNCTIMEWARP:17-19]
-      // the two are no neighbours, ...
+      // the two are removed from the neighbours, ...
       for (int i = 0; i < both; ++i) {
         index = current.indices[at(i)];
         near.erase(std::remove(near.begin(), near.end(), index), near.end());
         // [SAFERSYNCTIMEWARP:17-19]
         if (!queries_.stamped(index)) continue;  // erratum T10 mended
         // [SAFERSYNCTIMEWARP:20]
-        // ... and what else was foreseen for them is void.
+        // ... and all other collisions predicted for them are dropped.
         collision_heap_.forget(index);
         // [SAFERSYNCTIMEWARP:20]
-        // Erratum F1 mended: its valid state goes to the collision. F2: as is
-        // its time.
+        // Erratum F1 mended: its valid state goes to the time of the
+        // collision. F2: so does its valid time.
         if (collides_valid)
           queries_.integrate_forward(valid[at(index)], index,
                                      current.time - valid_times[at(index)]);
@@ -120,11 +120,11 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
       // Erratum F1: the collided test states are overwritten by line 27.
       const CollidedObjects whose = collides_valid ? CollidedObjects::valid : CollidedObjects::test;
       // [SAFERSYNCTIMEWARP:24]
-      // Let the two collide.
+      // Resolve the collision of the two.
       queries_.collide_two_objects(whose, current);
       // [SAFERSYNCTIMEWARP:24]
       // [SAFERSYNCTIMEWARP:25-28]
-      // Both fly to the end of the frame anew.
+      // Both fly to the end of the frame again.
       for (int i = 0; i < both; ++i) {
         const int moved = current.indices[at(i)];
         test[at(moved)] = valid[at(moved)];
@@ -133,7 +133,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
         // [SAFERSYNCTIMEWARP:29]
-        // Search for what the body meets now.
+        // Predict new collisions of the body.
         queries_.add_collisions_for({&moved, 1}, collision_heap_);
         // [SAFERSYNCTIMEWARP:29]
       }
@@ -150,7 +150,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
   }
   // [SAFERSYNCTIMEWARP:30-32]
   // [SAFERSYNCTIMEWARP:33-34]
-  // Move apart what overlaps.
+  // Move overlapping bodies apart.
   queries_.fix_interpenetration();
   return;
   // [SAFERSYNCTIMEWARP:33-34]

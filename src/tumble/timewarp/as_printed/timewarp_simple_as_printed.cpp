@@ -11,7 +11,7 @@ namespace tumble {
 // | valid_times   | validTimes: those times, since the start of the frame        | s    |
 // | test          | testObjects: states at the end of the frame                  |      |
 // | current       | curCollision                                                 |      |
-// | both          | how many bodies it has: 2, or more if T9 is mended           |      |
+// | both          | number of its bodies: 2, or more with T9 mended              |      |
 void TimewarpAsPrinted::simple(World& world, double dt) {
   const bool own_counter = options_.repaired.has("T2");
   const bool both_first = options_.repaired.has("T1");
@@ -35,7 +35,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:5]
 
   // [SIMPLESYNCTIMEWARP:6]
-  // While one is foreseen,
+  // While a collision is predicted,
   while (!collision_heap_.empty()) {
     // [SIMPLESYNCTIMEWARP:6]
     if (given_up()) break;
@@ -45,8 +45,8 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
     // [SIMPLESYNCTIMEWARP:7]
     const int both = static_cast<int>(current.indices.size());
     int i = 0;
-    // Erratum T2: the inner loop counts with the i of the outer one, which
-    // is over when the inner one is. Mended: each with its own.
+    // Erratum T2: the inner loop uses the counter i of the outer one, which
+    // ends when the inner one does. Mended: each has its own.
     int own = 0;
     int& inner = own_counter ? own : i;
     // [SIMPLESYNCTIMEWARP:8-9]
@@ -56,22 +56,22 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
       // [SIMPLESYNCTIMEWARP:8-9]
       if (queries_.stamped(index)) {  // erratum T10: immovable ones, too
         // [SIMPLESYNCTIMEWARP:10-12]
-        // forget what else was foreseen for it, and put it where it
-        // collides.
+        // drop all other collisions predicted for it, and move it to the
+        // time of the collision.
         collision_heap_.forget(index);
         queries_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
         valid_times[at(index)] = current.time;
         // [SIMPLESYNCTIMEWARP:10-12]
       }
-      // Erratum T1: what follows is done for each of the two, while the
-      // other one is not there yet. Mended: once, when both are.
+      // Erratum T1: the rest is done for each of the two, before the other
+      // one is at that time. Mended: once, when both are.
       if (both_first && i + 1 < both) continue;
       // [SIMPLESYNCTIMEWARP:13]
-      // Let the two collide.
+      // Resolve the collision of the two.
       queries_.collide_two_objects(CollidedObjects::valid, current);
       // [SIMPLESYNCTIMEWARP:13]
       // [SIMPLESYNCTIMEWARP:14-17]
-      // Both fly to the end of the frame anew.
+      // Both fly to the end of the frame again.
       for (inner = 0; inner < both; ++inner) {
         const int moved = current.indices[at(inner)];
         test[at(moved)] = valid[at(moved)];
@@ -80,7 +80,7 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
         // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
         // [SIMPLESYNCTIMEWARP:18]
-        // Search for what the body meets now.
+        // Predict new collisions of the body.
         queries_.add_collisions_for({&moved, 1}, collision_heap_);
         // [SIMPLESYNCTIMEWARP:18]
       }
@@ -97,8 +97,8 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
   }
   // [SIMPLESYNCTIMEWARP:19-21]
   // [SIMPLESYNCTIMEWARP:22-23]
-  // Move apart what overlaps; this may move what line 20 has made
-  // valid (T10).
+  // Move overlapping bodies apart; this may move the states that line 20
+  // has made valid (T10).
   queries_.fix_interpenetration();
   return;
   // [SIMPLESYNCTIMEWARP:22-23]
