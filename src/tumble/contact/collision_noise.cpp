@@ -1,6 +1,6 @@
 /// \file
 /// \brief Normals and restitution varied at random.
-#include "tumble/impulse_damped/collision_noise.hpp"
+#include "tumble/contact/collision_noise.hpp"
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
@@ -8,11 +8,9 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 namespace tumble {
 namespace {
