@@ -47,9 +47,9 @@ struct Start {
 
 // [m/s²] How fast a body begins to move from rest, its rim included; 0 in balance.
 double start_of(const World& world, const StaticEquilibrium& balance, int body) {
-  if (balance.balanced()[at(body)] != 0) return 0.0;
-  const Acceleration& a = balance.motion()[at(body)];
-  const double rim = 0.5 * world.bodies()[at(body)].size.norm() * a.angular_w.norm();
+  if (balance.balanced()[idx(body)] != 0) return 0.0;
+  const Acceleration& a = balance.motion()[idx(body)];
+  const double rim = 0.5 * world.bodies()[idx(body)].size.norm() * a.angular_w.norm();
   const double all = a.linear_w.norm() + rim;
   return all > tolerance::exact_balance * world.gravity_w.norm() ? all : 0.0;
 }
@@ -81,8 +81,8 @@ class Levels {
 
   [[nodiscard]] Line line(int body) {
     const World& world = start_.world;
-    Line line{world.name(body), stable_[at(body)] != 0, "-", ""};
-    const bool thesis = by_thesis_[at(body)] != 0;
+    Line line{world.name(body), stable_[idx(body)] != 0, "-", ""};
+    const bool thesis = by_thesis_[idx(body)] != 0;
     if (line.stable) line.by = thesis ? thesis_level() : own_level(body);
     if (line.stable && !thesis)
       line.why = own_reason(line.by);
@@ -99,7 +99,7 @@ class Levels {
   [[nodiscard]] std::string thesis_level() const { return rule_ == "corners" ? "corners" : "hull"; }
   [[nodiscard]] std::string own_level(int body) const {
     if (rule_ == "load_proof") return "load_proof";
-    return towers_.states()[at(body)] == TowerState::supported ? "tower" : "balance";
+    return towers_.states()[idx(body)] == TowerState::supported ? "tower" : "balance";
   }
   [[nodiscard]] static std::string own_reason(const std::string& level) {
     if (level == "load_proof") return "it carries any load, neighbours may help";
@@ -108,7 +108,7 @@ class Levels {
   }
   [[nodiscard]] std::string loose_reason(int body) const {
     if (start_of(start_.world, balance_, body) > 0.0) return "begins to move, see below";
-    if (balance_.balanced()[at(body)] == 0)
+    if (balance_.balanced()[idx(body)] == 0)
       return "belongs to a group in which some boxes begin to move";
     return "moves, or touches a box that moves";
   }
@@ -170,9 +170,9 @@ void print_motion(const Start& start, const Levels& levels, int width) {
   for (std::size_t k = 0; k < shown; ++k) {
     const int body = list[k].second;
     std::printf("%-*s ", width, world.name(body).c_str());
-    print_vector(balance.motion()[at(body)].linear_w);
+    print_vector(balance.motion()[idx(body)].linear_w);
     std::printf("  ");
-    print_vector(balance.motion()[at(body)].angular_w);
+    print_vector(balance.motion()[idx(body)].angular_w);
     std::printf("\n");
   }
   if (list.size() > shown) std::printf("and %zu more\n", list.size() - shown);
@@ -187,7 +187,7 @@ int stability(const Request& request, const std::string& rule) {
   Levels levels(start, rule);
   std::vector<Line> lines;
   for (int b = 0; b < start.world.count(); ++b)
-    if (start.world.bodies()[at(b)].movable()) lines.push_back(levels.line(b));
+    if (start.world.bodies()[idx(b)].movable()) lines.push_back(levels.line(b));
   print_table(lines);
   const auto stable =
       std::count_if(lines.begin(), lines.end(), [](const Line& line) { return line.stable; });

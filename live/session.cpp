@@ -152,7 +152,7 @@ const std::vector<std::string_view>& Session::number_names() {
 
 void Session::look_at_bodies(unsigned wanted) {
   const World& world = run_.world();
-  const auto n = at(world.count());
+  const auto n = idx(world.count());
   stable_.assign(n, 0);
   island_of_.assign(n, Islands::kNone);
   pivots_w_.assign(n, Vec3::Constant(kNone));
@@ -220,7 +220,7 @@ void Session::find_islands() {
     if (const auto pair = bodies_of(world, record)) pairs.push_back(*pair);
   Islands islands;
   islands.build_from_pairs(world.bodies(), pairs);
-  for (int b = 0; b < world.count(); ++b) island_of_[at(b)] = islands.island_of(b);
+  for (int b = 0; b < world.count(); ++b) island_of_[idx(b)] = islands.island_of(b);
 }
 
 void Session::find_pivots() {
@@ -231,7 +231,7 @@ void Session::find_pivots() {
   carried.find(world.bodies(), moving, pushed_pairs(world, run_.technique().contacts()));
   for (const int b : carried.bodies())
     if (const auto arm_w = carried.arm_w(b))
-      pivots_w_[at(b)] = world.states()[at(b)].position_w - *arm_w;
+      pivots_w_[idx(b)] = world.states()[idx(b)].position_w - *arm_w;
 }
 
 }  // namespace tumble::live

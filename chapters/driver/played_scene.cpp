@@ -27,7 +27,7 @@ void PlayedScene::advance(double time, const std::function<void(const StepReport
   }
 }
 
-std::size_t PlayedScene::index(std::string_view name) const { return at(world().index_of(name)); }
+std::size_t PlayedScene::index(std::string_view name) const { return idx(world().index_of(name)); }
 
 double PlayedScene::speed(std::string_view name) const { return body(name).velocity_w().x(); }
 

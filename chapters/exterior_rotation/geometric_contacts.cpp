@@ -20,7 +20,7 @@ bool touches(const ContactSet& seen, int corner) { return ((seen.touching >> cor
 }  // namespace
 
 ContactSet contact_set_of(const Joint& joint, std::span<const BodyState> states, double tolerance) {
-  const Vec3 normal_w = states[at(joint.first)].orientation_wb * joint.normal_first_b;
+  const Vec3 normal_w = states[idx(joint.first)].orientation_wb * joint.normal_first_b;
   ContactSet seen;
   for (int k = 0; k < joint.count; ++k) {
     const JointPoint corner = corner_of(joint, k, states);
@@ -71,8 +71,8 @@ void GeometricContacts::find(const World& world) {
   joints_ = find_joints(world, tolerance::glue_margin);
   reach_.clear();
   for (const Joint& joint : joints_)
-    reach_.push_back(tolerance_ * std::min(world.bodies()[at(joint.first)].size.minCoeff(),
-                                           world.bodies()[at(joint.second)].size.minCoeff()));
+    reach_.push_back(tolerance_ * std::min(world.bodies()[idx(joint.first)].size.minCoeff(),
+                                           world.bodies()[idx(joint.second)].size.minCoeff()));
   seen_ = look(world);
 }
 
@@ -131,12 +131,12 @@ void GeometricContacts::release(const World& world, bool impulses) {
     JointChange change;
     double margin = joint_margin(asked, world, moving_, forces_, change);
     while (margin < 0.0 && change.hold == JointHold::area) {
-      asked[at(change.joint)].hold = JointHold::nothing;
+      asked[idx(change.joint)].hold = JointHold::nothing;
       margin = joint_margin(asked, world, moving_, forces_, change);
     }
     if (!(margin < 0.0)) return;
-    joints_[at(change.joint)].hold = change.hold;
-    joints_[at(change.joint)].side = change.side;
+    joints_[idx(change.joint)].hold = change.hold;
+    joints_[idx(change.joint)].side = change.side;
   }
 }
 

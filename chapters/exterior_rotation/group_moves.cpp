@@ -70,7 +70,7 @@ std::vector<BodyState> moved_in_tree(const World& world, std::span<const Joint> 
     if (carried.carries(body))
       carried.move(body, dt, after);
     else
-      advance_pose(world.bodies()[at(body)], after.states()[at(body)], dt, RotationRule::frozen);
+      advance_pose(world.bodies()[idx(body)], after.states()[idx(body)], dt, RotationRule::frozen);
   }
   return {after.states().begin(), after.states().end()};
 }

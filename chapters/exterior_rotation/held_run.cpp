@@ -98,7 +98,7 @@ double relative_acceleration(const World& world, std::span<const Joint> joints) 
   for (const Joint& joint : joints) {
     const JointPoint held = held_point(joint, world.states());
     const auto of = [&](int body, const Vec3& point_w) {
-      const std::size_t k = at(body);
+      const std::size_t k = idx(body);
       return acceleration_of(world.bodies()[k], world.states()[k], rates[k], point_w);
     };
     const Vec3 apart_w = of(joint.second, held.second_w) - of(joint.first, held.first_w);
@@ -129,7 +129,7 @@ double gap_of_step(const World& world, const GluedOptions& options, double dt) {
   glued.find(moved);
   glued.step(moved, dt);
   const Joint& joint = glued.joints().back();
-  const auto centre = [&](int body) { return moved.states()[at(body)].position_w; };
+  const auto centre = [&](int body) { return moved.states()[idx(body)].position_w; };
   // The larger box's centre does not turn: its pivot stands for it.
   const bool edge = joint.hold == JointHold::edge;
   const JointPoint held = held_point(joint, moved.states());

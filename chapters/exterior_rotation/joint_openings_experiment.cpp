@@ -45,12 +45,12 @@ Look look_at(const World& world, std::span<const Joint> joints) {
   look.time = world.time();
   const HeldInstant held(world, joints);
   for (int k = 0; k < kJoints; ++k) {
-    const Joint& joint = joints[at(k + 1)];
-    look.pressed[at(k)] = joint.hold == JointHold::area
-                              ? pressed_at(joint, held.forces.on_second(k + 1), world.states())
-                              : std::nan("");
-    look.hinge[at(k)] =
-        tilt_of(world.states()[at(joint.first)]) - tilt_of(world.states()[at(joint.second)]);
+    const Joint& joint = joints[idx(k + 1)];
+    look.pressed[idx(k)] = joint.hold == JointHold::area
+                               ? pressed_at(joint, held.forces.on_second(k + 1), world.states())
+                               : std::nan("");
+    look.hinge[idx(k)] =
+        tilt_of(world.states()[idx(joint.first)]) - tilt_of(world.states()[idx(joint.second)]);
   }
   return look;
 }
@@ -123,7 +123,7 @@ Table looks_table(const DryFall& fall, double angle) {
       table.columns.push_back(
           {name + std::to_string(k) + '_' + unit, unit, meaning + std::to_string(k)});
   std::array<double, kJoints> opens_at{};  // glue would have to pull from there on
-  for (int k = 0; k < kJoints; ++k) opens_at[at(k)] = opening_angle(k + 1, angle);
+  for (int k = 0; k < kJoints; ++k) opens_at[idx(k)] = opening_angle(k + 1, angle);
   for (const Look& look : fall.looks) {
     const double phi = column_angle(look.time, angle);
     std::array<double, kJoints> glued{};
@@ -184,7 +184,7 @@ Result measure_joint_openings(const Parameters& settings) {
   result.tables.push_back(frames);
 
   const double opening = opening_angle(kTop, angle);
-  const BodyState& lowest = first.after.world.states()[at(fall.start.joints[1].first)];
+  const BodyState& lowest = first.after.world.states()[idx(fall.start.joints[1].first)];
   result.quantities = {
       {"angle of the column's centre at the first opening", "rad", first.angle},
       {"the same, closed form", "rad", opening},

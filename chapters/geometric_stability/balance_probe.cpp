@@ -29,7 +29,7 @@ namespace {
 std::vector<int> supports_of(const RestingPile& structure, int body) {
   std::vector<int> list;
   for (int c = 0; c < static_cast<int>(structure.contacts.size()); ++c) {
-    if (upper_body(structure.contacts[at(c)]) == body) list.push_back(c);
+    if (upper_body(structure.contacts[idx(c)]) == body) list.push_back(c);
   }
   return list;
 }
@@ -39,8 +39,8 @@ bool above(const RestingPile& structure, const std::vector<int>& contacts, const
   std::vector<Vec2> points;
   std::vector<Vec2> hull;
   for (const int c : contacts)
-    for (int p = 0; p < structure.contacts[at(c)].count; ++p) {
-      const Vec3& point_w = structure.contacts[at(c)].points[at(p)].position_w;
+    for (int p = 0; p < structure.contacts[idx(c)].count; ++p) {
+      const Vec3& point_w = structure.contacts[idx(c)].points[idx(p)].position_w;
       points.emplace_back(point_w.x(), point_w.z());
     }
   convex_hull(points, hull);
@@ -50,7 +50,7 @@ bool above(const RestingPile& structure, const std::vector<int>& contacts, const
 
 Vec3 middle_of(const Contact& contact) {
   Vec3 sum = Vec3::Zero();
-  for (int p = 0; p < contact.count; ++p) sum += contact.points[at(p)].position_w;
+  for (int p = 0; p < contact.count; ++p) sum += contact.points[idx(p)].position_w;
   return sum / contact.count;
 }
 
@@ -73,49 +73,49 @@ bool towers_stand(const RestingPile& structure) {
   Towers towers;
   towers.run(structure.world, structure.contacts, {});
   for (int b = 0; b < structure.world.count(); ++b)
-    if (structure.world.bodies()[at(b)].movable() &&
-        towers.states()[at(b)] != TowerState::supported)
+    if (structure.world.bodies()[idx(b)].movable() &&
+        towers.states()[idx(b)] != TowerState::supported)
       return false;
   return true;
 }
 
 bool own_centres_stand(const RestingPile& structure) {
   for (int b = 0; b < structure.world.count(); ++b)
-    if (structure.world.bodies()[at(b)].movable() &&
-        !above(structure, supports_of(structure, b), structure.world.states()[at(b)].position_w))
+    if (structure.world.bodies()[idx(b)].movable() &&
+        !above(structure, supports_of(structure, b), structure.world.states()[idx(b)].position_w))
       return false;
   return true;
 }
 
 bool middles_stand(const RestingPile& structure) {
   const World& world = structure.world;
-  std::vector<int> order(at(world.count()));
+  std::vector<int> order(idx(world.count()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return world.states()[at(a)].position_w.y() > world.states()[at(b)].position_w.y();
+    return world.states()[idx(a)].position_w.y() > world.states()[idx(b)].position_w.y();
   });
   std::vector<double> mass(order.size(), 0.0);             // with what was put on it
   std::vector<Vec3> moment_w(order.size(), Vec3::Zero());  // mass times place
   for (const int b : order) {
-    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
     if (!body.movable()) continue;
-    mass[at(b)] += body.mass;
-    moment_w[at(b)] += body.mass * world.states()[at(b)].position_w;
-    const Vec3 centre_w = moment_w[at(b)] / mass[at(b)];
+    mass[idx(b)] += body.mass;
+    moment_w[idx(b)] += body.mass * world.states()[idx(b)].position_w;
+    const Vec3 centre_w = moment_w[idx(b)] / mass[idx(b)];
     const std::vector<int> below = supports_of(structure, b);
     if (!above(structure, below, centre_w)) return false;
     require::that(below.size() <= 2, "a rule for one or two contacts below a body");
     const auto hand_on = [&](int contact, double share) {
-      const Contact& c = structure.contacts[at(contact)];
+      const Contact& c = structure.contacts[idx(contact)];
       const int under = c.first == b ? c.second : c.first;
-      mass[at(under)] += share * mass[at(b)];
-      moment_w[at(under)] += share * mass[at(b)] * middle_of(c);
+      mass[idx(under)] += share * mass[idx(b)];
+      moment_w[idx(under)] += share * mass[idx(b)] * middle_of(c);
     };
     double share = 1.0;
     if (below.size() == 2) {
-      const double a = middle_of(structure.contacts[at(below[0])]).x();
-      share = (middle_of(structure.contacts[at(below[1])]).x() - centre_w.x()) /
-              (middle_of(structure.contacts[at(below[1])]).x() - a);
+      const double a = middle_of(structure.contacts[idx(below[0])]).x();
+      share = (middle_of(structure.contacts[idx(below[1])]).x() - centre_w.x()) /
+              (middle_of(structure.contacts[idx(below[1])]).x() - a);
       if (share < 0.0 || share > 1.0) return false;
       hand_on(below[1], 1.0 - share);
     }

@@ -28,9 +28,10 @@ void judge(const StabilityTolerances& tolerances, Trial& trial) {
   GeometricStability rules(tolerances);
   rules.run(trial.world, trial.contacts, StableRule::hull, tolerance::resting_speed, trial.stable,
             trial.outlines);
-  trial.hull = trial.stable[at(trial.body)] != 0;
-  trial.text = called_stable_by_text(trial.world, trial.contacts, tolerances)[at(trial.body)] != 0;
-  trial.moves = moves_under_loads(trial.world, trial.contacts, trial.outlines)[at(trial.body)] != 0;
+  trial.hull = trial.stable[idx(trial.body)] != 0;
+  trial.text = called_stable_by_text(trial.world, trial.contacts, tolerances)[idx(trial.body)] != 0;
+  trial.moves =
+      moves_under_loads(trial.world, trial.contacts, trial.outlines)[idx(trial.body)] != 0;
 }
 
 }  // namespace
@@ -42,25 +43,25 @@ std::vector<char> called_stable_by_text(const World& world, std::span<const Cont
   std::vector<char> from_the_side(stable.size(), 0);
   for (const Contact& c : contacts)
     if (!is_vertical(c.normal_w, tolerances.vertical))
-      from_the_side[at(c.first)] = from_the_side[at(c.second)] = 1;
+      from_the_side[idx(c.first)] = from_the_side[idx(c.second)] = 1;
   std::vector<unsigned> marked(stable.size(), 0U);  // a bit for each lower corner
   for (bool found = true; found;) {
     found = false;
     for (const Contact& c : contacts) {
       const int top = upper_body(c);
-      const bool holds = stable[at(lower_body(c))] != 0 && stable[at(top)] == 0;
-      if (!holds || from_the_side[at(top)] != 0) continue;
-      const BodyProperties& body = world.bodies()[at(top)];
-      const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[at(top)]));
+      const bool holds = stable[idx(lower_body(c))] != 0 && stable[idx(top)] == 0;
+      if (!holds || from_the_side[idx(top)] != 0) continue;
+      const BodyProperties& body = world.bodies()[idx(top)];
+      const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[idx(top)]));
       for (int p = 0; p < c.count; ++p) {
-        const Vec3& point_w = c.points[at(p)].position_w;
+        const Vec3& point_w = c.points[idx(p)].position_w;
         for (std::size_t k = 0; k < corners.size(); ++k)
           if ((corners[k] - Vec2(point_w.x(), point_w.z())).norm() <=
               tolerances.corner * body.size.minCoeff())
-            marked[at(top)] |= 1U << k;
+            marked[idx(top)] |= 1U << k;
       }
-      if (marked[at(top)] != 0b1111U) continue;
-      stable[at(top)] = 1;
+      if (marked[idx(top)] != 0b1111U) continue;
+      stable[idx(top)] = 1;
       found = true;
     }
   }
@@ -116,11 +117,11 @@ std::vector<Trial> pile_disputes(std::uint64_t seed) {
   std::vector<char> moves;
   for (int b = 0; b < trial.world.count(); ++b) {
     trial.body = b;
-    trial.text = text[at(b)] != 0;
-    trial.hull = trial.stable[at(b)] != 0;
+    trial.text = text[idx(b)] != 0;
+    trial.hull = trial.stable[idx(b)] != 0;
     if (!trial.differ()) continue;
     if (moves.empty()) moves = moves_under_loads(trial.world, trial.contacts);
-    trial.moves = moves[at(b)] != 0;
+    trial.moves = moves[idx(b)] != 0;
     trials.push_back(trial);
   }
   return trials;

@@ -52,7 +52,7 @@ Kind kind_of(const Trial& trial) {
   rules.run(trial.world, trial.contacts, StableRule::hull, tolerance::resting_speed, stable);
   const StabilityVerdict verdict = rules.verdict(trial.world, trial.body);
   if (verdict.reason != StabilityReason::unstable_support) return kOther;
-  const Contact& contact = trial.contacts[at(verdict.contact)];
+  const Contact& contact = trial.contacts[idx(verdict.contact)];
   const int below = contact.first == trial.body ? contact.second : contact.first;
   const StabilityReason reason = rules.verdict(trial.world, below).reason;
   if (reason == StabilityReason::corner) return kOverhang;
@@ -103,7 +103,7 @@ Result measure_hull(const Parameters& settings) {
                {"differ", "-", "bodies on which the rules differ"},
                {"hull_right", "-", "of these, the hull is right"}}};
   for (int kind = 0; kind < kKinds; ++kind) {
-    const KindCount& count = kinds[at(kind)];
+    const KindCount& count = kinds[idx(kind)];
     table.add(kind, count.differ, count.right);
   }
   Result result;

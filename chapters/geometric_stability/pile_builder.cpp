@@ -70,7 +70,7 @@ bool PileBuilder::lower(const BodyProperties& body, const BodyState& state) {
   double height = reach(box, Vec3::UnitY());
   for (int k = 1; k < world_.count(); ++k)
     height =
-        std::max(height, height_on(box, box_of(world_.bodies()[at(k)], world_.states()[at(k)])));
+        std::max(height, height_on(box, box_of(world_.bodies()[idx(k)], world_.states()[idx(k)])));
   return add(body, raised(state, height));
 }
 
@@ -89,7 +89,7 @@ bool PileBuilder::clear(const Box& box) const {
   const SeparationOptions exact{.prefer_faces = false,
                                 .enough = std::numeric_limits<double>::infinity()};
   for (int k = 1; k < world_.count(); ++k) {
-    const Box other = box_of(world_.bodies()[at(k)], world_.states()[at(k)]);
+    const Box other = box_of(world_.bodies()[idx(k)], world_.states()[idx(k)]);
     const double distance = separation(box, other, exact).distance;
     if (distance < -kRounding || nearly(distance, kGap)) return false;
   }
@@ -102,18 +102,18 @@ bool PileBuilder::contacts_are_plain() const {
     if (contact.second != world_.count() - 1) continue;
     const double lean = Vec2(contact.normal_w.x(), contact.normal_w.z()).norm();
     if (nearly(lean, kLean)) return false;
-    const BodyProperties& body = world_.bodies()[at(contact.second)];
+    const BodyProperties& body = world_.bodies()[idx(contact.second)];
     const double near = kCorner * body.size.minCoeff();
     const std::array<Vec2, 4> corners =
-        lower_corners(box_of(body, world_.states()[at(contact.second)]));
+        lower_corners(box_of(body, world_.states()[idx(contact.second)]));
     for (int p = 0; p < contact.count; ++p) {
-      const ContactPoint& point = contact.points[at(p)];
+      const ContactPoint& point = contact.points[idx(p)];
       if (nearly(std::abs(point.distance), kGap)) return false;
       const Vec2 xz(point.position_w.x(), point.position_w.z());
       for (const Vec2& corner : corners)
         if (nearly((corner - xz).norm(), near)) return false;
       for (int q = 0; q < p; ++q)
-        if (nearly((contact.points[at(q)].position_w - point.position_w).norm(), near))
+        if (nearly((contact.points[idx(q)].position_w - point.position_w).norm(), near))
           return false;
     }
   }

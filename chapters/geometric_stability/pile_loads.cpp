@@ -32,16 +32,16 @@ std::vector<Corner> corners_of_tops(const World& world,
   std::vector<Corner> corners;
   const double g = world.gravity_w.norm();
   for (int b = 0; b < world.count(); ++b) {
-    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
     if (!body.movable()) continue;
-    const BodyState& state = world.states()[at(b)];
+    const BodyState& state = world.states()[idx(b)];
     const auto add = [&](const Vec3& point_w) {
       corners.push_back({b, weight_at(state, point_w, kHeavy * body.mass * g)});
     };
-    if (outlines.empty() || outlines[at(b)].empty()) {
+    if (outlines.empty() || outlines[idx(b)].empty()) {
       for (const Vec3& point_w : top_of(world, b)) add(point_w);
     } else {
-      for (const Vec2& xz : outlines[at(b)]) add(Vec3(xz.x(), state.position_w.y(), xz.y()));
+      for (const Vec2& xz : outlines[idx(b)]) add(Vec3(xz.x(), state.position_w.y(), xz.y()));
     }
   }
   return corners;
@@ -55,7 +55,7 @@ void add_to(Wrench& sum, const Wrench& load) {
 }  // namespace
 
 std::array<Vec3, 4> top_of(const World& world, int body) {
-  const Box box = box_of(world.bodies()[at(body)], world.states()[at(body)]);
+  const Box box = box_of(world.bodies()[idx(body)], world.states()[idx(body)]);
   int up = 0;
   box.axes_w.row(1).cwiseAbs().maxCoeff(&up);
   const double sign = box.axes_w(1, up) > 0.0 ? 1.0 : -1.0;
@@ -71,21 +71,21 @@ std::vector<Wrench> random_loads(const World& world, Random& random) {
   std::vector<Wrench> loads(world.bodies().size());
   const double g = world.gravity_w.norm();
   for (int b = 0; b < world.count(); ++b) {
-    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
     if (!body.movable()) continue;
     const std::array<Vec3, 4> top = top_of(world, b);
     const double x = random.unit();
     const double z = random.unit();
     const Vec3 point_w = top[0] + x * (top[1] - top[0]) + z * (top[3] - top[0]);
     const double weights = elementary::exp(std::numbers::ln10 * random.uniform(-1.0, 2.0));
-    loads[at(b)] = weight_at(world.states()[at(b)], point_w, weights * body.mass * g);
+    loads[idx(b)] = weight_at(world.states()[idx(b)], point_w, weights * body.mass * g);
   }
   return loads;
 }
 
 double alone(const World& world, int body, const Wrench& load) {
-  const BodyProperties& properties = world.bodies()[at(body)];
-  const Mat3 inverse_w = inverse_inertia_w(properties, world.states()[at(body)].orientation_wb);
+  const BodyProperties& properties = world.bodies()[idx(body)];
+  const Mat3 inverse_w = inverse_inertia_w(properties, world.states()[idx(body)].orientation_wb);
   return fastest_of(properties,
                     {properties.inverse_mass * load.force_w, inverse_w * load.torque_w});
 }
@@ -107,13 +107,13 @@ std::vector<char> moves_under_loads(const World& world, std::span<const Contact>
   attempt(kMovesByItself);
   const std::vector<Corner> corners = corners_of_tops(world, outlines);
   for (const Corner& corner : corners) {
-    loads[at(corner.body)] = corner.load;
+    loads[idx(corner.body)] = corner.load;
     attempt(kMovesUnderLoads);
   }
   Random random(kSeed);
   for (int k = 0; k < kRandomHalves; ++k) {
     for (const Corner& corner : corners)
-      if (random.below(2) == 0) add_to(loads[at(corner.body)], corner.load);
+      if (random.below(2) == 0) add_to(loads[idx(corner.body)], corner.load);
     attempt(kMovesUnderLoads);
   }
   return moves;

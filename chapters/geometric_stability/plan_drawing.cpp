@@ -86,11 +86,12 @@ class Plan {
 
 // The outline of a body from above.
 std::vector<Vec2> outline_of(const Trial& trial, int body) {
-  if (!trial.outlines.empty() && !trial.outlines[at(body)].empty()) return trial.outlines[at(body)];
+  if (!trial.outlines.empty() && !trial.outlines[idx(body)].empty())
+    return trial.outlines[idx(body)];
   std::vector<Vec2> points;
   std::vector<Vec2> hull;
   for (const Vec3& corner_w :
-       corners_of(box_of(trial.world.bodies()[at(body)], trial.world.states()[at(body)])))
+       corners_of(box_of(trial.world.bodies()[idx(body)], trial.world.states()[idx(body)])))
     points.emplace_back(corner_w.x(), corner_w.z());
   convex_hull(points, hull);
   return hull;
@@ -113,14 +114,14 @@ std::vector<int> around_unstable(const Trial& trial) {
   for (const Contact& contact : trial.contacts)
     for (const auto& [one, other] :
          {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)})
-      if (is_below(trial, one) && trial.stable[at(one)] == 0 && other != trial.body &&
-          trial.world.bodies()[at(other)].shape == Shape::box)
+      if (is_below(trial, one) && trial.stable[idx(one)] == 0 && other != trial.body &&
+          trial.world.bodies()[idx(other)].shape == Shape::box)
         others.push_back(other);
   return others;
 }
 
 Vec2 middle_of_trial(const Trial& trial) {
-  const Vec3& middle_w = trial.world.states()[at(trial.body)].position_w;
+  const Vec3& middle_w = trial.world.states()[idx(trial.body)].position_w;
   return {middle_w.x(), middle_w.z()};
 }
 
@@ -140,14 +141,14 @@ Plan drawn(const Trial& trial, const View& view) {
   for (const Contact& contact : trial.contacts) {
     const int below = below_in(trial, contact);
     if (below < 0) continue;
-    const bool firm = trial.stable[at(below)] != 0;
-    if (trial.world.bodies()[at(below)].shape == Shape::box) {
+    const bool firm = trial.stable[idx(below)] != 0;
+    if (trial.world.bodies()[idx(below)].shape == Shape::box) {
       const std::vector<Vec2> top = outline_of(trial, below);
       plan.fill(top, firm ? "#cfe3f1" : "#f9d9bf");
       plan.outline(top, firm ? "lc rgb '#0072B2' lw 1.5" : "lc rgb '#D55E00' lw 1.5");
     }
     for (int p = 0; p < contact.count; ++p) {
-      const Vec3& point_w = contact.points[at(p)].position_w;
+      const Vec3& point_w = contact.points[idx(p)].position_w;
       points.emplace_back(Vec2(point_w.x(), point_w.z()), firm);
       if (firm) held.push_back(points.back().first);
     }
@@ -169,7 +170,7 @@ Drawing plan_of(const Trial& trial, const std::string& suffix) {
   const double body = most;
   for (const Contact& contact : trial.contacts)
     if (const int below = below_in(trial, contact);
-        below >= 0 && trial.world.bodies()[at(below)].shape == Shape::box)
+        below >= 0 && trial.world.bodies()[idx(below)].shape == Shape::box)
       most = std::max(most, reach_of(trial, below));
   for (const int other : around_unstable(trial)) most = std::max(most, reach_of(trial, other));
   return {suffix,
@@ -181,7 +182,7 @@ Drawing enlarged_corner_of(const Trial& trial, const std::string& suffix) {
   const Vec2 corner = *std::max_element(outline.begin(), outline.end(),
                                         [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   const double near =
-      tolerance::corner_support * trial.world.bodies()[at(trial.body)].size.minCoeff();
+      tolerance::corner_support * trial.world.bodies()[idx(trial.body)].size.minCoeff();
   Plan plan = drawn(trial, {corner, 3.0 * near});
   plan.circle(corner, near, "fillstyle empty border lc rgb '#606060' lw 1.5 dt (6,4) front");
   return {suffix, plan.commands()};
@@ -190,7 +191,7 @@ Drawing enlarged_corner_of(const Trial& trial, const std::string& suffix) {
 double spread_of(const Trial& trial) {
   double most = 0.0;
   for (const Contact& contact : trial.contacts)
-    if (const int below = below_in(trial, contact); below >= 0 && trial.stable[at(below)] == 0)
+    if (const int below = below_in(trial, contact); below >= 0 && trial.stable[idx(below)] == 0)
       most = std::max(most, reach_of(trial, below));
   for (const int other : around_unstable(trial)) most = std::max(most, reach_of(trial, other));
   return most;

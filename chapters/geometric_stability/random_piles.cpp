@@ -116,12 +116,12 @@ class Pile {
     return place(upright[random_.below(static_cast<std::uint32_t>(upright.size()))]);
   }
   [[nodiscard]] bool is_upright(int k) const {
-    const Quat& q = builder_.world().states()[at(k)].orientation_wb;
+    const Quat& q = builder_.world().states()[idx(k)].orientation_wb;
     return q.x() == 0.0 && q.z() == 0.0;
   }
   [[nodiscard]] Place place(int k) const {
-    const BodyState& state = builder_.world().states()[at(k)];
-    return {state.position_w, builder_.world().bodies()[at(k)].size, state.orientation_wb};
+    const BodyState& state = builder_.world().states()[idx(k)];
+    return {state.position_w, builder_.world().bodies()[idx(k)].size, state.orientation_wb};
   }
 
   void on_ground() {

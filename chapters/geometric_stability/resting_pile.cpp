@@ -86,7 +86,7 @@ std::vector<char> accelerating(const RestingPile& pile, const RestingForces& for
 int points_without(const RestingPile& pile, std::span<const char> held) {
   int points = 0;
   for (const Contact& contact : pile.contacts)
-    if (held[at(contact.first)] == 0 || held[at(contact.second)] == 0) points += contact.count;
+    if (held[idx(contact.first)] == 0 || held[idx(contact.second)] == 0) points += contact.count;
   return points;
 }
 

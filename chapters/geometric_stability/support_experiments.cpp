@@ -44,7 +44,7 @@ int index_of(const World& world, std::string_view name) {
 }
 
 Box box_at(const World& world, int body) {
-  return box_of(world.bodies()[at(body)], world.states()[at(body)]);
+  return box_of(world.bodies()[idx(body)], world.states()[idx(body)]);
 }
 
 // [m/s²] The largest acceleration of a corner of a body under the forces of the whole complementarity problem,
@@ -52,15 +52,15 @@ Box box_at(const World& world, int body) {
 double acceleration(const RestingPile& pile, int body, double load = 0.0,
                     const Vec3& at_w = Vec3::Zero()) {
   std::vector<Wrench> loads(pile.bodies.size());
-  loads[at(body)] = weight_at(pile.world.states()[at(body)], at_w, load);
+  loads[idx(body)] = weight_at(pile.world.states()[idx(body)], at_w, load);
   PileForces forces;
   if (!forces.solve(pile.world, pile.contacts, loads))
     throw std::runtime_error("the contact forces were not found");
   double most = 0.0;
   for (const Vec3& corner_w : corners_of(box_at(pile.world, body)))
     most = std::max(
-        most,
-        acceleration_at(pile.bodies[at(body)], forces.accelerations()[at(body)], corner_w).norm());
+        most, acceleration_at(pile.bodies[idx(body)], forces.accelerations()[idx(body)], corner_w)
+                  .norm());
   return most;
 }
 
@@ -94,18 +94,18 @@ struct ContactPlane {
 ContactPlane plane_under(const RestingPile& pile, int top) {
   ContactPlane plane;
   plane.corners = lower_corners(box_at(pile.world, top));
-  const double near = tolerance::exact_corner * pile.world.bodies()[at(top)].size.minCoeff();
+  const double near = tolerance::exact_corner * pile.world.bodies()[idx(top)].size.minCoeff();
   const std::vector<char> stable =
       verdict_of(StableRule::corners, pile.world, pile.contacts, top).all;
   for (const Contact& contact : pile.contacts) {
     if (upper_body(contact) != top) continue;
     plane.below.push_back(lower_body(contact));
-    for (std::size_t p = 0; p < at(contact.count); ++p) {
+    for (std::size_t p = 0; p < idx(contact.count); ++p) {
       const Vec3& position_w = contact.points[p].position_w;
       plane.points.emplace_back(position_w.x(), position_w.z());
       for (std::size_t k = 0; k < 4; ++k)
         if ((plane.corners[k] - plane.points.back()).norm() <= near &&
-            stable[at(lower_body(contact))] != 0)
+            stable[idx(lower_body(contact))] != 0)
           plane.carried[k] = true;
     }
   }
@@ -138,7 +138,7 @@ Drawing drawing_of(const RestingPile& pile, int top) {
   std::size_t below = 0;
   std::size_t k = 0;
   for (int body = 0; body < pile.world.count(); ++body) {
-    if (pile.world.bodies()[at(body)].shape == Shape::ground) continue;
+    if (pile.world.bodies()[idx(body)].shape == Shape::ground) continue;
     boxes[k++].colour = kColours[body == top ? 0 : ++below];
   }
   const Camera camera = camera_for(boxes, Vec3(-0.5, 0.55, 1.0), 300.0, 270.0, true);
@@ -156,11 +156,11 @@ std::string words(const char* name, const RuleVerdict& answer) {
 std::array<double, 2> accelerations_of(const RestingPile& pile, const Parameters& settings) {
   const int top = index_of(pile.world, "top");
   const double g = pile.world.gravity_w.norm();
-  const double mass = pile.world.bodies()[at(top)].mass;
+  const double mass = pile.world.bodies()[idx(top)].mass;
   const double load = settings.number("load") * mass * g;
   double worst = 0.0;  // [m/s²]
   for (const Vec3& corner_w : corners_of(box_at(pile.world, top)))
-    if (corner_w.y() > pile.world.states()[at(top)].position_w.y())
+    if (corner_w.y() > pile.world.states()[idx(top)].position_w.y())
       worst = std::max(worst, acceleration(pile, top, load, corner_w));
   return {acceleration(pile, top) / g, worst / (g + load / mass)};
 }
@@ -173,7 +173,7 @@ Result measure(const RestingPile& pile, const Parameters& settings) {
   const RuleVerdict hull = verdict_of(StableRule::hull, pile.world, pile.contacts, top);
   const auto [by_weight, by_load] = accelerations_of(pile, settings);
   const auto below = std::count_if(plane.below.begin(), plane.below.end(),
-                                   [&](int body) { return corners.all[at(body)] != 0; });
+                                   [&](int body) { return corners.all[idx(body)] != 0; });
   Result result;
   result.tables = tables_of(pile, plane);
   result.quantities = {
@@ -185,7 +185,7 @@ Result measure(const RestingPile& pile, const Parameters& settings) {
       {"stable by the four corners", "-", corners.stable},
       {"stable by the hull", "-", hull.stable},
       {"carries every load by static equilibrium", "-",
-       called_stable(StabilityLevel::load_proof, pile.world, pile.contacts)[at(top)] != 0},
+       called_stable(StabilityLevel::load_proof, pile.world, pile.contacts)[idx(top)] != 0},
       {"largest acceleration of its corners under its own weight, over g", "-", by_weight},
       {"the same under the worst load on a corner of its top, over (load + weight)/mass", "-",
        by_load}};

@@ -123,10 +123,10 @@ Table level_table(const RestingPile& series, const Towers& towers) {
     double left = contact.points[0].position_w.x();
     double right = left;
     for (int p = 1; p < contact.count; ++p) {
-      left = std::min(left, contact.points[at(p)].position_w.x());
-      right = std::max(right, contact.points[at(p)].position_w.x());
+      left = std::min(left, contact.points[idx(p)].position_w.x());
+      right = std::max(right, contact.points[idx(p)].position_w.x());
     }
-    const TowerLoad& above = towers.loads()[at(contact.second)];
+    const TowerLoad& above = towers.loads()[idx(contact.second)];
     table.add(contact.points[0].position_w.y(), left, right, above.centre_w().x(), above.mass);
   }
   return table;
@@ -149,8 +149,8 @@ Support support_of(const RestingPile& series) {
       if (contact.first != kBase || contact.second != kLowest) continue;
       const double force = equilibrium.forces_w()[push].y();
       support.force += force;
-      support.x += force * contact.points[at(p)].position_w.x();
-      support.y = contact.points[at(p)].position_w.y();
+      support.x += force * contact.points[idx(p)].position_w.x();
+      support.y = contact.points[idx(p)].position_w.y();
     }
   support.x /= support.force;
   return support;
@@ -194,7 +194,7 @@ Result measure_one_block(const Parameters& settings) {
   towers.run(falls.world, falls.contacts, {});
   int tips = 0;
   for (int b = kLowest; b < falls.world.count(); ++b)
-    if (towers.states()[at(b)] == TowerState::tips) tips = b;
+    if (towers.states()[idx(b)] == TowerState::tips) tips = b;
   add_boxes(falls.world, 2.0, equilibrium.motion(), boxes);
   const StartOfMotion starts = start_of_motion(falls.world, equilibrium.motion(), 0.25);
 

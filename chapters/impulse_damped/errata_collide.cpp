@@ -53,7 +53,7 @@ double tilt_after_hit(const DampedErrata& repaired) {
   technique.step(world, kStep);
   add_box(world, Vec3::Constant(0.2), Vec3(-0.21, 0.9, 0.0), Vec3(2.0, 0.0, 0.0));
   world = stepped(world, std::move(technique), 60);
-  const Vec3 up_w = world.states()[at(column)].orientation_wb * Vec3::UnitY();
+  const Vec3 up_w = world.states()[idx(column)].orientation_wb * Vec3::UnitY();
   return std::atan2(Vec3(up_w.x(), 0.0, up_w.z()).norm(), up_w.y());
 }
 
@@ -71,8 +71,8 @@ double separation_speed(const DampedErrata& repaired) {
 // The ground and a cube as COLLIDE sees them, out of a world that holds just these.
 std::vector<PrintedObject> objects_of(const World& world) {
   PrintedObjects objects;
-  const std::vector<std::uint8_t> stable(at(world.count()), 0);
-  const std::vector<Vec3> fixed(at(world.count()), Vec3::Zero());
+  const std::vector<std::uint8_t> stable(idx(world.count()), 0);
+  const std::vector<Vec3> fixed(idx(world.count()), Vec3::Zero());
   objects.begin(world, stable, fixed, misprints());
   return {objects.all().begin(), objects.all().end()};
 }

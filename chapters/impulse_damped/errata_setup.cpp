@@ -61,7 +61,7 @@ World cube_on_ground(const Vec3& velocity_w) {
 }
 
 Vec3 velocity_of(const World& world, int index) {
-  return velocity(world.bodies()[at(index)], world.states()[at(index)]);
+  return velocity(world.bodies()[idx(index)], world.states()[idx(index)]);
 }
 
 World stepped(World world, Technique&& technique, int steps, double dt) {

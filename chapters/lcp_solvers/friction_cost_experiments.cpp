@@ -96,7 +96,7 @@ class Path {
       const double k = static_cast<double>(
           std::count_if(basis_.begin(), basis_.end(), [this](int u) { return u >= n_; }));
       sum += elimination(k) + k * (n_ - k);
-      const int leaving = basis_[at(row)];
+      const int leaving = basis_[idx(row)];
       exchange(row, entering);
       if (leaving == 2 * n_) return sum / pivots;
       entering = leaving < n_ ? leaving + n_ : leaving - n_;
@@ -112,7 +112,7 @@ class Path {
       const double share = table_(i, entering);
       if (i != row && share != 0.0) table_.row(i) -= share * table_.row(row);
     }
-    basis_[at(row)] = entering;
+    basis_[idx(row)] = entering;
   }
 
   [[nodiscard]] int row_to_leave(int entering) const {

@@ -34,8 +34,8 @@ struct ChainWork {
   // does not with the most.
   [[nodiscard]] double crossing(int fewest, int left_out) const {
     int from = static_cast<int>(forces.size());
-    while (from > 0 && sum_without(least_constraint[at(from - 1)], left_out) <
-                           sum_without(forces[at(from - 1)], left_out))
+    while (from > 0 && sum_without(least_constraint[idx(from - 1)], left_out) <
+                           sum_without(forces[idx(from - 1)], left_out))
       --from;
     return from == static_cast<int>(forces.size()) ? std::numeric_limits<double>::quiet_NaN()
                                                    : fewest + from;

@@ -57,11 +57,11 @@ void set_b(PyramidProblem& pyramid) {
   const Vec3 fall(0.0, -kGravity * time_step, 0.0);
   problem.b.setZero(static_cast<Eigen::Index>(problem.factors.rows.size()));
   for (int i = 0; i < problem.size(); ++i) {
-    const Row& row = problem.factors.rows[at(i)];
+    const Row& row = problem.factors.rows[idx(i)];
     const auto add = [&](int body, const Vec3& linear, const Vec3& angular) {
       if (body < 0) return;
-      problem.b[i] += linear.dot(pyramid.linear_w[at(body)] + fall);
-      problem.b[i] += angular.dot(pyramid.angular_w[at(body)]);
+      problem.b[i] += linear.dot(pyramid.linear_w[idx(body)] + fall);
+      problem.b[i] += angular.dot(pyramid.angular_w[idx(body)]);
     };
     add(row.first, row.linear_first_w, row.angular_first_w);
     add(row.second, row.linear_second_w, row.angular_second_w);
@@ -91,7 +91,7 @@ PyramidProblem pyramid_problem(int n, double noise, std::uint64_t seed) {
       cubes = cube + 1;
     }
   const LcpFactors::Body unit_cube{Vec3::Ones(), Mat3(Vec3::Constant(6.0).asDiagonal())};
-  problem.factors.bodies.assign(at(cubes), unit_cube);
+  problem.factors.bodies.assign(idx(cubes), unit_cube);
   Random random(seed);
   for (int cube = 0; cube < cubes; ++cube) {
     pyramid.linear_w.push_back(random.in_cube(noise));
@@ -111,9 +111,9 @@ PyramidProblem next_step(const PyramidProblem& before, std::span<const double> f
     const Row& row = factors.rows[i];
     const auto push = [&](int body, const Vec3& linear, const Vec3& angular) {
       if (body < 0) return;
-      const LcpFactors::Body& yields = factors.bodies[at(body)];
-      pyramid.linear_w[at(body)] += f[i] * yields.inverse_mass.cwiseProduct(linear);
-      pyramid.angular_w[at(body)] += f[i] * (yields.inverse_inertia_w * angular);
+      const LcpFactors::Body& yields = factors.bodies[idx(body)];
+      pyramid.linear_w[idx(body)] += f[i] * yields.inverse_mass.cwiseProduct(linear);
+      pyramid.angular_w[idx(body)] += f[i] * (yields.inverse_inertia_w * angular);
     };
     push(row.first, row.linear_first_w, row.angular_first_w);
     push(row.second, row.linear_second_w, row.angular_second_w);

@@ -47,11 +47,11 @@ LcpProblem with_loads(Random& random, LcpFactors factors) {
 VecX constant_part(const LcpFactors& factors, const std::vector<Load>& loads) {
   VecX b(static_cast<Eigen::Index>(factors.rows.size()));
   for (int i = 0; i < static_cast<int>(b.size()); ++i) {
-    const LcpFactors::Row& row = factors.rows[at(i)];
-    const Load& second = loads[at(row.second)];
+    const LcpFactors::Row& row = factors.rows[idx(i)];
+    const Load& second = loads[idx(row.second)];
     b[i] = row.linear_second_w.dot(second.linear_w) + row.angular_second_w.dot(second.angular_w);
     if (row.first < 0) continue;
-    const Load& first = loads[at(row.first)];
+    const Load& first = loads[idx(row.first)];
     b[i] += row.linear_first_w.dot(first.linear_w) + row.angular_first_w.dot(first.angular_w);
   }
   return b;

@@ -115,7 +115,7 @@ class Rest {
       : solver_(solver), weight_(weight), loads_(static_cast<std::size_t>(cubes)) {
     problem_.factors = stack_on_corners(cubes);
     multiply_out(problem_.factors, problem_.A);
-    gap_.assign(at(4 * cubes), 0.0);
+    gap_.assign(idx(4 * cubes), 0.0);
     speed_ = gap_;
   }
 

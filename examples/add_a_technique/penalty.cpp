@@ -88,8 +88,8 @@ void Penalty::split_bodies() {
   }
   for (const Contact& contact : contacts_) {
     for (const int k : {contact.first, contact.second}) {
-      split_[at(k)].inverse_mass += moving_[at(k)].inverse_mass;
-      split_[at(k)].inverse_inertia_w += moving_[at(k)].inverse_inertia_w;
+      split_[idx(k)].inverse_mass += moving_[idx(k)].inverse_mass;
+      split_[idx(k)].inverse_inertia_w += moving_[idx(k)].inverse_inertia_w;
     }
   }
 }
@@ -100,15 +100,15 @@ void Penalty::split_bodies() {
 void Penalty::push(double h) {
   split_bodies();
   for (Contact& c : contacts_) {
-    const MovingBody& a = split_[at(c.first)];
-    const MovingBody& b = split_[at(c.second)];
+    const MovingBody& a = split_[idx(c.first)];
+    const MovingBody& b = split_[idx(c.second)];
     for (int k = 0; k < c.count; ++k) {
-      ContactPoint& p = c.points[at(k)];
+      ContactPoint& p = c.points[idx(k)];
       const double mass = effective_mass(a, b, p.position_w, c.normal_w) / c.count;
       const double approach = -c.normal_w.dot(relative_velocity(a, b, p.position_w));
       const double speed = options_.spring * -p.distance / h + options_.damper * approach;
       p.normal_impulse = std::max(0.0, mass * speed);
-      apply_impulse(moving_[at(c.first)], moving_[at(c.second)], p.position_w,
+      apply_impulse(moving_[idx(c.first)], moving_[idx(c.second)], p.position_w,
                     p.normal_impulse * c.normal_w);
     }
   }
@@ -120,10 +120,10 @@ void Penalty::push(double h) {
 void Penalty::rub() {
   split_bodies();
   for (Contact& c : contacts_) {
-    const MovingBody& a = split_[at(c.first)];
-    const MovingBody& b = split_[at(c.second)];
+    const MovingBody& a = split_[idx(c.first)];
+    const MovingBody& b = split_[idx(c.second)];
     for (int k = 0; k < c.count; ++k) {
-      ContactPoint& p = c.points[at(k)];
+      ContactPoint& p = c.points[idx(k)];
       Vec3 slip_w = relative_velocity(a, b, p.position_w);
       slip_w -= c.normal_w.dot(slip_w) * c.normal_w;
       const double speed = slip_w.norm();
@@ -131,7 +131,7 @@ void Penalty::rub() {
       const double mass = effective_mass(a, b, p.position_w, slip_w / speed) / c.count;
       const double impulse = std::min(c.friction * p.normal_impulse, mass * speed);
       p.friction_impulse_w = -impulse / speed * slip_w;
-      apply_impulse(moving_[at(c.first)], moving_[at(c.second)], p.position_w,
+      apply_impulse(moving_[idx(c.first)], moving_[idx(c.second)], p.position_w,
                     p.friction_impulse_w);
     }
   }
@@ -144,9 +144,9 @@ void Penalty::record(double h, StepReport& report) {
   records_.clear();
   for (const Contact& c : contacts_) {
     for (int k = 0; k < c.count; ++k) {
-      const ContactPoint& p = c.points[at(k)];
+      const ContactPoint& p = c.points[idx(k)];
       const auto slip_w = [&](const std::vector<MovingBody>& bodies) {
-        return relative_velocity(bodies[at(c.first)], bodies[at(c.second)], p.position_w);
+        return relative_velocity(bodies[idx(c.first)], bodies[idx(c.second)], p.position_w);
       };
       const Vec3 mean_w = 0.5 * (slip_w(start_) + slip_w(moving_));
       report.energy.restitution += p.normal_impulse * c.normal_w.dot(mean_w);

@@ -74,7 +74,7 @@ double drift_of_tower(const World& world) {
   double drift = 0.0;
   for (int k = 0; k + 1 < world.count(); ++k)
     drift =
-        std::max(drift, (world.states()[at(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm());
+        std::max(drift, (world.states()[idx(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm());
   return drift;
 }
 
@@ -405,7 +405,7 @@ TEST_CASE(
   CHECK(problem.size() == 40);
   // Wrong forces have moved nothing.
   for (int k = 0; k < 10; ++k)
-    CHECK((world.states()[at(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm() < 1e-12);
+    CHECK((world.states()[idx(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm() < 1e-12);
 
   LcpProblem read;
   read.A = parse_matrix_market(to_matrix_market(problem.A), "A");

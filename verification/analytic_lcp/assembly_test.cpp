@@ -29,7 +29,7 @@ Instant cube_on_floor() {
 std::array<int, 4> rows_of_corners(const Instant& cube) {
   std::array<int, 4> rows{};
   for (int i = 0; i < 4; ++i) {
-    const Vec3& p = cube.place(at(i));
+    const Vec3& p = cube.place(idx(i));
     rows[p.z() < 0.0 ? (p.x() < 0.0 ? 0 : 1) : (p.x() < 0.0 ? 3 : 2)] = i;
   }
   return rows;
@@ -51,11 +51,11 @@ TEST_CASE("The matrix of a cube on the floor is singular and has the rows (4, 1,
   for (int i = 0; i < 4; ++i) {
     double null = 0.0;  // A (1, -1, 1, -1)
     for (int j = 0; j < 4; ++j) {
-      const double a = lcp.A(rows[at(i)], rows[at(j)]);
-      worst = std::max(worst, std::abs(a - expected[at((j - i + 4) % 4)]));
+      const double a = lcp.A(rows[idx(i)], rows[idx(j)]);
+      worst = std::max(worst, std::abs(a - expected[idx((j - i + 4) % 4)]));
       null += j % 2 == 0 ? a : -a;
     }
-    worst = std::max({worst, std::abs(null), std::abs(lcp.b[rows[at(i)]] + kG)});
+    worst = std::max({worst, std::abs(null), std::abs(lcp.b[rows[idx(i)]] + kG)});
   }
   CHECK(worst < 1e-14);  // [1/kg], [m/s²] rounding of products near 4: measured 0
   CHECK(lcp.equality.empty());
@@ -84,8 +84,8 @@ TEST_CASE("A torque of -6 N m tips a cube over its right edge", "[exact][assembl
   for (std::size_t i = 0; i < 4; ++i) {
     // Rounding of sums of a few numbers near 30.
     CHECK(cube.problem.lcp().b[rows[i]] == Approx(b[i]).epsilon(1e-14));
-    CHECK(cube.answer.f[at(rows[i])] == Approx(f[i]).epsilon(1e-13).margin(1e-13));
-    CHECK(cube.answer.a[at(rows[i])] == Approx(a[i]).epsilon(1e-13).margin(1e-13));
+    CHECK(cube.answer.f[idx(rows[i])] == Approx(f[i]).epsilon(1e-13).margin(1e-13));
+    CHECK(cube.answer.a[idx(rows[i])] == Approx(a[i]).epsilon(1e-13).margin(1e-13));
   }
 }
 
@@ -108,12 +108,12 @@ TEST_CASE("A cube with its load at (x, z) rests if the load is above its base, a
   const Instant cube = loaded(0.6, 0.0);
   const std::array<int, 4> rows = rows_of_corners(cube);
   for (const std::size_t i : {0U, 3U}) {
-    CHECK(cube.answer.f[at(rows[i])] == 0.0);
-    CHECK(cube.answer.a[at(rows[i])] == Approx(2.3544).epsilon(1e-13));
+    CHECK(cube.answer.f[idx(rows[i])] == 0.0);
+    CHECK(cube.answer.a[idx(rows[i])] == Approx(2.3544).epsilon(1e-13));
   }
   for (const std::size_t i : {1U, 2U}) {
-    CHECK(cube.answer.f[at(rows[i])] == Approx(5.4936).epsilon(1e-13));
-    CHECK(cube.answer.a[at(rows[i])] == Approx(0.0).margin(1e-13));
+    CHECK(cube.answer.f[idx(rows[i])] == Approx(5.4936).epsilon(1e-13));
+    CHECK(cube.answer.a[idx(rows[i])] == Approx(0.0).margin(1e-13));
   }
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("The contacts of a stack bear what is above them", "[exact][assembly][
     CHECK(lcp.b[i] == (i == 0 ? -kG : 0.0));
     for (int j = 0; j < 5; ++j)
       CHECK(lcp.A(i, j) == (i == j ? (i == 0 ? 1.0 : 2.0) : (std::abs(i - j) == 1 ? -1.0 : 0.0)));
-    CHECK(stack.answer.f[at(i)] == Approx((5 - i) * kG).epsilon(1e-14));
+    CHECK(stack.answer.f[idx(i)] == Approx((5 - i) * kG).epsilon(1e-14));
   }
 }
 
@@ -181,18 +181,18 @@ TEST_CASE("A pyramid on two feet for each brick has forces that nothing else can
     int brick = 1;
     for (int r = 0; r < rows; ++r)
       for (int k = 0; k < rows - r; ++k, ++brick) {
-        heap.bodies[at(brick)].position_w = Vec3(k + 0.5 * r, 0.25 + 0.5 * r, 0);
+        heap.bodies[idx(brick)].position_w = Vec3(k + 0.5 * r, 0.25 + 0.5 * r, 0);
         if (r > 0) below = brick - (rows - r) - 1;
         for (int foot = 0; foot < 2; ++foot) {
-          const Vec3 p = heap.bodies[at(brick)].position_w + Vec3(0.5 * foot - 0.25, -0.25, 0);
+          const Vec3 p = heap.bodies[idx(brick)].position_w + Vec3(0.5 * foot - 0.25, -0.25, 0);
           heap.contacts.push_back(contact_at(r == 0 ? 0 : below + foot, brick, p, Vec3::UnitY()));
         }
       }
     heap.solve();
-    const std::vector<double>& expected = floor_loads[at(rows - 2)];
+    const std::vector<double>& expected = floor_loads[idx(rows - 2)];
     // Rounding of 30 rows with a condition of some hundreds.
     for (int k = 0; k < rows; ++k)
-      CHECK(heap.force_between(0, k + 1) == Approx(expected[at(k)] * kG).epsilon(1e-12));
+      CHECK(heap.force_between(0, k + 1) == Approx(expected[idx(k)] * kG).epsilon(1e-12));
     CHECK(heap.unrest() < 1e-11);  // [m/s²] measured 7e-14
     if (rows != 3) continue;
     const std::array<double, 6> feet{0.5, 1.0, 1.5, 1.5, 1.0, 0.5};  // [m g]
@@ -316,18 +316,18 @@ TEST_CASE("With forces on the bodies, assembling again gives A f + b",
     heap.assemble();
     const LcpProblem lcp = heap.problem.lcp();
     Random random(seed);
-    std::vector<double> f(at(lcp.size())), a(at(lcp.size()));
+    std::vector<double> f(idx(lcp.size())), a(idx(lcp.size()));
     for (double& force : f) force = random.uniform(-10.0, 10.0);
     multiply(lcp.A, f, a);
     double square = 0.0, scale = 0.0;
     for (int i = 0; i < lcp.size(); ++i) {
-      square += f[at(i)] * a[at(i)];
-      scale += f[at(i)] * f[at(i)] * lcp.A(i, i);
-      a[at(i)] += lcp.b[i];
-      const Contact& contact = heap.contacts[at(heap.problem.rows()[at(i)].contact)];
+      square += f[idx(i)] * a[idx(i)];
+      scale += f[idx(i)] * f[idx(i)] * lcp.A(i, i);
+      a[idx(i)] += lcp.b[i];
+      const Contact& contact = heap.contacts[idx(heap.problem.rows()[idx(i)].contact)];
       const double mass =
-          effective_mass(heap.bodies[at(contact.first)], heap.bodies[at(contact.second)],
-                         heap.place(at(i)), contact.normal_w);
+          effective_mass(heap.bodies[idx(contact.first)], heap.bodies[idx(contact.second)],
+                         heap.place(idx(i)), contact.normal_w);
       worst_diagonal = std::max(worst_diagonal, std::abs(lcp.A(i, i) * mass - 1.0));
     }
     if (scale > 0.0) least_square = std::min(least_square, square / scale);
@@ -336,7 +336,7 @@ TEST_CASE("With forces on the bodies, assembling again gives A f + b",
     accelerate(heap.bodies, heap.wrenches, heap.accelerations);
     heap.problem.assemble(heap.world, heap.bodies, heap.accelerations, heap.contacts, kAll);
     for (int i = 0; i < lcp.size(); ++i)
-      worst = std::max(worst, std::abs(heap.problem.lcp().b[i] - a[at(i)]));
+      worst = std::max(worst, std::abs(heap.problem.lcp().b[i] - a[idx(i)]));
     rows += lcp.size();
   }
   CHECK(rows > 500);

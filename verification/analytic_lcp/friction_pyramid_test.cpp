@@ -78,7 +78,7 @@ struct Heap {
 
 Heap random_heap(Random& random, int count, bool with_sliding) {
   Heap heap;
-  for (int k = 1; k < 4; ++k) heap.bodies[at(k)] = random_body(random);
+  for (int k = 1; k < 4; ++k) heap.bodies[idx(k)] = random_body(random);
   for (int k = 0; k < count; ++k) {
     const int first = static_cast<int>(random.below(4));
     const int second = (first + 1 + static_cast<int>(random.below(3))) % 4;
@@ -190,7 +190,7 @@ TEST_CASE("The problem predicts the motion that its pushes cause in 200 random h
     pyramid.pushes(f, pushes);
     for (std::size_t p = 0; p < pushes.size(); ++p) {
       const Contact& contact = heap.contacts[p];
-      apply_impulse(heap.bodies[at(contact.first)], heap.bodies[at(contact.second)],
+      apply_impulse(heap.bodies[idx(contact.first)], heap.bodies[idx(contact.second)],
                     contact.points[0].position_w, pushes[p]);
     }
     // The row of c is the motion along the normal, that of the first beta along the first arm, where
@@ -199,15 +199,15 @@ TEST_CASE("The problem predicts the motion that its pushes cause in 200 random h
     for (std::size_t p = 0; p < pushes.size(); ++p) {
       const Contact& contact = heap.contacts[p];
       const Vec3 u =
-          relative_velocity(heap.bodies[at(contact.first)], heap.bodies[at(contact.second)],
+          relative_velocity(heap.bodies[idx(contact.first)], heap.bodies[idx(contact.second)],
                             contact.points[0].position_w);
-      worst = std::max(worst, std::abs(motion[at(row)] - contact.normal_w.dot(u)));
+      worst = std::max(worst, std::abs(motion[idx(row)] - contact.normal_w.dot(u)));
       if (heap.points[p].sliding_w.isZero(0.0)) {
         const int directions = trial % 2 == 0 ? 4 : 8;
         const int lambda = row + directions + 1;
         const Vec3 t = pyramid_axes(contact.normal_w).first_w;
-        const double expected = t.dot(u) + lcp.A(row + 1, lambda) * f[at(lambda)];
-        worst = std::max(worst, std::abs(motion[at(row + 1)] - expected));
+        const double expected = t.dot(u) + lcp.A(row + 1, lambda) * f[idx(lambda)];
+        worst = std::max(worst, std::abs(motion[idx(row + 1)] - expected));
         row = lambda;
       }
       ++row;
@@ -225,7 +225,7 @@ TEST_CASE("The matrix is copositive unless points are known to slide",
     FrictionPyramid pyramid;
     pyramid.assemble(heap.bodies, heap.contacts, heap.points, 4);
     std::vector<double> f;
-    std::vector<double> a(at(pyramid.lcp().size()));
+    std::vector<double> a(idx(pyramid.lcp().size()));
     for (std::size_t k = 0; k < a.size(); ++k) f.push_back(random.uniform(0.0, 1.0));
     multiply(pyramid.lcp().A, f, a);
     double product = 0.0;

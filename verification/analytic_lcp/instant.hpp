@@ -80,7 +80,7 @@ struct Instant {
   /// \return [m] world frame
   [[nodiscard]] const Vec3& place(std::size_t row) const {
     const ContactRow& r = problem.rows()[row];
-    return contacts[at(r.contact)].points[at(r.point)].position_w;
+    return contacts[idx(r.contact)].points[idx(r.point)].position_w;
   }
 
   /// All forces of the contacts between two bodies.
@@ -90,7 +90,7 @@ struct Instant {
   [[nodiscard]] double force_between(int first, int second) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < answer.f.size(); ++i) {
-      const Contact& contact = contacts[at(problem.rows()[i].contact)];
+      const Contact& contact = contacts[idx(problem.rows()[i].contact)];
       if (contact.first == first && contact.second == second) sum += answer.f[i];
     }
     return sum;

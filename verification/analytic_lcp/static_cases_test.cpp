@@ -30,9 +30,9 @@ Instant block_on_ground(double width, double height) {
 
 // A force on a body at a point, in place of friction or of a hand.
 void pull(Instant& instant, int body, const Vec3& force_w, const Vec3& point_w) {
-  instant.external[at(body)].force_w += force_w;
-  instant.external[at(body)].torque_w +=
-      (point_w - instant.bodies[at(body)].position_w).cross(force_w);
+  instant.external[idx(body)].force_w += force_w;
+  instant.external[idx(body)].torque_w +=
+      (point_w - instant.bodies[idx(body)].position_w).cross(force_w);
 }
 
 // A millionth below its threshold a block does not turn, a millionth above it does.
@@ -52,13 +52,13 @@ void check_threshold(Instant (*load)(double width, double height, double share))
 // those of a row that there is already.
 void hold_along_x(const Instant& instant, std::size_t contact_row, const Vec3& place_w,
                   LcpProblem& problem) {
-  const Contact& contact = instant.contacts[at(instant.problem.rows()[contact_row].contact)];
+  const Contact& contact = instant.contacts[idx(instant.problem.rows()[contact_row].contact)];
   LcpFactors::Row row = problem.factors.rows[contact_row];
   double motion = 0.0;  // without forces
   const auto set = [&](int body, const Vec3& along_w, Vec3& linear_w, Vec3& angular_w) {
     linear_w = along_w;
-    angular_w = (place_w - instant.bodies[at(body)].position_w).cross(along_w);
-    const Acceleration& free = instant.accelerations[at(body)];
+    angular_w = (place_w - instant.bodies[idx(body)].position_w).cross(along_w);
+    const Acceleration& free = instant.accelerations[idx(body)];
     motion += linear_w.dot(free.linear_w) + angular_w.dot(free.angular_w);
   };
   if (row.first >= 0) set(contact.first, -Vec3::UnitX(), row.linear_first_w, row.angular_first_w);
@@ -66,7 +66,7 @@ void hold_along_x(const Instant& instant, std::size_t contact_row, const Vec3& p
     set(contact.second, Vec3::UnitX(), row.linear_second_w, row.angular_second_w);
   problem.factors.rows.push_back(row);
   multiply_out(problem.factors, problem.A);
-  problem.equality.resize(at(problem.size()), 0);
+  problem.equality.resize(idx(problem.size()), 0);
   problem.equality.push_back(1);
   problem.b.conservativeResize(problem.size() + 1);
   problem.b[problem.size() - 1] = motion;
@@ -220,9 +220,9 @@ TEST_CASE("A rocking block keeps 1 - 3/2 sin² α of its turning when it lands o
       double left = 0.0, right = 0.0;        // [N s]
       double left_up = 0.0, right_up = 0.0;  // [m/s]
       for (int i = 0; i < 4; ++i) {
-        const bool is_left = block.place(at(i)).x() < 0.0;
-        (is_left ? left : right) += result.f[at(i)];
-        (is_left ? left_up : right_up) = result.a[at(i)];
+        const bool is_left = block.place(idx(i)).x() < 0.0;
+        (is_left ? left : right) += result.f[idx(i)];
+        (is_left ? left_up : right_up) = result.a[idx(i)];
       }
       CHECK(left_up - right_up == Approx(c.width * c.kept).epsilon(1e-11).margin(1e-14));
       CHECK(std::abs(right_up) < 1e-14);  // [m/s] measured 4e-16
@@ -287,7 +287,7 @@ TEST_CASE("Sweeps take 20, 136, 550, 2204 rounds to know the forces under 2, 5, 
       GaussSeidelSolver(options).solve(lcp, result);
       double worst = 0.0;
       for (int k = 0; k < lcp.size(); ++k)
-        worst = std::max(worst, std::abs(result.f[at(k)] / kG - (lcp.size() - k)));
+        worst = std::max(worst, std::abs(result.f[idx(k)] / kG - (lcp.size() - k)));
       return worst / lcp.size();
     };
     CHECK(error_after(sweeps) <= 1e-6);

@@ -189,7 +189,7 @@ TEST_CASE("Contacts at rest carry the weight above them", "[exact][time_stepping
   for (const ContactRecord& record : technique.contacts())
     carried[number_of(record.second)] += record.push_w.y();
   for (int level = 1; level <= 5; ++level)
-    CHECK(carried[at(level)] == Approx((6 - level) * kG * kStep));  // [N s]
+    CHECK(carried[idx(level)] == Approx((6 - level) * kG * kStep));  // [N s]
 }
 
 // --- impacts ------------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ struct Scene {
       contact.points[0].approach_speed = contact.normal_w.dot(motion_at(contact));
   }
   Vec3 motion_at(const Contact& contact) const {
-    return relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
+    return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)],
                              contact.points[0].position_w);
   }
   VelocityStepResult solve() { return step.solve(world, free, contacts, kStep, options, bodies); }

@@ -62,15 +62,15 @@ Fall fall(const std::string& name, PoseUpdate pose, double yaw = 0.0) {
     CHECK(report.status == StepStatus::done);
     booked += report.energy.total();
     for (int k = 1; k < 4; ++k) {
-      const BodyState& below = world.states()[at(k)];
-      const BodyState& above = world.states()[at(k + 1)];
+      const BodyState& below = world.states()[idx(k)];
+      const BodyState& above = world.states()[idx(k + 1)];
       const Vec3 apart_w = above.position_w - above.orientation_wb * Vec3(0.0, 0.5, 0.0) -
                            below.position_w - below.orientation_wb * Vec3(0.0, 0.5, 0.0);
       seen.gap = std::max(seen.gap, apart_w.norm());
     }
   }
   Vec3 middle_w = Vec3(0.0, -2.0, 0.0);
-  for (int k = 1; k < 5; ++k) middle_w += 0.25 * world.states()[at(k)].position_w;
+  for (int k = 1; k < 5; ++k) middle_w += 0.25 * world.states()[idx(k)].position_w;
   seen.lean = std::atan2(std::hypot(middle_w.x(), middle_w.z()), middle_w.y());
   seen.unbooked = energy_of(world).total() - start - booked;
   return seen;

@@ -59,13 +59,13 @@ struct Scene {
     const PivotUpdate who = carried(rigid_at);
     std::vector<BodyState> states(world.states().begin(), world.states().end());
     for (int b = 0; b < world.count(); ++b) {
-      BodyState& state = states[at(b)];
-      if (!world.bodies()[at(b)].movable()) continue;
+      BodyState& state = states[idx(b)];
+      if (!world.bodies()[idx(b)].movable()) continue;
       if (!who.carries(b)) {
-        advance_pose(world.bodies()[at(b)], state, h, RotationRule::frozen);
+        advance_pose(world.bodies()[idx(b)], state, h, RotationRule::frozen);
         continue;
       }
-      state.position_w += h * velocity(world.bodies()[at(b)], state);
+      state.position_w += h * velocity(world.bodies()[idx(b)], state);
       who.carry(b, h, state);
     }
     return states;
@@ -82,8 +82,8 @@ Vec3 carried_point(const BodyState& start, const BodyState& end, const Vec3& poi
 double gap(const Scene& scene, const std::vector<BodyState>& ended, int first, int second,
            const Vec3& point_w) {
   const std::span<const BodyState> start = scene.world.states();
-  return (carried_point(start[at(first)], ended[at(first)], point_w) -
-          carried_point(start[at(second)], ended[at(second)], point_w))
+  return (carried_point(start[idx(first)], ended[idx(first)], point_w) -
+          carried_point(start[idx(second)], ended[idx(second)], point_w))
       .norm();
 }
 
@@ -337,9 +337,9 @@ TEST_CASE("Velocities that agree at the end of a move leave no gap either",
   moving[2].velocity_w = spin_w.cross(turn * second_w);
   carried.set_velocities(moving);
   for (int b = 1; b < 3; ++b) {
-    BodyState state = scene.world.states()[at(b)];
+    BodyState state = scene.world.states()[idx(b)];
     const Vec3 expected_w = turn * state.position_w;
-    state.position_w += h * moving[at(b)].velocity_w;
+    state.position_w += h * moving[idx(b)].velocity_w;
     carried.carry(b, h, state);
     CHECK((state.position_w - expected_w).norm() < 1e-15);
     CHECK(angle_between(state.orientation_wb, turn) < 1e-15);
@@ -394,8 +394,8 @@ TEST_CASE("Nobody is carried without a push, and what does not turn goes as it w
   // One at rest on the box is, and stays to the last bit.
   scene.push(0, b, Vec3(0.1, 1.8, 0.2));
   REQUIRE(scene.carried().carries(b));
-  const BodyState& start = scene.world.states()[at(b)];
-  const BodyState end = scene.moved(0.1)[at(b)];
+  const BodyState& start = scene.world.states()[idx(b)];
+  const BodyState end = scene.moved(0.1)[idx(b)];
   CHECK(end == start);
   // A pair that slides faster than a hundredth of how fast turning moves the ends does not stick.
   for (const double slip : {0.9, 1.1}) {
@@ -458,8 +458,8 @@ TEST_CASE("A body that stands has its arm from the point on which it stands, and
   for (int b = 1; b <= 4; ++b) {
     const auto arm_w = carried.arm_w(b);
     REQUIRE(arm_w.has_value());
-    const Vec3 pivot_w = standing.world.states()[at(b)].position_w - *arm_w;
-    CHECK((pivot_w - standing.pairs[at(b - 1)].point_w).norm() < 1e-15);
+    const Vec3 pivot_w = standing.world.states()[idx(b)].position_w - *arm_w;
+    CHECK((pivot_w - standing.pairs[idx(b - 1)].point_w).norm() < 1e-15);
   }
   CHECK_FALSE(carried.arm_w(5).has_value());  // nobody
   CHECK_FALSE(carried.arm_w(-1).has_value());

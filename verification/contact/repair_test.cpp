@@ -39,7 +39,7 @@ BodyId fixed(World& world, const Vec3& size, double x, double y) {
 }
 
 Vec3 position_of(const World& world, BodyId id) {
-  return world.states()[at(world.index_of(id))].position_w;
+  return world.states()[idx(world.index_of(id))].position_w;
 }
 
 RepairReport repair(World& world) {
@@ -51,8 +51,9 @@ RepairReport repair(World& world) {
 double potential_energy(const World& world) {
   double energy = 0.0;
   for (int b = 0; b < world.count(); ++b)
-    if (world.bodies()[at(b)].movable())
-      energy -= world.bodies()[at(b)].mass * world.gravity_w.dot(world.states()[at(b)].position_w);
+    if (world.bodies()[idx(b)].movable())
+      energy -=
+          world.bodies()[idx(b)].mass * world.gravity_w.dot(world.states()[idx(b)].position_w);
   return energy;
 }
 
@@ -99,7 +100,7 @@ TEST_CASE("A stack of five pressed into itself is put right in one sweep", "[exa
   for (int k = 0; k < 5; ++k) {
     const Vec3 expected(0.0, 0.5 + k - (k + 1) * kSlop, 0.0);
     // Rounding of five sums of numbers up to 5 m: measured 9e-16 m.
-    CHECK((position_of(world, boxes[at(k)]) - expected).norm() < 1e-14);
+    CHECK((position_of(world, boxes[idx(k)]) - expected).norm() < 1e-14);
   }
   CHECK(report.energy == near(potential_energy(world) - before).epsilon(1e-12));
   CHECK(report.energy > 0.0);
@@ -258,8 +259,8 @@ TEST_CASE("Three planks in a ring of support are one level and the repair ends",
   std::vector<SupportEdge> edges = {{0, 1}, {0, 2}, {0, 3}};
   for (int a = 1; a <= 3; ++a)
     for (int b = a + 1; b <= 3; ++b) {
-      const Separation found = separation(box_of(world.bodies()[at(a)], world.states()[at(a)]),
-                                          box_of(world.bodies()[at(b)], world.states()[at(b)]));
+      const Separation found = separation(box_of(world.bodies()[idx(a)], world.states()[idx(a)]),
+                                          box_of(world.bodies()[idx(b)], world.states()[idx(b)]));
       const int direction = support_direction(found.normal_w, Vec3::UnitY());
       REQUIRE(direction != 0);
       edges.push_back(direction > 0 ? SupportEdge{a, b} : SupportEdge{b, a});
@@ -309,15 +310,15 @@ TEST_CASE("Only positions change, and the energy booked is the potential energy 
     const World before = world;
     const RepairReport report = repair(world);
     for (int b = 0; b < world.count(); ++b) {
-      const BodyState& now = world.states()[at(b)];
-      const BodyState& was = before.states()[at(b)];
-      const BodyProperties& body = world.bodies()[at(b)];
+      const BodyState& now = world.states()[idx(b)];
+      const BodyState& was = before.states()[idx(b)];
+      const BodyProperties& body = world.bodies()[idx(b)];
       if (now.linear_momentum_w != was.linear_momentum_w ||
           now.angular_momentum_w != was.angular_momentum_w ||
           now.orientation_wb.coeffs() != was.orientation_wb.coeffs())
         ++wrong;
       if (kinetic_energy(body, now) != kinetic_energy(body, was)) ++wrong;
-      const bool held = !body.movable() || world.sleep_states()[at(b)].asleep;
+      const bool held = !body.movable() || world.sleep_states()[idx(b)].asleep;
       if (held && now.position_w != was.position_w) ++wrong;
     }
     worst = std::max(worst,

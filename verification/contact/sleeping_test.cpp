@@ -42,7 +42,7 @@ struct Rig {
   BodyId fixed(double x, double y) {
     return world.add(fixed_box_properties(Vec3::Ones()), place(x, y));
   }
-  bool asleep(BodyId id) const { return world.sleep_states()[at(world.index_of(id))].asleep; }
+  bool asleep(BodyId id) const { return world.sleep_states()[idx(world.index_of(id))].asleep; }
   int sleepers() const {
     int count = 0;
     for (const SleepState& rest : world.sleep_states()) count += rest.asleep ? 1 : 0;
@@ -55,16 +55,16 @@ struct Rig {
     for (int a = 0; a < world.count(); ++a)
       for (int b = a + 1; b < world.count(); ++b) {
         const auto& bodies = world.bodies();
-        if (!bodies[at(a)].movable() && !bodies[at(b)].movable()) continue;
+        if (!bodies[idx(a)].movable() && !bodies[idx(b)].movable()) continue;
         if (!rule.needs_test(a, b)) continue;
         ++tests;
         Separation found;
-        if (bodies[at(a)].shape == Shape::ground) {
-          found.distance = world.states()[at(b)].position_w.y() - 0.5;
+        if (bodies[idx(a)].shape == Shape::ground) {
+          found.distance = world.states()[idx(b)].position_w.y() - 0.5;
           found.normal_w = Vec3::UnitY();
         } else {
-          found = separation(box_of(bodies[at(a)], world.states()[at(a)]),
-                             box_of(bodies[at(b)], world.states()[at(b)]), {.enough = 0.01});
+          found = separation(box_of(bodies[idx(a)], world.states()[idx(a)]),
+                             box_of(bodies[idx(b)], world.states()[idx(b)]), {.enough = 0.01});
         }
         if (found.distance > 0.01) continue;
         Contact contact;
@@ -82,9 +82,9 @@ struct Rig {
     do gather();
     while (rule.wake_touched(world, contacts) > 0);
     for (int b = 0; b < world.count(); ++b) {
-      const BodyProperties& body = world.bodies()[at(b)];
-      if (!body.movable() || world.sleep_states()[at(b)].asleep) continue;
-      BodyState& state = world.states()[at(b)];
+      const BodyProperties& body = world.bodies()[idx(b)];
+      if (!body.movable() || world.sleep_states()[idx(b)].asleep) continue;
+      BodyState& state = world.states()[idx(b)];
       state.linear_momentum_w += body.mass * dt * world.gravity_w;
       for (const Contact& contact : contacts) {
         const double up = contact.first == b ? -contact.normal_w.y() : contact.normal_w.y();
@@ -149,7 +149,7 @@ TEST_CASE("A body at the top of its flight does not fall asleep", "[unit][sleepi
   rig.world.add_ground();
   rig.box(0.0, 3.0);
   rig.box(0.0, 4.0);  // touches the first one: together they are an island of two, still in the air
-  for (int b = 1; b <= 2; ++b) rig.world.states()[at(b)].linear_momentum_w.y() = 2.0 * 1.0;
+  for (int b = 1; b <= 2; ++b) rig.world.states()[idx(b)].linear_momentum_w.y() = 2.0 * 1.0;
   CHECK(rig.steps(20).fell_asleep == 0);  // they turn round after 6 steps
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("A body that is added in mid-air falls", "[unit][sleeping]") {
   const BodyId late = heaps.box(2.0, 3.0);
   heaps.steps(20);
   CHECK_FALSE(heaps.asleep(late));
-  CHECK(heaps.world.states()[at(heaps.world.index_of(late))].position_w.y() < 2.6);
+  CHECK(heaps.world.states()[idx(heaps.world.index_of(late))].position_w.y() < 2.6);
   CHECK(heaps.sleepers() == 4);
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("Taking a support away wakes what it carried, and nothing else", "[uni
   CHECK(heaps.asleep(heaps.other));
   heaps.steps(60);
   const int middle = heaps.world.index_of(heaps.middle);
-  CHECK(heaps.world.states()[at(middle)].position_w.y() < 0.6);  // it does not float
+  CHECK(heaps.world.states()[idx(middle)].position_w.y() < 0.6);  // it does not float
   CHECK(heaps.sleepers() >= 1);
 }
 
@@ -268,7 +268,7 @@ TEST_CASE("Taking away or moving a fixed support wakes what stands on it", "[uni
     CHECK_FALSE(rig.asleep(hat));
     CHECK(rig.asleep(far_cup));
     rig.steps(20);
-    CHECK(rig.world.states()[at(rig.world.index_of(cup))].position_w.y() < 1.2);
+    CHECK(rig.world.states()[idx(rig.world.index_of(cup))].position_w.y() < 1.2);
     rig.world.remove(far_table);
     rig.step();
     CHECK_FALSE(rig.asleep(far_cup));
@@ -285,15 +285,15 @@ TEST_CASE("A lost support is noticed whatever its age and whoever fell asleep la
   rig.steps(40);
   // Wake them one after the other: they fall asleep again in the order 2, 0, 3, 1.
   for (const int k : {2, 0, 3, 1}) {
-    rig.world.set_velocity(cups[at(k)], Vec3::Zero(), Vec3::Zero());
+    rig.world.set_velocity(cups[idx(k)], Vec3::Zero(), Vec3::Zero());
     rig.step();
   }
   rig.steps(40);
   for (const int k : {3, 0, 2, 1}) {
-    REQUIRE(rig.asleep(cups[at(k)]));
-    rig.world.remove(tables[at(k)]);
+    REQUIRE(rig.asleep(cups[idx(k)]));
+    rig.world.remove(tables[idx(k)]);
     CHECK(rig.step().woke == 1);
-    CHECK_FALSE(rig.asleep(cups[at(k)]));
+    CHECK_FALSE(rig.asleep(cups[idx(k)]));
   }
 }
 
@@ -306,8 +306,8 @@ TEST_CASE("A push, a velocity, a new place or a momentum wakes the whole heap",
     if (way == 0) heaps.world.push(heaps.high, Vec3(0.1, 0.0, 0.0), Vec3(0.0, 2.5, 0.0));
     if (way == 1) heaps.world.set_velocity(heaps.high, Vec3(0.1, 0.0, 0.0), Vec3::Zero());
     if (way == 2) heaps.world.set_state(heaps.high, place(0.0, 7.0));
-    if (way == 3) heaps.world.states()[at(high)].linear_momentum_w.x() = 0.1;
-    if (way == 4) heaps.world.states()[at(high)].position_w.x() = 0.1;
+    if (way == 3) heaps.world.states()[idx(high)].linear_momentum_w.x() = 0.1;
+    if (way == 4) heaps.world.states()[idx(high)].position_w.x() = 0.1;
     CHECK(heaps.step().woke == 3);
     CHECK(heaps.stack_awake());
     CHECK(heaps.asleep(heaps.other));

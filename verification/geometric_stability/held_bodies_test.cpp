@@ -91,17 +91,17 @@ struct Difference {
 Difference difference(const Instant& instant, const Found& all, const Found& left) {
   Difference d;
   for (int b = 0; b < instant.world.count(); ++b) {
-    const BodyProperties& body = instant.world.bodies()[at(b)];
+    const BodyProperties& body = instant.world.bodies()[idx(b)];
     if (!body.movable()) continue;
-    const Acceleration& a = all.accelerations[at(b)];
-    const Acceleration& c = left.accelerations[at(b)];
+    const Acceleration& a = all.accelerations[idx(b)];
+    const Acceleration& c = left.accelerations[idx(b)];
     d.acceleration = std::max(
         d.acceleration, fastest(body, a.linear_w - c.linear_w, a.angular_w - c.angular_w) / kG);
-    const Wrench& w = all.wrenches[at(b)];
-    const Wrench& u = left.wrenches[at(b)];
+    const Wrench& w = all.wrenches[idx(b)];
+    const Wrench& u = left.wrenches[idx(b)];
     const double torque = (w.torque_w - u.torque_w).norm() / (0.5 * body.size.norm());
     d.wrench = std::max(d.wrench, ((w.force_w - u.force_w).norm() + torque) / (body.mass * kG));
-    if (left.held[at(b)] != 0)
+    if (left.held[idx(b)] != 0)
       d.held = std::max(d.held, fastest(body, a.linear_w, a.angular_w) / kG);
   }
   return d;
@@ -164,7 +164,7 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
       for (int b = 1; b < world.count(); ++b) {
         Vec3 velocity_w = random.in_cube(0.1);
         velocity_w.y() = 0.0;
-        world.states()[at(b)].linear_momentum_w = world.bodies()[at(b)].mass * velocity_w;
+        world.states()[idx(b)].linear_momentum_w = world.bodies()[idx(b)].mass * velocity_w;
       }
       const Instant instant(world);
       for (const StableRule rule : kRules) check_nothing_changes(instant, rule);
@@ -242,8 +242,8 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodie
     const World left = drop(rule);
     for (int b : {1, 2}) {
       // [m] and [kg m/s]; measured 2e-16 and 6e-16.
-      const BodyState& a = off.states()[at(b)];
-      const BodyState& c = left.states()[at(b)];
+      const BodyState& a = off.states()[idx(b)];
+      const BodyState& c = left.states()[idx(b)];
       CHECK((a.position_w - c.position_w).norm() <= 1e-9);
       CHECK((a.linear_momentum_w - c.linear_momentum_w).norm() <= 1e-9);
     }
@@ -270,7 +270,7 @@ TEST_CASE("A box that tips off a stable one does so at the same time, whichever 
     const World left = tip(rule);
     for (int b : {1, 2}) {
       // [m]
-      CHECK((off.states()[at(b)].position_w - left.states()[at(b)].position_w).norm() <= 1e-9);
+      CHECK((off.states()[idx(b)].position_w - left.states()[idx(b)].position_w).norm() <= 1e-9);
     }
   }
 }
@@ -299,6 +299,6 @@ TEST_CASE("A stable box that slides is left out, and is damped as if it were not
     CHECK(later.states()[2].linear_momentum_w.x() ==
           near(0.5 * elementary::pow(shares.velocity, 20.0)).margin(1e-12));
     for (int b : {1, 2})
-      CHECK((later.states()[at(b)].position_w - off.states()[at(b)].position_w).norm() <= 1e-12);
+      CHECK((later.states()[idx(b)].position_w - off.states()[idx(b)].position_w).norm() <= 1e-12);
   }
 }

@@ -33,10 +33,10 @@ Analytic technique(StableRule rule, AnalyticFriction friction = AnalyticFriction
 double energy(const World& world) {
   double sum = 0.0;
   for (int b = 0; b < world.count(); ++b) {
-    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
     if (!body.movable()) continue;
-    sum += kinetic_energy(body, world.states()[at(b)]) -
-           body.mass * world.gravity_w.dot(world.states()[at(b)].position_w);
+    sum += kinetic_energy(body, world.states()[idx(b)]) -
+           body.mass * world.gravity_w.dot(world.states()[idx(b)].position_w);
   }
   return sum;
 }
@@ -83,7 +83,7 @@ TEST_CASE("Boxes that slide along each other or along a wall are not braked by b
     add(world, Vec3::Ones(), 1.0, Vec3(1.0, 0.5, 0.0), Vec3(0.0, 0.0, 2e-3));
     Analytic analytic = technique(rule);
     for (int k = 0; k < 60; ++k) analytic.step(world, kStep);
-    CHECK(std::abs(world.states()[at(first)].position_w.z() - 2e-3) < 1e-12);  // [m] free
+    CHECK(std::abs(world.states()[idx(first)].position_w.z() - 2e-3) < 1e-12);  // [m] free
   }
 }
 
@@ -116,7 +116,8 @@ TEST_CASE("Damping does not brake boxes that have no weight, whichever bodies ar
     const int cube = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 1.5, 0.0), Vec3(1.0, 0.0, 0.0));
     Analytic analytic = technique(rule, AnalyticFriction::damping);
     for (int k = 0; k < 30; ++k) analytic.step(world, kStep);
-    CHECK(std::abs(velocity(world.bodies()[at(cube)], world.states()[at(cube)]).x() - 1.0) < 1e-12);
+    CHECK(std::abs(velocity(world.bodies()[idx(cube)], world.states()[idx(cube)]).x() - 1.0) <
+          1e-12);
   }
 }
 
@@ -134,7 +135,7 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
     add(world, Vec3::Ones(), mass, 2.0 * up, Vec3::Zero(), turned);
     Analytic analytic = technique(StableRule::hull);
     analytic.step(world, kStep);
-    CHECK((analytic.held()[at(light)] != 0) == (mass == 1.0));
+    CHECK((analytic.held()[idx(light)] != 0) == (mass == 1.0));
   }
 }
 
@@ -146,9 +147,9 @@ TEST_CASE("A box above a closing gap is not held until the gap has closed",
     const int box = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5 + 5e-5, 0.0));
     Analytic analytic = technique(rule);
     analytic.step(world, kStep);
-    CHECK(analytic.held()[at(box)] == 0);
+    CHECK(analytic.held()[idx(box)] == 0);
     for (int k = 0; k < 600; ++k) analytic.step(world, kStep);
-    CHECK(world.states()[at(box)].position_w.y() - 0.5 < 2e-6);  // [m] contact_gap is 1e-6
+    CHECK(world.states()[idx(box)].position_w.y() - 0.5 < 2e-6);  // [m] contact_gap is 1e-6
   }
 }
 

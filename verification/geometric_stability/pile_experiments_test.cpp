@@ -39,11 +39,11 @@ double apart(const BodyProperties& body, const Acceleration& a, const Accelerati
 std::vector<std::vector<Wrench>> single_loads(const World& world) {
   std::vector<std::vector<Wrench>> cases;
   for (int b = 0; b < world.count(); ++b) {
-    if (!world.bodies()[at(b)].movable()) continue;
+    if (!world.bodies()[idx(b)].movable()) continue;
     for (const Vec3& corner_w : top_of(world, b)) {
       cases.emplace_back(world.bodies().size());
-      cases.back()[at(b)] =
-          weight_at(world.states()[at(b)], corner_w, 1000.0 * world.bodies()[at(b)].mass * 9.81);
+      cases.back()[idx(b)] =
+          weight_at(world.states()[idx(b)], corner_w, 1000.0 * world.bodies()[idx(b)].mass * 9.81);
     }
   }
   return cases;
@@ -62,19 +62,19 @@ TEST_CASE("Boxes of a random pile rest on one another without overlap and withou
     REQUIRE(world.count() > 5);
     std::vector<char> touched(world.bodies().size(), 0);
     for (const Contact& contact : touching(world)) {
-      touched[at(contact.first)] = touched[at(contact.second)] = 1;
+      touched[idx(contact.first)] = touched[idx(contact.second)] = 1;
       (std::abs(contact.normal_w.y()) > 0.999 ? vertical : others) += 1;
     }
     for (int a = 1; a < world.count(); ++a) {
-      const BodyState& state = world.states()[at(a)];
+      const BodyState& state = world.states()[idx(a)];
       CHECK(state.linear_momentum_w == Vec3::Zero());
       CHECK(state.angular_momentum_w == Vec3::Zero());
-      if (world.bodies()[at(a)].movable()) CHECK(touched[at(a)] != 0);
-      const Box box = box_of(world.bodies()[at(a)], state);
+      if (world.bodies()[idx(a)].movable()) CHECK(touched[idx(a)] != 0);
+      const Box box = box_of(world.bodies()[idx(a)], state);
       // [m] rounding; measured 1e-16
       CHECK(box.center_w.y() - reach(box, Vec3::UnitY()) > -1e-12);
       for (int b = 1; b < a; ++b) {
-        const Box other = box_of(world.bodies()[at(b)], world.states()[at(b)]);
+        const Box other = box_of(world.bodies()[idx(b)], world.states()[idx(b)]);
         const double distance = separation(box, other, exact).distance;
         CHECK(distance > -1e-10);
         // [m] exact, or farther apart than any tolerance.
@@ -138,14 +138,14 @@ TEST_CASE("Balance and the complementarity problem agree on random piles",
     for (int i = 0; i < islands.count(); ++i) {
       double fastest = 0.0;
       for (const int b : islands.bodies(i)) {
-        const BodyProperties& body = world.bodies()[at(b)];
-        const Acceleration& a = forces.accelerations()[at(b)];
+        const BodyProperties& body = world.bodies()[idx(b)];
+        const Acceleration& a = forces.accelerations()[idx(b)];
         fastest = std::max(fastest, fastest_of(body, a));
         // [m/s²] two ways to one answer; measured 3e-10
-        CHECK(apart(body, a, equilibrium.motion()[at(b)]) < 1e-7);
+        CHECK(apart(body, a, equilibrium.motion()[idx(b)]) < 1e-7);
       }
       // [m/s²] rounding below, and nothing in between; measured 1e-10 and 0.4
-      const bool rests = equilibrium.balanced()[at(islands.bodies(i)[0])] != 0;
+      const bool rests = equilibrium.balanced()[idx(islands.bodies(i)[0])] != 0;
       CHECK((rests ? fastest < 1e-7 : fastest > 1e-4));
       (rests ? balanced : moving) += 1;
     }
@@ -171,9 +171,9 @@ TEST_CASE("Load-proof bodies do not accelerate, whatever is put on top",
     for (const std::vector<Wrench>& loads : cases) {
       REQUIRE(forces.solve(world, contacts, loads));
       for (int b = 0; b < world.count(); ++b)
-        if (members[at(b)] != 0 && world.bodies()[at(b)].movable())
+        if (members[idx(b)] != 0 && world.bodies()[idx(b)].movable())
           // [m/s²] rounding under loads of 1e4 m/s²; measured 1e-7
-          CHECK(fastest_of(world.bodies()[at(b)], forces.accelerations()[at(b)]) < 1e-6);
+          CHECK(fastest_of(world.bodies()[idx(b)], forces.accelerations()[idx(b)]) < 1e-6);
     }
     for (std::size_t b = 0; b < members.size(); ++b) {
       if (firm[b] != 0) CHECK(members[b] != 0);
@@ -200,8 +200,8 @@ TEST_CASE(
         const std::vector<char> stable = called_stable(level, world, contacts);
         const std::vector<char> there = called_stable(level, other, others);
         for (int b = 0; b < world.count(); ++b)
-          CHECK((stable[at(b)] != 0) ==
-                (there[at(other.index_of(*other.find(world.name(b))))] != 0));
+          CHECK((stable[idx(b)] != 0) ==
+                (there[idx(other.index_of(*other.find(world.name(b))))] != 0));
       }
     }
   }
@@ -277,15 +277,15 @@ TEST_CASE("By the text alone a fifth support that can tip does not matter, and t
   const int slab = add(box_properties(Vec3(2.2, 0.25, 2.2), 1.0), Vec3(0.0, 1.125, 0.0));
   const ContactList contacts = touching(world);
   const std::vector<char> text = called_stable_by_text(world, contacts, {});
-  CHECK(text[at(cap)] == 0);
-  CHECK(text[at(slab)] == 1);
-  CHECK(called_stable(StabilityLevel::corners, world, contacts)[at(slab)] == 0);
-  CHECK(called_stable(StabilityLevel::hull, world, contacts)[at(slab)] == 0);
-  CHECK(moves_under_loads(world, contacts)[at(slab)] != 0);
+  CHECK(text[idx(cap)] == 0);
+  CHECK(text[idx(slab)] == 1);
+  CHECK(called_stable(StabilityLevel::corners, world, contacts)[idx(slab)] == 0);
+  CHECK(called_stable(StabilityLevel::hull, world, contacts)[idx(slab)] == 0);
+  CHECK(moves_under_loads(world, contacts)[idx(slab)] != 0);
   // Without loads it stays.
   PileForces forces;
   REQUIRE(forces.solve(world, contacts));
-  CHECK(fastest_of(world.bodies()[at(slab)], forces.accelerations()[at(slab)]) < 1e-9);
+  CHECK(fastest_of(world.bodies()[idx(slab)], forces.accelerations()[idx(slab)]) < 1e-9);
 }
 
 TEST_CASE("Two squares have a square in common, or an octagon, or nothing",

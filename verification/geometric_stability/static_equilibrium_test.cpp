@@ -65,8 +65,8 @@ double limit(const std::function<bool(double)>& stands, double falls, double hol
 double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& contact,
                const Vec3& point_w) {
   const auto of = [&](int body) {
-    const Acceleration& a = found.motion()[at(body)];
-    const Vec3 arm_w = point_w - pile.world.states()[at(body)].position_w;
+    const Acceleration& a = found.motion()[idx(body)];
+    const Vec3 arm_w = point_w - pile.world.states()[idx(body)].position_w;
     return Vec3(a.linear_w + a.angular_w.cross(arm_w));
   };
   return contact.normal_w.dot(of(contact.second) - of(contact.first));
@@ -182,9 +182,9 @@ TEST_CASE("The residual proves that no contact forces can hold the bodies",
     double energy = 0.0;  // a · M a
     double fastest = 0.0;
     for (int b = 0; b < pile.world.count(); ++b) {
-      const BodyProperties& body = pile.world.bodies()[at(b)];
+      const BodyProperties& body = pile.world.bodies()[idx(b)];
       if (!body.movable()) continue;
-      const Acceleration& a = equilibrium.motion()[at(b)];
+      const Acceleration& a = equilibrium.motion()[idx(b)];
       work += body.mass * a.linear_w.dot(pile.world.gravity_w);
       energy += body.mass * a.linear_w.squaredNorm() +
                 body.inertia_b.dot(a.angular_w.cwiseProduct(a.angular_w));  // upright boxes
@@ -194,7 +194,8 @@ TEST_CASE("The residual proves that no contact forces can hold the bodies",
     std::size_t push = 0;
     for (const Contact& contact : pile.contacts)
       for (int p = 0; p < contact.count; ++p, ++push) {
-        const double leaves = parting(pile, equilibrium, contact, contact.points[at(p)].position_w);
+        const double leaves =
+            parting(pile, equilibrium, contact, contact.points[idx(p)].position_w);
         const Vec3& force_w = equilibrium.forces_w()[push];
         resisted = std::min(resisted, leaves);
         CHECK(force_w.dot(contact.normal_w) >= 0.0);
@@ -230,16 +231,16 @@ TEST_CASE("Equilibrium forces balance every weight and every moment",
       for (int p = 0; p < contact.count; ++p, ++push)
         for (const auto& [body, sign] : {std::pair(contact.second, 1.0), {contact.first, -1.0}}) {
           const Vec3 arm_w =
-              contact.points[at(p)].position_w - pile.world.states()[at(body)].position_w;
-          force_w[at(body)] += sign * equilibrium.forces_w()[push];
-          torque_w[at(body)] += sign * arm_w.cross(equilibrium.forces_w()[push]);
+              contact.points[idx(p)].position_w - pile.world.states()[idx(body)].position_w;
+          force_w[idx(body)] += sign * equilibrium.forces_w()[push];
+          torque_w[idx(body)] += sign * arm_w.cross(equilibrium.forces_w()[push]);
         }
     for (int b = 0; b < pile.world.count(); ++b) {
-      const double mass = pile.world.bodies()[at(b)].mass;
-      if (!pile.world.bodies()[at(b)].movable() || equilibrium.balanced()[at(b)] == 0) continue;
+      const double mass = pile.world.bodies()[idx(b)].mass;
+      if (!pile.world.bodies()[idx(b)].movable() || equilibrium.balanced()[idx(b)] == 0) continue;
       ++standing;
-      CHECK((force_w[at(b)] + mass * pile.world.gravity_w).norm() < 1e-8 * mass * kGravity);
-      CHECK(torque_w[at(b)].norm() < 1e-8 * mass * kGravity);
+      CHECK((force_w[idx(b)] + mass * pile.world.gravity_w).norm() < 1e-8 * mass * kGravity);
+      CHECK(torque_w[idx(b)].norm() < 1e-8 * mass * kGravity);
     }
   }
   CHECK(standing > 100);
@@ -256,9 +257,9 @@ TEST_CASE("A free body falls with g, and so do bodies in contact with it",
   const BalanceReport& report = equilibrium.solve(pile.world, task);
   CHECK(!report.balanced);
   for (const int body : {low, high, far}) {
-    CHECK(equilibrium.balanced()[at(body)] == 0);
-    CHECK((equilibrium.motion()[at(body)].linear_w - pile.world.gravity_w).norm() < 1e-12);
-    CHECK(equilibrium.motion()[at(body)].angular_w.norm() < 1e-12);
+    CHECK(equilibrium.balanced()[idx(body)] == 0);
+    CHECK((equilibrium.motion()[idx(body)].linear_w - pile.world.gravity_w).norm() < 1e-12);
+    CHECK(equilibrium.motion()[idx(body)].angular_w.norm() < 1e-12);
   }
 }
 
@@ -374,12 +375,12 @@ TEST_CASE("One body may have a hundred thousand times the mass of another, or fi
       for (int k = 3; k >= 0; --k) {
         const double own = k == other ? ratio : 1.0;
         mass += own;
-        moment += own * x[at(k)];
-        const double under = k > 0 ? x[at(k - 1)] : x[at(k)];
+        moment += own * x[idx(k)];
+        const double under = k > 0 ? x[idx(k - 1)] : x[idx(k)];
         const double centre = moment / mass;
-        inside = std::min({inside, centre - std::max(x[at(k)], under) + 0.5,
-                           std::min(x[at(k)], under) + 0.5 - centre});
-        pile.add(Vec3(x[at(k)], k + 0.5, 0.0), Vec3::Ones(), own);
+        inside = std::min({inside, centre - std::max(x[idx(k)], under) + 0.5,
+                           std::min(x[idx(k)], under) + 0.5 - centre});
+        pile.add(Vec3(x[idx(k)], k + 0.5, 0.0), Vec3::Ones(), own);
       }
       if (std::abs(inside) < 1e-3) continue;
       standing += inside > 0.0 ? 1 : 0;
@@ -407,11 +408,11 @@ TEST_CASE("Loads beside the weights are balanced, also if they are a couple",
   CHECK(balanced({}, false));
   CHECK(balanced({{box, Vec3(0.3, 1.0, 0.0), down_w}}, false));
   CHECK(!balanced({{box, Vec3(0.6, 1.0, 0.0), down_w}}, false));  // beyond its edge
-  CHECK(equilibrium.motion()[at(box)].angular_w.z() < 0.0);       // clockwise, to the right
+  CHECK(equilibrium.motion()[idx(box)].angular_w.z() < 0.0);      // clockwise, to the right
   CHECK(!balanced({{box, Vec3(-0.6, 1.0, 0.0), down_w}}, false));
-  CHECK(equilibrium.motion()[at(box)].angular_w.z() > 0.0);
+  CHECK(equilibrium.motion()[idx(box)].angular_w.z() > 0.0);
   CHECK(!balanced({{box, Vec3(0.0, 1.0, 0.0), -down_w}}, true));  // 10.3 N up against 7.8 N
-  CHECK(equilibrium.motion()[at(box)].linear_w.y() == near(10.3 / 0.8 - kGravity).margin(1e-9));
+  CHECK(equilibrium.motion()[idx(box)].linear_w.y() == near(10.3 / 0.8 - kGravity).margin(1e-9));
   CHECK(balanced({{box, Vec3(0.0, 1.0, 0.0), 0.7 * -down_w}}, true));
   CHECK(!balanced({{box, Vec3(0.0, 0.5, 0.0), Vec3(1.0, 0.0, 0.0)}}, true));  // no friction
   // A couple needs a lid: then two corners, one above and one below, hold it.
@@ -441,8 +442,8 @@ TEST_CASE("Held bodies stay where they are and hold whatever leans on them",
   const BalanceReport& report = equilibrium.solve(pile.world, task);
   CHECK(report.balanced);
   CHECK(report.unknowns == 12);
-  for (const int body : {low, high, highest}) CHECK(equilibrium.balanced()[at(body)] == 1);
-  CHECK(equilibrium.motion()[at(high)].linear_w.norm() == 0.0);
+  for (const int body : {low, high, highest}) CHECK(equilibrium.balanced()[idx(body)] == 1);
+  CHECK(equilibrium.motion()[idx(high)].linear_w.norm() == 0.0);
 }
 
 TEST_CASE("Each island is judged by itself", "[unit][geometric_stability]") {
@@ -454,11 +455,11 @@ TEST_CASE("Each island is judged by itself", "[unit][geometric_stability]") {
   StaticEquilibrium equilibrium;
   const BalanceTask task = pile.task();
   CHECK(!equilibrium.solve(pile.world, task).balanced);
-  CHECK(equilibrium.balanced()[at(stands)] == 1);
-  CHECK(equilibrium.balanced()[at(pillar)] == 0);  // of the same island, though it does not move
-  CHECK(equilibrium.balanced()[at(tips)] == 0);
-  CHECK(equilibrium.motion()[at(stands)].linear_w.norm() < 1e-12);
-  CHECK(equilibrium.motion()[at(tips)].angular_w.z() < -1.0);
+  CHECK(equilibrium.balanced()[idx(stands)] == 1);
+  CHECK(equilibrium.balanced()[idx(pillar)] == 0);  // of the same island, though it does not move
+  CHECK(equilibrium.balanced()[idx(tips)] == 0);
+  CHECK(equilibrium.motion()[idx(stands)].linear_w.norm() < 1e-12);
+  CHECK(equilibrium.motion()[idx(tips)].angular_w.z() < -1.0);
 }
 
 TEST_CASE("Equilibrium refuses invalid input with the value and the right one",

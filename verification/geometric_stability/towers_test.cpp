@@ -33,7 +33,7 @@ struct Pile : test::Pile {
   bool stands() {
     const Towers found = towers();
     for (int b = 0; b < world.count(); ++b)
-      if (world.bodies()[at(b)].movable() && found.states()[at(b)] != TowerState::supported)
+      if (world.bodies()[idx(b)].movable() && found.states()[idx(b)] != TowerState::supported)
         return false;
     return true;
   }
@@ -105,8 +105,8 @@ TEST_CASE("A tower stands as long as the centre of the load is above each suppor
       Vec3 moment_w = Vec3::Zero();
       bool above_stands = true;
       for (int b = count; b >= 1; --b) {
-        const BodyProperties& body = pile.world.bodies()[at(b)];
-        const Vec3& p = pile.world.states()[at(b)].position_w;
+        const BodyProperties& body = pile.world.bodies()[idx(b)];
+        const Vec3& p = pile.world.states()[idx(b)].position_w;
         mass += body.mass;
         moment_w += body.mass * p;
         const Vec3 centre_w = moment_w / mass;
@@ -115,22 +115,22 @@ TEST_CASE("A tower stands as long as the centre of the load is above each suppor
           double low = p[axis] - 0.5 * body.size[axis];
           double high = p[axis] + 0.5 * body.size[axis];
           if (b > 1) {
-            const double q = pile.world.states()[at(b - 1)].position_w[axis];
-            const double half = 0.5 * pile.world.bodies()[at(b - 1)].size[axis];
+            const double q = pile.world.states()[idx(b - 1)].position_w[axis];
+            const double half = 0.5 * pile.world.bodies()[idx(b - 1)].size[axis];
             low = std::max(low, q - half);
             high = std::min(high, q + half);
           }
           inside = std::min({inside, centre_w[axis] - low, high - centre_w[axis]});
         }
         if (!above_stands) {
-          CHECK(towers.states()[at(b)] == TowerState::none);  // undecided
+          CHECK(towers.states()[idx(b)] == TowerState::none);  // undecided
         } else if (inside > 1e-6) {
-          CHECK(towers.states()[at(b)] == TowerState::supported);
-          CHECK(towers.supports()[at(b)] == b - 1);
-          CHECK(towers.loads()[at(b)].mass == near(mass).margin(1e-12 * mass));
-          CHECK((towers.loads()[at(b)].centre_w() - centre_w).norm() < 1e-12 * top);
+          CHECK(towers.states()[idx(b)] == TowerState::supported);
+          CHECK(towers.supports()[idx(b)] == b - 1);
+          CHECK(towers.loads()[idx(b)].mass == near(mass).margin(1e-12 * mass));
+          CHECK((towers.loads()[idx(b)].centre_w() - centre_w).norm() < 1e-12 * top);
         } else if (inside < -1e-6) {
-          CHECK(towers.states()[at(b)] == TowerState::tips);
+          CHECK(towers.states()[idx(b)] == TowerState::tips);
           above_stands = false;
         }
       }
@@ -173,20 +173,20 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   const int touches = pile.add(Vec3(6.0, 0.5, 0.0));
   const int on_alone = pile.add(Vec3(4.9, 1.5, 0.2));
   const Towers towers = pile.towers();
-  const auto state = [&](int b) { return towers.states()[at(b)]; };
+  const auto state = [&](int b) { return towers.states()[idx(b)]; };
   CHECK(state(on_top) == TowerState::supported);
-  CHECK(towers.supports()[at(on_top)] == across);
+  CHECK(towers.supports()[idx(on_top)] == across);
   CHECK(state(across) == TowerState::none);
-  CHECK(towers.supports()[at(across)] == -1);
+  CHECK(towers.supports()[idx(across)] == -1);
   // A body below a box that is not in a tower has not all its loads.
   CHECK(state(left) == TowerState::none);
   CHECK(state(right) == TowerState::none);
-  CHECK(towers.loads()[at(across)].mass == near(2.0).margin(1e-15));
+  CHECK(towers.loads()[idx(across)].mass == near(2.0).margin(1e-15));
   // Side by side: both may be pushed aside. A box on one of them is still its load.
   CHECK(state(alone) == TowerState::none);
   CHECK(state(touches) == TowerState::none);
   CHECK(state(on_alone) == TowerState::supported);
-  CHECK(towers.loads()[at(alone)].mass == near(2.0).margin(1e-15));
+  CHECK(towers.loads()[idx(alone)].mass == near(2.0).margin(1e-15));
 }
 
 TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stability]") {
@@ -196,10 +196,10 @@ TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stabi
   const int high = pile.add(Vec3(0.4, 1.5, 0.0));
   const std::vector<char> held = {0, 1, 0};
   const Towers towers = pile.towers(held);
-  CHECK(towers.states()[at(low)] == TowerState::none);
-  CHECK(towers.supports()[at(low)] == -1);
-  CHECK(towers.states()[at(high)] == TowerState::supported);
-  CHECK(towers.supports()[at(high)] == low);
+  CHECK(towers.states()[idx(low)] == TowerState::none);
+  CHECK(towers.supports()[idx(low)] == -1);
+  CHECK(towers.states()[idx(high)] == TowerState::supported);
+  CHECK(towers.supports()[idx(high)] == low);
   CHECK(towers.loads()[0].mass == 0.0);
 }
 

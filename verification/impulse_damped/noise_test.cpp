@@ -1,7 +1,7 @@
 /// \file
 /// \brief Chance in collisions: what it must never do, and that it can be repeated.
+#include "tumble/contact/collision_noise.hpp"
 #include "tumble/contact/effective_mass.hpp"
-#include "tumble/impulse_damped/collision_noise.hpp"
 
 #include "support/catch.hpp"
 

@@ -37,7 +37,7 @@ double residual_per_load(const LcpProblem& problem, const LcpResult& result) {
   const double scale = load;
   for (int i = 0; i < problem.size(); ++i) {
     double sum = 0.0;
-    for (int j = 0; j < problem.size(); ++j) sum += std::abs(problem.A(i, j) * result.f[at(j)]);
+    for (int j = 0; j < problem.size(); ++j) sum += std::abs(problem.A(i, j) * result.f[idx(j)]);
     load = std::max(load, sum);
   }
   return result.residual * scale / load;
@@ -195,7 +195,7 @@ TEST_CASE("Springs whose forces grow for ever prove that contacts contradict eac
   for (int i = 0; i < 500; ++i) {
     LcpProblem heap = random_contacts(random, 4, 16, i % 2 == 0);
     const int n = heap.size();
-    LcpFactors::Row row = heap.factors.rows[at(n - 1)];
+    LcpFactors::Row row = heap.factors.rows[idx(n - 1)];
     row.linear_first_w = -row.linear_first_w;
     row.angular_first_w = -row.angular_first_w;
     row.linear_second_w = -row.linear_second_w;

@@ -166,8 +166,8 @@ inline std::vector<double> added_accelerations(const LcpFactors& factors,
     const LcpFactors::Row& row = factors.rows[i];
     const auto push = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
       if (body < 0) return;
-      pushed[2 * at(body)] += f[i] * linear_w;
-      pushed[2 * at(body) + 1] += f[i] * angular_w;
+      pushed[2 * idx(body)] += f[i] * linear_w;
+      pushed[2 * idx(body) + 1] += f[i] * angular_w;
     };
     push(row.first, row.linear_first_w, row.angular_first_w);
     push(row.second, row.linear_second_w, row.angular_second_w);

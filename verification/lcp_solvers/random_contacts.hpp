@@ -107,11 +107,11 @@ inline LcpProblem chain(Random& random, int bodies, int contacts,
     row.angular_second_w = random.in_cube(0.5).cross(normal);
     if (options.repeat && i % 5 == 4) row = problem.factors.rows.back();
     problem.factors.rows.push_back(row);
-    problem.b[i] = row.linear_second_w.dot(linear_w[at(row.second)]) +
-                   row.angular_second_w.dot(angular_w[at(row.second)]);
+    problem.b[i] = row.linear_second_w.dot(linear_w[idx(row.second)]) +
+                   row.angular_second_w.dot(angular_w[idx(row.second)]);
     if (row.first >= 0)
-      problem.b[i] += row.linear_first_w.dot(linear_w[at(row.first)]) +
-                      row.angular_first_w.dot(angular_w[at(row.first)]);
+      problem.b[i] += row.linear_first_w.dot(linear_w[idx(row.first)]) +
+                      row.angular_first_w.dot(angular_w[idx(row.first)]);
   }
   multiply_out(problem.factors, problem.A);
   return problem;

@@ -30,8 +30,8 @@ double deepest_overlap(const World& world) {
   double deepest = 0.0;
   for (int a = 0; a < world.count(); ++a)
     for (int b = a + 1; b < world.count(); ++b)
-      deepest = std::max(deepest, -gap_between(world.bodies()[at(a)], world.states()[at(a)],
-                                               world.bodies()[at(b)], world.states()[at(b)])
+      deepest = std::max(deepest, -gap_between(world.bodies()[idx(a)], world.states()[idx(a)],
+                                               world.bodies()[idx(b)], world.states()[idx(b)])
                                        .distance);
   return deepest;
 }
@@ -131,8 +131,8 @@ TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timew
           deepest = std::max(deepest, deepest_overlap(world));
           if (k < 60) continue;  // until it has settled
           for (int body = 1; body <= count; ++body)
-            fastest = std::max(fastest,
-                               velocity(world.bodies()[at(body)], world.states()[at(body)]).norm());
+            fastest = std::max(
+                fastest, velocity(world.bodies()[idx(body)], world.states()[idx(body)]).norm());
         }
         const double slop = tolerance::repair_slop * (1.0 + tolerance::repair_closeness);
         CAPTURE(deepest, fastest, highest - energy, heard.events.size());
@@ -140,7 +140,7 @@ TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timew
         // Each cube overlaps the one below by the permitted slop.
         for (int body = 1; body <= count; ++body) {
           const Vec3 way_w =
-              world.states()[at(body)].position_w - start.states()[at(body)].position_w;
+              world.states()[idx(body)].position_w - start.states()[idx(body)].position_w;
           CHECK(way_w.y() <= 1e-9);
           CHECK(way_w.y() >= -slop * body - 1e-9);
           CHECK(Vec3(way_w.x(), 0.0, way_w.z()).norm() < 1e-6);
@@ -193,11 +193,11 @@ TEST_CASE("A hit on a resting stack is passed on within the frame", "[unit][time
     std::array<double, 4> impulse = {};  // [N s] downwards, on the ground and the three cubes
     for (const Event& event : heard.events) {
       const int lower = std::min(world.index_of(event.first), world.index_of(event.second));
-      impulse[at(lower)] += std::abs(event.impulse_w.y());
+      impulse[idx(lower)] += std::abs(event.impulse_w.y());
       if (lower == 3) first = std::min(first, event.time - start);
     }
     CHECK(first == near(0.1 / 30.0).margin(2e-5));
     for (const double each : impulse) CHECK(each > 10.0);
-    for (int body = 1; body <= 4; ++body) CHECK(world.states()[at(body)].position_w.y() > 0.3);
+    for (int body = 1; body <= 4; ++body) CHECK(world.states()[idx(body)].position_w.y() > 0.3);
   }
 }

@@ -21,13 +21,13 @@ class DeadReckoning {
  public:
   explicit DeadReckoning(const World& world) : world_(world) {
     for (int body = 0; body < world.count(); ++body) {
-      places_.push_back(world.states()[at(body)].position_w);
-      velocities_.push_back(velocity(world.bodies()[at(body)], world.states()[at(body)]));
+      places_.push_back(world.states()[idx(body)].position_w);
+      velocities_.push_back(velocity(world.bodies()[idx(body)], world.states()[idx(body)]));
       times_.push_back(world.time());
     }
   }
   void push(BodyId id, double time, const Vec3& impulse_w) {
-    const std::size_t k = at(world_.index_of(id));
+    const std::size_t k = idx(world_.index_of(id));
     in_order = in_order && time >= times_[k];
     places_[k] += (time - times_[k]) * velocities_[k];
     times_[k] = time;
@@ -229,7 +229,7 @@ TEST_CASE("Elastic cubes in a cage keep their energy, and their momentum up to t
     REQUIRE(heard.events.size() >= 1000);
     Vec3 from_walls_w = Vec3::Zero();
     for (const Event& event : heard.events)
-      if (!world.bodies()[at(world.index_of(event.first))].movable())
+      if (!world.bodies()[idx(world.index_of(event.first))].movable())
         from_walls_w += event.impulse_w;
     // Cubes turn at constant rates, so that flights keep energy to rounding too.
     const double energy_error = std::abs(energy_of(world).kinetic - energy) / energy;
@@ -254,12 +254,12 @@ TEST_CASE("Elastic bricks in a cage lose or gain no more energy than their fligh
     double worst = 0.0;
     for (int k = 0; k < 120; ++k) {
       for (int body = 0; body < world.count(); ++body) {
-        const BodyProperties& brick = world.bodies()[at(body)];
-        BodyState state = world.states()[at(body)];
+        const BodyProperties& brick = world.bodies()[idx(body)];
+        BodyState state = world.states()[idx(body)];
         if (!brick.movable()) continue;
         fly(brick, state, Vec3::Zero(), kFrame, RotationRule::splitting);
         of_flights += std::abs(kinetic_energy(brick, state) -
-                               kinetic_energy(brick, world.states()[at(body)])) /
+                               kinetic_energy(brick, world.states()[idx(body)])) /
                       energy;
       }
       events += technique->step(world, kFrame).events;

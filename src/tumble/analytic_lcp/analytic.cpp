@@ -197,10 +197,10 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
 // Whether no point of a body in contact moves far enough for forces to change.
 bool Analytic::hardly_moves(const World& world, double time) const {
   const auto still = [&](int b) {
-    const BodyProperties& body = world.bodies()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
     if (!body.movable()) return true;
-    const MovingBody& m = moving_[at(b)];
-    const Acceleration& a = forces_.accelerations()[at(b)];
+    const MovingBody& m = moving_[idx(b)];
+    const Acceleration& a = forces_.accelerations()[idx(b)];
     const double reach = 0.5 * body.size.norm();
     const double speed = m.velocity_w.norm() + reach * m.angular_velocity_w.norm();
     const double change = a.linear_w.norm() + reach * a.angular_w.norm();
@@ -248,15 +248,15 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
   // A body that is held is booked as a whole, below: what holds it up is known as a sum only.
   const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
     if (forces_.held().holds(world, body)) return Vec3::Zero();
-    const BodyProperties& b = world.bodies()[at(body)];
-    const BodyState& start = flight_.start()[at(body)];
-    const Vec3 turning = 0.5 * (angular_velocity(b, start) + ended_[at(body)].angular_velocity_w);
-    return 0.5 * (velocity(b, start) + ended_[at(body)].velocity_w) +
-           turning.cross(point_w - moving_[at(body)].position_w);
+    const BodyProperties& b = world.bodies()[idx(body)];
+    const BodyState& start = flight_.start()[idx(body)];
+    const Vec3 turning = 0.5 * (angular_velocity(b, start) + ended_[idx(body)].angular_velocity_w);
+    return 0.5 * (velocity(b, start) + ended_[idx(body)].velocity_w) +
+           turning.cross(point_w - moving_[idx(body)].position_w);
   };
   for (const Contact& contact : resting_) {
     for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& point = contact.points[at(k)];
+      const ContactPoint& point = contact.points[idx(k)];
       const Vec3 slip_w = mean_velocity(contact.second, point.position_w) -
                           mean_velocity(contact.first, point.position_w);
       report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
@@ -265,14 +265,14 @@ void Analytic::book_work(const World& world, double time, StepReport& report) {
   }
   for (int b = 0; b < world.count(); ++b) {
     report.energy.repair -=
-        world.bodies()[at(b)].movable()
-            ? world.bodies()[at(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
+        world.bodies()[idx(b)].movable()
+            ? world.bodies()[idx(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
             : 0.0;
     if (!forces_.held().holds(world, b)) continue;
-    const BodyProperties& body = world.bodies()[at(b)];
-    const BodyState& start = flight_.start()[at(b)];
-    const MovingBody& end = ended_[at(b)];
-    const Wrench& acts = forces_.wrenches()[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
+    const BodyState& start = flight_.start()[idx(b)];
+    const MovingBody& end = ended_[idx(b)];
+    const Wrench& acts = forces_.wrenches()[idx(b)];
     report.energy.restitution +=
         0.5 * time *
         (acts.force_w.dot(velocity(body, start) + end.velocity_w) +

@@ -14,7 +14,7 @@ namespace {
 double fastest_point(const Contact& contact) {
   double least = contact.points[0].approach_speed;
   for (int k = 1; k < contact.count; ++k)
-    least = std::min(least, contact.points[at(k)].approach_speed);
+    least = std::min(least, contact.points[idx(k)].approach_speed);
   return least;
 }
 
@@ -27,7 +27,7 @@ bool Analytic::collide(World& world, const Progress& progress, StepReport& repor
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> which = islands_.contacts(i);
     const bool collision = std::any_of(which.begin(), which.end(), [&](int c) {
-      const Contact& contact = near_[at(c)];
+      const Contact& contact = near_[idx(c)];
       const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
       const auto end = contact.points.begin() + contact.count;
       return std::any_of(contact.points.begin(), end, [&](const ContactPoint& point) {
@@ -49,7 +49,7 @@ bool Analytic::collide(World& world, const Progress& progress, StepReport& repor
 void Analytic::resolve(std::span<const int> which, const World& world, const Progress& progress,
                        StepReport& report) {
   island_.clear();
-  for (const int c : which) island_.push_back(near_[at(c)]);
+  for (const int c : which) island_.push_back(near_[idx(c)]);
   keep_points(island_, [&](const Contact& contact, const ContactPoint& point) {
     const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
     return motion_of(point, scale) != PointMotion::waits;

@@ -21,7 +21,7 @@ void require_entries(std::size_t given, std::size_t needed, std::string_view nam
 }
 
 void require_body(int body, std::size_t count) {
-  if (body < 0 || at(body) >= count)
+  if (body < 0 || idx(body) >= count)
     require::that(false, "contact with body " + std::to_string(body) + ": an index below " +
                              std::to_string(count) + " is needed");
 }
@@ -33,7 +33,7 @@ bool is_edge_axis(AxisIndex axis) { return axis >= 6; }
 Vec3 rate_of_edge_normal(const World& world, const Vec3& omega_first_w, const Vec3& omega_second_w,
                          const Contact& contact) {
   const auto edge_of = [&world](int body, int axis) -> Vec3 {
-    return world.states()[at(body)].orientation_wb.toRotationMatrix().col(axis);
+    return world.states()[idx(body)].orientation_wb.toRotationMatrix().col(axis);
   };
   const Vec3 e = edge_of(contact.first, (contact.axis - 6) / 3);
   const Vec3 h = edge_of(contact.second, (contact.axis - 6) % 3);
@@ -93,8 +93,8 @@ Vec3 rate_of_normal(const World& world, std::span<const MovingBody> bodies,
   if (contact.axis < kNoAxis || contact.axis > 14)
     require::that(false, "contact.axis = " + std::to_string(contact.axis) +
                              ": expected an axis from -1 to 14");
-  const Vec3& omega_first_w = bodies[at(contact.first)].angular_velocity_w;
-  const Vec3& omega_second_w = bodies[at(contact.second)].angular_velocity_w;
+  const Vec3& omega_first_w = bodies[idx(contact.first)].angular_velocity_w;
+  const Vec3& omega_second_w = bodies[idx(contact.second)].angular_velocity_w;
   if (contact.axis == kNoAxis) return Vec3::Zero();  // the ground's
   if (is_edge_axis(contact.axis))
     return rate_of_edge_normal(world, omega_first_w, omega_second_w, contact);
@@ -103,14 +103,14 @@ Vec3 rate_of_normal(const World& world, std::span<const MovingBody> bodies,
 
 // The block of W that a body has in the problem; -1 for one that nothing moves.
 int ContactProblem::place_of(int body, const World& world, std::span<const MovingBody> bodies) {
-  if (!world.bodies()[at(body)].movable()) return -1;
-  if (place_[at(body)] < 0) {
-    place_[at(body)] = static_cast<int>(involved_.size());
+  if (!world.bodies()[idx(body)].movable()) return -1;
+  if (place_[idx(body)] < 0) {
+    place_[idx(body)] = static_cast<int>(involved_.size());
     involved_.push_back(body);
     lcp_.factors.bodies.push_back(
-        {bodies[at(body)].inverse_mass, bodies[at(body)].inverse_inertia_w});
+        {bodies[idx(body)].inverse_mass, bodies[idx(body)].inverse_inertia_w});
   }
-  return place_[at(body)];
+  return place_[idx(body)];
 }
 
 // [S2.6.1:J]
@@ -122,9 +122,9 @@ void ContactProblem::add_row(const World& world, std::span<const MovingBody> bod
   row.first = place_of(contact.first, world, bodies);
   row.second = place_of(contact.second, world, bodies);
   row.linear_first_w = -n;
-  row.angular_first_w = -(point_w - bodies[at(contact.first)].position_w).cross(n);
+  row.angular_first_w = -(point_w - bodies[idx(contact.first)].position_w).cross(n);
   row.linear_second_w = n;
-  row.angular_second_w = (point_w - bodies[at(contact.second)].position_w).cross(n);
+  row.angular_second_w = (point_w - bodies[idx(contact.second)].position_w).cross(n);
 }
 // [S2.6.1:J]
 
@@ -136,7 +136,7 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
   if (!(separation_speed >= 0.0))
     require::that(false,
                   "separation_speed = " + shortest_text(separation_speed) + ": give at least 0");
-  for (const int body : involved_) place_[at(body)] = -1;
+  for (const int body : involved_) place_[idx(body)] = -1;
   place_.resize(bodies.size(), -1);
   involved_.clear();
   rows_.clear();
@@ -149,10 +149,10 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
     const Contact& contact = contacts[c];
     const Vec3& n = contact.normal_w;
     const Vec3 n_rate = rate_of_normal(world, bodies, contact);
-    const MovingBody& first = bodies[at(contact.first)];
-    const MovingBody& second = bodies[at(contact.second)];
+    const MovingBody& first = bodies[idx(contact.first)];
+    const MovingBody& second = bodies[idx(contact.second)];
     for (int k = 0; k < contact.count; ++k) {
-      const Vec3& p = contact.points[at(k)].position_w;
+      const Vec3& p = contact.points[idx(k)].position_w;
       const Vec3 velocity_w = relative_velocity(first, second, p);
       const double speed = n.dot(velocity_w);
       if (speed > separation_speed) {
@@ -164,8 +164,8 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
 
       // [S2.6.1:row]
       // What the gap does without forces; what a force does to it.
-      const Vec3 acceleration_w = acceleration_at(second, free[at(contact.second)], p) -
-                                  acceleration_at(first, free[at(contact.first)], p);
+      const Vec3 acceleration_w = acceleration_at(second, free[idx(contact.second)], p) -
+                                  acceleration_at(first, free[idx(contact.first)], p);
       constant_.push_back(n.dot(acceleration_w) + 2.0 * n_rate.dot(velocity_w));
       add_row(world, bodies, contact, p);
       // [S2.6.1:row]
@@ -186,7 +186,7 @@ void ContactProblem::add_wrenches(std::span<const double> f, std::span<Wrench> w
   require_entries(wrenches.size(), place_.size(), "wrenches");
   const auto push = [&](int place, double force, const Vec3& linear, const Vec3& angular) {
     if (place < 0) return;
-    Wrench& wrench = wrenches[at(involved_[at(place)])];
+    Wrench& wrench = wrenches[idx(involved_[idx(place)])];
     wrench.force_w += force * linear;
     wrench.torque_w += force * angular;
   };

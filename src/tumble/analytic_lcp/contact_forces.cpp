@@ -78,21 +78,21 @@ ForceReport ContactForces::solve(const World& world, std::span<const MovingBody>
 void ContactForces::load(const Task& task, std::span<const Contact> contacts,
                          std::span<const int> which) {
   island_.clear();
-  for (const int c : which) island_.push_back(contacts[at(c)]);
+  for (const int c : which) island_.push_back(contacts[idx(c)]);
   problem_.assemble(*task.world, task.bodies, free_, island_,
                     std::numeric_limits<double>::infinity());
   points_.clear();
   terms_.clear();
   start_.clear();
   for (const ContactRow& row : problem_.rows()) {
-    const Contact& contact = island_[at(row.contact)];
-    const ContactPoint& p = contact.points[at(row.point)];
+    const Contact& contact = island_[idx(row.contact)];
+    const ContactPoint& p = contact.points[idx(row.point)];
     const TouchScale scale = touch_scale(*task.world, contact.first, contact.second, task.aim.dt);
     if (p.normal_impulse > 0.0) start_.push_back(static_cast<int>(points_.size()));
 
     Point& point = points_.emplace_back();
-    point.velocity_w = relative_velocity(task.bodies[at(contact.first)],
-                                         task.bodies[at(contact.second)], p.position_w);
+    point.velocity_w = relative_velocity(task.bodies[idx(contact.first)],
+                                         task.bodies[idx(contact.second)], p.position_w);
     // What stuck so far has got a speed by the error of a flight, and goes on sticking.
     const bool stuck = state_of(contact, row.point) == ContactState::stick;
     const double slow =
@@ -131,21 +131,21 @@ bool ContactForces::solve_normals(ForceReport& report) {
     return false;
   }
   for (std::size_t i = 0; i < points_.size(); ++i)
-    points_[i].push_w = result_.f[i] * island_[at(problem_.rows()[i].contact)].normal_w;
+    points_[i].push_w = result_.f[i] * island_[idx(problem_.rows()[i].contact)].normal_w;
   return true;
 }
 
 // What a row's point does across its normal: how it accelerates, and how fast it moves if it should
 // not, to be undone within the relaxation.
 Vec3 ContactForces::drift_w(const Task& task, int row, std::span<const Acceleration> of) const {
-  const ContactRow& place = problem_.rows()[at(row)];
-  const Contact& contact = island_[at(place.contact)];
-  const Vec3& p = contact.points[at(place.point)].position_w;
+  const ContactRow& place = problem_.rows()[idx(row)];
+  const Contact& contact = island_[idx(place.contact)];
+  const Vec3& p = contact.points[idx(place.point)].position_w;
   const auto acceleration_of = [&](int body) {
-    return acceleration_at(task.bodies[at(body)], of[at(body)], p);
+    return acceleration_at(task.bodies[idx(body)], of[idx(body)], p);
   };
   Vec3 drift = acceleration_of(contact.second) - acceleration_of(contact.first);
-  const Point& point = points_[at(row)];
+  const Point& point = points_[idx(row)];
   if (!point.slides) drift += point.velocity_w / task.aim.relaxation;
   return across(drift, contact.normal_w);
 }
@@ -155,7 +155,7 @@ bool ContactForces::needs_friction(const Task& task) const {
   for (int i = 0; i < problem_.lcp().size(); ++i)
     resisted = std::max(resisted, std::abs(problem_.lcp().b[i]));
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!(island_[at(problem_.rows()[i].contact)].friction > 0.0)) continue;
+    if (!(island_[idx(problem_.rows()[i].contact)].friction > 0.0)) continue;
     if (!(result_.f[i] > 0.0)) continue;
     if (points_[i].slides) return true;
     const Vec3 drift = drift_w(task, static_cast<int>(i), total_);
@@ -174,7 +174,8 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
     out.normal_constant = problem_.lcp().b[static_cast<int>(i)];
     out.tangential_constant_w = drift_w(task, static_cast<int>(i), free_);
     if (points_[i].slides)
-      out.sliding_w = across(points_[i].velocity_w, island_[at(out.contact)].normal_w).normalized();
+      out.sliding_w =
+          across(points_[i].velocity_w, island_[idx(out.contact)].normal_w).normalized();
   }
   pyramid_.assemble(task.bodies, island_, friction_points_, options_.directions);
   friction_solver_.solve(pyramid_.lcp(), result_);
@@ -206,8 +207,8 @@ bool ContactForces::take_velocity_step(const Task& task, ForceReport& report) {
   }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const ContactRow& row = problem_.rows()[i];
-    const Contact& contact = island_[at(row.contact)];
-    const ContactPoint& p = contact.points[at(row.point)];
+    const Contact& contact = island_[idx(row.contact)];
+    const ContactPoint& p = contact.points[idx(row.point)];
     points_[i].push_w =
         (p.normal_impulse * contact.normal_w + p.friction_impulse_w) / task.aim.duration;
   }
@@ -216,25 +217,25 @@ bool ContactForces::take_velocity_step(const Task& task, ForceReport& report) {
 
 // Wrenches and accelerations of the island's bodies, from nothing.
 void ContactForces::apply_pushes(const Task& task, std::span<const int> members) {
-  for (const int b : members) wrenches_[at(b)] = Wrench{};
+  for (const int b : members) wrenches_[idx(b)] = Wrench{};
   const auto add = [&](int body, const Vec3& point_w, const Vec3& push_w) {
-    if (!task.world->bodies()[at(body)].movable() || held_.holds(*task.world, body)) return;
-    wrenches_[at(body)].force_w += push_w;
-    wrenches_[at(body)].torque_w += (point_w - task.bodies[at(body)].position_w).cross(push_w);
+    if (!task.world->bodies()[idx(body)].movable() || held_.holds(*task.world, body)) return;
+    wrenches_[idx(body)].force_w += push_w;
+    wrenches_[idx(body)].torque_w += (point_w - task.bodies[idx(body)].position_w).cross(push_w);
   };
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const ContactRow& row = problem_.rows()[i];
-    const Contact& contact = island_[at(row.contact)];
-    const Vec3& p = contact.points[at(row.point)].position_w;
+    const Contact& contact = island_[idx(row.contact)];
+    const Vec3& p = contact.points[idx(row.point)].position_w;
     add(contact.first, p, -points_[i].push_w);
     add(contact.second, p, points_[i].push_w);
   }
   for (const int b : members) {
-    const MovingBody& body = task.bodies[at(b)];
-    total_[at(b)].linear_w =
-        free_[at(b)].linear_w + body.inverse_mass.cwiseProduct(wrenches_[at(b)].force_w);
-    total_[at(b)].angular_w =
-        free_[at(b)].angular_w + body.inverse_inertia_w * wrenches_[at(b)].torque_w;
+    const MovingBody& body = task.bodies[idx(b)];
+    total_[idx(b)].linear_w =
+        free_[idx(b)].linear_w + body.inverse_mass.cwiseProduct(wrenches_[idx(b)].force_w);
+    total_[idx(b)].angular_w =
+        free_[idx(b)].angular_w + body.inverse_inertia_w * wrenches_[idx(b)].torque_w;
   }
 }
 
@@ -242,7 +243,7 @@ void ContactForces::apply_pushes(const Task& task, std::span<const int> members)
 void ContactForces::find_end_of_slip(const Task& task, ForceReport& report) const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Point& point = points_[i];
-    const Vec3& n = island_[at(problem_.rows()[i].contact)].normal_w;
+    const Vec3& n = island_[idx(problem_.rows()[i].contact)].normal_w;
     const Vec3 slip_w = across(point.velocity_w, n);
     const Vec3 friction_w = across(point.push_w, n);
     if (!point.slides || friction_w.isZero(0.0)) continue;
@@ -256,11 +257,11 @@ void ContactForces::store(const Task& task, std::span<Contact> contacts,
                           std::span<const int> which) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const ContactRow& row = problem_.rows()[i];
-    Contact& contact = contacts[at(which[at(row.contact)])];
+    Contact& contact = contacts[idx(which[idx(row.contact)])];
     const Vec3 impulse_w = task.aim.duration * points_[i].push_w;
     const Vec3 friction_w = across(impulse_w, contact.normal_w);
-    contact.points[at(row.point)].normal_impulse = impulse_w.dot(contact.normal_w);
-    contact.points[at(row.point)].friction_impulse_w = friction_w;
+    contact.points[idx(row.point)].normal_impulse = impulse_w.dot(contact.normal_w);
+    contact.points[idx(row.point)].friction_impulse_w = friction_w;
   }
 }
 

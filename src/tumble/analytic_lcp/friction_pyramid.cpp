@@ -13,7 +13,7 @@ namespace tumble {
 namespace {
 
 void require_index(int index, std::size_t count, std::string_view name) {
-  if (index < 0 || at(index) >= count)
+  if (index < 0 || idx(index) >= count)
     require::that(false, std::string(name) + " = " + std::to_string(index) +
                              ": expected an index below " + std::to_string(count));
 }
@@ -21,8 +21,8 @@ void require_index(int index, std::size_t count, std::string_view name) {
 void require_valid(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
                    const FrictionPoint& point) {
   require_index(point.contact, contacts.size(), "points: contact");
-  const Contact& contact = contacts[at(point.contact)];
-  require_index(point.point, at(contact.count), "points: point");
+  const Contact& contact = contacts[idx(point.contact)];
+  require_index(point.point, idx(contact.count), "points: point");
   require_index(contact.first, bodies.size(), "contact.first");
   require_index(contact.second, bodies.size(), "contact.second");
   require::not_negative(contact.friction, "contact.friction");
@@ -67,10 +67,10 @@ Mat3 yield_of(const MovingBody& body, const Vec3& look_w, const Vec3& push_w) {
 Mat3 yield_between(std::span<const MovingBody> bodies, const Contact& look, const Vec3& look_w,
                    const Contact& push, const Vec3& push_w) {
   Mat3 yield = Mat3::Zero();
-  if (look.first == push.first) yield += yield_of(bodies[at(look.first)], look_w, push_w);
-  if (look.second == push.second) yield += yield_of(bodies[at(look.second)], look_w, push_w);
-  if (look.first == push.second) yield -= yield_of(bodies[at(look.first)], look_w, push_w);
-  if (look.second == push.first) yield -= yield_of(bodies[at(look.second)], look_w, push_w);
+  if (look.first == push.first) yield += yield_of(bodies[idx(look.first)], look_w, push_w);
+  if (look.second == push.second) yield += yield_of(bodies[idx(look.second)], look_w, push_w);
+  if (look.first == push.second) yield -= yield_of(bodies[idx(look.first)], look_w, push_w);
+  if (look.second == push.first) yield -= yield_of(bodies[idx(look.second)], look_w, push_w);
   return yield;
 }
 
@@ -98,7 +98,7 @@ void FrictionPyramid::list_unknowns(std::span<const Contact> contacts,
   ranges_.clear();
   has_friction_ = false;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const Contact& contact = contacts[at(points[p].contact)];
+    const Contact& contact = contacts[idx(points[p].contact)];
     const Vec3& n = contact.normal_w;
     const bool rough = points[p].rough && directions > 0 && contact.friction > 0.0;
     const bool slides = rough && !points[p].sliding_w.isZero(0.0);
@@ -128,12 +128,12 @@ void FrictionPyramid::list_unknowns(std::span<const Contact> contacts,
 
 // The block of A in which the rows of one point see the pushes of another one, and its opposite.
 void FrictionPyramid::couple(int i, int j, const Mat3& yield) {
-  const Range& rows = ranges_[at(i)];
-  const Range& columns = ranges_[at(j)];
+  const Range& rows = ranges_[idx(i)];
+  const Range& columns = ranges_[idx(j)];
   for (int c = columns.first; c < columns.first + columns.count(); ++c) {
     for (int r = rows.first; r < rows.first + rows.count(); ++r) {
-      const Unknown& row = unknowns_[at(r)];
-      const Unknown& column = unknowns_[at(c)];
+      const Unknown& row = unknowns_[idx(r)];
+      const Unknown& column = unknowns_[idx(c)];
       lcp_.A(r, c) = row.look_w.dot(yield * column.push_w);
       if (i != j) lcp_.A(c, r) = row.push_w.dot(yield * column.look_w);
     }
@@ -142,7 +142,7 @@ void FrictionPyramid::couple(int i, int j, const Mat3& yield) {
 
 // The rows and columns of lambda, in units of s.
 void FrictionPyramid::add_sliding(int point, double friction) {
-  const Range& range = ranges_[at(point)];
+  const Range& range = ranges_[idx(point)];
   if (range.directions == 0) return;
   const int c = range.first;
   const int lambda = c + range.directions + 1;
@@ -169,17 +169,19 @@ void FrictionPyramid::assemble(std::span<const MovingBody> bodies,
 
   for (Eigen::Index k = 0; k < size; ++k) {
     const Unknown& unknown = unknowns_[static_cast<std::size_t>(k)];
-    const FrictionPoint& point = points[at(unknown.point)];
-    const bool is_normal = ranges_[at(unknown.point)].first == static_cast<int>(k);
+    const FrictionPoint& point = points[idx(unknown.point)];
+    const bool is_normal = ranges_[idx(unknown.point)].first == static_cast<int>(k);
     lcp_.b[k] = is_normal ? point.normal_constant : unknown.look_w.dot(point.tangential_constant_w);
   }
   const auto place_of = [&](int point) {
-    return contacts[at(points[at(point)].contact)].points[at(points[at(point)].point)].position_w;
+    return contacts[idx(points[idx(point)].contact)]
+        .points[idx(points[idx(point)].point)]
+        .position_w;
   };
   for (int j = 0; j < static_cast<int>(points.size()); ++j) {
-    const Contact& push = contacts[at(points[at(j)].contact)];
+    const Contact& push = contacts[idx(points[idx(j)].contact)];
     for (int i = 0; i <= j; ++i) {
-      const Contact& look = contacts[at(points[at(i)].contact)];
+      const Contact& look = contacts[idx(points[idx(i)].contact)];
       couple(i, j, yield_between(bodies, look, place_of(i), push, place_of(j)));
     }
     add_sliding(j, push.friction);
@@ -193,7 +195,7 @@ void FrictionPyramid::pushes(std::span<const double> f, std::vector<Vec3>& push)
   push.assign(ranges_.size(), Vec3::Zero());
   for (std::size_t k = 0; k < f.size(); ++k) {
     const Unknown& unknown = unknowns_[k];
-    push[at(unknown.point)] += f[k] * unknown.push_w;
+    push[idx(unknown.point)] += f[k] * unknown.push_w;
   }
 }
 

@@ -64,11 +64,11 @@ bool ImpactSearch::look(const ForcedFlight& flight, const ImpactSearchTask& task
   ++result.evaluations;
   for (const int b : involved_) {
     flight.put(world, b, time, task.rule);
-    const BodyProperties& body = world.bodies()[at(b)];
-    const BodyState& state = world.states()[at(b)];
-    moving_[at(b)].velocity_w = velocity(body, state);
-    moving_[at(b)].angular_velocity_w = angular_velocity(body, state);
-    moving_[at(b)].position_w = state.position_w;
+    const BodyProperties& body = world.bodies()[idx(b)];
+    const BodyState& state = world.states()[idx(b)];
+    moving_[idx(b)].velocity_w = velocity(body, state);
+    moving_[idx(b)].angular_velocity_w = angular_velocity(body, state);
+    moving_[idx(b)].position_w = state.position_w;
   }
   near_met_.clear();
   result.pair_tests += gather_contacts(world, moving_, near_, 0.0, task.near, overlaps_).pair_tests;
@@ -77,8 +77,8 @@ bool ImpactSearch::look(const ForcedFlight& flight, const ImpactSearchTask& task
       near_met_.push_back({contact.first, contact.second});
   far_met_.clear();
   for (const IndexPair& pair : far_) {
-    const std::size_t i = at(pair.first);
-    const std::size_t j = at(pair.second);
+    const std::size_t i = idx(pair.first);
+    const std::size_t j = idx(pair.second);
     if (!world.bodies()[i].movable() && !world.bodies()[j].movable()) continue;
     ++result.pair_tests;
     const Separation gap =

@@ -29,7 +29,7 @@ double IslandDamping::run(std::span<const Contact> contacts, const HeldBodies& h
   // Of two bodies that are held the upper one presses on the lower, with a force that is not known.
   const auto stand = [&](const Contact& contact) {
     const int upper = contact.normal_w.y() > 0.0 ? contact.second : contact.first;
-    return held.both(contact) && world.bodies()[at(upper)].movable() &&
+    return held.both(contact) && world.bodies()[idx(upper)].movable() &&
            is_vertical(contact.normal_w, tolerance::exact_vertical);
   };
   for (const Contact& contact : contacts)
@@ -41,9 +41,9 @@ double IslandDamping::run(std::span<const Contact> contacts, const HeldBodies& h
     const std::span<const int> which = islands_.contacts(i);
     if (which.empty()) continue;
     const bool anchored = std::any_of(which.begin(), which.end(), [&](int c) {
-      const Contact& contact = pushing_[at(c)];
-      return !world.bodies()[at(contact.first)].movable() ||
-             !world.bodies()[at(contact.second)].movable();
+      const Contact& contact = pushing_[idx(c)];
+      return !world.bodies()[idx(contact.first)].movable() ||
+             !world.bodies()[idx(contact.second)].movable();
     });
     // [S5.3:damping]
     // What the group moves along with is not damped: its scenery, or
@@ -51,13 +51,13 @@ double IslandDamping::run(std::span<const Contact> contacts, const HeldBodies& h
     Vec3 drift_w = Vec3::Zero();  // [m/s]
     double mass = 0.0;
     for (const int b : islands_.bodies(i)) {
-      mass += world.bodies()[at(b)].mass;
-      drift_w += world.states()[at(b)].linear_momentum_w;
+      mass += world.bodies()[idx(b)].mass;
+      drift_w += world.states()[idx(b)].linear_momentum_w;
     }
     drift_w = anchored ? Vec3::Zero() : Vec3(drift_w / mass);
     for (const int b : islands_.bodies(i)) {
-      const BodyProperties& body = world.bodies()[at(b)];
-      BodyState& state = world.states()[at(b)];
+      const BodyProperties& body = world.bodies()[idx(b)];
+      BodyState& state = world.states()[idx(b)];
       const double before = kinetic_energy(body, state);
       const Vec3 along_w = body.mass * drift_w;
       state.linear_momentum_w = along_w + k1 * (state.linear_momentum_w - along_w);

@@ -85,11 +85,11 @@ void TimeStepping::move(World& world, double dt, StepReport& report) {
       if (const std::optional<PushedPair> pair = pushed_pair(contact)) pushed_.push_back(*pair);
   carried_.find(world.bodies(), moving_, pushed_);
   for (int b = 0; b < world.count(); ++b) {
-    if (!world.bodies()[at(b)].movable()) continue;
+    if (!world.bodies()[idx(b)].movable()) continue;
     if (carried_.carries(b)) {
       report.energy.repair += carried_.move(b, dt, world);
     } else {
-      advance_pose(world.bodies()[at(b)], world.states()[at(b)], dt, options_.rotation);
+      advance_pose(world.bodies()[idx(b)], world.states()[idx(b)], dt, options_.rotation);
     }
     ++report.integrations;
   }
@@ -126,7 +126,7 @@ void TimeStepping::find_pairs(const World& world, double margin) {
 void TimeStepping::record(const World& world) {
   for (const Contact& contact : contacts_) {
     for (int p = 0; p < contact.count; ++p) {
-      const ContactPoint& point = contact.points[at(p)];
+      const ContactPoint& point = contact.points[idx(p)];
       if (point.distance > 0.0 && !(point.normal_impulse > 0.0)) continue;
       records_.push_back(record_of(contact, p, world.time()));
     }

@@ -19,7 +19,7 @@ namespace {
 
 // Velocity of the second body against the first at a point.
 Vec3 motion(std::span<const MovingBody> bodies, const Contact& contact, const Vec3& place_w) {
-  return relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)], place_w);
+  return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)], place_w);
 }
 
 }  // namespace
@@ -90,11 +90,11 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
   bool bounces = false;
   speed_ = 0.0;
   for (const int c : contacts) {
-    const Contact& contact = task.contacts[at(c)];
+    const Contact& contact = task.contacts[idx(c)];
     const double near =
         tolerance::repair_slop * pair_size(*task.world, contact.first, contact.second);
     for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& point = contact.points[at(k)];
+      const ContactPoint& point = contact.points[idx(k)];
       const bool touches = point.distance <= near;
       if (!touches && task.options.form == SteppingForm::anitescu_potra) continue;
       const Vec3 u_free = motion(free_, contact, point.position_w);
@@ -139,8 +139,8 @@ void VelocityStep::list_points(std::span<const Contact> contacts, bool bounce) {
   points_.clear();
   for (const Candidate& candidate : candidates()) {
     if (!candidate.taken_up) continue;
-    const Contact& contact = contacts[at(candidate.contact)];
-    const Vec3 u = motion(free_, contact, contact.points[at(candidate.point)].position_w);
+    const Contact& contact = contacts[idx(candidate.contact)];
+    const Vec3 u = motion(free_, contact, contact.points[idx(candidate.point)].position_w);
     const double u_n = contact.normal_w.dot(u);
     FrictionPoint& point = points_.emplace_back();
     point.contact = candidate.contact;
@@ -188,11 +188,11 @@ double VelocityStep::error_of(const LcpProblem& problem) const {
 
 // The velocities of an island at the end, from those of free bodies.
 void VelocityStep::apply_pushes(const Task& task, int island) {
-  for (const int body : islands_.bodies(island)) ended_[at(body)] = free_[at(body)];
+  for (const int body : islands_.bodies(island)) ended_[idx(body)] = free_[idx(body)];
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = task.contacts[at(candidate.contact)];
-    apply_impulse(ended_[at(contact.first)], ended_[at(contact.second)],
-                  contact.points[at(candidate.point)].position_w, candidate.push_w);
+    const Contact& contact = task.contacts[idx(candidate.contact)];
+    apply_impulse(ended_[idx(contact.first)], ended_[idx(contact.second)],
+                  contact.points[idx(candidate.point)].position_w, candidate.push_w);
   }
 }
 
@@ -200,9 +200,9 @@ void VelocityStep::apply_pushes(const Task& task, int island) {
 bool VelocityStep::take_up_friction(std::span<const Contact> contacts) {
   bool slides = false;
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = contacts[at(candidate.contact)];
+    const Contact& contact = contacts[idx(candidate.contact)];
     if (candidate.rubs || !(contact.friction > 0.0) || candidate.push_w.isZero(0.0)) continue;
-    const Vec3 u = motion(ended_, contact, contact.points[at(candidate.point)].position_w);
+    const Vec3 u = motion(ended_, contact, contact.points[idx(candidate.point)].position_w);
     const Vec3 across = u - contact.normal_w.dot(u) * contact.normal_w;
     slides = slides || across.norm() > tolerance::step_sliding * speed_;
   }
@@ -217,8 +217,8 @@ bool VelocityStep::take_up_missed(std::span<const Contact> contacts, bool bounce
   bool any = false;
   for (Candidate& candidate : candidates()) {
     if (candidate.taken_up) continue;
-    const Contact& contact = contacts[at(candidate.contact)];
-    const Vec3 u = motion(ended_, contact, contact.points[at(candidate.point)].position_w);
+    const Contact& contact = contacts[idx(candidate.contact)];
+    const Vec3 u = motion(ended_, contact, contact.points[idx(candidate.point)].position_w);
     const double floor = bounce ? candidate.bounce_floor : candidate.floor;
     if (contact.normal_w.dot(u) >= floor - tolerance::still * speed_) continue;
     candidate.taken_up = true;
@@ -232,8 +232,8 @@ double VelocityStep::work(std::span<const Contact> contacts) const {
   double sum = 0.0;
   double terms = 0.0;
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = contacts[at(candidate.contact)];
-    const Vec3& place_w = contact.points[at(candidate.point)].position_w;
+    const Contact& contact = contacts[idx(candidate.contact)];
+    const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
     const Vec3 u = 0.5 * (motion(free_, contact, place_w) + motion(ended_, contact, place_w));
     sum += candidate.push_w.dot(u);
     terms += std::abs(candidate.push_w.dot(u));
@@ -247,8 +247,8 @@ void VelocityStep::go_towards_bounce(std::span<const Contact> contacts, double b
   const double start = std::min(work(contacts), 0.0);
   double slope = 0.0;
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = contacts[at(candidate.contact)];
-    const Vec3 u = motion(ended_, contact, contact.points[at(candidate.point)].position_w);
+    const Contact& contact = contacts[idx(candidate.contact)];
+    const Vec3 u = motion(ended_, contact, contact.points[idx(candidate.point)].position_w);
     slope += (candidate.bounce_w - candidate.push_w).dot(u);
   }
   const double curvature = std::max(bounce_work - start - slope, 0.0);
@@ -270,8 +270,8 @@ void VelocityStep::store(std::span<Contact> contacts, std::span<MovingBody> bodi
     if (candidate.taken_up) ++result.points;
     if (candidate.push_w.isZero(0.0)) continue;
     ++result.impulses;
-    Contact& contact = contacts[at(candidate.contact)];
-    ContactPoint& point = contact.points[at(candidate.point)];
+    Contact& contact = contacts[idx(candidate.contact)];
+    ContactPoint& point = contact.points[idx(candidate.point)];
     point.normal_impulse = contact.normal_w.dot(candidate.push_w);
     point.friction_impulse_w = candidate.push_w - point.normal_impulse * contact.normal_w;
     const Vec3 u = 0.5 * (motion(bodies, contact, point.position_w) +

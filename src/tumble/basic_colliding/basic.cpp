@@ -139,9 +139,9 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   double speed_change = 0.0;
   for (const Contact& contact : contacts_) {
     double impulse = 0.0;
-    for (int p = 0; p < contact.count; ++p) impulse += contact.points[at(p)].normal_impulse;
+    for (int p = 0; p < contact.count; ++p) impulse += contact.points[idx(p)].normal_impulse;
     for (const int body : {contact.first, contact.second})
-      speed_change = std::max(speed_change, impulse * moving_[at(body)].inverse_mass.maxCoeff());
+      speed_change = std::max(speed_change, impulse * moving_[idx(body)].inverse_mass.maxCoeff());
   }
   return speed_change;
 }
@@ -153,8 +153,8 @@ void Basic::release_rounding(const World& world, double speed_change, double rem
   for (const IndexPair& pair : touching_) {
     double size = 0.0;
     for (const int body : {pair.first, pair.second})
-      if (world.bodies()[at(body)].movable())
-        size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
+      if (world.bodies()[idx(body)].movable())
+        size = std::max(size, world.bodies()[idx(body)].size.maxCoeff());
     const double rounding = tolerance::rounding_overlap * size;
     if (speed_change * remaining > rounding) return released_.clear();
     if (gap_at(flight, pair, remaining).distance > -rounding) released_.push_back(pair);

@@ -59,27 +59,27 @@ void check_pairs(std::span<const IndexPair> pairs, int count) {
 
 bool touch_pair(const World& world, std::span<const BodyState> states, const IndexPair& pair,
                 double margin, AxisIndex remembered, Manifold& out) {
-  const BodyProperties& a = world.bodies()[at(pair.first)];
-  const BodyProperties& b = world.bodies()[at(pair.second)];
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground)
-    return collide_with_ground(box_of(b, states[at(pair.second)]), margin, out);
-  const Box box = box_of(a, states[at(pair.first)]);
+    return collide_with_ground(box_of(b, states[idx(pair.second)]), margin, out);
+  const Box box = box_of(a, states[idx(pair.first)]);
   if (b.shape == Shape::ground) {
     const bool found = collide_with_ground(box, margin, out);
     flip(out);
     return found;
   }
-  return collide(box, box_of(b, states[at(pair.second)]), margin, remembered, out);
+  return collide(box, box_of(b, states[idx(pair.second)]), margin, remembered, out);
 }
 
 Contact contact_of(const World& world, const IndexPair& pair) {
-  const BodyProperties& a = world.bodies()[at(pair.first)];
-  const BodyProperties& b = world.bodies()[at(pair.second)];
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
   Contact contact;
   contact.first = pair.first;
   contact.second = pair.second;
-  contact.first_id = world.ids()[at(pair.first)];
-  contact.second_id = world.ids()[at(pair.second)];
+  contact.first_id = world.ids()[idx(pair.first)];
+  contact.second_id = world.ids()[idx(pair.second)];
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
   return contact;
@@ -88,7 +88,7 @@ Contact contact_of(const World& world, const IndexPair& pair) {
 void set_points(const Manifold& manifold, Contact& contact) {
   contact.normal_w = manifold.normal_w;
   contact.count = manifold.count;
-  for (std::size_t i = 0; i < at(manifold.count); ++i) {
+  for (std::size_t i = 0; i < idx(manifold.count); ++i) {
     contact.points[i].position_w = manifold.points[i].position_w;
     contact.points[i].distance = manifold.points[i].distance;
     contact.points[i].feature = manifold.points[i].feature;
@@ -98,8 +98,8 @@ void set_points(const Manifold& manifold, Contact& contact) {
 double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
   double least = 0.0;
   for (int k = 0; k < contact.count; ++k) {
-    const Vec3 u_w = relative_velocity(bodies[at(contact.first)], bodies[at(contact.second)],
-                                       contact.points[at(k)].position_w);
+    const Vec3 u_w = relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)],
+                                       contact.points[idx(k)].position_w);
     const double speed = contact.normal_w.dot(u_w);
     least = k == 0 ? speed : std::min(least, speed);
   }
@@ -119,7 +119,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
   Earlier earlier(previous);
   Manifold manifold;
   for (const IndexPair& pair : candidates) {
-    if (!world.bodies()[at(pair.first)].movable() && !world.bodies()[at(pair.second)].movable())
+    if (!world.bodies()[idx(pair.first)].movable() && !world.bodies()[idx(pair.second)].movable())
       continue;
 
     // Indices and ids are in the same order, so the smaller index has the smaller id, and the list
@@ -133,7 +133,7 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
     contact.axis = manifold.axis;
     set_points(manifold, contact);
     for (int i = 0; i < manifold.count; ++i)
-      report.deepest_overlap = std::max(report.deepest_overlap, -manifold.points[at(i)].distance);
+      report.deepest_overlap = std::max(report.deepest_overlap, -manifold.points[idx(i)].distance);
     stamp(bodies, contact);
     report.points += contact.count;
     out.push_back(contact);

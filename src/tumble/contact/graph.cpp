@@ -38,8 +38,8 @@ void ContactGraph::build(std::span<const BodyProperties> bodies,
 }
 
 std::span<const int> ContactGraph::bodies_of_level(int level) const {
-  const auto begin = at(level_start_[at(level)]);
-  return std::span<const int>(order_).subspan(begin, at(level_start_[at(level) + 1]) - begin);
+  const auto begin = idx(level_start_[idx(level)]);
+  return std::span<const int>(order_).subspan(begin, idx(level_start_[idx(level) + 1]) - begin);
 }
 
 // Groups the edges by supporter with a counting sort.
@@ -54,15 +54,16 @@ void ContactGraph::store_edges(std::span<const BodyProperties> bodies,
       require::that(false, "edge " + std::to_string(e.supporter) + " -> " +
                                std::to_string(e.supported) + ": give two different indices below " +
                                std::to_string(count));
-    if (bodies[at(e.supported)].movable()) ++edge_start_[at(e.supporter) + 1];
+    if (bodies[idx(e.supported)].movable()) ++edge_start_[idx(e.supporter) + 1];
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) edge_start_[b + 1] += edge_start_[b];
 
   // Each start serves as the place of the next edge of its body; afterwards it has moved on to
   // the start of the next body, so that all of them move up by one place.
-  head_.resize(at(edge_start_[bodies.size()]));
+  head_.resize(idx(edge_start_[bodies.size()]));
   for (const SupportEdge& e : edges)
-    if (bodies[at(e.supported)].movable()) head_[at(edge_start_[at(e.supporter)]++)] = e.supported;
+    if (bodies[idx(e.supported)].movable())
+      head_[idx(edge_start_[idx(e.supporter)]++)] = e.supported;
   for (std::size_t b = bodies.size(); b > 0; --b) edge_start_[b] = edge_start_[b - 1];
   edge_start_[0] = 0;
 }
@@ -83,38 +84,38 @@ void ContactGraph::find_components() {
 // 100 000 boxes must not end the program.
 void ContactGraph::search_from(int root, int& visits) {
   const auto enter = [&](int body) {
-    visit_[at(body)] = earliest_[at(body)] = visits++;
+    visit_[idx(body)] = earliest_[idx(body)] = visits++;
     path_.push_back(body);
     open_.push_back(body);
   };
   enter(root);
   while (!path_.empty()) {
     const int body = path_.back();
-    if (next_edge_[at(body)] < edge_start_[at(body) + 1]) {
+    if (next_edge_[idx(body)] < edge_start_[idx(body) + 1]) {
       // One more edge to follow. Its end is new: go there first. Or it is open, so it has a way
       // back to here and both are in one component. Or it is complete and does not matter.
-      const int head = head_[at(next_edge_[at(body)]++)];
-      if (visit_[at(head)] == kUnvisited) {
+      const int head = head_[idx(next_edge_[idx(body)]++)];
+      if (visit_[idx(head)] == kUnvisited) {
         enter(head);
-      } else if (component_[at(head)] == kOpen) {
-        earliest_[at(body)] = std::min(earliest_[at(body)], visit_[at(head)]);
+      } else if (component_[idx(head)] == kOpen) {
+        earliest_[idx(body)] = std::min(earliest_[idx(body)], visit_[idx(head)]);
       }
       continue;
     }
     // Nothing left to follow from here. If no way led back behind this body, it was the first of
     // its component, and the open bodies since then are the others.
     path_.pop_back();
-    if (earliest_[at(body)] == visit_[at(body)]) {
+    if (earliest_[idx(body)] == visit_[idx(body)]) {
       const auto begin = std::find(open_.rbegin(), open_.rend(), body).base() - 1;
       const int name = *std::min_element(begin, open_.end());
-      for (auto member = begin; member != open_.end(); ++member) component_[at(*member)] = name;
+      for (auto member = begin; member != open_.end(); ++member) component_[idx(*member)] = name;
       finished_.insert(finished_.end(), begin, open_.end());
       open_.erase(begin, open_.end());
     }
     // The one that led here gets to know how far back there is a way.
     if (!path_.empty()) {
-      int& earliest = earliest_[at(path_.back())];
-      earliest = std::min(earliest, earliest_[at(body)]);
+      int& earliest = earliest_[idx(path_.back())];
+      earliest = std::min(earliest, earliest_[idx(body)]);
     }
   }
 }
@@ -124,26 +125,26 @@ void ContactGraph::search_from(int root, int& visits) {
 void ContactGraph::find_levels() {
   level_.assign(component_.size(), 0);  // of a component, at the place of its name
   for (auto body = finished_.rbegin(); body != finished_.rend(); ++body) {
-    const int lower = component_[at(*body)];
-    for (int e = edge_start_[at(*body)]; e < edge_start_[at(*body) + 1]; ++e) {
-      const int upper = component_[at(head_[at(e)])];
-      if (upper != lower) level_[at(upper)] = std::max(level_[at(upper)], level_[at(lower)] + 1);
+    const int lower = component_[idx(*body)];
+    for (int e = edge_start_[idx(*body)]; e < edge_start_[idx(*body) + 1]; ++e) {
+      const int upper = component_[idx(head_[idx(e)])];
+      if (upper != lower) level_[idx(upper)] = std::max(level_[idx(upper)], level_[idx(lower)] + 1);
     }
   }
-  for (std::size_t b = 0; b < level_.size(); ++b) level_[b] = level_[at(component_[b])];
+  for (std::size_t b = 0; b < level_.size(); ++b) level_[b] = level_[idx(component_[b])];
 }
 
 // A counting sort by level, which keeps the order of indices.
 void ContactGraph::sort_by_level() {
   const int levels = level_.empty() ? 0 : 1 + *std::max_element(level_.begin(), level_.end());
-  level_start_.assign(at(levels) + 1, 0);
-  for (const int level : level_) ++level_start_[at(level) + 1];
-  for (std::size_t k = 0; k < at(levels); ++k) level_start_[k + 1] += level_start_[k];
+  level_start_.assign(idx(levels) + 1, 0);
+  for (const int level : level_) ++level_start_[idx(level) + 1];
+  for (std::size_t k = 0; k < idx(levels); ++k) level_start_[k + 1] += level_start_[k];
 
   order_.resize(level_.size());
   for (std::size_t b = 0; b < level_.size(); ++b)
-    order_[at(level_start_[at(level_[b])]++)] = static_cast<int>(b);
-  for (std::size_t k = at(levels); k > 0; --k) level_start_[k] = level_start_[k - 1];
+    order_[idx(level_start_[idx(level_[b])]++)] = static_cast<int>(b);
+  for (std::size_t k = idx(levels); k > 0; --k) level_start_[k] = level_start_[k - 1];
   level_start_[0] = 0;
 }
 

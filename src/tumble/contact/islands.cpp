@@ -15,16 +15,16 @@ namespace {
 // Equal ones keep their order. Numbers of no island are left out.
 void sort_by_island(std::span<const int> island, int islands, std::vector<int>& sorted,
                     std::vector<int>& start) {
-  start.assign(at(islands) + 1, 0);
+  start.assign(idx(islands) + 1, 0);
   for (const int k : island)
-    if (k != Islands::kNone) ++start[at(k) + 1];
-  for (std::size_t k = 0; k < at(islands); ++k) start[k + 1] += start[k];
+    if (k != Islands::kNone) ++start[idx(k) + 1];
+  for (std::size_t k = 0; k < idx(islands); ++k) start[k + 1] += start[k];
 
-  sorted.resize(at(start.back()));
+  sorted.resize(idx(start.back()));
   for (std::size_t i = 0; i < island.size(); ++i)
-    if (island[i] != Islands::kNone) sorted[at(start[at(island[i])]++)] = static_cast<int>(i);
+    if (island[i] != Islands::kNone) sorted[idx(start[idx(island[i])]++)] = static_cast<int>(i);
   // Each start has moved on to that of the next island.
-  for (std::size_t k = at(islands); k > 0; --k) start[k] = start[k - 1];
+  for (std::size_t k = idx(islands); k > 0; --k) start[k] = start[k - 1];
   start[0] = 0;
 }
 
@@ -59,11 +59,11 @@ void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
   for (std::size_t b = 0; b < bodies.size(); ++b) parent_[b] = static_cast<int>(b);
   for (const IndexPair& contact : contacts) {
     require_bodies(contact, static_cast<int>(bodies.size()));
-    if (!movable(at(contact.first)) || !movable(at(contact.second))) continue;
+    if (!movable(idx(contact.first)) || !movable(idx(contact.second))) continue;
     int lower = root_of(contact.first);
     int upper = root_of(contact.second);
     if (lower > upper) std::swap(lower, upper);
-    parent_[at(upper)] = lower;
+    parent_[idx(upper)] = lower;
   }
 
   // Number the islands by their roots. A root has the smallest index of its island, so that it
@@ -73,12 +73,12 @@ void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (!movable(b)) continue;
     const int root = root_of(static_cast<int>(b));
-    island_[b] = root == static_cast<int>(b) ? islands++ : island_[at(root)];
+    island_[b] = root == static_cast<int>(b) ? islands++ : island_[idx(root)];
   }
   contact_island_.clear();
   for (const IndexPair& contact : contacts) {
-    const int first = island_[at(contact.first)];
-    contact_island_.push_back(first != kNone ? first : island_[at(contact.second)]);
+    const int first = island_[idx(contact.first)];
+    contact_island_.push_back(first != kNone ? first : island_[idx(contact.second)]);
   }
   sort_by_island(island_, islands, bodies_, body_start_);
   sort_by_island(contact_island_, islands, contacts_, contact_start_);
@@ -87,9 +87,9 @@ void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
 // The smallest index known to be in the body's set. On the way every second body is moved up by
 // one generation, which keeps later searches short.
 int Islands::root_of(int body) {
-  while (parent_[at(body)] != body) {
-    parent_[at(body)] = parent_[at(parent_[at(body)])];
-    body = parent_[at(body)];
+  while (parent_[idx(body)] != body) {
+    parent_[idx(body)] = parent_[idx(parent_[idx(body)])];
+    body = parent_[idx(body)];
   }
   return body;
 }

@@ -28,7 +28,7 @@ std::optional<PushedPair> pushed_pair(const Contact& contact) {
   PushedPair pair{contact.first, contact.second, Vec3::Zero(), contact.normal_w};
   double weight = 0.0;
   for (int k = 0; k < contact.count; ++k) {
-    const ContactPoint& point = contact.points[at(k)];
+    const ContactPoint& point = contact.points[idx(k)];
     if (!(point.normal_impulse > 0.0)) continue;
     pair.point_w += point.normal_impulse * point.position_w;
     weight += point.normal_impulse;
@@ -76,13 +76,13 @@ void PivotUpdate::find(std::span<const BodyProperties> bodies, std::span<const M
 
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (sticks_[k] != 0) continue;
-    const bool first_stays = stays(moving[at(pairs[k].first)]);
-    if (first_stays == stays(moving[at(pairs[k].second)])) continue;
+    const bool first_stays = stays(moving[idx(pairs[k].first)]);
+    if (first_stays == stays(moving[idx(pairs[k].second)])) continue;
     const int body = first_stays ? pairs[k].second : pairs[k].first;
-    const int node = node_of_[at(body)];
-    if (nodes_[at(node)].group < 0) continue;  // it stands elsewhere
-    groups_[at(nodes_[at(node)].group)].slides = true;
-    slides_.push_back({node, pairs[k].point_w - moving[at(body)].position_w, pairs[k].normal_w});
+    const int node = node_of_[idx(body)];
+    if (nodes_[idx(node)].group < 0) continue;  // it stands elsewhere
+    groups_[idx(nodes_[idx(node)].group)].slides = true;
+    slides_.push_back({node, pairs[k].point_w - moving[idx(body)].position_w, pairs[k].normal_w});
   }
   weigh_groups();
 }
@@ -100,18 +100,18 @@ void PivotUpdate::sort_pairs(std::span<const BodyProperties> bodies,
     require::that(std::min(pair.first, pair.second) >= 0 &&
                       std::max(pair.first, pair.second) < count && pair.first != pair.second,
                   "pairs: expected two bodies of the world each");
-    const MovingBody& first = moving[at(pair.first)];
-    const MovingBody& second = moving[at(pair.second)];
+    const MovingBody& first = moving[idx(pair.first)];
+    const MovingBody& second = moving[idx(pair.second)];
     if (stays(first) && stays(second)) continue;
-    const double ends = std::max(end_speed(bodies[at(pair.first)], first),
-                                 end_speed(bodies[at(pair.second)], second));
+    const double ends = std::max(end_speed(bodies[idx(pair.first)], first),
+                                 end_speed(bodies[idx(pair.second)], second));
     const double slip = relative_velocity(first, second, pair.point_w).norm();
     if (slip <= tolerance::carried_slip * ends && pair.state != PushedState::slips) {
       sticks_[k] = 1;
-      ++stuck_start_[at(pair.first)];
-      ++stuck_start_[at(pair.second)];
+      ++stuck_start_[idx(pair.first)];
+      ++stuck_start_[idx(pair.second)];
     } else if (stays(first) || stays(second)) {
-      on_wall_[at(stays(first) ? pair.second : pair.first)] = 1;
+      on_wall_[idx(stays(first) ? pair.second : pair.first)] = 1;
     }
   }
   int sum = 0;
@@ -119,11 +119,11 @@ void PivotUpdate::sort_pairs(std::span<const BodyProperties> bodies,
     sum += start;
     start = sum;
   }
-  stuck_.resize(at(sum));
+  stuck_.resize(idx(sum));
   for (std::size_t k = pairs.size(); k-- > 0;) {  // backwards, so that places end ascending
     if (sticks_[k] == 0) continue;
-    stuck_[at(--stuck_start_[at(pairs[k].first)])] = static_cast<int>(k);
-    stuck_[at(--stuck_start_[at(pairs[k].second)])] = static_cast<int>(k);
+    stuck_[idx(--stuck_start_[idx(pairs[k].first)])] = static_cast<int>(k);
+    stuck_[idx(--stuck_start_[idx(pairs[k].second)])] = static_cast<int>(k);
   }
 }
 
@@ -132,17 +132,17 @@ void PivotUpdate::grow(std::span<const BodyProperties> bodies, std::span<const M
                        std::span<const PushedPair> pairs, int group) {
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     const int here = queue_[next];
-    for (int k = stuck_start_[at(here)]; k < stuck_start_[at(here) + 1]; ++k) {
-      const PushedPair& pair = pairs[at(stuck_[at(k)])];
+    for (int k = stuck_start_[idx(here)]; k < stuck_start_[idx(here) + 1]; ++k) {
+      const PushedPair& pair = pairs[idx(stuck_[idx(k)])];
       const int other = pair.first == here ? pair.second : pair.first;
-      if (node_of_[at(other)] >= 0 || stays(moving[at(other)])) continue;
-      add_node(bodies[at(other)], moving[at(other)], other, group);
+      if (node_of_[idx(other)] >= 0 || stays(moving[idx(other)])) continue;
+      add_node(bodies[idx(other)], moving[idx(other)], other, group);
       Node& node = nodes_.back();
-      node.parent = node_of_[at(here)];
-      node.arm_w = moving[at(other)].position_w - pair.point_w;
-      node.joint_w = pair.point_w - moving[at(here)].position_w;
+      node.parent = node_of_[idx(here)];
+      node.arm_w = moving[idx(other)].position_w - pair.point_w;
+      node.joint_w = pair.point_w - moving[idx(here)].position_w;
       if (pair.state == PushedState::held)
-        node.slip_w = relative_velocity(moving[at(here)], moving[at(other)], pair.point_w);
+        node.slip_w = relative_velocity(moving[idx(here)], moving[idx(other)], pair.point_w);
       queue_.push_back(other);
     }
   }
@@ -150,7 +150,7 @@ void PivotUpdate::grow(std::span<const BodyProperties> bodies, std::span<const M
 
 void PivotUpdate::add_node(const BodyProperties& body, const MovingBody& moving, int index,
                            int group) {
-  node_of_[at(index)] = static_cast<int>(nodes_.size());
+  node_of_[idx(index)] = static_cast<int>(nodes_.size());
   carried_.push_back(index);
   Node& node = nodes_.emplace_back();
   node.body = index;
@@ -162,26 +162,26 @@ void PivotUpdate::add_node(const BodyProperties& body, const MovingBody& moving,
 
 std::optional<Vec3> PivotUpdate::arm_w(int body) const {
   if (!carries(body)) return std::nullopt;
-  const Node& node = nodes_[at(node_of_[at(body)])];
+  const Node& node = nodes_[idx(node_of_[idx(body)])];
   if (node.parent < 0 && node.group >= 0) return std::nullopt;
   return node.arm_w;
 }
 
 void PivotUpdate::accelerate(std::span<const Acceleration> rates) {
-  for (Node& node : nodes_) node.rate = rates[at(node.body)];
+  for (Node& node : nodes_) node.rate = rates[idx(node.body)];
   weigh_groups();
 }
 
 void PivotUpdate::set_velocities(std::span<const MovingBody> moving) {
   for (Node& node : nodes_) {
-    node.velocity_w = moving[at(node.body)].velocity_w;
-    node.spin_w = moving[at(node.body)].angular_velocity_w;
+    node.velocity_w = moving[idx(node.body)].velocity_w;
+    node.spin_w = moving[idx(node.body)].angular_velocity_w;
   }
   weigh_groups();
 }
 
 void PivotUpdate::set_velocity(int body, const MovingBody& moving) {
-  const std::size_t k = at(node_of_[at(body)]);
+  const std::size_t k = idx(node_of_[idx(body)]);
   Node& node = nodes_[k];
   node.velocity_w = moving.velocity_w;
   if (std::isnan(placed_at_) || node.spin_w == moving.angular_velocity_w) return;
@@ -197,7 +197,7 @@ void PivotUpdate::weigh_groups() {
   for (Group& group : groups_) group = Group{.slides = group.slides};
   for (const Node& node : nodes_) {
     if (node.group < 0) continue;
-    Group& group = groups_[at(node.group)];
+    Group& group = groups_[idx(node.group)];
     group.mass += node.mass;
     group.velocity_w += node.mass * node.velocity_w;
     group.acceleration_w += node.mass * node.rate.linear_w;
@@ -242,20 +242,20 @@ void PivotUpdate::place(double time) const {
     turns_[k] = turn_of(node, time);
     offsets_w_[k] = bend(node, turns_[k], time, node.arm_w) - time * node.slip_w;
     if (node.parent >= 0) {
-      const std::size_t p = at(node.parent);
+      const std::size_t p = idx(node.parent);
       offsets_w_[k] += offsets_w_[p] + bend(nodes_[p], turns_[p], time, node.joint_w);
     }
     if (node.group >= 0)
-      placed_[at(node.group)].shift_w -= node.mass / placed_[at(node.group)].mass * offsets_w_[k];
+      placed_[idx(node.group)].shift_w -= node.mass / placed_[idx(node.group)].mass * offsets_w_[k];
   }
   for (const Slide& slide : slides_) {
-    const std::size_t k = at(slide.node);
-    Vec3& shift_w = placed_[at(nodes_[k].group)].shift_w;
+    const std::size_t k = idx(slide.node);
+    Vec3& shift_w = placed_[idx(nodes_[k].group)].shift_w;
     const Vec3 off_w = offsets_w_[k] + shift_w + bend(nodes_[k], turns_[k], time, slide.joint_w);
     shift_w -= slide.normal_w.dot(off_w) * slide.normal_w;
   }
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (nodes_[k].group >= 0) offsets_w_[k] += placed_[at(nodes_[k].group)].shift_w;
+    if (nodes_[k].group >= 0) offsets_w_[k] += placed_[idx(nodes_[k].group)].shift_w;
     offsets_w_[k] -= half_square * nodes_[k].rate.linear_w;
   }
   placed_at_ = time;
@@ -264,26 +264,26 @@ void PivotUpdate::place(double time) const {
 
 Vec3 PivotUpdate::offset_w(int body, double time) const {
   place(time);
-  return offsets_w_[at(node_of_[at(body)])];
+  return offsets_w_[idx(node_of_[idx(body)])];
 }
 
 void PivotUpdate::carry(int body, double time, BodyState& state) const {
   place(time);
-  const std::size_t k = at(node_of_[at(body)]);
+  const std::size_t k = idx(node_of_[idx(body)]);
   const Node& node = nodes_[k];
   if (!turns_[k].vector_w.isZero(0.0))
     state.orientation_wb =
         normalised(rotation_from_vector(turns_[k].vector_w) * state.orientation_wb);
   state.position_w += offsets_w_[k];
-  if (node.group < 0 || groups_[at(node.group)].slides) return;
-  const Group& group = groups_[at(node.group)];
+  if (node.group < 0 || groups_[idx(node.group)].slides) return;
+  const Group& group = groups_[idx(node.group)];
   const Vec3 common_w = group.velocity_w + time * group.acceleration_w;
   state.angular_momentum_w -= offsets_w_[k].cross(state.linear_momentum_w - node.mass * common_w);
 }
 
 double PivotUpdate::move(int body, double time, World& world) const {
-  const BodyProperties& constant = world.bodies()[at(body)];
-  BodyState& state = world.states()[at(body)];
+  const BodyProperties& constant = world.bodies()[idx(body)];
+  BodyState& state = world.states()[idx(body)];
   state.position_w += time * (constant.inverse_mass * state.linear_momentum_w);
   const Vec3 straight_w = state.position_w;
   const Vec3 spin_w = state.angular_momentum_w;

@@ -92,11 +92,11 @@ void OverlapRepair::prepare(const World& world, std::span<const IndexPair> pairs
   candidates_.clear();
   for (const IndexPair& given : pairs) {
     const IndexPair pair = sorted(given, world.count());
-    if (ease_[at(pair.first)] == 0.0 && ease_[at(pair.second)] == 0.0) continue;
+    if (ease_[idx(pair.first)] == 0.0 && ease_[idx(pair.second)] == 0.0) continue;
     Candidate candidate;
     candidate.pair = pair;
-    candidate.slop = options_.slop * std::min(shortest_edge(world.bodies()[at(pair.first)]),
-                                              shortest_edge(world.bodies()[at(pair.second)]));
+    candidate.slop = options_.slop * std::min(shortest_edge(world.bodies()[idx(pair.first)]),
+                                              shortest_edge(world.bodies()[idx(pair.second)]));
     candidates_.push_back(candidate);
   }
 }
@@ -105,21 +105,21 @@ void OverlapRepair::prepare(const World& world, std::span<const IndexPair> pairs
 void OverlapRepair::measure(Candidate& candidate, const World& world, RepairReport& report) {
   const int first = candidate.pair.first;
   const int second = candidate.pair.second;
-  if (candidate.first_moves == moves_[at(first)] && candidate.second_moves == moves_[at(second)])
+  if (candidate.first_moves == moves_[idx(first)] && candidate.second_moves == moves_[idx(second)])
     return;
-  candidate.first_moves = moves_[at(first)];
-  candidate.second_moves = moves_[at(second)];
+  candidate.first_moves = moves_[idx(first)];
+  candidate.second_moves = moves_[idx(second)];
   ++report.pair_tests;
 
   Separation found;
-  if (world.bodies()[at(first)].shape == Shape::ground) {
-    found = separation_from_ground(boxes_[at(second)]);
-  } else if (world.bodies()[at(second)].shape == Shape::ground) {
-    found = separation_from_ground(boxes_[at(first)]);
+  if (world.bodies()[idx(first)].shape == Shape::ground) {
+    found = separation_from_ground(boxes_[idx(second)]);
+  } else if (world.bodies()[idx(second)].shape == Shape::ground) {
+    found = separation_from_ground(boxes_[idx(first)]);
     found.normal_w = -found.normal_w;
   } else {
     // Pairs with a gap of up to the slop count as touching for the order of support.
-    found = separation(boxes_[at(first)], boxes_[at(second)], {.enough = candidate.slop});
+    found = separation(boxes_[idx(first)], boxes_[idx(second)], {.enough = candidate.slop});
   }
   candidate.distance = found.distance;
   candidate.normal_w = found.normal_w;
@@ -161,8 +161,8 @@ void OverlapRepair::sort_from_the_ground_up(const World& world) {
 void OverlapRepair::move_apart(const Candidate& candidate) {
   const int first = candidate.pair.first;
   const int second = candidate.pair.second;
-  double first_ease = ease_[at(first)];
-  double second_ease = ease_[at(second)];
+  double first_ease = ease_[idx(first)];
+  double second_ease = ease_[idx(second)];
   if (first_ease > 0.0 && second_ease > 0.0) {
     if (graph_.level(first) < graph_.level(second)) first_ease = 0.0;
     if (graph_.level(first) > graph_.level(second)) second_ease = 0.0;
@@ -178,13 +178,13 @@ void OverlapRepair::move_apart(const Candidate& candidate) {
 // that are shared do not count: in a row of boxes they come from both sides and still lead outwards.
 void OverlapRepair::move(int body, const Vec3& push_w, bool alone) {
   if (alone) {
-    Vec3& before_w = push_w_[at(body)];
+    Vec3& before_w = push_w_[idx(body)];
     const double limit = tolerance::repair_to_and_fro * push_w.norm() * before_w.norm();
-    if (push_w.dot(before_w) < limit) stride_[at(body)] *= 0.5;
+    if (push_w.dot(before_w) < limit) stride_[idx(body)] *= 0.5;
     before_w = push_w;
   }
-  boxes_[at(body)].center_w += (alone ? stride_[at(body)] : 1.0) * push_w;
-  ++moves_[at(body)];
+  boxes_[idx(body)].center_w += (alone ? stride_[idx(body)] : 1.0) * push_w;
+  ++moves_[idx(body)];
 }
 
 void OverlapRepair::store(World& world, RepairReport& report) const {

@@ -28,7 +28,7 @@ SimultaneousResult SimultaneousImpacts::solve(std::span<Contact> contacts,
   bool approaching = false;
   for (std::size_t i = 0; i < rows_.size() && !approaching; ++i)
     approaching =
-        rows_[i].movable && patches_[at(rows_[i].patch)].normal_w.dot(slip_at(start_, i)) < 0.0;
+        rows_[i].movable && patches_[idx(rows_[i].patch)].normal_w.dot(slip_at(start_, i)) < 0.0;
   if (!approaching) return result;
   result.status = SimultaneousStatus::solved;
 
@@ -62,7 +62,7 @@ SimultaneousResult SimultaneousImpacts::solve(std::span<Contact> contacts,
 // Copies what is needed of bodies and contacts, so that the work is in proportion to the block.
 void SimultaneousImpacts::load(std::span<const Contact> contacts,
                                std::span<const MovingBody> bodies) {
-  for (const int body : involved_) place_[at(body)] = -1;
+  for (const int body : involved_) place_[idx(body)] = -1;
   if (place_.size() < bodies.size()) place_.resize(bodies.size(), -1);
   involved_.clear();
   start_.clear();
@@ -79,30 +79,30 @@ void SimultaneousImpacts::load(std::span<const Contact> contacts,
     patch.begin = static_cast<int>(points_.size());
     patch.end = patch.begin + contact.count;
     for (int i = 0; i < contact.count; ++i) {
-      points_.emplace_back().position_w = contact.points[at(i)].position_w;
+      points_.emplace_back().position_w = contact.points[idx(i)].position_w;
       rows_.emplace_back().patch = static_cast<int>(patches_.size()) - 1;
     }
   }
 }
 
 int SimultaneousImpacts::place_of(int body, std::span<const MovingBody> bodies) {
-  require::that(body >= 0 && at(body) < bodies.size(),
+  require::that(body >= 0 && idx(body) < bodies.size(),
                 "contacts: the index of a body of `bodies` is needed");
-  if (place_[at(body)] < 0) {
-    place_[at(body)] = static_cast<int>(start_.size());
-    start_.push_back(bodies[at(body)]);
+  if (place_[idx(body)] < 0) {
+    place_[idx(body)] = static_cast<int>(start_.size());
+    start_.push_back(bodies[idx(body)]);
     involved_.push_back(body);
   }
-  return place_[at(body)];
+  return place_[idx(body)];
 }
 
 // A = J M⁻¹ J': how a unit impulse along one normal changes the velocity along another.
 void SimultaneousImpacts::assemble() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row& row = rows_[i];
-    const Patch& patch = patches_[at(row.patch)];
+    const Patch& patch = patches_[idx(row.patch)];
     for (std::size_t side = 0; side < 2; ++side) {
-      const MovingBody& body = start_[at(side == 0 ? patch.first : patch.second)];
+      const MovingBody& body = start_[idx(side == 0 ? patch.first : patch.second)];
       row.lever_w[side] = (points_[i].position_w - body.position_w).cross(patch.normal_w);
       row.velocity_w[side] = body.inverse_mass.cwiseProduct(patch.normal_w);
       row.spin_w[side] = body.inverse_inertia_w * row.lever_w[side];
@@ -115,22 +115,22 @@ void SimultaneousImpacts::assemble() {
   }
   for (int j = 0; j < n; ++j) {
     for (int i = j; i < n; ++i) {
-      A_(i, j) = coupling(rows_[at(i)], rows_[at(j)]);
+      A_(i, j) = coupling(rows_[idx(i)], rows_[idx(j)]);
       A_(j, i) = A_(i, j);
     }
-    const Patch& patch = patches_[at(rows_[at(j)].patch)];
-    const double all_ways = inverse_mass_at(start_[at(patch.first)], start_[at(patch.second)],
-                                            points_[at(j)].position_w)
+    const Patch& patch = patches_[idx(rows_[idx(j)].patch)];
+    const double all_ways = inverse_mass_at(start_[idx(patch.first)], start_[idx(patch.second)],
+                                            points_[idx(j)].position_w)
                                 .trace();
-    rows_[at(j)].movable = A_(j, j) > tolerance::rigid * all_ways;
+    rows_[idx(j)].movable = A_(j, j) > tolerance::rigid * all_ways;
   }
 }
 
 // The sum over the bodies that two points share; minus where one is pushed and the other pushed
 // against.
 double SimultaneousImpacts::coupling(const Row& a, const Row& b) const {
-  const Patch& p = patches_[at(a.patch)];
-  const Patch& q = patches_[at(b.patch)];
+  const Patch& p = patches_[idx(a.patch)];
+  const Patch& q = patches_[idx(b.patch)];
   double sum = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -148,15 +148,15 @@ void SimultaneousImpacts::require_separation(std::span<const Contact> contacts,
   for (const Contact& contact : contacts) {
     const double e = std::min(contact.restitution, largest_restitution);
     for (int i = 0; i < contact.count; ++i) {
-      separation_speeds_.push_back(std::max(0.0, -e * contact.points[at(i)].approach_speed));
+      separation_speeds_.push_back(std::max(0.0, -e * contact.points[idx(i)].approach_speed));
     }
   }
 }
 
 // u at a point.
 Vec3 SimultaneousImpacts::slip_at(const std::vector<MovingBody>& bodies, std::size_t point) const {
-  const Patch& patch = patches_[at(rows_[point].patch)];
-  return relative_velocity(bodies[at(patch.first)], bodies[at(patch.second)],
+  const Patch& patch = patches_[idx(rows_[point].patch)];
+  return relative_velocity(bodies[idx(patch.first)], bodies[idx(patch.second)],
                            points_[point].position_w);
 }
 
@@ -164,11 +164,11 @@ Vec3 SimultaneousImpacts::slip_at(const std::vector<MovingBody>& bodies, std::si
 void SimultaneousImpacts::apply(const Answer& answer, bool with_normals) {
   trial_ = start_;
   for (std::size_t i = 0; i < answer.size(); ++i) {
-    const Patch& patch = patches_[at(rows_[i].patch)];
+    const Patch& patch = patches_[idx(rows_[i].patch)];
     const Vec3 j =
         with_normals ? impulse_w(answer[i], patch.normal_w) : answer[i].friction_impulse_w;
     if (j.isZero(0.0)) continue;
-    apply_impulse(trial_[at(patch.first)], trial_[at(patch.second)], answer[i].position_w, j);
+    apply_impulse(trial_[idx(patch.first)], trial_[idx(patch.second)], answer[i].position_w, j);
   }
 }
 
@@ -177,10 +177,10 @@ bool SimultaneousImpacts::solve_normals(double share, Answer& answer, Simultaneo
   apply(answer, false);
   const int n = static_cast<int>(rows_.size());
   for (int i = 0; i < n; ++i) {
-    const Vec3& normal_w = patches_[at(rows_[at(i)].patch)].normal_w;
+    const Vec3& normal_w = patches_[idx(rows_[idx(i)].patch)].normal_w;
     // What cannot be moved is as good as not there.
-    b_[i] = rows_[at(i)].movable
-                ? normal_w.dot(slip_at(trial_, at(i))) - share * separation_speeds_[at(i)]
+    b_[i] = rows_[idx(i)].movable
+                ? normal_w.dot(slip_at(trial_, idx(i))) - share * separation_speeds_[idx(i)]
                 : 0.0;
   }
   solver_.solve(A_.topLeftCorner(n, n), b_.head(n), lcp_, lcp_.pushing);
@@ -189,10 +189,10 @@ bool SimultaneousImpacts::solve_normals(double share, Answer& answer, Simultaneo
     lcp_.pushing.clear();
     return false;
   }
-  for (int i = 0; i < n; ++i) answer[at(i)].normal_impulse = lcp_.f[at(i)];
+  for (int i = 0; i < n; ++i) answer[idx(i)].normal_impulse = lcp_.f[idx(i)];
   for (const Patch& patch : patches_) {
     even_out(patch.normal_w,
-             std::span(answer).subspan(at(patch.begin), at(patch.end - patch.begin)));
+             std::span(answer).subspan(idx(patch.begin), idx(patch.end - patch.begin)));
   }
   return true;
 }
@@ -227,7 +227,7 @@ void SimultaneousImpacts::account(const Answer& answer, SimultaneousResult& resu
   result.friction_energy = 0.0;
   for (std::size_t i = 0; i < answer.size(); ++i) {
     const Vec3 mean = 0.5 * (slip_at(start_, i) + slip_at(trial_, i));
-    const Vec3& n = patches_[at(rows_[i].patch)].normal_w;
+    const Vec3& n = patches_[idx(rows_[i].patch)].normal_w;
     result.restitution_energy += answer[i].normal_impulse * n.dot(mean);
     result.friction_energy += answer[i].friction_impulse_w.dot(mean);
     if (answer[i].normal_impulse > 0.0) ++result.impulses;
@@ -240,7 +240,7 @@ double SimultaneousImpacts::gain(const Answer& answer) {
   account(answer, sums);
   double work = 0.0;
   for (std::size_t i = 0; i < answer.size(); ++i) {
-    const Vec3& n = patches_[at(rows_[i].patch)].normal_w;
+    const Vec3& n = patches_[idx(rows_[i].patch)].normal_w;
     work += std::abs(impulse_w(answer[i], n).dot(slip_at(start_, i)));
   }
   const double change = sums.restitution_energy + sums.friction_energy;
@@ -255,7 +255,7 @@ double SimultaneousImpacts::draw_back(const Answer& safe, Answer& answer) {
   const double start = std::min(0.0, gain(safe));  // leaves trial_ with the safe impulses
   double slope = 0.0;
   for (std::size_t i = 0; i < answer.size(); ++i) {
-    const Vec3& n = patches_[at(rows_[i].patch)].normal_w;
+    const Vec3& n = patches_[idx(rows_[i].patch)].normal_w;
     slope += (impulse_w(answer[i], n) - impulse_w(safe[i], n)).dot(slip_at(trial_, i));
   }
   const double share = largest_share(start, slope, std::max(0.0, end - start - slope));
@@ -287,12 +287,12 @@ bool SimultaneousImpacts::guard_energy(SimultaneousResult& result) {
 
 // Hands the velocities and the impulses out.
 void SimultaneousImpacts::finish(std::span<Contact> contacts, std::span<MovingBody> bodies) {
-  for (std::size_t i = 0; i < involved_.size(); ++i) bodies[at(involved_[i])] = trial_[i];
+  for (std::size_t i = 0; i < involved_.size(); ++i) bodies[idx(involved_[i])] = trial_[i];
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     for (int i = 0; i < contacts[c].count; ++i) {
-      const PatchPoint& from = answer_[at(patches_[c].begin + i)];
-      contacts[c].points[at(i)].normal_impulse += from.normal_impulse;
-      contacts[c].points[at(i)].friction_impulse_w += from.friction_impulse_w;
+      const PatchPoint& from = answer_[idx(patches_[c].begin + i)];
+      contacts[c].points[idx(i)].normal_impulse += from.normal_impulse;
+      contacts[c].points[idx(i)].friction_impulse_w += from.friction_impulse_w;
     }
   }
 }

@@ -47,25 +47,25 @@ int SleepingRule::wake_disturbed(World& world) {
 
 // What a body is now, and whether that disturbs a group, given how it was.
 void SleepingRule::compare(const World& world, int body, const Seen* before) {
-  const BodyState& state = world.states()[at(body)];
-  const bool asleep = world.sleep_states()[at(body)].asleep;
+  const BodyState& state = world.states()[idx(body)];
+  const bool asleep = world.sleep_states()[idx(body)].asleep;
   const bool was_asleep = before != nullptr && before->asleep;
   const bool still = before != nullptr && before->position_w == state.position_w &&
                      before->orientation_wb.coeffs() == state.orientation_wb.coeffs();
   const bool moves = !state.linear_momentum_w.isZero(0.0) || !state.angular_momentum_w.isZero(0.0);
   // An unknown sleeper is a group of its own.
-  group_[at(body)] = was_asleep ? before->group : world.ids()[at(body)];
-  role_[at(body)] = Role::asleep;
+  group_[idx(body)] = was_asleep ? before->group : world.ids()[idx(body)];
+  role_[idx(body)] = Role::asleep;
   // First what nearly all bodies of a world at rest do; who has slept can move.
   if (was_asleep && asleep && still && !moves) return;
-  if (!world.bodies()[at(body)].movable()) {
-    role_[at(body)] = still ? Role::fixed : Role::changed;
+  if (!world.bodies()[idx(body)].movable()) {
+    role_[idx(body)] = still ? Role::fixed : Role::changed;
     if (before != nullptr && !still) disturb(*before);
     return;
   }
-  if (!asleep) role_[at(body)] = Role::awake;
+  if (!asleep) role_[idx(body)] = Role::awake;
   if (was_asleep && !asleep) ++woke_;  // World::push() and the like
-  if (was_asleep || asleep) disturbed_.push_back(group_[at(body)]);
+  if (was_asleep || asleep) disturbed_.push_back(group_[idx(body)]);
 }
 
 // A body has gone or changed: its own group is disturbed, and all groups that touch it if it is
@@ -79,9 +79,9 @@ void SleepingRule::disturb(const Seen& before) {
 }
 
 bool SleepingRule::needs_test(int first, int second) const {
-  if (std::max(at(first), at(second)) >= role_.size()) return true;
-  const Role a = role_[at(first)];
-  const Role b = role_[at(second)];
+  if (std::max(idx(first), idx(second)) >= role_.size()) return true;
+  const Role a = role_[idx(first)];
+  const Role b = role_[idx(second)];
   if (a == Role::awake || b == Role::awake) return true;
   return (a == Role::asleep && b == Role::changed) || (a == Role::changed && b == Role::asleep);
 }
@@ -104,7 +104,7 @@ int SleepingRule::wake_touched_pairs(World& world, std::span<const IndexPair> co
   for (const IndexPair& contact : contacts) {
     if (!needs_test(contact.first, contact.second)) continue;  // an old contact of a sleeper
     for (const int body : {contact.first, contact.second})
-      if (role_[at(body)] == Role::asleep) disturbed_.push_back(group_[at(body)]);
+      if (role_[idx(body)] == Role::asleep) disturbed_.push_back(group_[idx(body)]);
   }
   return wake_groups(world, false);
 }
@@ -162,8 +162,8 @@ SleepReport SleepingRule::update_with_pairs(World& world, std::span<const IndexP
 // No point of a body is faster than |v| + |ω| r, r half its diagonal; a body with a momentum that
 // is not finite is not slow, whatever it counts as.
 bool SleepingRule::is_slow(const World& world, int body, double dt, bool counts) const {
-  const BodyProperties& constant = world.bodies()[at(body)];
-  const BodyState& state = world.states()[at(body)];
+  const BodyProperties& constant = world.bodies()[idx(body)];
+  const BodyState& state = world.states()[idx(body)];
   const double length = constant.size.minCoeff();
   const double g = world.gravity_w.norm();
   const double limit =
@@ -178,33 +178,35 @@ bool SleepingRule::is_slow(const World& world, int body, double dt, bool counts)
 bool SleepingRule::can_sleep(const World& world, std::span<const IndexPair> contacts,
                              const Islands& islands, int island) const {
   for (const int body : islands.bodies(island))
-    if (role_[at(body)] != Role::awake || world.sleep_states()[at(body)].quiet_time < options_.time)
+    if (role_[idx(body)] != Role::awake ||
+        world.sleep_states()[idx(body)].quiet_time < options_.time)
       return false;
   if (world.gravity_w.isZero(0.0)) return true;
   const std::span<const BodyProperties> bodies = world.bodies();
   for (const int c : islands.contacts(island))
-    if (!bodies[at(contacts[at(c)].first)].movable() ||
-        !bodies[at(contacts[at(c)].second)].movable())
+    if (!bodies[idx(contacts[idx(c)].first)].movable() ||
+        !bodies[idx(contacts[idx(c)].second)].movable())
       return true;
   return false;
 }
 
 void SleepingRule::put_to_sleep(World& world, std::span<const IndexPair> contacts,
                                 const Islands& islands, int island, SleepReport& report) {
-  const BodyId group = world.ids()[at(islands.bodies(island).front())];
+  const BodyId group = world.ids()[idx(islands.bodies(island).front())];
   for (const int body : islands.bodies(island)) {
-    BodyState& state = world.states()[at(body)];
-    report.energy -= kinetic_energy(world.bodies()[at(body)], state);
+    BodyState& state = world.states()[idx(body)];
+    report.energy -= kinetic_energy(world.bodies()[idx(body)], state);
     state.linear_momentum_w.setZero();
     state.angular_momentum_w.setZero();
-    world.sleep_states()[at(body)].asleep = true;
-    role_[at(body)] = Role::asleep;
-    group_[at(body)] = group;
+    world.sleep_states()[idx(body)].asleep = true;
+    role_[idx(body)] = Role::asleep;
+    group_[idx(body)] = group;
     ++report.fell_asleep;
   }
   for (const int c : islands.contacts(island))
-    for (const int body : {contacts[at(c)].first, contacts[at(c)].second})
-      if (!world.bodies()[at(body)].movable()) supports_.emplace_back(world.ids()[at(body)], group);
+    for (const int body : {contacts[idx(c)].first, contacts[idx(c)].second})
+      if (!world.bodies()[idx(body)].movable())
+        supports_.emplace_back(world.ids()[idx(body)], group);
 }
 
 void SleepingRule::remember(const World& world) {

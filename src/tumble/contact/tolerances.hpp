@@ -115,4 +115,17 @@ inline constexpr double vertical_normal = 3e-3;
 /// what the forces may miss (tolerance::force_residual). (5.4)
 inline constexpr double exact_vertical = 1e-6;
 
+/// [-] Collisions faster than this share of sqrt(gL) are varied at random. Reason: 1.6 m/s for a
+/// box of 1 m, the fall from an eighth of its height; a box that rocks to rest is slower. (4.2)
+inline constexpr double noisy_speed = 0.5;
+
+/// [rad] Standard deviation of the angle by which the normal of a fast collision is turned. Reason:
+/// 3 degrees, the roughness of real dice and tables; a bounce straight up ends a tenth of its
+/// height to the side. (4.2)
+inline constexpr double noisy_normal = 0.05;
+
+/// [-] Half the range by which the restitution of a fast collision is varied. Reason: measured
+/// bounces of one die vary by about a tenth. (4.2)
+inline constexpr double noisy_restitution = 0.1;
+
 }  // namespace tumble::tolerance

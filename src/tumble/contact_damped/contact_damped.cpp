@@ -90,7 +90,7 @@ void ContactDamped::load(const World& world, double dt) {
 // Pairs that may touch within the step: bounds that reach as far as the bodies move in it.
 void ContactDamped::find_candidates(const World& world, double dt) {
   std::vector<Bounds>& bounds = storage_.bounds;
-  bounds.resize(at(world.count()));
+  bounds.resize(idx(world.count()));
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     const MovingBody& moving = velocities_.free[k];
@@ -161,7 +161,7 @@ void ContactDamped::find_pivots(const World& world) {
     for (const ContactPatchPoint& p : patch.used()) {
       if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_damped_slop * patch.size)
         pair.state = PushedState::unknown;  // it closes a gap, or there is overlap
-      pair.point_w += p.impulse * position_of(patch, velocities_.start[at(patch.first)], p);
+      pair.point_w += p.impulse * position_of(patch, velocities_.start[idx(patch.first)], p);
       weight += p.impulse;
     }
     if (!(weight > 0.0)) continue;

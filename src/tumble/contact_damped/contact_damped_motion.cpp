@@ -32,16 +32,16 @@ bool was_hit(const ContactPatch& patch, double gravity, double dt) {
 void bounce_island(const Island& island, StepReport& report) {
   const double g = island.world.gravity_w.norm();
   for (const int contact : island.contacts) {
-    ContactPatch& patch = island.patches[at(contact)];
+    ContactPatch& patch = island.patches[idx(contact)];
     require_separation(sticky_speed(g, patch.size, island.dt), patch);
   }
   for (int k = 0; k < tolerance::bounce_sweeps; ++k) {
     double most = 0.0;
     for (const int contact : island.contacts) {
-      ContactPatch& patch = island.patches[at(contact)];
-      most = std::max(most,
-                      solve_patch(patch, island.now[at(patch.first)], island.now[at(patch.second)],
-                                  tolerance::bounce_patch_iterations));
+      ContactPatch& patch = island.patches[idx(contact)];
+      most = std::max(
+          most, solve_patch(patch, island.now[idx(patch.first)], island.now[idx(patch.second)],
+                            tolerance::bounce_patch_iterations));
     }
     ++report.iterations;
     report.impulses += static_cast<std::int64_t>(island.contacts.size());
@@ -59,17 +59,17 @@ bool overlaps(const ContactPatch& patch) {
 // Sweeps of the overlap correction, from the ground up.
 void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& displacements) {
   for (const int contact : island.upward) {
-    ContactPatch& patch = island.patches[at(contact)];
-    begin_correction(displacements[at(patch.first)], displacements[at(patch.second)], patch);
+    ContactPatch& patch = island.patches[idx(contact)];
+    begin_correction(displacements[idx(patch.first)], displacements[idx(patch.second)], patch);
   }
   double first = 0.0;
   for (int k = 0; k < sweeps; ++k) {
     double most = 0.0;  // [-] as a share of the size
     for (const int contact : island.upward) {
-      ContactPatch& patch = island.patches[at(contact)];
+      ContactPatch& patch = island.patches[idx(contact)];
       const double change =
           correct_overlap(patch, tolerance::repair_rest * patch.size, tolerance::repair_share,
-                          displacements[at(patch.first)], displacements[at(patch.second)]);
+                          displacements[idx(patch.first)], displacements[idx(patch.second)]);
       most = std::max(most, change / patch.size);
     }
     if (k == 0) first = most;
@@ -90,9 +90,9 @@ bool ContactDamped::bounce(World& world, double dt, StepReport& report) {
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     bool bounces = false;
     for (const int contact : memory_.order.islands().contacts(k)) {
-      const ContactPatch& patch = patches[at(contact)];
+      const ContactPatch& patch = patches[idx(contact)];
       if (!was_hit(patch, g, dt)) continue;
-      storage_.hit[at(contact)] = 1;
+      storage_.hit[idx(contact)] = 1;
       ++report.events;
       bounces = bounces || patch.restitution > 0.0;
     }
@@ -127,7 +127,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     const Island current = island(world, k, dt);
     if (std::none_of(current.contacts.begin(), current.contacts.end(),
-                     [&](int contact) { return overlaps(patches[at(contact)]); }))
+                     [&](int contact) { return overlaps(patches[idx(contact)]); }))
       continue;
     const bool fast = !is_small(current) && speed_range(current).lower >= tolerance::calm_speed;
     correct_island(current,
@@ -170,8 +170,8 @@ void ContactDamped::account(const World& world, double dt, bool bounced, StepRep
     all += 0.5 * (inertia_w * turn_w).dot(end[k].angular_velocity_w + start[k].angular_velocity_w);
   }
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
-    const Six u = motion_of(patch, start[at(patch.first)], start[at(patch.second)]);
-    const Six v = motion_of(patch, end[at(patch.first)], end[at(patch.second)]);
+    const Six u = motion_of(patch, start[idx(patch.first)], start[idx(patch.second)]);
+    const Six v = motion_of(patch, end[idx(patch.first)], end[idx(patch.second)]);
     report.energy.friction +=
         0.5 * (patch.along_impulse * (u[0] + v[0]) + patch.across_impulse * (u[1] + v[1]) +
                patch.twist_impulse * (u[5] + v[5]));
@@ -192,7 +192,7 @@ void ContactDamped::notify_observer(const ContactPatch& patch, double time) cons
   event.first = patch.first_id;
   event.second = patch.second_id;
   event.normal_w = patch.frame_w.col(2);
-  event.point_w = velocities_.start[at(patch.first)].position_w + patch.first_arm_w;
+  event.point_w = velocities_.start[idx(patch.first)].position_w + patch.first_arm_w;
   const Six impulse = impulse_of(patch);
   event.impulse_w = patch.frame_w * Vec3(impulse[0], impulse[1], impulse[2]);
   observer()->on_event(event);
@@ -212,7 +212,7 @@ std::span<const ContactRecord> ContactDamped::contacts() const {
       record.time = contact_time_;
       record.first = patch.first_id;
       record.second = patch.second_id;
-      record.point_w = position_of(patch, velocities_.start[at(patch.first)], p);
+      record.point_w = position_of(patch, velocities_.start[idx(patch.first)], p);
       record.normal_w = patch.frame_w.col(2);
       record.push_w = patch.frame_w * Vec3(share * all[0], share * all[1], p.impulse);
       record.state = !(p.impulse > 0.0) ? ContactState::open

@@ -42,7 +42,8 @@ double approach_of(const ContactPatchPoint& p, const Six& before, const Six& aft
 
 double shortest_edge(const Island& island) {
   double size = std::numeric_limits<double>::infinity();
-  for (const int contact : island.contacts) size = std::min(size, island.patches[at(contact)].size);
+  for (const int contact : island.contacts)
+    size = std::min(size, island.patches[idx(contact)].size);
   return size;
 }
 
@@ -57,7 +58,7 @@ SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
   const double g = island.world.gravity_w.norm();
   for (const int k : island.bodies) {
-    const BodyProperties& body = island.world.bodies()[at(k)];
+    const BodyProperties& body = island.world.bodies()[idx(k)];
     const double size = body.size.minCoeff();
     const double unit =
         g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
@@ -66,8 +67,8 @@ SpeedRange speed_range(const Island& island) {
               0.5 * body.size.norm() * moving.angular_velocity_w.norm()) /
              unit;
     };
-    before = std::max(before, fastest_point(island.start[at(k)]));
-    now = std::max(now, fastest_point(island.now[at(k)]));
+    before = std::max(before, fastest_point(island.start[idx(k)]));
+    now = std::max(now, fastest_point(island.now[idx(k)]));
   }
   return {std::min(before, now), std::max(before, now)};
 }
@@ -78,12 +79,13 @@ bool is_small(const Island& island) {
 
 void warm_start(const Island& island) {
   for (const int contact : island.upward) {
-    ContactPatch& patch = island.patches[at(contact)];
+    ContactPatch& patch = island.patches[idx(contact)];
     const Six before =
-        motion_of(patch, island.start[at(patch.first)], island.start[at(patch.second)]);
-    const Six after = motion_of(patch, island.free[at(patch.first)], island.free[at(patch.second)]);
+        motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
+    const Six after =
+        motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
     for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
-    apply(impulse_of(patch), patch, island.now[at(patch.first)], island.now[at(patch.second)]);
+    apply(impulse_of(patch), patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   }
 }
 
@@ -93,9 +95,9 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
-    ContactPatch& patch = island.patches[at(contact)];
-    most = std::max(most, solve_patch(patch, island.now[at(patch.first)],
-                                      island.now[at(patch.second)], patch_iterations, residual));
+    ContactPatch& patch = island.patches[idx(contact)];
+    most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
+                                      island.now[idx(patch.second)], patch_iterations, residual));
   }
   ++report.iterations;
   report.impulses += static_cast<std::int64_t>(count);
@@ -104,35 +106,35 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 
 void discard_impulses(const Island& island) {
   for (const int contact : island.contacts) {
-    ContactPatch& patch = island.patches[at(contact)];
+    ContactPatch& patch = island.patches[idx(contact)];
     patch.along_impulse = patch.across_impulse = patch.twist_impulse = 0.0;
     for (ContactPatchPoint& p : patch.points) {
       p.impulse = 0.0;
       p.solver_impulse.setZero();
     }
   }
-  for (const int k : island.bodies) island.now[at(k)] = island.free[at(k)];
+  for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
 }
 
 void limit_energy(const Island& island, StepReport& report) {
   double before = 0.0, after = 0.0, halfway = 0.0;
   for (const int k : island.bodies) {
-    if (island.now[at(k)].inverse_mass.x() == 0.0) continue;
-    const BodyProperties& body = island.world.bodies()[at(k)];
-    const Mat3 axes_w = island.world.states()[at(k)].orientation_wb.toRotationMatrix();
+    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
+    const BodyProperties& body = island.world.bodies()[idx(k)];
+    const Mat3 axes_w = island.world.states()[idx(k)].orientation_wb.toRotationMatrix();
     const Mat3 inertia_w = axes_w * body.inertia_b.asDiagonal() * axes_w.transpose();
-    before += kinetic_energy_of(body, inertia_w, island.free[at(k)]);
-    after += kinetic_energy_of(body, inertia_w, island.now[at(k)]);
-    MovingBody middle = island.now[at(k)];
-    interpolate(island.free[at(k)], 0.5, middle);
+    before += kinetic_energy_of(body, inertia_w, island.free[idx(k)]);
+    after += kinetic_energy_of(body, inertia_w, island.now[idx(k)]);
+    MovingBody middle = island.now[idx(k)];
+    interpolate(island.free[idx(k)], 0.5, middle);
     halfway += kinetic_energy_of(body, inertia_w, middle);
   }
   if (after <= before * (1.0 + tolerance::energy_rounding)) return;
   // E(t) = before + b t + a t², E(1) = after, E(1/2) = halfway.
   const double a = 2.0 * (before + after - 2.0 * halfway);
   const double share = std::clamp(1.0 - (after - before) / a, 0.0, 1.0);
-  for (const int k : island.bodies) interpolate(island.free[at(k)], share, island.now[at(k)]);
-  for (const int contact : island.contacts) scale_impulses(share, island.patches[at(contact)]);
+  for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
+  for (const int contact : island.contacts) scale_impulses(share, island.patches[idx(contact)]);
   ++report.fallbacks;
 }
 

@@ -32,9 +32,9 @@ Mat3 slope_of_cone(const Vec3& a, double mu) {
 // Impulses of the stiff springs at the present velocities, and their derivatives.
 void IslandSolver::evaluate_springs(std::span<const ContactPatch> patches) {
   for (const Constraint& constraint : constraints_) {
-    const Six motion = motion_now(constraint, patches[at(constraint.patch)]);
+    const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      Point& p = points_[at(i)];
+      Point& p = points_[idx(i)];
       const double rho = tolerance::island_polish / p.inverse_mass;
       p.motion = motion_at(p.along, p.across, motion);
       p.motion[2] += p.shift - p.target;
@@ -52,12 +52,12 @@ double IslandSolver::newton_step(std::span<const ContactPatch> patches) {
   for (const Constraint& constraint : constraints_) {
     Six push{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      const Point& p = points_[at(i)];
+      const Point& p = points_[idx(i)];
       Vec3 u = p.motion;
       u[2] -= p.shift - p.target;
       add_push(p.along, p.across, p.spring_impulse + p.spring_slope * u, push);
     }
-    add_to_right_side(constraint, patches[at(constraint.patch)], push);
+    add_to_right_side(constraint, patches[idx(constraint.patch)], push);
   }
   solve_with_factors();
   for (std::size_t m = 0; m < members_.size(); ++m) {

@@ -37,7 +37,7 @@ void IslandOrder::build(const World& world, std::span<const ContactPatch> patche
   order_.clear();
   start_.assign(1, 0);
   const auto level = [&](int patch) {
-    const IndexPair& pair = pairs_[at(patch)];
+    const IndexPair& pair = pairs_[idx(patch)];
     return std::max(graph_.level(pair.first), graph_.level(pair.second));
   };
   for (int island = 0; island < islands_.count(); ++island) {
@@ -50,8 +50,8 @@ void IslandOrder::build(const World& world, std::span<const ContactPatch> patche
 }
 
 std::span<const int> IslandOrder::upward(int island) const {
-  const auto begin = at(start_[at(island)]);
-  return std::span<const int>(order_).subspan(begin, at(start_[at(island) + 1]) - begin);
+  const auto begin = idx(start_[idx(island)]);
+  return std::span<const int>(order_).subspan(begin, idx(start_[idx(island) + 1]) - begin);
 }
 
 }  // namespace tumble

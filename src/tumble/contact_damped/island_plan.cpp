@@ -26,10 +26,10 @@ double speed_gained(const Island& island) {
   if (speed_range(island).higher >= tolerance::quiet_speed) return 0.0;
   double most = 0.0;
   for (const int k : island.bodies) {
-    const MovingBody& before = island.start[at(k)];
-    const MovingBody& now = island.now[at(k)];
+    const MovingBody& before = island.start[idx(k)];
+    const MovingBody& now = island.now[idx(k)];
     most = std::max(most, (now.velocity_w - before.velocity_w).norm() +
-                              0.5 * island.world.bodies()[at(k)].size.norm() *
+                              0.5 * island.world.bodies()[idx(k)].size.norm() *
                                   (now.angular_velocity_w - before.angular_velocity_w).norm());
   }
   return most;
@@ -39,11 +39,11 @@ double speed_gained(const Island& island) {
 // few steps.
 bool has_sliding_patch(const Island& island, double unit_speed) {
   return std::any_of(island.contacts.begin(), island.contacts.end(), [&](int contact) {
-    const ContactPatch& patch = island.patches[at(contact)];
+    const ContactPatch& patch = island.patches[idx(contact)];
     if (!(impulse_of(patch)[six::normal] > 0.0 && patch.friction > 0.0)) return false;
     const double limit = tolerance::island_slides * patch.friction * unit_speed;
     const auto slides = [&](std::span<const MovingBody> bodies) {
-      const Six u = motion_of(patch, bodies[at(patch.first)], bodies[at(patch.second)]);
+      const Six u = motion_of(patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
       return u[0] * u[0] + u[1] * u[1] > limit * limit;
     };
     return slides(island.start) && slides(island.now);
@@ -56,8 +56,8 @@ bool has_sliding_patch(const Island& island, double unit_speed) {
 double stiffness_for_masses(const Island& island) {
   double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
   for (const int k : island.bodies) {
-    lightest = std::min(lightest, island.world.bodies()[at(k)].mass);
-    heaviest = std::max(heaviest, island.world.bodies()[at(k)].mass);
+    lightest = std::min(lightest, island.world.bodies()[idx(k)].mass);
+    heaviest = std::max(heaviest, island.world.bodies()[idx(k)].mass);
   }
   return std::min(tolerance::island_stiffness * (heaviest / lightest), tolerance::island_hardness);
 }

@@ -20,7 +20,7 @@ namespace {
 // the change since then. If a point would pull, the distribution of the sweeps.
 std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch& patch,
                                                               const Six& since) {
-  const auto count = at(patch.count);
+  const auto count = idx(patch.count);
   std::array<double, ContactPatch::kMostPoints> pressure{};
   bool pushes = patch.spans_area;
   if (pushes) distribute_evenly(since, patch, pressure);
@@ -43,22 +43,22 @@ void IslandSolver::load(std::span<const int> members, std::span<const int> conta
   members_.clear();
   stamps_.clear();
   for (const int body : members) {
-    member_of_[at(body)] = static_cast<int>(members_.size());
+    member_of_[idx(body)] = static_cast<int>(members_.size());
     Member& member = members_.emplace_back();
-    member.mass = 1.0 / bodies[at(body)].inverse_mass.x();
-    member.inertia_w = bodies[at(body)].inverse_inertia_w.inverse();
-    member.free = velocities_of(free[at(body)]);
-    member.now = velocities_of(bodies[at(body)]);
+    member.mass = 1.0 / bodies[idx(body)].inverse_mass.x();
+    member.inertia_w = bodies[idx(body)].inverse_inertia_w.inverse();
+    member.free = velocities_of(free[idx(body)]);
+    member.now = velocities_of(bodies[idx(body)]);
   }
   constraints_.clear();
   points_.clear();
   joined_.clear();
   for (const int contact : contacts) {
-    const ContactPatch& patch = patches[at(contact)];
+    const ContactPatch& patch = patches[idx(contact)];
     Constraint& constraint = constraints_.emplace_back();
     constraint.patch = contact;
-    constraint.first = member_of_[at(patch.first)];
-    constraint.second = member_of_[at(patch.second)];
+    constraint.first = member_of_[idx(patch.first)];
+    constraint.second = member_of_[idx(patch.second)];
     if (constraint.first >= 0 && constraint.second >= 0) {
       constraint.pair = static_cast<int>(joined_.size());
       joined_.push_back({constraint.first, constraint.second});
@@ -87,7 +87,7 @@ void IslandSolver::load_points(const ContactPatch& patch) {
     add_push(p.along, p.across, -p.solver_impulse, since);
   const auto pressure = point_pressures(patch, since);
   double normal = 0.0, along = 0.0, across = 0.0, square = 0.0, far = 0.0;
-  for (std::size_t i = 0; i < at(patch.count); ++i) {
+  for (std::size_t i = 0; i < idx(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
     normal += pressure[i];
     along += pressure[i] * p.along;
@@ -98,7 +98,7 @@ void IslandSolver::load_points(const ContactPatch& patch) {
     along /= normal;
     across /= normal;
   }
-  for (std::size_t i = 0; i < at(patch.count); ++i) {
+  for (std::size_t i = 0; i < idx(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
     const double a = p.along - along;
     const double c = p.across - across;
@@ -107,7 +107,7 @@ void IslandSolver::load_points(const ContactPatch& patch) {
   const double moment = since[5] - (along * since[1] - across * since[0]);
   // A single point that pushes has no lever except rounding.
   const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
-  for (std::size_t i = 0; i < at(patch.count); ++i) {
+  for (std::size_t i = 0; i < idx(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
     Point& point = points_.emplace_back();
     point.along = p.along;
@@ -135,10 +135,10 @@ void IslandSolver::load_points(const ContactPatch& patch) {
 Six IslandSolver::motion_now(const Constraint& constraint, const ContactPatch& patch) const {
   Six motion{};
   if (constraint.second >= 0)
-    motion = motion_of(patch.frame_w, patch.second_arm_w, members_[at(constraint.second)].now);
+    motion = motion_of(patch.frame_w, patch.second_arm_w, members_[idx(constraint.second)].now);
   if (constraint.first >= 0) {
     const Six other =
-        motion_of(patch.frame_w, patch.first_arm_w, members_[at(constraint.first)].now);
+        motion_of(patch.frame_w, patch.first_arm_w, members_[idx(constraint.first)].now);
     for (std::size_t k = 0; k < 6; ++k) motion[k] -= other[k];
   }
   return motion;
@@ -147,9 +147,9 @@ Six IslandSolver::motion_now(const Constraint& constraint, const ContactPatch& p
 // Classifies points as sliding or not, and starts z from the velocities.
 void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, double unit_speed) {
   for (Constraint& constraint : constraints_) {
-    const Six motion = motion_now(constraint, patches[at(constraint.patch)]);
+    const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      Point& p = points_[at(i)];
+      Point& p = points_[idx(i)];
       const double rho = stiffness_ / p.inverse_mass;
       Vec3 u = motion_at(p.along, p.across, motion);
       u[2] -= p.target;
@@ -178,11 +178,11 @@ void IslandSolver::factor(std::span<const ContactPatch> patches, bool newton) {
     matrix_.add_to(static_cast<int>(m), own);
   }
   for (const Constraint& constraint : constraints_) {
-    const ContactPatch& patch = patches[at(constraint.patch)];
+    const ContactPatch& patch = patches[idx(constraint.patch)];
     Spring spring;
     const Mat3& f = patch.frame_w;
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      const Point& p = points_[at(i)];
+      const Point& p = points_[idx(i)];
       const double normal = stiffness_ / p.inverse_mass;
       const double tangential = p.slides ? 0.0 : normal;
       const Mat3 d =
@@ -224,9 +224,9 @@ void IslandSolver::begin_right_side() {
 void IslandSolver::add_to_right_side(const Constraint& constraint, const ContactPatch& patch,
                                      const Six& impulse) {
   if (constraint.first >= 0)
-    x_[at(constraint.first)] -= wrench_of(patch.frame_w, patch.first_arm_w, impulse);
+    x_[idx(constraint.first)] -= wrench_of(patch.frame_w, patch.first_arm_w, impulse);
   if (constraint.second >= 0)
-    x_[at(constraint.second)] += wrench_of(patch.frame_w, patch.second_arm_w, impulse);
+    x_[idx(constraint.second)] += wrench_of(patch.frame_w, patch.second_arm_w, impulse);
 }
 
 void IslandSolver::solve_with_factors() {

@@ -19,12 +19,12 @@ void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
   for (const Constraint& constraint : constraints_) {
     Six push{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      const Point& p = points_[at(i)];
+      const Point& p = points_[idx(i)];
       Vec3 target = p.auxiliary;  // of a point that slides: along the normal only
       target[2] += p.target - p.shift;
       add_push(p.along, p.across, p.impulse + stiffness_ / p.inverse_mass * target, push);
     }
-    add_to_right_side(constraint, patches[at(constraint.patch)], push);
+    add_to_right_side(constraint, patches[idx(constraint.patch)], push);
   }
   solve_with_factors();
   for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = x_[m];
@@ -35,9 +35,9 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, doubl
                                     double& dual) {
   primal = dual = 0.0;
   for (Constraint& constraint : constraints_) {
-    const Six motion = motion_now(constraint, patches[at(constraint.patch)]);
+    const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      Point& p = points_[at(i)];
+      Point& p = points_[idx(i)];
       const double rho = stiffness_ / p.inverse_mass;
       Vec3 u = motion_at(p.along, p.across, motion);
       if (p.slides) {
@@ -86,25 +86,25 @@ void IslandSolver::store(std::span<const int> members, bool from_impulses,
                          std::span<const MovingBody> free, std::span<ContactPatch> patches,
                          std::span<MovingBody> bodies) const {
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    MovingBody& body = bodies[at(members[m])];
-    body.velocity_w = from_impulses ? free[at(members[m])].velocity_w : members_[m].now.head<3>();
+    MovingBody& body = bodies[idx(members[m])];
+    body.velocity_w = from_impulses ? free[idx(members[m])].velocity_w : members_[m].now.head<3>();
     body.angular_velocity_w =
-        from_impulses ? free[at(members[m])].angular_velocity_w : members_[m].now.tail<3>();
+        from_impulses ? free[idx(members[m])].angular_velocity_w : members_[m].now.tail<3>();
     body.changed = true;
   }
   for (const Constraint& constraint : constraints_) {
-    ContactPatch& patch = patches[at(constraint.patch)];
+    ContactPatch& patch = patches[idx(constraint.patch)];
     Six sum{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
-      const Point& p = points_[at(i)];
-      patch.points[at(i - constraint.begin)].impulse = p.impulse[2];
-      patch.points[at(i - constraint.begin)].solver_impulse = p.impulse;
+      const Point& p = points_[idx(i)];
+      patch.points[idx(i - constraint.begin)].impulse = p.impulse[2];
+      patch.points[idx(i - constraint.begin)].solver_impulse = p.impulse;
       add_push(p.along, p.across, p.impulse, sum);
     }
     patch.along_impulse = sum[0];
     patch.across_impulse = sum[1];
     patch.twist_impulse = sum[5];
-    if (from_impulses) apply(sum, patch, bodies[at(patch.first)], bodies[at(patch.second)]);
+    if (from_impulses) apply(sum, patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
   }
 }
 

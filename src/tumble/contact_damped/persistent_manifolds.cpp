@@ -72,17 +72,17 @@ bool has_point_within(const Manifold& found, double reach) {
 
 bool collide_pair(const World& world, const IndexPair& pair, double reach, AxisIndex remembered,
                   Manifold& out) {
-  const BodyProperties& a = world.bodies()[at(pair.first)];
-  const BodyProperties& b = world.bodies()[at(pair.second)];
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground)
-    return collide_with_ground(box_of(b, world.states()[at(pair.second)]), reach, out);
-  const Box box = box_of(a, world.states()[at(pair.first)]);
+    return collide_with_ground(box_of(b, world.states()[idx(pair.second)]), reach, out);
+  const Box box = box_of(a, world.states()[idx(pair.first)]);
   if (b.shape == Shape::ground) {
     const bool found = collide_with_ground(box, reach, out);
     flip(out);
     return found;
   }
-  return collide(box, box_of(b, world.states()[at(pair.second)]), reach, remembered, out);
+  return collide(box, box_of(b, world.states()[idx(pair.second)]), reach, remembered, out);
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ bool PersistentManifolds::still_valid(const World& world, const IndexPair& pair,
   std::array<Vec3, 2> turned_w;
   const std::array<int, 2> body = {pair.first, pair.second};
   for (std::size_t k = 0; k < 2; ++k) {
-    const BodyState& now = world.states()[at(body[k])];
+    const BodyState& now = world.states()[idx(body[k])];
     moved_w[k] = now.position_w - patch.built_position_w[k];
     const double far = tolerance::kept_motion * patch.size;
     if (!(moved_w[k].squaredNorm() <= far * far)) return false;
@@ -132,13 +132,13 @@ bool PersistentManifolds::still_valid(const World& world, const IndexPair& pair,
 ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair& pair,
                                              const Manifold& manifold, const MovingBody& first,
                                              const MovingBody& second, double reach) {
-  const BodyProperties& a = world.bodies()[at(pair.first)];
-  const BodyProperties& b = world.bodies()[at(pair.second)];
-  const BodyState& first_state = world.states()[at(pair.first)];
-  const BodyState& second_state = world.states()[at(pair.second)];
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
+  const BodyState& first_state = world.states()[idx(pair.first)];
+  const BodyState& second_state = world.states()[idx(pair.second)];
   ContactPatch& patch = patches_.emplace_back();
-  patch.first_id = world.ids()[at(pair.first)];
-  patch.second_id = world.ids()[at(pair.second)];
+  patch.first_id = world.ids()[idx(pair.first)];
+  patch.second_id = world.ids()[idx(pair.second)];
   patch.size = size_of(a, b);
   patch.stamp = ++built_;
   patch.friction = std::sqrt(a.friction * b.friction);
@@ -161,15 +161,15 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
   const Vec3 rest_w = velocity_of_rest(bodies);
   Manifold manifold;
   for (const IndexPair& pair : candidates) {
-    const BodyProperties& a = world.bodies()[at(pair.first)];
-    const BodyProperties& b = world.bodies()[at(pair.second)];
+    const BodyProperties& a = world.bodies()[idx(pair.first)];
+    const BodyProperties& b = world.bodies()[idx(pair.second)];
     if (!a.movable() && !b.movable()) continue;
-    const MovingBody& first = bodies[at(pair.first)];
-    const MovingBody& second = bodies[at(pair.second)];
+    const MovingBody& first = bodies[idx(pair.first)];
+    const MovingBody& second = bodies[idx(pair.second)];
     const double margin = margin_of(a, b, first, second, size_of(a, b), dt);
     const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
     ContactPatch* const previous =
-        previous_patch(world.ids()[at(pair.first)], world.ids()[at(pair.second)]);
+        previous_patch(world.ids()[idx(pair.first)], world.ids()[idx(pair.second)]);
     if (previous != nullptr && still_valid(world, pair, first, second, reach, *previous)) {
       patches_.push_back(*previous);
     } else {

@@ -35,23 +35,23 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
 // added and removed leave rounding.
 void release_untouched(const Island& island, std::span<char> in_flight) {
   for (const int contact : island.contacts) {
-    const ContactPatch& patch = island.patches[at(contact)];
+    const ContactPatch& patch = island.patches[idx(contact)];
     const std::span<const ContactPatchPoint> points = patch.used();
     const bool pushes = std::any_of(points.begin(), points.end(),
                                     [](const ContactPatchPoint& p) { return p.impulse > 0.0; });
     if (!pushes) continue;
-    in_flight[at(patch.first)] = 0;
-    in_flight[at(patch.second)] = 0;
+    in_flight[idx(patch.first)] = 0;
+    in_flight[idx(patch.second)] = 0;
   }
   for (const int k : island.bodies)
-    if (in_flight[at(k)] != 0) island.now[at(k)] = island.free[at(k)];
+    if (in_flight[idx(k)] != 0) island.now[idx(k)] = island.free[idx(k)];
 }
 
 }  // namespace
 
 void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (island.contacts.empty()) return;
-  const BodyId id = island.world.ids()[at(island.bodies.front())];
+  const BodyId id = island.world.ids()[idx(island.bodies.front())];
   const bool solved_before =
       std::binary_search(memory_.solved_directly.begin(), memory_.solved_directly.end(), id);
   // [S6.3.1:island]

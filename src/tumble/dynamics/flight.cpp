@@ -12,11 +12,11 @@ namespace tumble {
 namespace {
 
 double valid_time(const Flight& flight, int body) {
-  return flight.valid_times.empty() ? 0.0 : flight.valid_times[at(body)];
+  return flight.valid_times.empty() ? 0.0 : flight.valid_times[idx(body)];
 }
 
 double micro_step_of(const Flight& flight, int body) {
-  return flight.micro_steps.empty() ? flight.micro_step : flight.micro_steps[at(body)];
+  return flight.micro_steps.empty() ? flight.micro_step : flight.micro_steps[idx(body)];
 }
 
 // The height of the lowest corner: the ground is the first body, so the normal is +y.
@@ -29,11 +29,11 @@ Separation gap_above_ground(const BodyProperties& body, const BodyState& state) 
 
 // How fast any point of the body can move against its centre until the end.
 double corner_speed(const Flight& flight, int body, double end) {
-  const BodyProperties& properties = flight.bodies[at(body)];
+  const BodyProperties& properties = flight.bodies[idx(body)];
   if (!properties.movable()) return 0.0;
   const double duration = std::min(end - valid_time(flight, body), micro_step_of(flight, body));
   const double turning =
-      angular_speed_bound(properties, flight.states[at(body)], duration, flight.rule);
+      angular_speed_bound(properties, flight.states[idx(body)], duration, flight.rule);
   return turning * 0.5 * properties.size.norm();
 }
 
@@ -73,8 +73,8 @@ bool turns_evenly(const BodyProperties& body, const BodyState& state, RotationRu
 }
 
 BodyState state_at(const Flight& flight, int body, double time) {
-  BodyState state = flight.states[at(body)];
-  fly_in_micro_steps(flight.bodies[at(body)], state, acceleration_of(flight, body),
+  BodyState state = flight.states[idx(body)];
+  fly_in_micro_steps(flight.bodies[idx(body)], state, acceleration_of(flight, body),
                      time - valid_time(flight, body), flight.rule, micro_step_of(flight, body));
   return state;
 }
@@ -94,19 +94,19 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
 }
 
 Vec3 acceleration_of(const Flight& flight, int body) {
-  if (!flight.bodies[at(body)].movable()) return Vec3::Zero();
-  return flight.accelerations_w.empty() ? flight.gravity_w : flight.accelerations_w[at(body)];
+  if (!flight.bodies[idx(body)].movable()) return Vec3::Zero();
+  return flight.accelerations_w.empty() ? flight.gravity_w : flight.accelerations_w[idx(body)];
 }
 
 // Without turning the body: v + a (t - t_valid).
 Vec3 velocity_at(const Flight& flight, int body, double time) {
-  return velocity(flight.bodies[at(body)], flight.states[at(body)]) +
+  return velocity(flight.bodies[idx(body)], flight.states[idx(body)]) +
          (time - valid_time(flight, body)) * acceleration_of(flight, body);
 }
 
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time) {
-  return gap_between(flight.bodies[at(pair.first)], state_at(flight, pair.first, time),
-                     flight.bodies[at(pair.second)], state_at(flight, pair.second, time));
+  return gap_between(flight.bodies[idx(pair.first)], state_at(flight, pair.first, time),
+                     flight.bodies[idx(pair.second)], state_at(flight, pair.second, time));
 }
 
 ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Vec3& normal_w,

@@ -24,8 +24,8 @@ struct Turning {
 
 Turning turning_of(const Flight& flight, int body, double time) {
   Turning out;
-  const BodyProperties& properties = flight.bodies[at(body)];
-  out.constant = turns_evenly(properties, flight.states[at(body)], flight.rule);
+  const BodyProperties& properties = flight.bodies[idx(body)];
+  out.constant = turns_evenly(properties, flight.states[idx(body)], flight.rule);
   if (!out.constant) return out;
   const BodyState state = state_at(flight, body, time);
   out.position_w = state.position_w;

@@ -184,15 +184,15 @@ class BodyView {
   BodyView(const World& world, int index) : world_(&world), index_(index) {}
 
   /// \return its id
-  [[nodiscard]] BodyId id() const { return world_->ids()[at(index_)]; }
+  [[nodiscard]] BodyId id() const { return world_->ids()[idx(index_)]; }
   /// \return its name
   [[nodiscard]] const std::string& name() const { return world_->name(index_); }
   /// \return what never changes about it
-  [[nodiscard]] const BodyProperties& properties() const { return world_->bodies()[at(index_)]; }
+  [[nodiscard]] const BodyProperties& properties() const { return world_->bodies()[idx(index_)]; }
   /// \return its pose and momenta
-  [[nodiscard]] const BodyState& state() const { return world_->states()[at(index_)]; }
+  [[nodiscard]] const BodyState& state() const { return world_->states()[idx(index_)]; }
   /// \return whether it sleeps
-  [[nodiscard]] bool asleep() const { return world_->sleep_states()[at(index_)].asleep; }
+  [[nodiscard]] bool asleep() const { return world_->sleep_states()[idx(index_)].asleep; }
 
   /// \return [m] its centre of mass
   [[nodiscard]] const Vec3& position_w() const { return state().position_w; }

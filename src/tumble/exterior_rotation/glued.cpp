@@ -89,7 +89,7 @@ void Glued::find(const World& world) {
 // first step; `fresh` receives the new joints.
 bool Glued::join(const World& world, std::vector<Joint>& fresh) {
   const auto was_there = [&](int body) {
-    return std::binary_search(found_for_.begin(), found_for_.end(), world.ids()[at(body)]);
+    return std::binary_search(found_for_.begin(), found_for_.end(), world.ids()[idx(body)]);
   };
   const bool known =
       std::equal(found_for_.begin(), found_for_.end(), world.ids().begin(), world.ids().end());
@@ -209,9 +209,9 @@ void Glued::change_joints(double time, World& world, StepReport& report) {
   changed_.assign(joints_.size(), 0);
   for (;;) {
     JointChange change;
-    if (!(margin(world, change) < 0.0) || changed_[at(change.joint)] != 0) return;
-    Joint& joint = joints_[at(change.joint)];
-    changed_[at(change.joint)] = 1;
+    if (!(margin(world, change) < 0.0) || changed_[idx(change.joint)] != 0) return;
+    Joint& joint = joints_[idx(change.joint)];
+    changed_[idx(change.joint)] = 1;
     const JointPoint where = held_point(joint, world.states());
     joint.hold = change.hold;
     joint.side = change.side;
@@ -219,10 +219,10 @@ void Glued::change_joints(double time, World& world, StepReport& report) {
     if (observer() != nullptr) {
       Event event;
       event.time = world.time() + time;
-      event.first = world.ids()[at(joint.first)];
-      event.second = world.ids()[at(joint.second)];
+      event.first = world.ids()[idx(joint.first)];
+      event.second = world.ids()[idx(joint.second)];
       event.point_w = 0.5 * (where.first_w + where.second_w);
-      event.normal_w = world.states()[at(joint.first)].orientation_wb * joint.normal_first_b;
+      event.normal_w = world.states()[idx(joint.first)].orientation_wb * joint.normal_first_b;
       observer()->on_event(event);
     }
     if (joint.hold != JointHold::area) continue;
@@ -256,9 +256,9 @@ void Glued::record(const World& world) {
     const JointPoint held = held_point(joint, world.states());
     ContactRecord record;
     record.time = world.time();
-    record.first = world.ids()[at(joint.first)];
-    record.second = world.ids()[at(joint.second)];
-    record.normal_w = world.states()[at(joint.first)].orientation_wb * joint.normal_first_b;
+    record.first = world.ids()[idx(joint.first)];
+    record.second = world.ids()[idx(joint.second)];
+    record.normal_w = world.states()[idx(joint.first)].orientation_wb * joint.normal_first_b;
     record.point_w = 0.5 * (held.first_w + held.second_w);
     record.push_w = push.force_w;
     record.is_impulse = false;

@@ -51,12 +51,12 @@ Joint joint_of(const World& world, const Contact& contact) {
   joint.first = contact.first;
   joint.second = contact.second;
   joint.count = contact.count;
-  const BodyState& first = world.states()[at(joint.first)];
-  const BodyState& second = world.states()[at(joint.second)];
+  const BodyState& first = world.states()[idx(joint.first)];
+  const BodyState& second = world.states()[idx(joint.second)];
   for (int k = 0; k < contact.count; ++k) {
-    const Vec3& point_w = contact.points[at(k)].position_w;
-    joint.corners_first_b[at(k)] = to_body(first, point_w);
-    joint.corners_second_b[at(k)] = to_body(second, point_w);
+    const Vec3& point_w = contact.points[idx(k)].position_w;
+    joint.corners_first_b[idx(k)] = to_body(first, point_w);
+    joint.corners_second_b[idx(k)] = to_body(second, point_w);
   }
   joint.normal_first_b = first.orientation_wb.conjugate() * contact.normal_w;
   joint.hold = contact.count == 1   ? JointHold::corner
@@ -80,7 +80,7 @@ std::vector<Joint> find_joints(const World& world, double margin) {
   ContactList contacts;
   std::vector<Joint> joints;
   const auto edge_of = [&](int k) {
-    const BodyProperties& body = world.bodies()[at(k)];
+    const BodyProperties& body = world.bodies()[idx(k)];
     return body.shape == Shape::box ? body.size.minCoeff() : size;
   };
   for (const IndexPair& pair : pairs) {  // each with its own margin
@@ -89,10 +89,10 @@ std::vector<Joint> find_joints(const World& world, double margin) {
     const double reach_speed =
         std::sqrt(world.gravity_w.norm() * std::min(edge_of(pair.first), edge_of(pair.second)));
     const double parting =
-        tolerance::resting_speed * std::max({reach_speed, moving[at(pair.first)].velocity_w.norm(),
-                                             moving[at(pair.second)].velocity_w.norm()});
+        tolerance::resting_speed * std::max({reach_speed, moving[idx(pair.first)].velocity_w.norm(),
+                                             moving[idx(pair.second)].velocity_w.norm()});
     for (const Contact& contact : contacts) {
-      const auto points = std::span(contact.points).first(at(contact.count));
+      const auto points = std::span(contact.points).first(idx(contact.count));
       if (std::none_of(points.begin(), points.end(),
                        [&](const ContactPoint& p) { return p.approach_speed <= parting; }))
         continue;
@@ -106,15 +106,15 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
                                   const World& world, double margin) {
   std::vector<Joint> now;
   for (Joint joint : joints) {
-    const std::optional<int> first = world.find(before[at(joint.first)]);
-    const std::optional<int> second = world.find(before[at(joint.second)]);
+    const std::optional<int> first = world.find(before[idx(joint.first)]);
+    const std::optional<int> second = world.find(before[idx(joint.second)]);
     if (!first || !second) continue;
     joint.first = *first;
     joint.second = *second;
     now.push_back(joint);
   }
   const auto is_new = [&](int body) {
-    return !std::binary_search(before.begin(), before.end(), world.ids()[at(body)]);
+    return !std::binary_search(before.begin(), before.end(), world.ids()[idx(body)]);
   };
   for (const Joint& joint : find_joints(world, margin))
     if (is_new(joint.first) || is_new(joint.second)) now.push_back(joint);
@@ -125,9 +125,9 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
 }
 
 JointPoint corner_of(const Joint& joint, int corner, std::span<const BodyState> states) {
-  const std::size_t k = at(corner % joint.count);
-  return {to_world(states[at(joint.first)], joint.corners_first_b[k]),
-          to_world(states[at(joint.second)], joint.corners_second_b[k])};
+  const std::size_t k = idx(corner % joint.count);
+  return {to_world(states[idx(joint.first)], joint.corners_first_b[k]),
+          to_world(states[idx(joint.second)], joint.corners_second_b[k])};
 }
 
 JointPoint held_point(const Joint& joint, std::span<const BodyState> states) {
@@ -142,7 +142,7 @@ JointPoint held_point(const Joint& joint, std::span<const BodyState> states) {
 }
 
 JointGap gap_of(const Joint& joint, std::span<const BodyState> states) {
-  const Vec3 normal_w = states[at(joint.first)].orientation_wb * joint.normal_first_b;
+  const Vec3 normal_w = states[idx(joint.first)].orientation_wb * joint.normal_first_b;
   const Held held = held_corners(joint);
   JointGap gap;
   for (int k = 0; k < held.count; ++k) {
@@ -168,7 +168,7 @@ JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states
 }
 
 double opened(const Joint& joint, std::span<const BodyState> states) {
-  const Vec3 normal_w = states[at(joint.first)].orientation_wb * joint.normal_first_b;
+  const Vec3 normal_w = states[idx(joint.first)].orientation_wb * joint.normal_first_b;
   const JointPoint held = held_point(joint, states);
   Vec3 away_w = held.first_w - held.second_w;
   for (int k = 0; k < joint.count; ++k) {

@@ -19,8 +19,8 @@ struct Unit {
 };
 
 Unit unit_of(const Joint& joint, const World& world) {
-  const BodyProperties& first = world.bodies()[at(joint.first)];
-  const BodyProperties& second = world.bodies()[at(joint.second)];
+  const BodyProperties& first = world.bodies()[idx(joint.first)];
+  const BodyProperties& second = world.bodies()[idx(joint.second)];
   const BodyProperties& body = first.mass < second.mass ? first : second;
   return {body.size.minCoeff(), body.mass};
 }
@@ -44,7 +44,7 @@ double joint_margin(std::span<const Joint> joints, const World& world,
     const int place = static_cast<int>(j);
     const Unit unit = unit_of(joint, world);
     const double weight = unit.mass * std::max(world.gravity_w.norm(), 1.0);
-    const Vec3 normal_w = states[at(joint.first)].orientation_wb * joint.normal_first_b;
+    const Vec3 normal_w = states[idx(joint.first)].orientation_wb * joint.normal_first_b;
     const Wrench& push = forces.on_second(place);
     const JointPoint held = held_point(joint, states);
     // [S6.2:events]
@@ -68,7 +68,7 @@ double joint_margin(std::span<const Joint> joints, const World& world,
     for (int k = 0; k < joint.count; ++k)
       middle_w += corner_of(joint, k, states).second_w / joint.count;
     const double speed = normal_w.dot(
-        relative_velocity(moving[at(joint.first)], moving[at(joint.second)], middle_w));
+        relative_velocity(moving[idx(joint.first)], moving[idx(joint.second)], middle_w));
     if (speed < 0.0)
       look(opened(joint, states) / unit.size + tolerance::closed_area, {place, JointHold::area, 0});
     // [S6.2:events]

@@ -35,14 +35,14 @@ class OneBody {
   bool join(int a, int b) {
     a = root_of(a);
     b = root_of(b);
-    parent_[at(std::max(a, b))] = std::min(a, b);
+    parent_[idx(std::max(a, b))] = std::min(a, b);
     return a != b;
   }
   [[nodiscard]] bool same(int a, int b) const { return root_of(a) == root_of(b); }
 
  private:
   [[nodiscard]] int root_of(int body) const {
-    while (parent_[at(body)] != body) body = parent_[at(body)];
+    while (parent_[idx(body)] != body) body = parent_[idx(body)];
     return body;
   }
   std::vector<int> parent_;
@@ -73,18 +73,19 @@ void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const J
     // [S6.2:rows]
     for (int axis = 0; axis < 3; ++axis) {
       row.along_w = Vec3::Unit(axis);
-      row.turn_first_w = (point.first_w - bodies[at(joint.first)].position_w).cross(row.along_w);
-      row.turn_second_w = (point.second_w - bodies[at(joint.second)].position_w).cross(row.along_w);
+      row.turn_first_w = (point.first_w - bodies[idx(joint.first)].position_w).cross(row.along_w);
+      row.turn_second_w =
+          (point.second_w - bodies[idx(joint.second)].position_w).cross(row.along_w);
       rows_.push_back(row);
     }
     if (joint.hold == JointHold::corner) continue;
     row.along_w.setZero();
-    const Mat3 first_wb = states[at(joint.first)].orientation_wb.toRotationMatrix();
+    const Mat3 first_wb = states[idx(joint.first)].orientation_wb.toRotationMatrix();
     Mat3 axes_w = first_wb;
     if (joint.hold == JointHold::edge) {  // two directions across the edge, fixed in the first body
-      const std::size_t next = at((joint.side + 1) % joint.count);
+      const std::size_t next = idx((joint.side + 1) % joint.count);
       const Tangents across = tangents_of(
-          (joint.corners_first_b[next] - joint.corners_first_b[at(joint.side)]).normalized());
+          (joint.corners_first_b[next] - joint.corners_first_b[idx(joint.side)]).normalized());
       axes_w.col(0) = first_wb * across.first_w;
       axes_w.col(1) = first_wb * across.second_w;
     }
@@ -104,7 +105,7 @@ void JointForces::solve(std::span<const MovingBody> bodies) {
   if (A_.rows() != n) A_.resize(n, n);
   // Motion of row i for a unit force of row j, by way of one body.
   const auto seen = [&](const Row& i, const Row& j, int body, bool i_second, bool j_second) {
-    const MovingBody& m = bodies[at(body)];
+    const MovingBody& m = bodies[idx(body)];
     const Vec3& turn_i = i_second ? i.turn_second_w : i.turn_first_w;
     const Vec3& turn_j = j_second ? j.turn_second_w : j.turn_first_w;
     const double sign = i_second == j_second ? 1.0 : -1.0;
@@ -113,8 +114,8 @@ void JointForces::solve(std::span<const MovingBody> bodies) {
   };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
-      const Row& a = rows_[at(i)];
-      const Row& b = rows_[at(j)];
+      const Row& a = rows_[idx(i)];
+      const Row& b = rows_[idx(j)];
       double sum = 0.0;
       if (a.first == b.first) sum += seen(a, b, a.first, false, false);
       if (a.first == b.second) sum += seen(a, b, a.first, false, true);
@@ -131,15 +132,15 @@ void JointForces::solve(std::span<const MovingBody> bodies) {
   for (int i = 0; i < n; ++i)
     if (factor_.consider(A_, i) > tolerance::redundant_row * A_(i, i)) factor_.append_considered();
   answer_.clear();
-  for (const int i : factor_.indices()) answer_.push_back(-b_[at(i)]);
+  for (const int i : factor_.indices()) answer_.push_back(-b_[idx(i)]);
   factor_.solve(answer_);
   std::fill(b_.begin(), b_.end(), 0.0);
   for (std::size_t k = 0; k < answer_.size(); ++k)
-    b_[at(factor_.indices()[k])] = std::ldexp(answer_[k], -exponent);
+    b_[idx(factor_.indices()[k])] = std::ldexp(answer_[k], -exponent);
   for (int i = 0; i < n; ++i) {
-    const Row& row = rows_[at(i)];
-    pushes_[at(row.joint)].force_w += b_[at(i)] * row.along_w;
-    pushes_[at(row.joint)].torque_w += b_[at(i)] * row.about_w;
+    const Row& row = rows_[idx(i)];
+    pushes_[idx(row.joint)].force_w += b_[idx(i)] * row.along_w;
+    pushes_[idx(row.joint)].torque_w += b_[idx(i)] * row.about_w;
   }
 }
 
@@ -152,17 +153,17 @@ void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
 
   // J a + dJ/dt v without joints. A free body: W g, and ω' = I^-1 (L x ω).
   const auto alone = [&](int body) {
-    const MovingBody& m = bodies[at(body)];
-    const Vec3& momentum_w = world.states()[at(body)].angular_momentum_w;
+    const MovingBody& m = bodies[idx(body)];
+    const Vec3& momentum_w = world.states()[idx(body)].angular_momentum_w;
     return Vec3(m.inverse_inertia_w * momentum_w.cross(m.angular_velocity_w));
   };
   b_.assign(rows_.size(), 0.0);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    const MovingBody& first = bodies[at(row.first)];
-    const MovingBody& second = bodies[at(row.second)];
+    const MovingBody& first = bodies[idx(row.first)];
+    const MovingBody& second = bodies[idx(row.second)];
     const auto falls = [&](int body) -> Vec3 {
-      return world.bodies()[at(body)].movable() ? world.gravity_w : Vec3::Zero();
+      return world.bodies()[idx(body)].movable() ? world.gravity_w : Vec3::Zero();
     };
     // [S6.2:arcs]
     b_[i] = row.along_w.dot(falls(row.second) + centripetal(second, row.point.second_w) -
@@ -175,10 +176,10 @@ void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
   solve(bodies);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    rates[at(row.second)].force_w += b_[i] * row.along_w;
-    rates[at(row.second)].torque_w += b_[i] * row.turn_second_w;
-    rates[at(row.first)].force_w -= b_[i] * row.along_w;
-    rates[at(row.first)].torque_w -= b_[i] * row.turn_first_w;
+    rates[idx(row.second)].force_w += b_[i] * row.along_w;
+    rates[idx(row.second)].torque_w += b_[i] * row.turn_second_w;
+    rates[idx(row.first)].force_w -= b_[i] * row.along_w;
+    rates[idx(row.first)].torque_w -= b_[i] * row.turn_first_w;
   }
 }
 
@@ -188,8 +189,8 @@ void JointForces::project(std::span<MovingBody> bodies, std::span<const Joint> j
   b_.assign(rows_.size(), 0.0);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    const MovingBody& first = bodies[at(row.first)];
-    const MovingBody& second = bodies[at(row.second)];
+    const MovingBody& first = bodies[idx(row.first)];
+    const MovingBody& second = bodies[idx(row.second)];
     b_[i] = row.along_w.dot(second.velocity_w - first.velocity_w) +
             row.turn_second_w.dot(second.angular_velocity_w) -
             row.turn_first_w.dot(first.angular_velocity_w);
@@ -197,8 +198,8 @@ void JointForces::project(std::span<MovingBody> bodies, std::span<const Joint> j
   solve(bodies);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    MovingBody& first = bodies[at(row.first)];
-    MovingBody& second = bodies[at(row.second)];
+    MovingBody& first = bodies[idx(row.first)];
+    MovingBody& second = bodies[idx(row.second)];
     second.velocity_w += b_[i] * second.inverse_mass.cwiseProduct(row.along_w);
     second.angular_velocity_w += b_[i] * (second.inverse_inertia_w * row.turn_second_w);
     first.velocity_w -= b_[i] * first.inverse_mass.cwiseProduct(row.along_w);

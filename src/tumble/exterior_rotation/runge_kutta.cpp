@@ -69,9 +69,9 @@ void RungeKutta::change(const std::array<double, ButcherTable::kMostStages>& wei
                         double dt, std::vector<Rate>& out) const {
   out.assign(start_.size(), Rate{});
   for (int s = 0; s < stages; ++s) {
-    if (weights[at(s)] == 0.0) continue;
+    if (weights[idx(s)] == 0.0) continue;
     for (std::size_t k = 0; k < out.size(); ++k)
-      add(dt * weights[at(s)], slopes_[at(s)][k], out[k]);
+      add(dt * weights[idx(s)], slopes_[idx(s)][k], out[k]);
   }
 }
 
@@ -96,16 +96,16 @@ double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Jo
   // [S6.2:rungekutta]
   for (int s = 0; s < table.stages; ++s) {
     // A stage: the state that the slopes so far lead to, and the forces there.
-    change(table.a[at(s)], s, dt, change_);
+    change(table.a[idx(s)], s, dt, change_);
     if (!within_a_turn(change_)) return too_far();
     put();
     load_moving_bodies(world, moving_);
     forces.hold(world, moving_, joints, wrenches_);
-    slopes_[at(s)].resize(start_.size());
+    slopes_[idx(s)].resize(start_.size());
     for (std::size_t k = 0; k < start_.size(); ++k)
-      slopes_[at(s)][k] = {moving_[k].velocity_w,
-                           rotation_vector_rate(change_[k].r_w, moving_[k].angular_velocity_w),
-                           wrenches_[k].force_w, wrenches_[k].torque_w};
+      slopes_[idx(s)][k] = {moving_[k].velocity_w,
+                            rotation_vector_rate(change_[k].r_w, moving_[k].angular_velocity_w),
+                            wrenches_[k].force_w, wrenches_[k].torque_w};
   }
   // [S6.2:rungekutta]
   // The error, from the weights of two orders; then the result.

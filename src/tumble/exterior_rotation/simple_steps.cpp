@@ -66,24 +66,24 @@ void SimpleSteps::find_references(std::span<const Joint> joints, const World& wo
   for (const Joint& joint : joints)
     if (joint.hold != JointHold::nothing) pairs_.push_back({joint.first, joint.second});
   groups_.build_from_pairs(world.bodies(), pairs_);
-  reference_w_.assign(at(world.count()), Vec3::Zero());
-  reference_rate_w_.assign(at(world.count()), Vec3::Zero());
+  reference_w_.assign(idx(world.count()), Vec3::Zero());
+  reference_rate_w_.assign(idx(world.count()), Vec3::Zero());
   for (int group = 0; group < groups_.count(); ++group) {
     const auto held = [&](int c) {
-      return !world.bodies()[at(pairs_[at(c)].first)].movable() ||
-             !world.bodies()[at(pairs_[at(c)].second)].movable();
+      return !world.bodies()[idx(pairs_[idx(c)].first)].movable() ||
+             !world.bodies()[idx(pairs_[idx(c)].second)].movable();
     };
     const std::span<const int> contacts = groups_.contacts(group);
     if (std::any_of(contacts.begin(), contacts.end(), held)) continue;
     double mass = 0.0;
     Vec3 momentum_w = Vec3::Zero();
     for (const int b : groups_.bodies(group)) {
-      mass += world.bodies()[at(b)].mass;
-      momentum_w += world.states()[at(b)].linear_momentum_w;
+      mass += world.bodies()[idx(b)].mass;
+      momentum_w += world.states()[idx(b)].linear_momentum_w;
     }
     for (const int b : groups_.bodies(group)) {
-      reference_w_[at(b)] = momentum_w / mass;
-      reference_rate_w_[at(b)] = world.gravity_w;
+      reference_w_[idx(b)] = momentum_w / mass;
+      reference_rate_w_[idx(b)] = world.gravity_w;
     }
   }
 }

@@ -46,17 +46,17 @@ void ChatterDetector::add(const World& world, std::span<const char> in_contact) 
   const auto frames = static_cast<std::size_t>(options_.window + 1);
   std::size_t place = 0;  // bodies and tracks are both sorted by id
   for (int i = 0; i < world.count(); ++i) {
-    const BodyProperties& body = world.bodies()[at(i)];
+    const BodyProperties& body = world.bodies()[idx(i)];
     if (!body.movable()) continue;
-    const BodyId id = world.ids()[at(i)];
-    const Placement now_at = placement_of(body, world.states()[at(i)]);
+    const BodyId id = world.ids()[idx(i)];
+    const Placement now_at = placement_of(body, world.states()[idx(i)]);
     if (place == tracks_.size() || tracks_[place].id != id) {
       Track track{id, body.size.minCoeff(), frames_.frame_from(now), now_at};
       track.places.assign(2 * frames, now_at);
       track.touching.assign(frames, 0);
       tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
-    const bool touches = in_contact[at(i)] != 0 || world.sleep_states()[at(i)].asleep;
+    const bool touches = in_contact[idx(i)] != 0 || world.sleep_states()[idx(i)].asleep;
     take_frames(now_at, touches, tracks_[place]);
     ++place;
   }
@@ -134,7 +134,7 @@ void mark_contacts(const World& world, std::span<const ContactRecord> contacts,
   in_contact.assign(world.states().size(), 0);
   for (const ContactRecord& contact : contacts)
     for (const BodyId id : {contact.first, contact.second})
-      if (const auto index = world.find(id)) in_contact[at(*index)] = 1;
+      if (const auto index = world.find(id)) in_contact[idx(*index)] = 1;
 }
 
 }  // namespace tumble

@@ -57,16 +57,16 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
     // stable.
     for (std::size_t i = 0; i < sorted_.size(); ++i) {
       const Point& c = sorted_[i];
-      if (stable[at(c.bottom)] == 0 || holds_[i] != 0) continue;
+      if (stable[idx(c.bottom)] == 0 || holds_[i] != 0) continue;
       holds_[i] = 1;
-      ++held_[at(c.top)];
-      if (stable[at(c.top)] != 0) continue;
+      ++held_[idx(c.top)];
+      if (stable[idx(c.top)] != 0) continue;
       mark_projected_corners(world, c);
-      if (vetoes_[at(c.top)] != kNone || held_[at(c.top)] != below_[at(c.top)]) continue;
+      if (vetoes_[idx(c.top)] != kNone || held_[idx(c.top)] != below_[idx(c.top)]) continue;
       const bool firm =
-          rule == StableRule::corners ? corners_[at(c.top)] == kAllCorners : covered(world, c.top);
+          rule == StableRule::corners ? corners_[idx(c.top)] == kAllCorners : covered(world, c.top);
       if (!firm) continue;
-      stable[at(c.top)] = 1;
+      stable[idx(c.top)] = 1;
       found = true;
     }
     // [SETGEOMETRICALLYSTABLE:7-17]
@@ -86,7 +86,7 @@ void GeometricStability::find_vetoes(const World& world, std::span<const Contact
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].count == 0 || is_vertical(contacts[c].normal_w, tolerances_.vertical)) continue;
     for (const int body : {contacts[c].first, contacts[c].second})
-      if (vetoes_[at(body)] == kNone) vetoes_[at(body)] = static_cast<int>(c);
+      if (vetoes_[idx(body)] == kNone) vetoes_[idx(body)] = static_cast<int>(c);
   }
   // [SETGEOMETRICALLYSTABLE:18-20]
   const double g = world.gravity_w.norm();
@@ -109,12 +109,12 @@ void GeometricStability::sort_contact_points_ascending(std::span<const Contact> 
     if (!is_vertical(contact.normal_w, tolerances_.vertical)) continue;
     const bool second_is_top = contact.normal_w.y() > 0.0;
     for (int p = 0; p < contact.count; ++p) {
-      const Vec3& position_w = contact.points[at(p)].position_w;
+      const Vec3& position_w = contact.points[idx(p)].position_w;
       const int top = second_is_top ? contact.second : contact.first;
       const int bottom = second_is_top ? contact.first : contact.second;
       sorted_.push_back(
           {position_w.y(), top, bottom, Vec2(position_w.x(), position_w.z()), static_cast<int>(c)});
-      ++below_[at(top)];
+      ++below_[idx(top)];
     }
   }
   const auto key = [](const Point& c) {
@@ -125,12 +125,12 @@ void GeometricStability::sort_contact_points_ascending(std::span<const Contact> 
 }
 
 void GeometricStability::mark_projected_corners(const World& world, const Point& c) {
-  const BodyProperties& body = world.bodies()[at(c.top)];
-  const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[at(c.top)]));
+  const BodyProperties& body = world.bodies()[idx(c.top)];
+  const std::array<Vec2, 4> corners = lower_corners(box_of(body, world.states()[idx(c.top)]));
   const double near = tolerances_.corner * body.size.minCoeff();
   for (std::size_t k = 0; k < 4; ++k)
     if ((corners[k] - c.xz).norm() <= near)
-      corners_[at(c.top)] = static_cast<std::uint8_t>(corners_[at(c.top)] | 1U << k);
+      corners_[idx(c.top)] = static_cast<std::uint8_t>(corners_[idx(c.top)] | 1U << k);
 }
 
 // Builds the hull of the points on stable bodies below a body.
@@ -143,16 +143,16 @@ void GeometricStability::take_hull(int body) {
 
 // Collects the corners that need support.
 void GeometricStability::take_outline(const World& world, int body) {
-  if (!outlines_.empty() && !outlines_[at(body)].empty())
-    outline_.assign(outlines_[at(body)].begin(), outlines_[at(body)].end());
+  if (!outlines_.empty() && !outlines_[idx(body)].empty())
+    outline_.assign(outlines_[idx(body)].begin(), outlines_[idx(body)].end());
   else
-    corners_from_above(box_of(world.bodies()[at(body)], world.states()[at(body)]), outline_);
+    corners_from_above(box_of(world.bodies()[idx(body)], world.states()[idx(body)]), outline_);
 }
 
 // Whether that hull covers the outline of the body.
 bool GeometricStability::covered(const World& world, int body) {
   take_hull(body);
-  const double near = tolerances_.corner * world.bodies()[at(body)].size.minCoeff();
+  const double near = tolerances_.corner * world.bodies()[idx(body)].size.minCoeff();
   take_outline(world, body);
   return std::all_of(outline_.begin(), outline_.end(),
                      [&](const Vec2& corner) { return hull_contains(hull_, corner, near); });
@@ -160,26 +160,27 @@ bool GeometricStability::covered(const World& world, int body) {
 
 StabilityVerdict GeometricStability::verdict(const World& world, int body) {
   require::that(
-      body >= 0 && at(body) < stable_.size(),
+      body >= 0 && idx(body) < stable_.size(),
       "body " + std::to_string(body) + ": the last run() had " + std::to_string(stable_.size()));
-  if (!world.bodies()[at(body)].movable()) return {StabilityReason::immovable};
-  if (stable_[at(body)] != 0) return {StabilityReason::supported};
-  const int veto = vetoes_[at(body)];
+  if (!world.bodies()[idx(body)].movable()) return {StabilityReason::immovable};
+  if (stable_[idx(body)] != 0) return {StabilityReason::supported};
+  const int veto = vetoes_[idx(body)];
   if (veto == kMoving) return {StabilityReason::moving};
   if (veto != kNone) return {StabilityReason::side_contact, veto};
   for (const Point& c : sorted_)
-    if (c.top == body && stable_[at(c.bottom)] == 0)
+    if (c.top == body && stable_[idx(c.bottom)] == 0)
       return {StabilityReason::unstable_support, c.contact};
 
   // The remaining reason is a corner: the one farthest from its supports.
   take_hull(body);
-  const BodyProperties& properties = world.bodies()[at(body)];
+  const BodyProperties& properties = world.bodies()[idx(body)];
   take_outline(world, body);
   if (rule_ == StableRule::corners) {
-    const std::array<Vec2, 4> corners = lower_corners(box_of(properties, world.states()[at(body)]));
+    const std::array<Vec2, 4> corners =
+        lower_corners(box_of(properties, world.states()[idx(body)]));
     outline_.clear();
     for (std::size_t k = 0; k < 4; ++k)
-      if ((corners_[at(body)] & 1U << k) == 0) outline_.push_back(corners[k]);
+      if ((corners_[idx(body)] & 1U << k) == 0) outline_.push_back(corners[k]);
   }
   const auto worse = [&](const Vec2& a, const Vec2& b) {
     return distance_to_hull(hull_, a) < distance_to_hull(hull_, b);
@@ -190,7 +191,7 @@ StabilityVerdict GeometricStability::verdict(const World& world, int body) {
 std::string explanation(const World& world, std::span<const Contact> contacts,
                         const StabilityVerdict& verdict) {
   const auto pair = [&] {
-    const Contact& contact = contacts[at(verdict.contact)];
+    const Contact& contact = contacts[idx(verdict.contact)];
     return world.name(contact.first) + " and " + world.name(contact.second);
   };
   switch (verdict.reason) {

@@ -76,12 +76,12 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
   for (const Contact& contact : contacts) {
     double size = std::numeric_limits<double>::infinity();
     for (const int b : {contact.first, contact.second})
-      if (world.bodies()[at(b)].shape != Shape::ground)
-        size = std::min(size, world.bodies()[at(b)].size.minCoeff());
+      if (world.bodies()[idx(b)].shape != Shape::ground)
+        size = std::min(size, world.bodies()[idx(b)].size.minCoeff());
     for (int p = 0; p < contact.count; ++p) {
-      if (contact.points[at(p)].distance <= tolerance::contact_gap * size) continue;
+      if (contact.points[idx(p)].distance <= tolerance::contact_gap * size) continue;
       for (const int b : {contact.first, contact.second})
-        if (world.bodies()[at(b)].movable()) motion_[at(b)] = kUnsettled;
+        if (world.bodies()[idx(b)].movable()) motion_[idx(b)] = kUnsettled;
     }
   }
 }
@@ -96,8 +96,8 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
     if (world.bodies()[b].inverse_mass != basis_.inverse_masses[b]) return false;
   // Poses are compared, too: contact points on a small support do not determine the pose of a large body.
   const auto stays = [&](int body) {
-    const BodyState& now = world.states()[at(body)];
-    const BodyState& then = basis_.states[at(body)];
+    const BodyState& now = world.states()[idx(body)];
+    const BodyState& then = basis_.states[idx(body)];
     return now.position_w == then.position_w &&
            now.orientation_wb.coeffs() == then.orientation_wb.coeffs();
   };
@@ -107,7 +107,7 @@ bool StableBoxes::unchanged(const World& world, std::span<const Contact> contact
     if (!stays(now.first) || !stays(now.second)) return false;
     if (now.normal_w != then.normal_w) return false;
     for (int p = 0; p < now.count; ++p)
-      if (now.points[at(p)].position_w != then.points[at(p)].position_w) return false;
+      if (now.points[idx(p)].position_w != then.points[idx(p)].position_w) return false;
     return true;
   };
   return std::equal(contacts.begin(), contacts.end(), basis_.contacts.begin(), same);
@@ -138,17 +138,17 @@ void StableBoxes::add_balanced(const World& world, std::span<const Contact> cont
   towers_.run(world, contacts, apart_);
 
   // Towers become loads on their supports; the other bodies are examined in whole islands.
-  const auto is_load = [&](int b) { return towers_.states()[at(b)] == TowerState::supported; };
+  const auto is_load = [&](int b) { return towers_.states()[idx(b)] == TowerState::supported; };
   left_.clear();
   for (const Contact& contact : contacts)
     if (contact.count > 0 && !is_load(contact.first) && !is_load(contact.second))
       left_.push_back(contact);
   loads_.clear();
   for (int b = 0; b < world.count(); ++b) {
-    if (held_[at(b)] != hold(Hold::free) || is_load(b)) continue;
-    TowerLoad load = towers_.loads()[at(b)];
-    const double mass = world.bodies()[at(b)].mass;
-    load.moment -= mass * world.states()[at(b)].position_w;
+    if (held_[idx(b)] != hold(Hold::free) || is_load(b)) continue;
+    TowerLoad load = towers_.loads()[idx(b)];
+    const double mass = world.bodies()[idx(b)].mass;
+    load.moment -= mass * world.states()[idx(b)].position_w;
     load.mass -= mass;
     if (load.mass > 0.0) loads_.push_back({b, load.centre_w(), load.mass * world.gravity_w});
   }
@@ -164,9 +164,9 @@ void StableBoxes::drop_large_islands(const World& world) {
   for (int i = 0; i < islands_.count(); ++i) {
     const std::span<const int> touches = islands_.contacts(i);
     int points = 0;
-    for (const int c : touches) points += left_[at(c)].count;
+    for (const int c : touches) points += left_[idx(c)].count;
     if (points <= most_points_) continue;
-    for (const int c : touches) drop_[at(c)] = 1;
+    for (const int c : touches) drop_[idx(c)] = 1;
   }
   std::size_t kept = 0;
   for (std::size_t c = 0; c < left_.size(); ++c)
@@ -188,15 +188,15 @@ void StableBoxes::take_islands(const World& world) {
     const std::span<const int> members = islands_.bodies(i);
     const std::span<const int> touches = islands_.contacts(i);
     const bool upright = std::all_of(touches.begin(), touches.end(), [&](int c) {
-      return is_vertical(left_[at(c)].normal_w, vertical);
+      return is_vertical(left_[idx(c)].normal_w, vertical);
     });
     const char fastest = upright ? kSlides : kStill;
     const bool in_balance = std::all_of(members.begin(), members.end(), [&](int b) {
-      return equilibrium_.balanced()[at(b)] != 0 && motion_[at(b)] <= fastest &&
-             towers_.states()[at(b)] != TowerState::supported;
+      return equilibrium_.balanced()[idx(b)] != 0 && motion_[idx(b)] <= fastest &&
+             towers_.states()[idx(b)] != TowerState::supported;
     });
     if (!in_balance) continue;
-    for (const int b : members) held_[at(b)] = hold(upright ? Hold::upright : Hold::still);
+    for (const int b : members) held_[idx(b)] = hold(upright ? Hold::upright : Hold::still);
   }
 }
 
@@ -204,8 +204,8 @@ void StableBoxes::take_islands(const World& world) {
 void StableBoxes::take_towers(const World& world) {
   for (int b = 0; b < world.count(); ++b) {
     int under = b;
-    while (towers_.supports()[at(under)] >= 0) under = towers_.supports()[at(under)];
-    if (under != b && held_[at(under)] != hold(Hold::free)) held_[at(b)] = hold(Hold::upright);
+    while (towers_.supports()[idx(under)] >= 0) under = towers_.supports()[idx(under)];
+    if (under != b && held_[idx(under)] != hold(Hold::free)) held_[idx(b)] = hold(Hold::upright);
   }
 }
 

@@ -60,12 +60,12 @@ void StaticEquilibrium::load(const World& world, const BalanceTask& task) {
     root_inertia_w_[k] = world.states()[k].orientation_wb.toRotationMatrix() * root.asDiagonal();
   }
   for (const Load& load : task.loads) {
-    require::that(load.body >= 0 && at(load.body) < count,
+    require::that(load.body >= 0 && idx(load.body) < count,
                   "load on body " + std::to_string(load.body) + ": give an index below " +
                       std::to_string(count));
-    const Vec3 arm_w = load.point_w - world.states()[at(load.body)].position_w;
-    acting_[at(load.body)].force_w += load.force_w;
-    acting_[at(load.body)].torque_w += arm_w.cross(load.force_w);
+    const Vec3 arm_w = load.point_w - world.states()[idx(load.body)].position_w;
+    acting_[idx(load.body)].force_w += load.force_w;
+    acting_[idx(load.body)].torque_w += arm_w.cross(load.force_w);
   }
   first_push_.clear();
   int pushes = 0;
@@ -73,15 +73,15 @@ void StaticEquilibrium::load(const World& world, const BalanceTask& task) {
     first_push_.push_back(pushes);
     pushes += contact.count;
   }
-  forces_w_.assign(at(pushes), Vec3::Zero());
+  forces_w_.assign(idx(pushes), Vec3::Zero());
 }
 
 // Solves one island: its columns, the nearest point of their cone, and the residual.
 void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int island) {
   const std::span<const int> members = islands_.bodies(island);
   int columns = 0;
-  for (const int c : islands_.contacts(island)) columns += pushes_of(task, task.contacts[at(c)]);
-  for (std::size_t k = 0; k < members.size(); ++k) slot_[at(members[k])] = static_cast<int>(k);
+  for (const int c : islands_.contacts(island)) columns += pushes_of(task, task.contacts[idx(c)]);
+  for (std::size_t k = 0; k < members.size(); ++k) slot_[idx(members[k])] = static_cast<int>(k);
 
   // [S6.3.1:balance]
   // Contacts are in equilibrium with the loads if a combination of
@@ -95,11 +95,11 @@ void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int
   d_.setZero(static_cast<Eigen::Index>(6 * members.size()));
   double scale = 0.0;  // [m/s²] largest acceleration without contacts
   for (const int b : members) {
-    const BodyProperties& body = world.bodies()[at(b)];
-    const Wrench& acts = acting_[at(b)];
-    d_.segment<3>(6 * slot_[at(b)]) = acts.force_w / std::sqrt(body.mass);
-    d_.segment<3>(6 * slot_[at(b)] + 3) = root_inertia_w_[at(b)].transpose() * acts.torque_w;
-    const Vec3 spins_w = root_inertia_w_[at(b)] * d_.segment<3>(6 * slot_[at(b)] + 3);
+    const BodyProperties& body = world.bodies()[idx(b)];
+    const Wrench& acts = acting_[idx(b)];
+    d_.segment<3>(6 * slot_[idx(b)]) = acts.force_w / std::sqrt(body.mass);
+    d_.segment<3>(6 * slot_[idx(b)] + 3) = root_inertia_w_[idx(b)].transpose() * acts.torque_w;
+    const Vec3 spins_w = root_inertia_w_[idx(b)] * d_.segment<3>(6 * slot_[idx(b)] + 3);
     scale = std::max(scale,
                      (acts.force_w / body.mass).norm() + 0.5 * body.size.norm() * spins_w.norm());
   }
@@ -113,7 +113,7 @@ void StaticEquilibrium::balance(const World& world, const BalanceTask& task, int
 
 // Adds the unit forces of a contact's points, as columns.
 void StaticEquilibrium::add_columns(const World& world, const BalanceTask& task, int which) {
-  const Contact& contact = task.contacts[at(which)];
+  const Contact& contact = task.contacts[idx(which)];
   const int edges = pushes_of(task, contact) / std::max(contact.count, 1);
   const auto [u, v] = across(contact.normal_w);
   for (int p = 0; p < contact.count; ++p) {
@@ -124,9 +124,9 @@ void StaticEquilibrium::add_columns(const World& world, const BalanceTask& task,
         push_w += contact.friction * (elementary::cos(turn) * u + elementary::sin(turn) * v);
       }
       const int column = static_cast<int>(push_place_.size());
-      push_place_.push_back(first_push_[at(which)] + p);
+      push_place_.push_back(first_push_[idx(which)] + p);
       push_of_w_.push_back(push_w);
-      add_push(world, contact, contact.points[at(p)].position_w, push_w, column);
+      add_push(world, contact, contact.points[idx(p)].position_w, push_w, column);
     }
   }
 }
@@ -139,12 +139,12 @@ void StaticEquilibrium::add_push(const World& world, const Contact& contact, con
 
 void StaticEquilibrium::add_push_on(const World& world, int body, const Vec3& point_w,
                                     const Vec3& push_w, int column) {
-  const int slot = slot_[at(body)];
+  const int slot = slot_[idx(body)];
   if (slot < 0) return;  // held
-  const Vec3 arm_w = point_w - world.states()[at(body)].position_w;
-  G_.block<3, 1>(6 * slot, column) = -push_w / std::sqrt(world.bodies()[at(body)].mass);
+  const Vec3 arm_w = point_w - world.states()[idx(body)].position_w;
+  G_.block<3, 1>(6 * slot, column) = -push_w / std::sqrt(world.bodies()[idx(body)].mass);
   G_.block<3, 1>(6 * slot + 3, column) =
-      -(root_inertia_w_[at(body)].transpose() * arm_w.cross(push_w));
+      -(root_inertia_w_[idx(body)].transpose() * arm_w.cross(push_w));
 }
 
 // Stores the residual as accelerations; the island is in equilibrium if they are at rounding level.
@@ -152,32 +152,32 @@ void StaticEquilibrium::take(const World& world, const BalanceTask& task, int is
                              double scale) {
   const std::span<const int> members = islands_.bodies(island);
   for (std::size_t j = 0; j < push_place_.size(); ++j)
-    forces_w_[at(push_place_[j])] += result_.f[j] * push_of_w_[j];
+    forces_w_[idx(push_place_[j])] += result_.f[j] * push_of_w_[j];
   // The rounding of a contact force can accelerate a light body.
   for (const int c : islands_.contacts(island)) {
-    const Contact& contact = task.contacts[at(c)];
+    const Contact& contact = task.contacts[idx(c)];
     for (int p = 0; p < contact.count; ++p) {
-      const double push = forces_w_[at(first_push_[at(c)] + p)].norm();
-      pushed_[at(contact.first)] += push;
-      pushed_[at(contact.second)] += push;
+      const double push = forces_w_[idx(first_push_[idx(c)] + p)].norm();
+      pushed_[idx(contact.first)] += push;
+      pushed_[idx(contact.second)] += push;
     }
   }
   bool balanced = true;
   for (const int b : members) {
-    const BodyProperties& body = world.bodies()[at(b)];
-    Acceleration& a = motion_[at(b)];
-    const int row = 6 * slot_[at(b)];
+    const BodyProperties& body = world.bodies()[idx(b)];
+    Acceleration& a = motion_[idx(b)];
+    const int row = 6 * slot_[idx(b)];
     const auto rest = [&](int k) {
-      return Vec3(result_.rest[at(row + k)], result_.rest[at(row + k + 1)],
-                  result_.rest[at(row + k + 2)]);
+      return Vec3(result_.rest[idx(row + k)], result_.rest[idx(row + k + 1)],
+                  result_.rest[idx(row + k + 2)]);
     };
     a.linear_w = rest(0) / std::sqrt(body.mass);
-    a.angular_w = root_inertia_w_[at(b)] * rest(3);
+    a.angular_w = root_inertia_w_[idx(b)] * rest(3);
     const double fastest = a.linear_w.norm() + 0.5 * body.size.norm() * a.angular_w.norm();
-    const double rounding = tolerance::rounding * pushed_[at(b)] / body.mass;
+    const double rounding = tolerance::rounding * pushed_[idx(b)] / body.mass;
     if (!(fastest <= tolerance::exact_balance * scale + rounding)) balanced = false;
   }
-  for (const int b : members) balanced_[at(b)] = balanced ? 1 : 0;
+  for (const int b : members) balanced_[idx(b)] = balanced ? 1 : 0;
   report_.balanced = report_.balanced && balanced;
 }
 

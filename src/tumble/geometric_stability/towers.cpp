@@ -23,22 +23,22 @@ void Towers::run(const World& world, std::span<const Contact> contacts,
   if (!gravity_is_down(world)) return;
   ready_.clear();
   for (int b = 0; b < world.count(); ++b)
-    if (above_[at(b)] == 0) ready_.push_back(b);
+    if (above_[idx(b)] == 0) ready_.push_back(b);
   // [S6.3.1:tower]
   // From the top down: a body whose load is known becomes, with its
   // load, a load on the body below.
   while (!ready_.empty()) {
     const int body = ready_.back();
     ready_.pop_back();
-    if (no_tower_[at(body)] != 0 || below_[at(body)] < 0) continue;
+    if (no_tower_[idx(body)] != 0 || below_[idx(body)] < 0) continue;
     settle(world, contacts, body);
-    if (states_[at(body)] != TowerState::supported) continue;
-    const int under = below_[at(body)];
-    supports_[at(body)] = under;
-    loads_[at(under)].mass += loads_[at(body)].mass;
-    loads_[at(under)].moment += loads_[at(body)].moment;
-    for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
-      if (--above_[at(under)] == 0) ready_.push_back(under);
+    if (states_[idx(body)] != TowerState::supported) continue;
+    const int under = below_[idx(body)];
+    supports_[idx(body)] = under;
+    loads_[idx(under)].mass += loads_[idx(body)].mass;
+    loads_[idx(under)].moment += loads_[idx(body)].moment;
+    for (int c = contact_of_[idx(body)]; c >= 0; c = next_contact_[idx(c)])
+      if (--above_[idx(under)] == 0) ready_.push_back(under);
   }
   // [S6.3.1:tower]
 }
@@ -65,35 +65,35 @@ void Towers::count_neighbours(const World& world, std::span<const Contact> conta
     const Contact& contact = contacts[c];
     if (contact.count == 0) continue;
     if (!is_vertical(contact.normal_w, vertical)) {
-      no_tower_[at(contact.first)] = 1;
-      no_tower_[at(contact.second)] = 1;
+      no_tower_[idx(contact.first)] = 1;
+      no_tower_[idx(contact.second)] = 1;
       continue;
     }
     const bool second_is_top = contact.normal_w.y() > 0.0;
     const int top = second_is_top ? contact.second : contact.first;
     const int bottom = second_is_top ? contact.first : contact.second;
-    ++above_[at(bottom)];
-    int& below = below_[at(top)];
+    ++above_[idx(bottom)];
+    int& below = below_[idx(top)];
     below = below == kNone || below == bottom ? bottom : kSeveral;
-    next_contact_[c] = contact_of_[at(top)];
-    contact_of_[at(top)] = static_cast<int>(c);
+    next_contact_[c] = contact_of_[idx(top)];
+    contact_of_[idx(top)] = static_cast<int>(c);
   }
 }
 
 // Compares the centre of a body and its load with the hull of its support.
 void Towers::settle(const World& world, std::span<const Contact> contacts, int body) {
   points_.clear();
-  for (int c = contact_of_[at(body)]; c >= 0; c = next_contact_[at(c)])
-    for (int p = 0; p < contacts[at(c)].count; ++p) {
-      const Vec3& point_w = contacts[at(c)].points[at(p)].position_w;
+  for (int c = contact_of_[idx(body)]; c >= 0; c = next_contact_[idx(c)])
+    for (int p = 0; p < contacts[idx(c)].count; ++p) {
+      const Vec3& point_w = contacts[idx(c)].points[idx(p)].position_w;
       points_.emplace_back(point_w.x(), point_w.z());
     }
   convex_hull(points_, hull_);
-  const Vec3 centre_w = loads_[at(body)].centre_w();
-  const double margin = tolerance::exact_balance * world.bodies()[at(body)].size.minCoeff();
-  states_[at(body)] = hull_contains(hull_, Vec2(centre_w.x(), centre_w.z()), margin)
-                          ? TowerState::supported
-                          : TowerState::tips;
+  const Vec3 centre_w = loads_[idx(body)].centre_w();
+  const double margin = tolerance::exact_balance * world.bodies()[idx(body)].size.minCoeff();
+  states_[idx(body)] = hull_contains(hull_, Vec2(centre_w.x(), centre_w.z()), margin)
+                           ? TowerState::supported
+                           : TowerState::tips;
 }
 
 }  // namespace tumble

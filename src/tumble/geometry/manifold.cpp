@@ -39,7 +39,7 @@ void merge_repeated(double near, Manifold& out) {
     return (p.position_w - q.position_w).cwiseAbs().maxCoeff() <= near;
   };
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < at(out.count); ++i) {
+  for (std::size_t i = 0; i < idx(out.count); ++i) {
     if (kept > 0 &&
         (same(out.points[i], out.points[kept - 1]) || same(out.points[i], out.points[0])))
       continue;
@@ -157,7 +157,7 @@ void clip_along(const BoxPair& pair, const Separation& found, double margin, Man
          pair.second,
          {{{c[0][0], c[1][0], c[2][0]}, {c[0][1], c[1][1], c[2][1]}, {c[0][2], c[1][2], c[2][2]}}},
          {d[0], d[1], d[2]},
-         at(found.axis),
+         idx(found.axis),
          side,
          0,
          kEdgesOfSecond},
@@ -171,7 +171,7 @@ void clip_along(const BoxPair& pair, const Separation& found, double margin, Man
          pair.first,
          {{{c[0][0], c[0][1], c[0][2]}, {c[1][0], c[1][1], c[1][2]}, {c[2][0], c[2][1], c[2][2]}}},
          {-d[0], -d[1], -d[2]},
-         at(j),
+         idx(j),
          side,
          kEdgesOfSecond,
          0},
@@ -192,7 +192,7 @@ Edge farthest_edge(const Box& box, int axis, const Vec3& direction_w) {
   const Vec3 after_w = box.half[after] * box.axes_w.col(after);
   const bool at_next = next_w.dot(direction_w) > 0.0, at_after = after_w.dot(direction_w) > 0.0;
   return {(at_next ? 1.0 : -1.0) * next_w + (at_after ? 1.0 : -1.0) * after_w,
-          edge_number(at(axis), at_next, at_after)};
+          edge_number(idx(axis), at_next, at_after)};
 }
 
 // Two edges P + x A_i and Q + y B_j: the one point between them where they pass each other. Says
@@ -206,11 +206,12 @@ bool cross_edges(const BoxPair& pair, const Separation& found, Manifold& out) {
   // The closest points of two lines, held to the length of the edges. The determinant is the
   // squared sine of the angle between them, from its components to lose nothing for small angles.
   const Vec3 gap_w = pair.d_w + edge_second.middle_w - edge_first.middle_w;
-  const double cosine = pair.c[at(i)][at(j)];
-  const double sine_k = pair.c[kCycle[at(i) + 1]][at(j)], sine_l = pair.c[kCycle[at(i) + 2]][at(j)];
+  const double cosine = pair.c[idx(i)][idx(j)];
+  const double sine_k = pair.c[kCycle[idx(i) + 1]][idx(j)],
+               sine_l = pair.c[kCycle[idx(i) + 2]][idx(j)];
   const double sine2 = sine_k * sine_k + sine_l * sine_l;
   const double along_first = gap_w.dot(axis_first_w), along_second = gap_w.dot(axis_second_w);
-  const double a = pair.a[at(i)], b = pair.b[at(j)];
+  const double a = pair.a[idx(i)], b = pair.b[idx(j)];
   const double on_first = (along_first - cosine * along_second) / sine2;
   const double on_second = (cosine * along_first - along_second) / sine2;
   const double x = std::clamp(on_first, -a, a), y = std::clamp(on_second, -b, b);

@@ -94,16 +94,16 @@ PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
   std::vector<int> covers(boxes.size(), 0);
   std::vector<double> depth(boxes.size());
   for (int a = 0; a < n; ++a) {
-    depth[at(a)] = view.depth(boxes[at(a)].center_w);
+    depth[idx(a)] = view.depth(boxes[idx(a)].center_w);
     for (int b = a + 1; b < n; ++b) {
-      if (!views_overlap(boxes[at(a)], boxes[at(b)], view)) continue;
+      if (!views_overlap(boxes[idx(a)], boxes[idx(b)], view)) continue;
       if (meet && !meet(a, b)) continue;
-      const Cover cover = which_covers(boxes[at(a)], boxes[at(b)], view);
+      const Cover cover = which_covers(boxes[idx(a)], boxes[idx(b)], view);
       if (cover == Cover::none) continue;
       const int front = cover == Cover::first ? a : b;
       const int back = cover == Cover::first ? b : a;
-      covered_by[at(back)].push_back(front);
-      ++covers[at(front)];
+      covered_by[idx(back)].push_back(front);
+      ++covers[idx(front)];
     }
   }
 
@@ -114,19 +114,19 @@ PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
     int next = -1;
     bool next_is_free = false;
     for (int a = 0; a < n; ++a) {
-      if (painted[at(a)]) continue;
-      const bool is_free = covers[at(a)] == 0;
+      if (painted[idx(a)]) continue;
+      const bool is_free = covers[idx(a)] == 0;
       if (next >= 0 && next_is_free && !is_free) continue;
       const bool freer = is_free && !next_is_free;
-      if (next < 0 || freer || depth[at(a)] > depth[at(next)]) {
+      if (next < 0 || freer || depth[idx(a)] > depth[idx(next)]) {
         next = a;
         next_is_free = is_free;
       }
     }
     if (!next_is_free) ++out.cycles;
-    painted[at(next)] = true;
+    painted[idx(next)] = true;
     out.order.push_back(next);
-    for (const int front : covered_by[at(next)]) --covers[at(front)];
+    for (const int front : covered_by[idx(next)]) --covers[idx(front)];
   }
   return out;
 }

@@ -78,9 +78,9 @@ bool are_parallel(const EdgeAxis& axis) {
 // The separation along any of the 15, for the remembered one. Parallel edges have no direction:
 // their axis loses against every other.
 double along_axis(const BoxPair& pair, AxisIndex axis) {
-  if (axis < 3) return faces_of_first(pair)[at(axis)];
-  if (axis < 6) return faces_of_second(pair)[at(axis) - 3];
-  const EdgeAxis edge = measured(pair, at(axis - 6) / 3, at(axis - 6) % 3);
+  if (axis < 3) return faces_of_first(pair)[idx(axis)];
+  if (axis < 6) return faces_of_second(pair)[idx(axis) - 3];
+  const EdgeAxis edge = measured(pair, idx(axis - 6) / 3, idx(axis - 6) % 3);
   return are_parallel(edge) ? -HUGE_VAL : edge.gap / std::sqrt(edge.length2);
 }
 
@@ -97,7 +97,7 @@ Separation result(const BoxPair& pair, Candidate best) {
     const Vec3 axis_w = owner.axes_w.col(best.axis % 3);
     out.normal_w = sign_of(pair.d_w.dot(axis_w)) * axis_w;
   } else {
-    const std::size_t i = at(best.axis - 6) / 3, j = at(best.axis - 6) % 3;
+    const std::size_t i = idx(best.axis - 6) / 3, j = idx(best.axis - 6) % 3;
     const std::size_t k = kCycle[i + 1], l = kCycle[i + 2];
     const EdgeAxis edge = measured(pair, i, j);
     const double scale = sign_of(edge.along) / std::sqrt(edge.length2);
@@ -114,7 +114,7 @@ Candidate best_of(const Lanes& s, AxisIndex offset, double tie) {
   const double cut = std::max(s_0, std::max(s_1, s_2)) - tie;
   const int not_0 = static_cast<int>(s_0 < cut), not_1 = static_cast<int>(s_1 < cut);
   const int i = not_0 + (not_0 & not_1);
-  return {s[at(i)], offset + i};
+  return {s[idx(i)], offset + i};
 }
 
 // Which of two faces that tie is the reference: a rule that does not ask which box came first. The
@@ -136,7 +136,7 @@ Candidate best_face(const BoxPair& pair, double tie) {
   const double lead = of_first.distance - of_second.distance;
   bool take_first = lead > 0.0;
   if (std::abs(lead) <= tie)
-    take_first = first_is_reference(pair, at(of_first.axis), at(of_second.axis - 3));
+    take_first = first_is_reference(pair, idx(of_first.axis), idx(of_second.axis - 3));
   return take_first ? of_first : of_second;
 }
 
@@ -148,7 +148,7 @@ Candidate best_edge(const BoxPair& pair, Candidate best, double bar) {
                      may_beat(pair, 2, bar, rounding) << 6U;
   for (; may_win != 0; may_win &= may_win - 1) {
     const int n = std::countr_zero(may_win);
-    const EdgeAxis edge = measured(pair, at(n) / 3, at(n) % 3);
+    const EdgeAxis edge = measured(pair, idx(n) / 3, idx(n) % 3);
     if (signed_square(edge.gap) <= signed_square(bar) * edge.length2 || are_parallel(edge))
       continue;
     bar = edge.gap / std::sqrt(edge.length2);

@@ -61,7 +61,7 @@ void SweepAndPrune::choose_axes(std::span<const Bounds> bounds) {
     const double width = std::max(std::sqrt(mean_square[k]), spread[k] / most);
     const bool cuttable = width > 0.0 && std::isfinite(width);
     const double count = cuttable ? std::min(most, std::floor(spread[k] / width) + 1.0) : 1.0;
-    cuts_[at(c)] = Cut{k, low[k], width, static_cast<int>(count)};
+    cuts_[idx(c)] = Cut{k, low[k], width, static_cast<int>(count)};
   }
 }
 
@@ -73,8 +73,8 @@ void SweepAndPrune::sort(std::span<const Bounds> bounds) {
 
   // Equal begins are ordered by index, so there is one right order, however it is found.
   const auto begins_before = [&](int a, int b) {
-    const double low_a = bounds[at(a)].low[sweep_axis_];
-    const double low_b = bounds[at(b)].low[sweep_axis_];
+    const double low_a = bounds[idx(a)].low[sweep_axis_];
+    const double low_b = bounds[idx(b)].low[sweep_axis_];
     return low_a != low_b ? low_a < low_b : a < b;
   };
   std::int64_t moves = kMovesPerBody * n;
@@ -94,40 +94,40 @@ void SweepAndPrune::deal(std::span<const Bounds> bounds) {
   // A counting sort. First pass: how many bodies each column gets, one place late.
   const int columns = cuts_[0].count * cuts_[1].count;
   columns_.resize(bounds.size());
-  begin_.assign(at(columns) + 2, 0);
+  begin_.assign(idx(columns) + 2, 0);
   for (std::size_t body = 0; body < bounds.size(); ++body) {
     Columns& mine = columns_[body];
     for (std::size_t c = 0; c < 2; ++c) {
       mine.from[c] = cuts_[c].column(bounds[body].low[cuts_[c].axis]);
       mine.to[c] = cuts_[c].column(bounds[body].high[cuts_[c].axis]);
     }
-    for_each_column(mine, [&](int column) { ++begin_[at(column) + 2]; });
+    for_each_column(mine, [&](int column) { ++begin_[idx(column) + 2]; });
   }
   // Sums of these are where the columns begin, still one place late; dealing a body moves the
   // begin of its column on, so that in the end each is where the next one was.
   for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
   // Room for some more, so that moving bodies do not make it grow step by step.
-  const auto total = at(begin_.back());
+  const auto total = idx(begin_.back());
   if (dealt_.capacity() < total) dealt_.reserve(2 * total);
   dealt_.resize(total);
   for (const int body : order_) {
-    for_each_column(columns_[at(body)],
-                    [&](int column) { dealt_[at(begin_[at(column) + 1]++)] = body; });
+    for_each_column(columns_[idx(body)],
+                    [&](int column) { dealt_[idx(begin_[idx(column) + 1]++)] = body; });
   }
 }
 
 void SweepAndPrune::sweep_column(std::span<const Bounds> bounds, int column,
                                  std::vector<IndexPair>& out) {
-  const int end = begin_[at(column) + 1];
-  for (int i = begin_[at(column)]; i < end; ++i) {
-    const int a = dealt_[at(i)];
-    const double a_ends = bounds[at(a)].high[sweep_axis_];
-    const Columns& of_a = columns_[at(a)];
+  const int end = begin_[idx(column) + 1];
+  for (int i = begin_[idx(column)]; i < end; ++i) {
+    const int a = dealt_[idx(i)];
+    const double a_ends = bounds[idx(a)].high[sweep_axis_];
+    const Columns& of_a = columns_[idx(a)];
     for (int j = i + 1; j < end; ++j) {
-      const int b = dealt_[at(j)];
-      if (bounds[at(b)].low[sweep_axis_] > a_ends) break;
+      const int b = dealt_[idx(j)];
+      if (bounds[idx(b)].low[sweep_axis_] > a_ends) break;
       // Two bodies can share several columns. They are tested in the first one only.
-      const Columns& of_b = columns_[at(b)];
+      const Columns& of_b = columns_[idx(b)];
       const int shared = std::max(of_a.from[0], of_b.from[0]) * cuts_[1].count +
                          std::max(of_a.from[1], of_b.from[1]);
       if (shared == column) test(bounds, a, b, out);

@@ -30,10 +30,10 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   const Vec3 delta_velocity_w = plus_gravity ? Vec3(dt * world.gravity_w) : Vec3::Zero();
   const std::array<int, 2> pair{collision.first, collision.second};
   const auto falls = [&](int body) {
-    return world.bodies()[at(body)].movable() && !world.sleep_states()[at(body)].asleep;
+    return world.bodies()[idx(body)].movable() && !world.sleep_states()[idx(body)].asleep;
   };
   for (const int body : pair)
-    if (falls(body)) bodies.moving[at(body)].velocity_w += delta_velocity_w;
+    if (falls(body)) bodies.moving[idx(body)].velocity_w += delta_velocity_w;
   // [COLLIDE:1-6]
 
   // [COLLIDE:7-8]
@@ -44,7 +44,7 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   if (approaching) {
     result = apply_newtonian_impulse(world, collision, restitution, delta_velocity_w, bodies);
     if (plus_gravity)
-      for (const int body : pair) bodies.touched[at(body)] = 1;
+      for (const int body : pair) bodies.touched[idx(body)] = 1;
   }
   // [COLLIDE:7-8]
 
@@ -54,8 +54,8 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   // gravity comes. Then the temporary gravity is taken back.
   for (const int body : pair) {
     if (!falls(body)) continue;
-    MovingBody& moving = bodies.moving[at(body)];
-    if (bodies.stable[at(body)] != 0) {
+    MovingBody& moving = bodies.moving[idx(body)];
+    if (bodies.stable[idx(body)] != 0) {
       const double before = booked_energy_of(world, body, moving, delta_velocity_w);
       moving.velocity_w.y() = 0.0;
       moving.angular_velocity_w.x() = 0.0;
@@ -75,8 +75,8 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
 CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& collision,
                                                double restitution, const Vec3& ahead_w,
                                                DampedBodies& bodies) {
-  MovingBody& first = bodies.moving[at(collision.first)];
-  MovingBody& second = bodies.moving[at(collision.second)];
+  MovingBody& first = bodies.moving[idx(collision.first)];
+  MovingBody& second = bodies.moving[idx(collision.second)];
   const double before = booked_energy_of(world, collision.first, first, ahead_w) +
                         booked_energy_of(world, collision.second, second, ahead_w);
   CollideResult result;
@@ -92,13 +92,13 @@ CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& coll
   } else {
     const double loaded = [&] {
       double sum = 0.0;
-      for (int p = 0; p < collision.count; ++p) sum -= collision.points[at(p)].normal_impulse;
+      for (int p = 0; p < collision.count; ++p) sum -= collision.points[idx(p)].normal_impulse;
       return sum;
     }();
     result.pivots = area_impulse(collision, restitution, bodies);
     result.impulse = loaded;
     for (int p = 0; p < collision.count; ++p)
-      result.impulse += collision.points[at(p)].normal_impulse;
+      result.impulse += collision.points[idx(p)].normal_impulse;
   }
   result.pushed = result.impulse > 0.0;
   result.restitution = booked_energy_of(world, collision.first, first, ahead_w) +
@@ -112,21 +112,21 @@ int Collide::area_impulse(Contact& collision, double restitution, DampedBodies& 
   work_ = collision;
   work_.friction = 0.0;
   work_.restitution = std::max(0.0, restitution);
-  for (int p = 0; p < work_.count; ++p) work_.points[at(p)].normal_impulse = 0.0;
+  for (int p = 0; p < work_.count; ++p) work_.points[idx(p)].normal_impulse = 0.0;
   stamp_approach_speeds(bodies.moving, {&work_, 1});
-  const std::array<MovingBody, 2> before{bodies.moving[at(work_.first)],
-                                         bodies.moving[at(work_.second)]};
+  const std::array<MovingBody, 2> before{bodies.moving[idx(work_.first)],
+                                         bodies.moving[idx(work_.second)]};
   const SimultaneousResult solved = block_.solve({&work_, 1}, bodies.moving);
   const double share = std::min(1.0, 1.0 + restitution);
   const std::array<int, 2> pair{work_.first, work_.second};
   for (std::size_t i = 0; i < 2; ++i) {
-    MovingBody& body = bodies.moving[at(pair[i])];
+    MovingBody& body = bodies.moving[idx(pair[i])];
     const Vec3 spin_w = before[i].angular_velocity_w;
     body.velocity_w = before[i].velocity_w + share * (body.velocity_w - before[i].velocity_w);
     body.angular_velocity_w = spin_w + share * (body.angular_velocity_w - spin_w);
   }
   for (int p = 0; p < collision.count; ++p)
-    collision.points[at(p)].normal_impulse += share * work_.points[at(p)].normal_impulse;
+    collision.points[idx(p)].normal_impulse += share * work_.points[idx(p)].normal_impulse;
   return solved.pivots;
 }
 

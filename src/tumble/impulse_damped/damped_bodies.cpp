@@ -43,8 +43,8 @@ void DampedBodies::clear_tilted(const World& world, std::span<const Contact> col
     const double z = contact.normal_w.z();
     if (std::sqrt(x * x + z * z) <= tolerance::vertical_normal) continue;
     for (const int body : {contact.first, contact.second}) {
-      if (stable[at(body)] == 0 || !world.bodies()[at(body)].movable()) continue;
-      stable[at(body)] = 0;
+      if (stable[idx(body)] == 0 || !world.bodies()[idx(body)].movable()) continue;
+      stable[idx(body)] = 0;
       set_ease(world, body);
     }
   }
@@ -52,19 +52,19 @@ void DampedBodies::clear_tilted(const World& world, std::span<const Contact> col
 
 bool DampedBodies::holds_firm(const World& world, const Contact& contact) const {
   for (const int body : {contact.first, contact.second})
-    if (stable[at(body)] != 0 && world.bodies()[at(body)].movable()) return true;
+    if (stable[idx(body)] != 0 && world.bodies()[idx(body)].movable()) return true;
   return false;
 }
 
 void DampedBodies::set_ease(const World& world, int body) {
-  const BodyProperties& properties = world.bodies()[at(body)];
-  MovingBody& m = moving[at(body)];
+  const BodyProperties& properties = world.bodies()[idx(body)];
+  MovingBody& m = moving[idx(body)];
   m.inverse_mass.setZero();
   m.inverse_inertia_w.setZero();
-  if (!properties.movable() || world.sleep_states()[at(body)].asleep) return;
+  if (!properties.movable() || world.sleep_states()[idx(body)].asleep) return;
   m.inverse_mass.setConstant(properties.inverse_mass);
-  m.inverse_inertia_w = inverse_inertia_w(properties, world.states()[at(body)].orientation_wb);
-  if (stable[at(body)] == 0) return;
+  m.inverse_inertia_w = inverse_inertia_w(properties, world.states()[idx(body)].orientation_wb);
+  if (stable[idx(body)] == 0) return;
   const double about_y = m.inverse_inertia_w(1, 1);
   m.inverse_mass.y() = 0.0;
   m.inverse_inertia_w.setZero();
@@ -72,9 +72,9 @@ void DampedBodies::set_ease(const World& world, int body) {
 }
 
 double kinetic_energy_of(const World& world, int body, const MovingBody& moving) {
-  const BodyProperties& properties = world.bodies()[at(body)];
+  const BodyProperties& properties = world.bodies()[idx(body)];
   if (!properties.movable()) return 0.0;
-  const Vec3 momentum_w = angular_momentum(properties, world.states()[at(body)].orientation_wb,
+  const Vec3 momentum_w = angular_momentum(properties, world.states()[idx(body)].orientation_wb,
                                            moving.angular_velocity_w);
   return 0.5 * properties.mass * moving.velocity_w.squaredNorm() +
          0.5 * moving.angular_velocity_w.dot(momentum_w);

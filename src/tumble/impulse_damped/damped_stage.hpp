@@ -2,10 +2,10 @@
 /// \brief The stages of damped integration that push bodies, and the tools they share (thesis 5.2, A.2).
 #pragma once
 
+#include "tumble/contact/collision_noise.hpp"
 #include "tumble/contact/graph.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/impulse_damped/collide.hpp"
-#include "tumble/impulse_damped/collision_noise.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
 #include <vector>

@@ -14,13 +14,13 @@ namespace {
 
 // How deep two bodies overlap now, and the normal from the first to the second.
 Separation separation_of(const World& world, int first, int second) {
-  const auto box = [&](int b) { return box_of(world.bodies()[at(b)], world.states()[at(b)]); };
+  const auto box = [&](int b) { return box_of(world.bodies()[idx(b)], world.states()[idx(b)]); };
   const auto above_ground = [&](int b) {
     const Box it = box(b);
     return Separation{it.center_w.y() - reach(it, Vec3::UnitY()), Vec3::UnitY(), kNoAxis};
   };
-  if (world.bodies()[at(first)].shape == Shape::ground) return above_ground(second);
-  if (world.bodies()[at(second)].shape == Shape::ground) {
+  if (world.bodies()[idx(first)].shape == Shape::ground) return above_ground(second);
+  if (world.bodies()[idx(second)].shape == Shape::ground) {
     Separation found = above_ground(first);
     found.normal_w = -found.normal_w;
     return found;
@@ -32,8 +32,8 @@ Separation separation_of(const World& world, int first, int second) {
 double rounding_of(const World& world, int first, int second) {
   double size = 0.0;
   for (const int b : {first, second})
-    if (world.bodies()[at(b)].shape == Shape::box)
-      size = std::max(size, world.bodies()[at(b)].size.maxCoeff());
+    if (world.bodies()[idx(b)].shape == Shape::box)
+      size = std::max(size, world.bodies()[idx(b)].size.maxCoeff());
   return tolerance::rounding_overlap * size;
 }
 
@@ -48,20 +48,20 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
   sorted_.clear();
   for (std::size_t c = 0; c < contacts.size(); ++c)
     for (int p = 0; p < contacts[c].count; ++p)
-      sorted_.push_back({contacts[c].points[at(p)].position_w.y(), static_cast<int>(c), p});
+      sorted_.push_back({contacts[c].points[idx(p)].position_w.y(), static_cast<int>(c), p});
   std::sort(sorted_.begin(), sorted_.end(), [](const Point& a, const Point& b) {
     return std::tie(a.height, a.contact, a.point) < std::tie(b.height, b.contact, b.point);
   });
   // [FIXCONTACTCONSTRAINTS:1]
 
   const auto can_move = [&](int b) {
-    return world.bodies()[at(b)].movable() && !world.sleep_states()[at(b)].asleep;
+    return world.bodies()[idx(b)].movable() && !world.sleep_states()[idx(b)].asleep;
   };
   // [FIXCONTACTCONSTRAINTS:2-5]
   for (const Point& visited : sorted_) {
     // The upper body is the one towards which the normal rises.
     // If that one cannot move, the lower one does, downwards.
-    const Contact& contact = contacts[at(visited.contact)];
+    const Contact& contact = contacts[idx(visited.contact)];
     Separation found = separation_of(world, contact.first, contact.second);
     ++report.pair_tests;
     const bool second_is_upper = found.normal_w.y() >= 0.0;
@@ -74,12 +74,12 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
     // [FIXCONTACTCONSTRAINTS:2-5]
     // [FIXCONTACTCONSTRAINTS:6-7]
     // Small pushes until they are apart.
-    const BodyProperties& body = world.bodies()[at(moving_object)];
+    const BodyProperties& body = world.bodies()[idx(moving_object)];
     const double push = thresholds_of(numbers, body, world.gravity_w.norm(), dt).push;
     const double rounding = rounding_of(world, moving_object, stable_object);
     int pushes = 0;
     while (found.distance < -rounding && pushes < kMostPushes) {
-      world.states()[at(moving_object)].position_w += push * offset_vector_w;
+      world.states()[idx(moving_object)].position_w += push * offset_vector_w;
       report.energy -= body.mass * push * world.gravity_w.dot(offset_vector_w);
       found = separation_of(world, contact.first, contact.second);
       ++report.pair_tests;

@@ -122,8 +122,8 @@ void Impulse::list_pushed(const World& world) {
     const std::optional<int> first = world.find(kept.first);
     const std::optional<int> second = world.find(kept.second);
     if (!first || !second) continue;
-    if (world.states()[at(*first)].position_w == kept.first_position_w &&
-        world.states()[at(*second)].position_w == kept.second_position_w)
+    if (world.states()[idx(*first)].position_w == kept.first_position_w &&
+        world.states()[idx(*second)].position_w == kept.second_position_w)
       pushed_.push_back({*first, *second, kept.pair.point_w, kept.pair.normal_w});
   }
 }
@@ -135,8 +135,8 @@ void Impulse::keep_pushed(const World& world) {
   for (const int number : pairs_.all()) {
     const std::optional<PushedPair> pair = pushed_pair(pairs_[number].contact);
     if (!pair) continue;
-    const std::size_t i = at(pair->first);
-    const std::size_t j = at(pair->second);
+    const std::size_t i = idx(pair->first);
+    const std::size_t j = idx(pair->second);
     kept_.push_back({world.ids()[i], world.ids()[j], world.states()[i].position_w,
                      world.states()[j].position_w, *pair});
   }
@@ -182,8 +182,8 @@ void Impulse::report_collisions(const World& world, StepReport& report) {
     if (!report_collision(contact, moment, observer())) continue;
     ++report.events;
     for (int k = 0; k < contact.count; ++k) {
-      contact.points[at(k)].normal_impulse = 0.0;
-      contact.points[at(k)].friction_impulse_w.setZero();
+      contact.points[idx(k)].normal_impulse = 0.0;
+      contact.points[idx(k)].friction_impulse_w.setZero();
     }
   }
 }
@@ -282,7 +282,7 @@ void Impulse::finish(World& world, double dt, StepReport& report) {
   for (const int number : pairs_.all()) {
     const Contact& contact = pairs_[number].contact;
     for (int k = 0; k < contact.count; ++k)
-      if (contact.points[at(k)].normal_impulse > 0.0)
+      if (contact.points[idx(k)].normal_impulse > 0.0)
         records_.push_back(record_of(contact, k, world.time() + dt));
   }
   report.contacts = static_cast<std::int64_t>(records_.size());

@@ -21,14 +21,14 @@ void ImpulseBodies::begin(const World& world, double dt, RotationRule rule,
   predicted_.assign(world.states().begin(), world.states().end());
   version_.assign(moving_.size(), 0);
   for (int k = 0; k < world.count(); ++k)
-    if (!moves(world, at(k))) freeze(k);
+    if (!moves(world, idx(k))) freeze(k);
   carried_.find(world.bodies(), moving_, pushed, RigidAt::end);
   for (int k = 0; k < world.count(); ++k)
-    if (moves(world, at(k))) predict(world, k);
+    if (moves(world, idx(k))) predict(world, k);
 }
 
 void ImpulseBodies::predict(const World& world, int body) {
-  const std::size_t k = at(body);
+  const std::size_t k = idx(body);
   if (!moves(world, k)) return;
   const BodyProperties& constant = world.bodies()[k];
   MovingBody& moving = moving_[k];
@@ -55,10 +55,10 @@ void ImpulseBodies::carry(const World& world) {
   carried_.set_velocities(moving_);
   for (const int body : carried_.bodies()) {
     const Vec3 straight_w =
-        world.states()[at(body)].position_w + dt_ * (moving_[at(body)].velocity_w + ahead_w_);
+        world.states()[idx(body)].position_w + dt_ * (moving_[idx(body)].velocity_w + ahead_w_);
     const Vec3 now_w = straight_w + carried_.offset_w(body, dt_);
-    const double size = world.bodies()[at(body)].size.minCoeff();
-    if ((now_w - moving_[at(body)].position_w).norm() > tolerance::carried_again * size)
+    const double size = world.bodies()[idx(body)].size.minCoeff();
+    if ((now_w - moving_[idx(body)].position_w).norm() > tolerance::carried_again * size)
       predict(world, body);
   }
 }
@@ -74,8 +74,8 @@ void ImpulseBodies::add_gravity(World& world) {
 }
 
 void ImpulseBodies::freeze(int body) {
-  moving_[at(body)].inverse_mass.setZero();
-  moving_[at(body)].inverse_inertia_w.setZero();
+  moving_[idx(body)].inverse_mass.setZero();
+  moving_[idx(body)].inverse_inertia_w.setZero();
 }
 
 void ImpulseBodies::thaw(const World& world) {

@@ -16,10 +16,10 @@ void hand_on(const Contact& before, Contact& now) {
   double lost = 0.0;
   Vec3 lost_w = Vec3::Zero();
   for (int k = 0; k < before.count; ++k) {
-    const ContactPoint& old = before.points[at(k)];
+    const ContactPoint& old = before.points[idx(k)];
     ContactPoint* same = nullptr;
     for (int i = 0; i < now.count; ++i)
-      if (now.points[at(i)].feature == old.feature) same = &now.points[at(i)];
+      if (now.points[idx(i)].feature == old.feature) same = &now.points[idx(i)];
     if (same != nullptr) {
       same->normal_impulse += old.normal_impulse;
       same->friction_impulse_w += old.friction_impulse_w;
@@ -29,8 +29,8 @@ void hand_on(const Contact& before, Contact& now) {
     }
   }
   for (int i = 0; i < now.count; ++i) {
-    now.points[at(i)].normal_impulse += lost / now.count;
-    now.points[at(i)].friction_impulse_w += lost_w / now.count;
+    now.points[idx(i)].normal_impulse += lost / now.count;
+    now.points[idx(i)].friction_impulse_w += lost_w / now.count;
   }
 }
 
@@ -62,14 +62,14 @@ std::span<int> ImpulsePairs::find(const World& world, const ImpulseBodies& bodie
 
 // Both lists ascend, so that one walk along them finds the pairs that are new.
 void ImpulsePairs::add_new(const World& world, const SleepingRule* sleeping) {
-  const auto before = [&](int a, int b) { return pairs_[at(a)].bodies < pairs_[at(b)].bodies; };
+  const auto before = [&](int a, int b) { return pairs_[idx(a)].bodies < pairs_[idx(b)].bodies; };
   const std::size_t known = sorted_.size();
   std::size_t next = 0;
   for (const IndexPair& pair : near_) {
-    while (next < known && pairs_[at(sorted_[next])].bodies < pair) ++next;
-    if (next < known && pairs_[at(sorted_[next])].bodies == pair) continue;
-    const BodyProperties& a = world.bodies()[at(pair.first)];
-    const BodyProperties& b = world.bodies()[at(pair.second)];
+    while (next < known && pairs_[idx(sorted_[next])].bodies < pair) ++next;
+    if (next < known && pairs_[idx(sorted_[next])].bodies == pair) continue;
+    const BodyProperties& a = world.bodies()[idx(pair.first)];
+    const BodyProperties& b = world.bodies()[idx(pair.second)];
     if (!a.movable() && !b.movable()) continue;
     if (sleeping != nullptr && !sleeping->needs_test(pair.first, pair.second)) continue;
     sorted_.push_back(static_cast<int>(pairs_.size()));
@@ -84,7 +84,7 @@ void ImpulsePairs::add_new(const World& world, const SleepingRule* sleeping) {
 }
 
 ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies, int number) {
-  ImpulsePair& pair = pairs_[at(number)];
+  ImpulsePair& pair = pairs_[idx(number)];
   const int first = bodies.version(pair.bodies.first);
   const int second = bodies.version(pair.bodies.second);
   if (pair.first_version == first && pair.second_version == second) return pair;
@@ -102,9 +102,9 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
   now.axis = manifold.axis;
   now.count = 0;
   for (int i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint& from = manifold.points[at(i)];
+    const ManifoldPoint& from = manifold.points[idx(i)];
     if (from.distance > 0.0) continue;
-    now.points[at(now.count++)] =
+    now.points[idx(now.count++)] =
         ContactPoint{from.position_w, from.distance, from.feature, 0.0, 0.0, Vec3::Zero()};
     pair.depth = std::max(pair.depth, -from.distance);
   }
@@ -118,7 +118,7 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
 void ImpulsePairs::list_near(ContactList& out) const {
   out.clear();
   for (const int number : sorted_) {
-    const ImpulsePair& pair = pairs_[at(number)];
+    const ImpulsePair& pair = pairs_[idx(number)];
     if (!pair.near) continue;
     out.push_back(pair.contact);
     out.back().normal_w = pair.near_normal_w;

@@ -25,7 +25,7 @@ void reduce_to_one(Contact& contact) {
   Vec3 plain_w = Vec3::Zero();
   FeatureId feature = 0;
   for (int p = 0; p < contact.count; ++p) {
-    const ContactPoint& point = contact.points[at(p)];
+    const ContactPoint& point = contact.points[idx(p)];
     const double depth = std::max(0.0, -point.distance);
     weight += depth;
     sum_w += depth * point.position_w;
@@ -67,10 +67,10 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
   out.clear();
   PairReport report;
   for (const IndexPair& pair : pairs_) {
-    const BodyProperties& a = bodies[at(pair.first)];
-    const BodyProperties& b = bodies[at(pair.second)];
-    const bool still = (!a.movable() || world.sleep_states()[at(pair.first)].asleep) &&
-                       (!b.movable() || world.sleep_states()[at(pair.second)].asleep);
+    const BodyProperties& a = bodies[idx(pair.first)];
+    const BodyProperties& b = bodies[idx(pair.second)];
+    const bool still = (!a.movable() || world.sleep_states()[idx(pair.first)].asleep) &&
+                       (!b.movable() || world.sleep_states()[idx(pair.second)].asleep);
     if (sleeping != nullptr ? !sleeping->needs_test(pair.first, pair.second) : still) continue;
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;
@@ -80,11 +80,11 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     Contact contact = contact_of(world, pair);
     set_points(manifold, contact);
     if (a.shape == Shape::box && b.shape == Shape::box)
-      turn_normal(box_of(a, now[at(pair.first)]), box_of(b, now[at(pair.second)]),
-                  box_of(a, last[at(pair.first)]), box_of(b, last[at(pair.second)]), margin,
+      turn_normal(box_of(a, now[idx(pair.first)]), box_of(b, now[idx(pair.second)]),
+                  box_of(a, last[idx(pair.first)]), box_of(b, last[idx(pair.second)]), margin,
                   manifold, contact);
     for (int p = 0; p < contact.count; ++p)
-      report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[at(p)].distance);
+      report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(contact);
     out.push_back(contact);
   }

@@ -73,19 +73,6 @@ inline constexpr double damped_slow_factor = 0.5;
 /// [-] k7: ditto of slow components of angular momentum. Reason: as for k5. (5.3)
 inline constexpr double damped_slow_spin_factor = 0.5;
 
-/// [-] Collisions faster than this share of sqrt(gL) are varied at random. Reason: 1.6 m/s for a
-/// box of 1 m, the fall from an eighth of its height; a box that rocks to rest is slower. (4.2)
-inline constexpr double noisy_speed = 0.5;
-
-/// [rad] Standard deviation of the angle by which the normal of a fast collision is turned. Reason:
-/// 3 degrees, the roughness of real dice and tables; a bounce straight up ends a tenth of its
-/// height to the side. (4.2)
-inline constexpr double noisy_normal = 0.05;
-
-/// [-] Half the range by which the restitution of a fast collision is varied. Reason: measured
-/// bounces of one die vary by about a tenth. (4.2)
-inline constexpr double noisy_restitution = 0.1;
-
 /// [-] An approach slower than this share of a pair's shortest edge in a step is none. Reason: rounding
 /// of velocities of metres per second is 1e-16, and at 1 m and 1/60 s a body goes on at 6e-13 m/s, two
 /// centimetres in a thousand years. (2.5.2)

@@ -42,7 +42,7 @@ void AugmentedLagrangianSolver::solve(const LcpProblem& problem, LcpResult& resu
     result.status = immovable_rows_hold(problem) ? raise_preloads(problem, result.pivots)
                                                  : LcpStatus::infeasible;
   } else {
-    f_.assign(at(problem.size()), 0.0);
+    f_.assign(idx(problem.size()), 0.0);
     result.status = LcpStatus::not_positive_semidefinite;
   }
   result.multiplications = multiplications_ + rows_.multiplications_of_take();
@@ -50,9 +50,9 @@ void AugmentedLagrangianSolver::solve(const LcpProblem& problem, LcpResult& resu
     result.multiplications += cholesky_.multiplications();
 
   // Back from rows of length 1 to those of the problem.
-  result.f.resize(at(problem.size()));
+  result.f.resize(idx(problem.size()));
   for (int i = 0; i < problem.size(); ++i)
-    result.f[at(i)] = f_[at(i)] == 0.0 ? 0.0 : f_[at(i)] / rows_.length(i);
+    result.f[idx(i)] = f_[idx(i)] == 0.0 ? 0.0 : f_[idx(i)] / rows_.length(i);
   complete(problem, result);
   if (result.status == LcpStatus::solved && !(result.residual <= tolerance::usable_residual))
     result.status = LcpStatus::cap_reached;
@@ -61,7 +61,7 @@ void AugmentedLagrangianSolver::solve(const LcpProblem& problem, LcpResult& resu
 // Scales b and the forces to begin with; those of contacts may not pull.
 void AugmentedLagrangianSolver::begin(const LcpProblem& problem, const LcpResult& result,
                                       std::span<const int> start) {
-  const std::size_t n = at(problem.size());
+  const std::size_t n = idx(problem.size());
   const bool warm = options_.warm && result.f.size() == n;
   softness_ = options_.softness;
   scale_ = 0.0;
@@ -69,20 +69,20 @@ void AugmentedLagrangianSolver::begin(const LcpProblem& problem, const LcpResult
   f_.assign(n, 0.0);
   for (int i = 0; i < problem.size(); ++i) {
     scale_ = std::max(scale_, std::abs(problem.b[i]));
-    if (rows_.length(i) > 0.0) b_[at(i)] = problem.b[i] / rows_.length(i);
+    if (rows_.length(i) > 0.0) b_[idx(i)] = problem.b[i] / rows_.length(i);
     if (!warm) continue;
-    require::finite(result.f[at(i)], "result.f, the forces to begin with");
-    const double f = rows_.length(i) * result.f[at(i)];
-    f_[at(i)] = is_equality(problem, i) ? f : std::max(0.0, f);
+    require::finite(result.f[idx(i)], "result.f, the forces to begin with");
+    const double f = rows_.length(i) * result.f[idx(i)];
+    f_[idx(i)] = is_equality(problem, i) ? f : std::max(0.0, f);
   }
   if (scale_ == 0.0) scale_ = 1.0;
 
   guess_ = !start.empty();
   factored_is_known_ = false;
   pushes_.assign(n, 0);
-  for (const int i : start) pushes_[at(i)] = 1;
+  for (const int i : start) pushes_[idx(i)] = 1;
   for (std::vector<double>* v : {&a_, &sag_, &sag_rate_, &change_}) v->resize(n);
-  for (std::vector<Vec6>* v : {&moved_, &step_, &imbalance_}) v->resize(at(rows_.blocks()));
+  for (std::vector<Vec6>* v : {&moved_, &step_, &imbalance_}) v->resize(idx(rows_.blocks()));
   kinks_.reserve(n);
 }
 
@@ -133,7 +133,7 @@ void AugmentedLagrangianSolver::find_accelerations() {
 
 // What has to be 0.
 double AugmentedLagrangianSolver::wrong(const LcpProblem& problem, int row) const {
-  return std::abs(is_equality(problem, row) ? a_[at(row)] : std::min(f_[at(row)], a_[at(row)]));
+  return std::abs(is_equality(problem, row) ? a_[idx(row)] : std::min(f_[idx(row)], a_[idx(row)]));
 }
 
 // As lcp_residual(), with A_ii = ℓ_i².
@@ -150,14 +150,14 @@ double AugmentedLagrangianSolver::residual(const LcpProblem& problem) const {
 bool AugmentedLagrangianSolver::only_rounding_is_left(const LcpProblem& problem) {
   const std::vector<int>& begin = rows_.begin_of_rows();
   const std::vector<int>& block = rows_.blocks_of_rows();
-  load_.assign(at(rows_.blocks()), 0.0);
+  load_.assign(idx(rows_.blocks()), 0.0);
   for (std::size_t i = 0; i < f_.size(); ++i)
     for (int p = begin[i]; p < begin[i + 1]; ++p)
-      load_[at(block[at(p)])] += std::abs(f_[i]) * rows_.parts()[at(p)].norm();
+      load_[idx(block[idx(p)])] += std::abs(f_[i]) * rows_.parts()[idx(p)].norm();
   for (int i = 0; i < problem.size(); ++i) {
-    double sizes = std::abs(b_[at(i)]);
-    for (int p = begin[at(i)]; p < begin[at(i) + 1]; ++p)
-      sizes += load_[at(block[at(p)])] * rows_.parts()[at(p)].norm();
+    double sizes = std::abs(b_[idx(i)]);
+    for (int p = begin[idx(i)]; p < begin[idx(i) + 1]; ++p)
+      sizes += load_[idx(block[idx(p)])] * rows_.parts()[idx(p)].norm();
     if (!(wrong(problem, i) <= tolerance::rounding * sizes)) return false;
   }
   return true;
@@ -171,11 +171,11 @@ bool AugmentedLagrangianSolver::contradiction(const LcpProblem& problem) {
   double sizes = 0.0;
   double farthest = 0.0;  // how long z has to be for the worst contact alone
   for (int i = 0; i < problem.size(); ++i) {
-    double& r = change_[at(i)];
+    double& r = change_[idx(i)];
     if (!is_equality(problem, i)) r = std::max(0.0, r);
-    gain -= b_[at(i)] * r;
-    sizes += std::abs(b_[at(i)] * r);
-    farthest = std::max(farthest, is_equality(problem, i) ? std::abs(b_[at(i)]) : -b_[at(i)]);
+    gain -= b_[idx(i)] * r;
+    sizes += std::abs(b_[idx(i)] * r);
+    farthest = std::max(farthest, is_equality(problem, i) ? std::abs(b_[idx(i)]) : -b_[idx(i)]);
   }
   if (gain <= tolerance::rounding * sizes) return false;
   rows_.gather(change_, imbalance_);
@@ -224,9 +224,9 @@ bool AugmentedLagrangianSolver::settle(const LcpProblem& problem, double enough,
 // computed as such, because it gets small while the forces do not.
 void AugmentedLagrangianSolver::load_springs(const LcpProblem& problem, bool choose_set) {
   for (int i = 0; i < problem.size(); ++i) {
-    const double change = -(a_[at(i)] + sag_[at(i)]) / softness_;
-    if (choose_set) pushes_[at(i)] = is_equality(problem, i) || change >= -f_[at(i)] ? 1 : 0;
-    change_[at(i)] = pushes_[at(i)] != 0 ? change : -f_[at(i)];
+    const double change = -(a_[idx(i)] + sag_[idx(i)]) / softness_;
+    if (choose_set) pushes_[idx(i)] = is_equality(problem, i) || change >= -f_[idx(i)] ? 1 : 0;
+    change_[idx(i)] = pushes_[idx(i)] != 0 ? change : -f_[idx(i)];
   }
   multiplications_ += problem.size();
 }
@@ -250,12 +250,12 @@ double AugmentedLagrangianSolver::length_of_step(const LcpProblem& problem, bool
   double rate = dot(step_, step_);
   kinks_.clear();
   for (int i = 0; i < problem.size(); ++i) {
-    const double q = sag_rate_[at(i)];
-    const bool pushes = pushes_[at(i)] != 0;
-    value -= q * change_[at(i)];
+    const double q = sag_rate_[idx(i)];
+    const bool pushes = pushes_[idx(i)] != 0;
+    value -= q * change_[idx(i)];
     if (pushes) rate += q * q / softness_;
     if (!is_equality(problem, i) && (pushes ? q > 0.0 : q < 0.0))
-      kinks_.push_back({(softness_ * f_[at(i)] - a_[at(i)] - sag_[at(i)]) / q, i});
+      kinks_.push_back({(softness_ * f_[idx(i)] - a_[idx(i)] - sag_[idx(i)]) / q, i});
   }
   multiplications_ += 12 * rows_.blocks() + 5 * problem.size();
 
@@ -267,8 +267,8 @@ double AugmentedLagrangianSolver::length_of_step(const LcpProblem& problem, bool
     const Kink kink = kinks_.front();
     std::pop_heap(kinks_.begin(), kinks_.end(), later);
     kinks_.pop_back();
-    const double q = sag_rate_[at(kink.row)];
-    const double change = (pushes_[at(kink.row)] != 0 ? -q : q) * q / softness_;
+    const double q = sag_rate_[idx(kink.row)];
+    const double change = (pushes_[idx(kink.row)] != 0 ? -q : q) * q / softness_;
     rate += change;
     value -= change * kink.t;
     multiplications_ += 4;

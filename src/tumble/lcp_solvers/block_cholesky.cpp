@@ -12,9 +12,9 @@ void BlockCholesky::analyse(const BlockRows& rows) {
   const std::vector<int>& begin = rows.begin_of_rows();
   const std::vector<int>& blocks = rows.blocks_of_rows();
   for (int i = 0; i < rows.size(); ++i)
-    for (int p = begin[at(i)]; p < begin[at(i) + 1]; ++p)
-      for (int q = p + 1; q < begin[at(i) + 1]; ++q)
-        joined_.push_back({blocks[at(p)], blocks[at(q)]});
+    for (int p = begin[idx(i)]; p < begin[idx(i) + 1]; ++p)
+      for (int q = p + 1; q < begin[idx(i) + 1]; ++q)
+        joined_.push_back({blocks[idx(p)], blocks[idx(q)]});
   matrix_.analyse(rows.blocks(), joined_);
 }
 
@@ -27,16 +27,16 @@ void BlockCholesky::factor(const BlockRows& rows, const std::vector<char>& in_se
   const std::vector<Vec6>& parts = rows.parts();
   int pair = 0;
   for (int i = 0; i < rows.size(); ++i) {
-    const int count = begin[at(i) + 1] - begin[at(i)];
-    if (in_set[at(i)] == 0) {
+    const int count = begin[idx(i) + 1] - begin[idx(i)];
+    if (in_set[idx(i)] == 0) {
       pair += count * (count - 1) / 2;
       continue;
     }
-    for (int p = begin[at(i)]; p < begin[at(i) + 1]; ++p) {
-      const Vec6& a = parts[at(p)];
-      matrix_.add_to(blocks[at(p)], a * a.transpose());
-      for (int q = p + 1; q < begin[at(i) + 1]; ++q)
-        matrix_.add_to_pair(pair++, a * parts[at(q)].transpose());
+    for (int p = begin[idx(i)]; p < begin[idx(i) + 1]; ++p) {
+      const Vec6& a = parts[idx(p)];
+      matrix_.add_to(blocks[idx(p)], a * a.transpose());
+      for (int q = p + 1; q < begin[idx(i) + 1]; ++q)
+        matrix_.add_to_pair(pair++, a * parts[idx(q)].transpose());
     }
     multiplications_ += std::int64_t{18} * count * (count + 1);
   }

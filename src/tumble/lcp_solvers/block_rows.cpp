@@ -27,7 +27,7 @@ void require_diagonal(const LcpProblem& problem, int row, double product) {
 
 bool BlockRows::take(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
-  const std::size_t n = at(problem.size());
+  const std::size_t n = idx(problem.size());
   if (rows != 0 && rows != n)
     require::that(
         false, "factors have " + std::to_string(rows) + " rows: give none or " + std::to_string(n));
@@ -59,14 +59,14 @@ void BlockRows::take_factors(const LcpProblem& problem) {
   const auto append_part = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
     if (body < 0) return;
     Vec6 part;
-    part.head<3>() = root_inverse_mass_[at(body)].cwiseProduct(linear_w);
-    part.tail<3>() = root_inverse_inertia_w_[at(body)].transpose() * angular_w;
+    part.head<3>() = root_inverse_mass_[idx(body)].cwiseProduct(linear_w);
+    part.tail<3>() = root_inverse_inertia_w_[idx(body)].transpose() * angular_w;
     append(body, part);
   };
   part_.reserve(2 * factors.rows.size());
   block_.reserve(2 * factors.rows.size());
   for (int i = 0; i < problem.size(); ++i) {
-    const LcpFactors::Row& row = factors.rows[at(i)];
+    const LcpFactors::Row& row = factors.rows[idx(i)];
     append_part(row.first, row.linear_first_w, row.angular_first_w);
     append_part(row.second, row.linear_second_w, row.angular_second_w);
     end_row();
@@ -101,13 +101,13 @@ void BlockRows::append(int block, const Vec6& part) {
 // Scales the row to length 1; one that moves nothing has no parts.
 void BlockRows::end_row() {
   double square = 0.0;
-  for (std::size_t p = at(begin_.back()); p < part_.size(); ++p) square += part_[p].squaredNorm();
+  for (std::size_t p = idx(begin_.back()); p < part_.size(); ++p) square += part_[p].squaredNorm();
   const double length = std::sqrt(square);
   if (length > 0.0) {
-    for (std::size_t p = at(begin_.back()); p < part_.size(); ++p) part_[p] *= 1.0 / length;
+    for (std::size_t p = idx(begin_.back()); p < part_.size(); ++p) part_[p] *= 1.0 / length;
   } else {
-    part_.resize(at(begin_.back()));
-    block_.resize(at(begin_.back()));
+    part_.resize(idx(begin_.back()));
+    block_.resize(idx(begin_.back()));
   }
   length_.push_back(length);
   begin_.push_back(static_cast<int>(part_.size()));
@@ -118,9 +118,9 @@ void BlockRows::end_row() {
 int BlockRows::factor(const MatX& A) {
   const int n = static_cast<int>(A.rows());
   if (lower_.rows() < n) lower_.resize(n, n);
-  left_.assign(at(n), 0.0);
-  taken_.assign(at(n), 0);
-  for (int i = 0; i < n; ++i) left_[at(i)] = A(i, i) > 0.0 ? 1.0 : 0.0;
+  left_.assign(idx(n), 0.0);
+  taken_.assign(idx(n), 0);
+  for (int i = 0; i < n; ++i) left_[idx(i)] = A(i, i) > 0.0 ? 1.0 : 0.0;
 
   int rank = 0;
   // The column that row p would give: what is left of A's column, over what is left of A_pp.
@@ -133,28 +133,28 @@ int BlockRows::factor(const MatX& A) {
   while (rank < n) {
     int p = 0;
     for (int i = 1; i < n; ++i)
-      if (left_[at(i)] > left_[at(p)]) p = i;
-    if (left_[at(p)] <= tolerance::dependent) break;
+      if (left_[idx(i)] > left_[idx(p)]) p = i;
+    if (left_[idx(p)] <= tolerance::dependent) break;
     column(p);
-    const double pivot = std::sqrt(A(p, p) * left_[at(p)]);
+    const double pivot = std::sqrt(A(p, p) * left_[idx(p)]);
     for (int i = 0; i < n; ++i) {
-      lower_(i, rank) = taken_[at(i)] != 0 ? 0.0 : lower_(i, rank) / pivot;
-      if (A(i, i) > 0.0) left_[at(i)] -= lower_(i, rank) * lower_(i, rank) / A(i, i);
+      lower_(i, rank) = taken_[idx(i)] != 0 ? 0.0 : lower_(i, rank) / pivot;
+      if (A(i, i) > 0.0) left_[idx(i)] -= lower_(i, rank) * lower_(i, rank) / A(i, i);
     }
     lower_(p, rank) = pivot;
-    left_[at(p)] = 0.0;
-    taken_[at(p)] = 1;
+    left_[idx(p)] = 0.0;
+    taken_[idx(p)] = 1;
     taking_ += 3 * std::int64_t{n};
     ++rank;
   }
 
   // Nothing is left of a semidefinite matrix, off the diagonal too.
   for (int p = 0; p < n; ++p) {
-    if (taken_[at(p)] != 0) continue;
-    if (A(p, p) < 0.0 || left_[at(p)] < -tolerance::symmetry) return -1;
+    if (taken_[idx(p)] != 0) continue;
+    if (A(p, p) < 0.0 || left_[idx(p)] < -tolerance::symmetry) return -1;
     column(p);
     for (int i = 0; i < n; ++i) {
-      if (taken_[at(i)] != 0) continue;
+      if (taken_[idx(i)] != 0) continue;
       const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(p, p)));
       if (std::abs(lower_(i, rank)) > tolerance::symmetry * scale) return -1;
     }
@@ -165,18 +165,18 @@ int BlockRows::factor(const MatX& A) {
 void BlockRows::project(const std::vector<Vec6>& z, std::span<double> y) const {
   for (int i = 0; i < size(); ++i) {
     double sum = 0.0;
-    for (int p = begin_[at(i)]; p < begin_[at(i) + 1]; ++p)
-      sum += part_[at(p)].dot(z[at(block_[at(p)])]);
-    y[at(i)] = sum;
+    for (int p = begin_[idx(i)]; p < begin_[idx(i) + 1]; ++p)
+      sum += part_[idx(p)].dot(z[idx(block_[idx(p)])]);
+    y[idx(i)] = sum;
   }
 }
 
 void BlockRows::gather(std::span<const double> f, std::vector<Vec6>& z) const {
   std::fill(z.begin(), z.end(), Vec6(Vec6::Zero()));
   for (int i = 0; i < size(); ++i) {
-    if (f[at(i)] == 0.0) continue;
-    for (int p = begin_[at(i)]; p < begin_[at(i) + 1]; ++p)
-      z[at(block_[at(p)])] += f[at(i)] * part_[at(p)];
+    if (f[idx(i)] == 0.0) continue;
+    for (int p = begin_[idx(i)]; p < begin_[idx(i) + 1]; ++p)
+      z[idx(block_[idx(p)])] += f[idx(i)] * part_[idx(p)];
   }
 }
 

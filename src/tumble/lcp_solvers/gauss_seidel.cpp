@@ -15,9 +15,9 @@ namespace {
 // set to 0 that is A_ii f_i, otherwise a_i.
 double put_right(const LcpProblem& problem, int i, std::span<double> f) {
   double a = problem.b[i];
-  for (int j = 0; j < problem.size(); ++j) a += problem.A(i, j) * f[at(j)];
-  const double before = f[at(i)];
-  double& force = f[at(i)];
+  for (int j = 0; j < problem.size(); ++j) a += problem.A(i, j) * f[idx(j)];
+  const double before = f[idx(i)];
+  double& force = f[idx(i)];
   force = before - a / problem.A(i, i);
   if (is_equality(problem, i) || force >= 0.0) return std::abs(a);
   force = 0.0;
@@ -67,7 +67,7 @@ void GaussSeidelSolver::solve(const LcpProblem& problem, LcpResult& result,
 
 // The forces to begin with. Those of contacts may not pull.
 void GaussSeidelSolver::begin(const LcpProblem& problem, LcpResult& result) const {
-  const auto n = at(problem.size());
+  const auto n = idx(problem.size());
   result.status = LcpStatus::solved;
   result.pivots = 0;
   result.multiplications = 0;
@@ -76,7 +76,7 @@ void GaussSeidelSolver::begin(const LcpProblem& problem, LcpResult& result) cons
     return;
   }
   for (int i = 0; i < problem.size(); ++i) {
-    double& f = result.f[at(i)];
+    double& f = result.f[idx(i)];
     require::finite(f, "result.f, the forces to begin with");
     if (!is_equality(problem, i)) f = std::max(f, 0.0);
   }

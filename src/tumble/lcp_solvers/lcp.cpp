@@ -83,8 +83,9 @@ double residual_of(const LcpProblem& problem, std::span<const double> f,
   double worst = 0.0;
   double largest = 0.0;
   for (int i = 0; i < problem.size(); ++i) {
-    const double wrong =
-        is_equality(problem, i) ? a[at(i)] : std::min(yield_of(problem.A, i) * f[at(i)], a[at(i)]);
+    const double wrong = is_equality(problem, i)
+                             ? a[idx(i)]
+                             : std::min(yield_of(problem.A, i) * f[idx(i)], a[idx(i)]);
     if (std::isnan(wrong)) return wrong;
     worst = std::max(worst, std::abs(wrong));
     largest = std::max(largest, std::abs(problem.b[i]));
@@ -95,7 +96,7 @@ double residual_of(const LcpProblem& problem, std::span<const double> f,
 void accelerations(const LcpProblem& problem, std::span<const double> f, std::vector<double>& a) {
   a.resize(f.size());
   multiply(problem.A, f, a);
-  for (int i = 0; i < problem.size(); ++i) a[at(i)] += problem.b[i];
+  for (int i = 0; i < problem.size(); ++i) a[idx(i)] += problem.b[i];
 }
 
 template <class Solver>
@@ -127,7 +128,7 @@ std::string_view name_of(LcpStatus status) {
 
 double lcp_residual(const LcpProblem& problem, std::span<const double> f) {
   require_sizes(problem);
-  if (f.size() != at(problem.size()))
+  if (f.size() != idx(problem.size()))
     require::that(false, "f has " + std::to_string(f.size()) + " entries: give " +
                              std::to_string(problem.size()));
   std::vector<double> a;
@@ -155,13 +156,13 @@ void require_valid_start(int size, std::span<const int> start) {
 }
 
 void complete(const LcpProblem& problem, LcpResult& result) {
-  assert(result.f.size() == at(problem.size()));
+  assert(result.f.size() == idx(problem.size()));
   accelerations(problem, result.f, result.a);
   result.residual = residual_of(problem, result.f, result.a);
   result.pushing.reserve(result.f.size());
   result.pushing.clear();
   for (int i = 0; i < problem.size(); ++i)
-    if (result.f[at(i)] != 0.0) result.pushing.push_back(i);
+    if (result.f[idx(i)] != 0.0) result.pushing.push_back(i);
 }
 
 const std::vector<LcpRecipe>& lcp_solvers() {

@@ -25,7 +25,7 @@ double length_of(const MatX& E, int column) {
 
 void require_factors(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
-  if (rows != at(problem.size()))
+  if (rows != idx(problem.size()))
     require::that(false, "factors have " + std::to_string(rows) + " rows: give " +
                              std::to_string(problem.size()) +
                              ", least constraint needs the factors of A, not only A");
@@ -42,7 +42,7 @@ void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
   const int n = problem.size();
   cone_.pushing.assign(start.begin(), start.end());
   result.status = LcpStatus::solved;
-  result.f.assign(at(n), 0.0);
+  result.f.assign(idx(n), 0.0);
   result.pivots = 0;
   result.multiplications = 0;
   take_roots(problem.factors);
@@ -80,7 +80,7 @@ void LeastConstraintSolver::take_roots(const LcpFactors& factors) {
 void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
   const int n = problem.size();
   mirrored_.clear();
-  mirrored_.reserve(at(n));
+  mirrored_.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(problem, i)) mirrored_.push_back(i);
   const int rows = 6 * static_cast<int>(problem.factors.bodies.size()) + 1;
@@ -91,12 +91,12 @@ void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
 
   const auto put = [this](int column, int body, const Vec3& linear_w, const Vec3& angular_w) {
     if (body < 0) return;
-    E_.block<3, 1>(6 * body, column) = root_inverse_mass_[at(body)].cwiseProduct(linear_w);
+    E_.block<3, 1>(6 * body, column) = root_inverse_mass_[idx(body)].cwiseProduct(linear_w);
     E_.block<3, 1>(6 * body + 3, column) =
-        root_inverse_inertia_w_[at(body)].transpose() * angular_w;
+        root_inverse_inertia_w_[idx(body)].transpose() * angular_w;
   };
   for (int i = 0; i < n; ++i) {
-    const LcpFactors::Row& row = problem.factors.rows[at(i)];
+    const LcpFactors::Row& row = problem.factors.rows[idx(i)];
     put(i, row.first, row.linear_first_w, row.angular_first_w);
     put(i, row.second, row.linear_second_w, row.angular_second_w);
     const double length = length_of(E_, i);
@@ -143,9 +143,9 @@ void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
                                         LcpResult& result) {
   const int n = problem.size();
   const double factor = scale / cone_.rest.back();
-  for (int i = 0; i < n; ++i) result.f[at(i)] = factor * cone_.f[at(i)];
+  for (int i = 0; i < n; ++i) result.f[idx(i)] = factor * cone_.f[idx(i)];
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
-    result.f[at(mirrored_[k])] -= factor * cone_.f[at(n) + k];
+    result.f[idx(mirrored_[k])] -= factor * cone_.f[idx(n) + k];
 
   for (std::size_t body = 0; body < root_inverse_mass_.size(); ++body) {
     const double* Gu = &cone_.rest[6 * body];  // with the other sign
@@ -154,8 +154,8 @@ void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
     const Vec3 added_linear_w = root_inverse_mass_[body].cwiseProduct(linear);
     const Vec3 added_angular_w = root_inverse_inertia_w_[body] * angular;
     for (int k = 0; k < 3; ++k) {
-      x_[6 * body + at(k)] = added_linear_w[k];
-      x_[6 * body + 3 + at(k)] = added_angular_w[k];
+      x_[6 * body + idx(k)] = added_linear_w[k];
+      x_[6 * body + 3 + idx(k)] = added_angular_w[k];
     }
   }
 }

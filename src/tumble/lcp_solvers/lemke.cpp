@@ -55,9 +55,9 @@ bool LemkeSolver::is_signed(int unknown) const {
 void LemkeSolver::solve_equalities(LcpResult& result) {
   const int n = problem_->size();
   open_rows_.clear();
-  open_rows_.reserve(at(n));
+  open_rows_.reserve(idx(n));
   ties_.clear();  // here: equalities whose forces are not in the basis
-  ties_.reserve(at(n));
+  ties_.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(*problem_, i)) open_rows_.push_back(i);
   ties_.assign(open_rows_.begin(), open_rows_.end());
@@ -69,9 +69,9 @@ void LemkeSolver::solve_equalities(LcpResult& result) {
     for (const int j : ties_) {
       basis_.answer_to(n + j, answer_);
       for (const int i : open_rows_) {
-        const double size = std::abs(answer_.x[at(i)]);
-        if (size <= best * answer_.bound[at(i)]) continue;
-        best = size / answer_.bound[at(i)];
+        const double size = std::abs(answer_.x[idx(i)]);
+        if (size <= best * answer_.bound[idx(i)]) continue;
+        best = size / answer_.bound[idx(i)];
         row = i;
         force = j;
       }
@@ -97,7 +97,7 @@ LcpStatus LemkeSolver::follow_path(LcpResult& result) {
   basis_.answer_to(lift, answer_);
   while (true) {
     if (result.pivots >= options_.pivot_cap) return LcpStatus::cap_reached;
-    const int leaving = basis_.unknowns()[at(row)];
+    const int leaving = basis_.unknowns()[idx(row)];
     basis_.exchange(row, entering, answer_);
     ++result.pivots;
     if (is_lift(leaving)) return LcpStatus::solved;
@@ -118,8 +118,8 @@ int LemkeSolver::most_negative_row() {
   int row = -1;
   double least = 0.0;
   for (int i = 0; i < problem_->size(); ++i) {
-    const double value = values_.x[at(i)];
-    if (!is_signed(basis_.unknowns()[at(i)]) || value >= 0.0 || value > least) continue;
+    const double value = values_.x[idx(i)];
+    if (!is_signed(basis_.unknowns()[idx(i)]) || value >= 0.0 || value > least) continue;
     least = value;
     row = i;
   }
@@ -132,14 +132,15 @@ int LemkeSolver::most_negative_row() {
 int LemkeSolver::row_to_leave() {
   ties_.clear();
   for (int i = 0; i < problem_->size(); ++i)
-    if (is_signed(basis_.unknowns()[at(i)]) && answer_.x[at(i)] > 0.0) ties_.push_back(i);
+    if (is_signed(basis_.unknowns()[idx(i)]) && answer_.x[idx(i)] > 0.0) ties_.push_back(i);
   if (ties_.empty()) return -1;
   keep_first(values_, slack_);
   for (const int i : ties_)
-    if (is_lift(basis_.unknowns()[at(i)])) return i;
+    if (is_lift(basis_.unknowns()[idx(i)])) return i;
   if (slack_ > 0.0)
-    return *std::max_element(ties_.begin(), ties_.end(),
-                             [this](int i, int j) { return answer_.x[at(i)] < answer_.x[at(j)]; });
+    return *std::max_element(ties_.begin(), ties_.end(), [this](int i, int j) {
+      return answer_.x[idx(i)] < answer_.x[idx(j)];
+    });
   for (int j = 0; j < problem_->size() && ties_.size() > 1; ++j) {
     if (is_equality(*problem_, j)) continue;
     basis_.answer_to(j, column_);
@@ -148,17 +149,17 @@ int LemkeSolver::row_to_leave() {
 
   // In exact numbers one row is left. If rounding hides which, the surest pivot is taken.
   return *std::max_element(ties_.begin(), ties_.end(), [this](int i, int j) {
-    return answer_.x[at(i)] * answer_.bound[at(j)] < answer_.x[at(j)] * answer_.bound[at(i)];
+    return answer_.x[idx(i)] * answer_.bound[idx(j)] < answer_.x[idx(j)] * answer_.bound[idx(i)];
   });
 }
 
 // Of the tied rows, keeps those whose numbers[i] / answer[i] may be the least: they differ from the
 // least by no more than rounding of both sides of both fractions.
 void LemkeSolver::keep_first(const Rounded& numbers, double slack) {
-  const auto ratio = [&](int i) { return numbers.x[at(i)] / answer_.x[at(i)]; };
+  const auto ratio = [&](int i) { return numbers.x[idx(i)] / answer_.x[idx(i)]; };
   const auto rounding = [&](int i) {
-    return (slack + numbers.bound[at(i)] + std::abs(ratio(i)) * answer_.bound[at(i)]) /
-           answer_.x[at(i)];
+    return (slack + numbers.bound[idx(i)] + std::abs(ratio(i)) * answer_.bound[idx(i)]) /
+           answer_.x[idx(i)];
   };
   double limit = std::numeric_limits<double>::infinity();
   for (const int i : ties_) limit = std::min(limit, ratio(i) + rounding(i));
@@ -169,7 +170,7 @@ void LemkeSolver::keep_first(const Rounded& numbers, double slack) {
 // With a lift of 0 the unknowns solve the problem, even if the lift is still in the basis.
 bool LemkeSolver::lift_is_zero() const {
   for (int i = 0; i < problem_->size(); ++i)
-    if (is_lift(basis_.unknowns()[at(i)])) return values_.x[at(i)] <= slack_;
+    if (is_lift(basis_.unknowns()[idx(i)])) return values_.x[idx(i)] <= slack_;
   return false;
 }
 
@@ -178,10 +179,10 @@ bool LemkeSolver::left_over_equalities_hold() const {
   double largest = 0.0;
   for (int i = 0; i < problem_->size(); ++i) largest = std::max(largest, std::abs(problem_->b[i]));
   for (int i = 0; i < problem_->size(); ++i) {
-    const int unknown = basis_.unknowns()[at(i)];
+    const int unknown = basis_.unknowns()[idx(i)];
     if (is_signed(unknown) || unknown >= problem_->size()) continue;
-    const double slack = tolerance::complementarity * largest + values_.bound[at(i)];
-    if (std::abs(values_.x[at(i)]) > slack) return false;
+    const double slack = tolerance::complementarity * largest + values_.bound[idx(i)];
+    if (std::abs(values_.x[idx(i)]) > slack) return false;
   }
   return true;
 }
@@ -189,12 +190,12 @@ bool LemkeSolver::left_over_equalities_hold() const {
 // Forces of the basis get their values, the others are 0.
 void LemkeSolver::set_forces(LcpResult& result) {
   const int n = problem_->size();
-  result.f.assign(at(n), 0.0);
+  result.f.assign(idx(n), 0.0);
   basis_.values(values_);
   for (int i = 0; i < n; ++i) {
-    const int unknown = basis_.unknowns()[at(i)];
+    const int unknown = basis_.unknowns()[idx(i)];
     if (unknown < n || is_lift(unknown)) continue;
-    result.f[at(unknown - n)] = values_.x[at(i)];
+    result.f[idx(unknown - n)] = values_.x[idx(i)];
   }
 }
 

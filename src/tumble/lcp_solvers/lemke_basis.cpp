@@ -31,14 +31,14 @@ void LemkeBasis::begin(const LcpProblem& problem) {
   multiplications_ = 0;
   const int n = problem.size();
   if (inverse_.rows() < n) inverse_.resize(n, n);
-  unknowns_.resize(at(n));
+  unknowns_.resize(idx(n));
   start_with_accelerations();
 }
 
 void LemkeBasis::start_with_accelerations() {
   const int n = static_cast<int>(unknowns_.size());
   for (int j = 0; j < n; ++j) {
-    unknowns_[at(j)] = j;
+    unknowns_[idx(j)] = j;
     for (int i = 0; i < n; ++i) inverse_(i, j) = i == j ? 1.0 : 0.0;
   }
 }
@@ -88,9 +88,9 @@ bool LemkeBasis::solve(Rounded& out) {
 void LemkeBasis::invert() {
   const int n = static_cast<int>(unknowns_.size());
   wanted_ = unknowns_;
-  is_wanted_.assign(at(n), 0);
+  is_wanted_.assign(idx(n), 0);
   for (const int unknown : wanted_)
-    if (unknown < n) is_wanted_[at(unknown)] = 1;
+    if (unknown < n) is_wanted_[idx(unknown)] = 1;
   start_with_accelerations();
   for (const int unknown : wanted_) {
     if (unknown < n) continue;
@@ -99,20 +99,20 @@ void LemkeBasis::invert() {
     int row = -1;
     double best = 0.0;
     for (int i = 0; i < n; ++i) {
-      if (unknowns_[at(i)] >= n || is_wanted_[at(unknowns_[at(i)])] != 0) continue;
-      if (row >= 0 && std::abs(entering_.x[at(i)]) <= best) continue;
+      if (unknowns_[idx(i)] >= n || is_wanted_[idx(unknowns_[idx(i)])] != 0) continue;
+      if (row >= 0 && std::abs(entering_.x[idx(i)]) <= best) continue;
       row = i;
-      best = std::abs(entering_.x[at(i)]);
+      best = std::abs(entering_.x[idx(i)]);
     }
     if (best > 0.0) exchange(row, unknown, entering_);
-    unknowns_[at(row)] = unknown;  // a singular basis has no answers that hold
+    unknowns_[idx(row)] = unknown;  // a singular basis has no answers that hold
   }
   // Back to the rows of before.
   for (int i = 0; i < n; ++i) {
     int from = i;
-    while (unknowns_[at(from)] != wanted_[at(i)]) ++from;
+    while (unknowns_[idx(from)] != wanted_[idx(i)]) ++from;
     if (from == i) continue;
-    std::swap(unknowns_[at(from)], unknowns_[at(i)]);
+    std::swap(unknowns_[idx(from)], unknowns_[idx(i)]);
     for (int j = 0; j < n; ++j) std::swap(inverse_(from, j), inverse_(i, j));
   }
 }
@@ -121,31 +121,31 @@ void LemkeBasis::invert() {
 // u becomes a column of the unit matrix.
 void LemkeBasis::exchange(int row, int entering, const Rounded& answer) {
   const int n = static_cast<int>(unknowns_.size());
-  const double pivot = answer.x[at(row)];
+  const double pivot = answer.x[idx(row)];
   assert(pivot != 0.0);
   for (int j = 0; j < n; ++j) {
     double* column = inverse_.col(j).data();
     if (column[row] == 0.0) continue;
     const double share = column[row] / pivot;
-    for (int i = 0; i < n; ++i) column[i] -= share * answer.x[at(i)];
+    for (int i = 0; i < n; ++i) column[i] -= share * answer.x[idx(i)];
     column[row] = share;
     multiplications_ += n;
   }
-  unknowns_[at(row)] = entering;
+  unknowns_[idx(row)] = entering;
 }
 
 // The coefficients of an unknown in a - A f - z 1 = b.
 void LemkeBasis::set_column(int unknown, std::vector<double>& column) const {
   const int n = problem_->size();
-  column.assign(at(n), 0.0);
+  column.assign(idx(n), 0.0);
   if (unknown < 0) {
     column.assign(problem_->b.data(), problem_->b.data() + n);
   } else if (unknown < n) {
-    column[at(unknown)] = 1.0;
+    column[idx(unknown)] = 1.0;
   } else if (unknown < 2 * n) {
-    for (int i = 0; i < n; ++i) column[at(i)] = -problem_->A(i, unknown - n);
+    for (int i = 0; i < n; ++i) column[idx(i)] = -problem_->A(i, unknown - n);
   } else {
-    for (int i = 0; i < n; ++i) column[at(i)] = is_equality(*problem_, i) ? 0.0 : -1.0;
+    for (int i = 0; i < n; ++i) column[idx(i)] = is_equality(*problem_, i) ? 0.0 : -1.0;
   }
 }
 
@@ -157,8 +157,8 @@ void LemkeBasis::subtract_product(std::span<const double> x, std::vector<double>
     const int unknown = unknowns_[k];
     if (x[k] == 0.0) continue;
     if (unknown < n) {
-      rest[at(unknown)] -= x[k];
-      if (sizes != nullptr) (*sizes)[at(unknown)] += std::abs(x[k]);
+      rest[idx(unknown)] -= x[k];
+      if (sizes != nullptr) (*sizes)[idx(unknown)] += std::abs(x[k]);
     } else if (unknown < 2 * n) {
       add_column(x[k], problem_->A, unknown - n, rest);
       if (sizes != nullptr) add_sizes(std::abs(x[k]), problem_->A.col(unknown - n).data(), *sizes);
@@ -166,8 +166,8 @@ void LemkeBasis::subtract_product(std::span<const double> x, std::vector<double>
     } else {
       for (int i = 0; i < n; ++i) {
         if (is_equality(*problem_, i)) continue;
-        rest[at(i)] += x[k];
-        if (sizes != nullptr) (*sizes)[at(i)] += std::abs(x[k]);
+        rest[idx(i)] += x[k];
+        if (sizes != nullptr) (*sizes)[idx(i)] += std::abs(x[k]);
       }
     }
   }

@@ -60,9 +60,9 @@ void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, Complementar
   result.status = ComplementarityStatus::solved;
   result.pivots = 0;
   result.ray.clear();
-  result.ray.reserve(at(n));
-  result.pushing.reserve(at(n));
-  result.f.assign(at(n), 0.0);
+  result.ray.reserve(idx(n));
+  result.pushing.reserve(idx(n));
+  result.f.assign(idx(n), 0.0);
   settle(A, b, result);
   if (!plausible) result.status = ComplementarityStatus::not_positive_semidefinite;
 
@@ -70,7 +70,7 @@ void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, Complementar
   // after each drive: rounding does not pile up, and nothing has to be clamped (3.3.1).
   while (result.status == ComplementarityStatus::solved) {
     int d = 0;
-    while (d < n && (result.a[at(d)] >= -slack_ || place_[at(d)] == Place::left_out)) ++d;
+    while (d < n && (result.a[idx(d)] >= -slack_ || place_[idx(d)] == Place::left_out)) ++d;
     if (d == n) break;
     if (drive_to_zero(A, b, d, result)) settle(A, b, result);
   }
@@ -85,14 +85,14 @@ void ComplementaritySolver::solve(const MatRef& A, const VecRef& b, Complementar
 void ComplementaritySolver::begin(const MatRef& A, const VecRef& b, std::span<const int> start) {
   const int n = static_cast<int>(b.size());
   factor_.clear(n);
-  place_.assign(at(n), Place::parted);
-  df_.resize(at(n));
-  da_.resize(at(n));
-  subset_.reserve(at(n));
-  root_.resize(at(n));
-  for (int i = 0; i < n; ++i) root_[at(i)] = std::sqrt(std::abs(A(i, i)));
+  place_.assign(idx(n), Place::parted);
+  df_.resize(idx(n));
+  da_.resize(idx(n));
+  subset_.reserve(idx(n));
+  root_.resize(idx(n));
+  for (int i = 0; i < n; ++i) root_[idx(i)] = std::sqrt(std::abs(A(i, i)));
 
-  start_.reserve(at(n));
+  start_.reserve(idx(n));
   start_.assign(start.begin(), start.end());
   for (auto j = start_.begin(); j != start_.end(); ++j) {
     require::that(*j >= 0 && *j < n, "start: expected indices from 0 to n - 1");
@@ -117,21 +117,21 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
     double share = infinity;
     int first = -1;
     for (int k = 0; k < static_cast<int>(pushing.size()); ++k) {
-      const double wanted = subset_[at(k)];
+      const double wanted = subset_[idx(k)];
       if (wanted >= 0.0) continue;
-      const double f = result.f[at(pushing[at(k)])];
+      const double f = result.f[idx(pushing[idx(k)])];
       const double way = f / (f - wanted);
-      if (way > share || (way == share && wanted >= subset_[at(first)])) continue;
+      if (way > share || (way == share && wanted >= subset_[idx(first)])) continue;
       share = way;
       first = k;
     }
     if (first < 0) break;
     for (int k = 0; k < static_cast<int>(pushing.size()); ++k) {
-      double& f = result.f[at(pushing[at(k)])];
-      f = k == first ? 0.0 : f + share * (subset_[at(k)] - f);
+      double& f = result.f[idx(pushing[idx(k)])];
+      f = k == first ? 0.0 : f + share * (subset_[idx(k)] - f);
     }
     multiplications_ += 2 * count(pushing);
-    change_place(A, pushing[at(first)]);
+    change_place(A, pushing[idx(first)]);
     ++result.pivots;
   }
 
@@ -141,9 +141,9 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
   std::fill(da_.begin(), da_.end(), 0.0);  // here: how large the terms of each a are
   for (std::size_t k = 0; k < subset_.size(); ++k) {
     const int c = pushing[k];
-    result.f[at(c)] = subset_[k];
+    result.f[idx(c)] = subset_[k];
     add_column(subset_[k], A, c, result.a);
-    for (int i = 0; i < b.size(); ++i) da_[at(i)] += std::abs(A(i, c)) * subset_[k];
+    for (int i = 0; i < b.size(); ++i) da_[idx(i)] += std::abs(A(i, c)) * subset_[k];
   }
 
   // Heavy bodies on light ones have terms far larger than b; a is no better than their rounding.
@@ -171,13 +171,13 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
     }
     std::fill(df_.begin(), df_.end(), 0.0);
     std::fill(da_.begin(), da_.end(), 0.0);
-    df_[at(d)] = 1.0;
-    for (std::size_t k = 0; k < subset_.size(); ++k) df_[at(pushing[k])] = subset_[k];
+    df_[idx(d)] = 1.0;
+    for (std::size_t k = 0; k < subset_.size(); ++k) df_[idx(pushing[k])] = subset_[k];
     if (answer.independent()) {
       multiplications_ += (count(pushing) + 2) * n;  // da, f and a
       for (std::size_t k = 0; k <= pushing.size(); ++k) {
         const int i = k == 0 ? d : pushing[k - 1];
-        add_column(df_[at(i)], A, i, da_);
+        add_column(df_[idx(i)], A, i, da_);
       }
     }
 
@@ -196,7 +196,7 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
           return false;
         }
       } else if (j < 0 || exchanges_ >= n ||
-                 -df_[at(j)] * root_[at(j)] < worthwhile * answer.root) {
+                 -df_[idx(j)] * root_[idx(j)] < worthwhile * answer.root) {
         if (newest >= 0) change_place(A, newest);
         change_place(A, d);
         return true;
@@ -205,17 +205,17 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
       }
     }
     for (int i = 0; i < n; ++i) {
-      result.f[at(i)] += step.length * df_[at(i)];
-      result.a[at(i)] += step.length * da_[at(i)];
+      result.f[idx(i)] += step.length * df_[idx(i)];
+      result.a[idx(i)] += step.length * da_[idx(i)];
     }
     // Whoever ended the step stands at f = 0 = a exactly, or at a = 0 if it is d.
     const int j = step.contact;
-    result.a[at(j)] = 0.0;
-    if (place_[at(j)] == Place::pushing) result.f[at(j)] = 0.0;
+    result.a[idx(j)] = 0.0;
+    if (place_[idx(j)] == Place::pushing) result.f[idx(j)] = 0.0;
     change_place(A, j);
     ++result.pivots;
     if (j == d) return true;
-    newest = place_[at(j)] == Place::pushing ? j : -1;
+    newest = place_[idx(j)] == Place::pushing ? j : -1;
   }
   result.status = ComplementarityStatus::cap_reached;
   return false;
@@ -227,8 +227,8 @@ bool ComplementaritySolver::sinks_with_pushing(const VecRef& b) const {
   double sinking = 0.0;
   double sizes = 0.0;
   for (int i = 0; i < b.size(); ++i) {
-    sinking += b[i] * df_[at(i)];
-    sizes += std::abs(df_[at(i)]);
+    sinking += b[i] * df_[idx(i)];
+    sizes += std::abs(df_[idx(i)]);
   }
   return sinking < -unsure_ * sizes;
 }
@@ -242,17 +242,18 @@ ComplementaritySolver::Step ComplementaritySolver::longest_step(
   Step step;
   double limit = infinity;
   if (answer.independent()) {
-    step = {-result.a[at(d)] / answer.schur, d};
-    limit = (-result.a[at(d)] - slack_) / answer.schur;
+    step = {-result.a[idx(d)] / answer.schur, d};
+    limit = (-result.a[idx(d)] - slack_) / answer.schur;
   }
 
   const double least = tolerance::dependent * answer.size;
   for (int i = 0; i < static_cast<int>(place_.size()); ++i) {
     double length = infinity;
-    if (place_[at(i)] == Place::pushing) {
-      if (df_[at(i)] * root_[at(i)] < -least) length = result.f[at(i)] / -df_[at(i)];
-    } else if (place_[at(i)] == Place::parted && i != d && result.a[at(i)] >= -slack_) {
-      if (da_[at(i)] < -least * root_[at(i)]) length = std::max(0.0, result.a[at(i)]) / -da_[at(i)];
+    if (place_[idx(i)] == Place::pushing) {
+      if (df_[idx(i)] * root_[idx(i)] < -least) length = result.f[idx(i)] / -df_[idx(i)];
+    } else if (place_[idx(i)] == Place::parted && i != d && result.a[idx(i)] >= -slack_) {
+      if (da_[idx(i)] < -least * root_[idx(i)])
+        length = std::max(0.0, result.a[idx(i)]) / -da_[idx(i)];
     }
     if (length < limit) {  // strictly: the lowest index of equal ones
       step = {length, i};
@@ -266,9 +267,9 @@ ComplementaritySolver::Step ComplementaritySolver::longest_step(
 // carry it along, its acceleration is 0 with theirs, and it is left out until C changes.
 void ComplementaritySolver::change_place(const MatRef& A, int j) {
   const std::vector<int>& pushing = factor_.indices();
-  const bool leaves = place_[at(j)] == Place::pushing;
+  const bool leaves = place_[idx(j)] == Place::pushing;
   if (!leaves && !answer_to(A, j).independent()) {
-    place_[at(j)] = Place::left_out;
+    place_[idx(j)] = Place::left_out;
     return;
   }
   if (leaves) {
@@ -281,18 +282,18 @@ void ComplementaritySolver::change_place(const MatRef& A, int j) {
     factor_.append_considered();
   }
   std::replace(place_.begin(), place_.end(), Place::left_out, Place::parted);
-  place_[at(j)] = leaves ? Place::parted : Place::pushing;
+  place_[idx(j)] = leaves ? Place::parted : Place::pushing;
 }
 
 // How C answers a force 1 at j. With v = (1 at j, df_C) the Schur complement is v·A v.
 ComplementaritySolver::Answer ComplementaritySolver::answer_to(const MatRef& A, int j) {
   const std::vector<int>& pushing = factor_.indices();
-  Answer answer{root_[at(j)], factor_.consider(A, j), root_[at(j)]};
+  Answer answer{root_[idx(j)], factor_.consider(A, j), root_[idx(j)]};
   subset_.resize(pushing.size());
   factor_.answer_to_considered(subset_);
   multiplications_ += count(pushing) * (count(pushing) + 3);  // two triangles, and two sums
   for (std::size_t k = 0; k < subset_.size(); ++k)
-    answer.size += std::abs(subset_[k]) * root_[at(pushing[k])];
+    answer.size += std::abs(subset_[k]) * root_[idx(pushing[k])];
   return answer;
 }
 

@@ -37,8 +37,8 @@ void NonNegativeLeastSquares::solve(const MatRef& G, const VecRef& d, LeastSquar
   result.status = ComplementarityStatus::solved;
   result.pivots = 0;
   result.multiplications = std::int64_t{n} * G.rows();  // the lengths of the columns
-  result.pushing.reserve(at(n));
-  result.f.assign(at(n), 0.0);
+  result.pushing.reserve(idx(n));
+  result.f.assign(idx(n), 0.0);
 
   // A start may ask for negative factors. Taken from f = 0, the way to them leads nowhere: columns
   // with such factors are dropped at once.
@@ -73,17 +73,17 @@ void NonNegativeLeastSquares::solve(const MatRef& G, const VecRef& d, LeastSquar
 void NonNegativeLeastSquares::begin(const MatRef& G, std::span<const int> start) {
   const int n = static_cast<int>(G.cols());
   factor_.clear(static_cast<int>(G.rows()), n);
-  columns_.assign(at(n), Column::free);
-  target_.reserve(at(n));
-  length_.resize(at(n));
-  for (int j = 0; j < n; ++j) length_[at(j)] = length_of(G.col(j));
+  columns_.assign(idx(n), Column::free);
+  target_.reserve(idx(n));
+  length_.resize(idx(n));
+  for (int j = 0; j < n; ++j) length_[idx(j)] = length_of(G.col(j));
 
-  start_.reserve(at(n));
+  start_.reserve(idx(n));
   start_.assign(start.begin(), start.end());
   for (const int j : start_) {
     require::that(j >= 0 && j < n, "start: expected indices from 0 to n - 1");
-    require::that(columns_[at(j)] == Column::free, "start: expected each index once");
-    columns_[at(j)] = Column::used;
+    require::that(columns_[idx(j)] == Column::free, "start: expected each index once");
+    columns_[idx(j)] = Column::used;
     factor_.append(G, j);
   }
 }
@@ -94,8 +94,8 @@ void NonNegativeLeastSquares::mark(int tried) {
   const bool stays = tried < 0 || std::find(used.begin(), used.end(), tried) != used.end();
   for (Column& column : columns_)
     if (stays || column == Column::used) column = Column::free;
-  for (const int j : used) columns_[at(j)] = Column::used;
-  if (!stays) columns_[at(tried)] = Column::useless;
+  for (const int j : used) columns_[idx(j)] = Column::used;
+  if (!stays) columns_[idx(tried)] = Column::useless;
 }
 
 // The column along which the distance shrinks fastest, by the cosine of its angle to the rest; -1
@@ -104,10 +104,10 @@ int NonNegativeLeastSquares::steepest(const MatRef& G, const LeastSquaresResult&
   int best = -1;
   double best_slope = tolerance::complementarity * size_of_target_;
   for (int j = 0; j < static_cast<int>(columns_.size()); ++j) {
-    if (columns_[at(j)] != Column::free || length_[at(j)] == 0.0) continue;
+    if (columns_[idx(j)] != Column::free || length_[idx(j)] == 0.0) continue;
     double slope = 0.0;
-    for (int i = 0; i < G.rows(); ++i) slope += G(i, j) * result.rest[at(i)];
-    slope /= length_[at(j)];
+    for (int i = 0; i < G.rows(); ++i) slope += G(i, j) * result.rest[idx(i)];
+    slope /= length_[idx(j)];
     if (slope > best_slope) {
       best_slope = slope;
       best = j;
@@ -129,18 +129,18 @@ void NonNegativeLeastSquares::descend(const MatRef& G, const VecRef& d,
     int blocking = -1;
     for (std::size_t k = 0; k < used.size(); ++k) {
       if (target_[k] > 0.0) continue;
-      const double f = result.f[at(used[k])];
+      const double f = result.f[idx(used[k])];
       const double reach = f > 0.0 ? f / (f - target_[k]) : 0.0;
       if (blocking >= 0 && reach >= part) continue;
       part = reach;
       blocking = static_cast<int>(k);
     }
     for (std::size_t k = 0; k < used.size(); ++k) {
-      double& f = result.f[at(used[k])];
+      double& f = result.f[idx(used[k])];
       f = blocking < 0 ? target_[k] : std::max(0.0, f + part * (target_[k] - f));
     }
     if (blocking < 0) return;
-    result.f[at(used[at(blocking)])] = 0.0;
+    result.f[idx(used[idx(blocking)])] = 0.0;
     factor_.remove(G, blocking);
     ++result.pivots;
   }
@@ -149,7 +149,7 @@ void NonNegativeLeastSquares::descend(const MatRef& G, const VecRef& d,
 void NonNegativeLeastSquares::update_rest(const MatRef& G, const VecRef& d,
                                           LeastSquaresResult& result) const {
   result.rest.assign(d.data(), d.data() + d.size());
-  for (const int j : factor_.indices()) add_column(-result.f[at(j)], G, j, result.rest);
+  for (const int j : factor_.indices()) add_column(-result.f[idx(j)], G, j, result.rest);
   result.distance = length_of(view(result.rest));
 }
 

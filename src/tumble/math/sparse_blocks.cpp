@@ -91,51 +91,52 @@ bool SparseBlocks::analyse(int blocks, std::span<const BlockPair> joined) {
   joined_.assign(joined.begin(), joined.end());
   find_order();
   place_blocks();
-  x_.resize(at(blocks_));
+  x_.resize(idx(blocks_));
   return true;
 }
 
 // Eliminates blocks on paper: the one with the fewest neighbours goes next, and those become
 // neighbours of each other. One bit for each pair.
 void SparseBlocks::find_order() {
-  const std::size_t words = (at(blocks_) + 63) / 64;
-  adjacent_.assign(at(blocks_) * words, 0);
+  const std::size_t words = (idx(blocks_) + 63) / 64;
+  adjacent_.assign(idx(blocks_) * words, 0);
   const auto join = [&](int a, int b) {
-    adjacent_[at(a) * words + at(b) / 64] |= std::uint64_t{1} << (at(b) % 64);
+    adjacent_[idx(a) * words + idx(b) / 64] |= std::uint64_t{1} << (idx(b) % 64);
   };
   for (const BlockPair& pair : joined_) {
     join(pair.first, pair.second);
     join(pair.second, pair.first);
   }
 
-  degree_.resize(at(blocks_));
+  degree_.resize(idx(blocks_));
   const auto count = [&](int block) {
     int bits = 0;
-    for (std::size_t w = 0; w < words; ++w) bits += std::popcount(adjacent_[at(block) * words + w]);
-    degree_[at(block)] = bits;
+    for (std::size_t w = 0; w < words; ++w)
+      bits += std::popcount(adjacent_[idx(block) * words + w]);
+    degree_[idx(block)] = bits;
   };
   for (int block = 0; block < blocks_; ++block) count(block);
 
   order_.clear();
-  place_.assign(at(blocks_), -1);
-  later_neighbours_.resize(at(blocks_));
+  place_.assign(idx(blocks_), -1);
+  later_neighbours_.resize(idx(blocks_));
   for (int k = 0; k < blocks_; ++k) {
     int next = -1;
     for (int block = 0; block < blocks_; ++block)
-      if (place_[at(block)] < 0 && (next < 0 || degree_[at(block)] < degree_[at(next)]))
+      if (place_[idx(block)] < 0 && (next < 0 || degree_[idx(block)] < degree_[idx(next)]))
         next = block;
-    place_[at(next)] = k;
+    place_[idx(next)] = k;
     order_.push_back(next);
-    std::vector<int>& neighbours = later_neighbours_[at(k)];
+    std::vector<int>& neighbours = later_neighbours_[idx(k)];
     neighbours.clear();
     for (std::size_t w = 0; w < words; ++w)
-      for (std::uint64_t left = adjacent_[at(next) * words + w]; left != 0; left &= left - 1)
+      for (std::uint64_t left = adjacent_[idx(next) * words + w]; left != 0; left &= left - 1)
         neighbours.push_back(static_cast<int>(64 * w) + std::countr_zero(left));
     for (const int block : neighbours) {
-      std::uint64_t* bits = &adjacent_[at(block) * words];
-      for (std::size_t w = 0; w < words; ++w) bits[w] |= adjacent_[at(next) * words + w];
-      bits[at(next) / 64] &= ~(std::uint64_t{1} << (at(next) % 64));
-      bits[at(block) / 64] &= ~(std::uint64_t{1} << (at(block) % 64));
+      std::uint64_t* bits = &adjacent_[idx(block) * words];
+      for (std::size_t w = 0; w < words; ++w) bits[w] |= adjacent_[idx(next) * words + w];
+      bits[idx(next) / 64] &= ~(std::uint64_t{1} << (idx(next) % 64));
+      bits[idx(block) / 64] &= ~(std::uint64_t{1} << (idx(block) % 64));
       count(block);
     }
   }
@@ -148,7 +149,7 @@ void SparseBlocks::place_blocks() {
   row_.clear();
   for (int k = 0; k < blocks_; ++k) {
     row_.push_back(k);
-    for (const int block : later_neighbours_[at(k)]) row_.push_back(place_[at(block)]);
+    for (const int block : later_neighbours_[idx(k)]) row_.push_back(place_[idx(block)]);
     std::sort(row_.begin() + column_begin_.back(), row_.end());
     column_begin_.push_back(static_cast<int>(row_.size()));
   }
@@ -156,10 +157,10 @@ void SparseBlocks::place_blocks() {
 
   target_of_product_.clear();
   for (int k = 0; k < blocks_; ++k)
-    for (int j = column_begin_[at(k)] + 1; j < column_begin_[at(k) + 1]; ++j) {
-      int target = column_begin_[at(row_[at(j)])];
-      for (int i = j; i < column_begin_[at(k) + 1]; ++i) {
-        while (row_[at(target)] != row_[at(i)]) ++target;
+    for (int j = column_begin_[idx(k)] + 1; j < column_begin_[idx(k) + 1]; ++j) {
+      int target = column_begin_[idx(row_[idx(j)])];
+      for (int i = j; i < column_begin_[idx(k) + 1]; ++i) {
+        while (row_[idx(target)] != row_[idx(i)]) ++target;
         target_of_product_.push_back(target);
       }
     }
@@ -167,35 +168,35 @@ void SparseBlocks::place_blocks() {
   target_.clear();
   turned_.clear();
   for (const BlockPair& pair : joined_) {
-    const int a = place_[at(pair.first)];
-    const int b = place_[at(pair.second)];
+    const int a = place_[idx(pair.first)];
+    const int b = place_[idx(pair.second)];
     target_.push_back(entry(std::max(a, b), std::min(a, b)));
     turned_.push_back(a < b ? 1 : 0);
   }
   factor_work_ = 0;
   for (int k = 0; k < blocks_; ++k) {
-    const std::int64_t below = column_begin_[at(k) + 1] - column_begin_[at(k)] - 1;
+    const std::int64_t below = column_begin_[idx(k) + 1] - column_begin_[idx(k)] - 1;
     factor_work_ += 56 + 126 * below + 108 * below * (below + 1);
   }
 }
 
 int SparseBlocks::entry(int row, int column) const {
-  const auto begin = row_.begin() + column_begin_[at(column)];
-  const auto end = row_.begin() + column_begin_[at(column) + 1];
+  const auto begin = row_.begin() + column_begin_[idx(column)];
+  const auto end = row_.begin() + column_begin_[idx(column) + 1];
   return static_cast<int>(std::lower_bound(begin, end, row) - row_.begin());
 }
 
 void SparseBlocks::clear() { std::fill(value_.begin(), value_.end(), Block{}); }
 
 void SparseBlocks::add_to(int block, const Mat6& value) {
-  double* v = value_[at(column_begin_[at(place_[at(block)])])].v;
+  double* v = value_[idx(column_begin_[idx(place_[idx(block)])])].v;
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 6; ++i) v[6 * j + i] += value(i, j);
 }
 
 void SparseBlocks::add_to_pair(int pair, const Mat6& value) {
-  double* v = value_[at(target_[at(pair)])].v;
-  const bool turned = turned_[at(pair)] != 0;
+  double* v = value_[idx(target_[idx(pair)])].v;
+  const bool turned = turned_[idx(pair)] != 0;
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 6; ++i) v[6 * j + i] += turned ? value(j, i) : value(i, j);
 }
@@ -205,32 +206,32 @@ void SparseBlocks::add_to_pair(int pair, const Mat6& value) {
 void SparseBlocks::factor() {
   const int* target = target_of_product_.data();
   for (int k = 0; k < blocks_; ++k) {
-    const int begin = column_begin_[at(k)];
-    const int end = column_begin_[at(k) + 1];
-    factor_diagonal(value_[at(begin)].v);
+    const int begin = column_begin_[idx(k)];
+    const int end = column_begin_[idx(k) + 1];
+    factor_diagonal(value_[idx(begin)].v);
     for (int i = begin + 1; i < end; ++i)
-      divide_by_transposed(value_[at(begin)].v, value_[at(i)].v);
+      divide_by_transposed(value_[idx(begin)].v, value_[idx(i)].v);
     for (int j = begin + 1; j < end; ++j)
       for (int i = j; i < end; ++i)
-        subtract_product(value_[at(i)].v, value_[at(j)].v, value_[at(*target++)].v);
+        subtract_product(value_[idx(i)].v, value_[idx(j)].v, value_[idx(*target++)].v);
   }
 }
 
 void SparseBlocks::solve(std::span<Vec6> x) {
-  for (int k = 0; k < blocks_; ++k) x_[at(k)] = x[at(order_[at(k)])];
+  for (int k = 0; k < blocks_; ++k) x_[idx(k)] = x[idx(order_[idx(k)])];
   for (int k = 0; k < blocks_; ++k) {
-    const int begin = column_begin_[at(k)];
-    solve_lower(value_[at(begin)].v, x_[at(k)].data());
-    for (int i = begin + 1; i < column_begin_[at(k) + 1]; ++i)
-      subtract(value_[at(i)].v, x_[at(k)].data(), x_[at(row_[at(i)])].data());
+    const int begin = column_begin_[idx(k)];
+    solve_lower(value_[idx(begin)].v, x_[idx(k)].data());
+    for (int i = begin + 1; i < column_begin_[idx(k) + 1]; ++i)
+      subtract(value_[idx(i)].v, x_[idx(k)].data(), x_[idx(row_[idx(i)])].data());
   }
   for (int k = blocks_ - 1; k >= 0; --k) {
-    const int begin = column_begin_[at(k)];
-    for (int i = begin + 1; i < column_begin_[at(k) + 1]; ++i)
-      subtract_transposed(value_[at(i)].v, x_[at(row_[at(i)])].data(), x_[at(k)].data());
-    solve_upper(value_[at(begin)].v, x_[at(k)].data());
+    const int begin = column_begin_[idx(k)];
+    for (int i = begin + 1; i < column_begin_[idx(k) + 1]; ++i)
+      subtract_transposed(value_[idx(i)].v, x_[idx(row_[idx(i)])].data(), x_[idx(k)].data());
+    solve_upper(value_[idx(begin)].v, x_[idx(k)].data());
   }
-  for (int k = 0; k < blocks_; ++k) x[at(order_[at(k)])] = x_[at(k)];
+  for (int k = 0; k < blocks_; ++k) x[idx(order_[idx(k)])] = x_[idx(k)];
 }
 
 }  // namespace tumble

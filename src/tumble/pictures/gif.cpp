@@ -59,12 +59,12 @@ class Words {
  public:
   // The code of a known sequence with one more pixel; -1 if that is new, and then gets the next code.
   int child_or_add(int code, std::uint8_t pixel) {
-    for (int k = first_[at(code)]; k >= 0; k = next_[at(k)])
-      if (pixel_[at(k)] == pixel) return k;
-    next_[at(count_)] = first_[at(code)];
-    first_[at(count_)] = -1;
-    pixel_[at(count_)] = pixel;
-    first_[at(code)] = count_++;
+    for (int k = first_[idx(code)]; k >= 0; k = next_[idx(k)])
+      if (pixel_[idx(k)] == pixel) return k;
+    next_[idx(count_)] = first_[idx(code)];
+    first_[idx(count_)] = -1;
+    pixel_[idx(count_)] = pixel;
+    first_[idx(code)] = count_++;
     return -1;
   }
   void clear() {

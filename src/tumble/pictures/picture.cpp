@@ -72,22 +72,22 @@ void Painter::paint_boxes() {
 
 // The intersection of two boxes' outlines with a region.
 Polygon Painter::common(int one, int other, const Polygon& region, double room) const {
-  return clipped(clipped(region, prepared_[at(one)].outline, room), prepared_[at(other)].outline,
+  return clipped(clipped(region, prepared_[idx(one)].outline, room), prepared_[idx(other)].outline,
                  room);
 }
 
 // Paints some of the boxes, clipped to a region.
 void Painter::paint(const std::vector<int>& numbers, const Polygon& region, int depth) {
   std::vector<Box> shapes;
-  for (const int number : numbers) shapes.push_back(scene_.boxes[at(number)].box);
+  for (const int number : numbers) shapes.push_back(scene_.boxes[idx(number)].box);
   const auto meet_here = [&](int a, int b) {
-    return depth == 0 || area_of(common(numbers[at(a)], numbers[at(b)], region, 0.0)) > kTooSmall;
+    return depth == 0 || area_of(common(numbers[idx(a)], numbers[idx(b)], region, 0.0)) > kTooSmall;
   };
   const PaintersOrder sorted = painters_order(shapes, ViewPoint::from_eye(scene_.eye_w), meet_here);
   std::vector<int> order;
-  for (const int place : sorted.order) order.push_back(numbers[at(place)]);
+  for (const int place : sorted.order) order.push_back(numbers[idx(place)]);
   for (const int number : order) {
-    for (const PictureArea& area : prepared_[at(number)].areas) add(area, region);
+    for (const PictureArea& area : prepared_[idx(number)].areas) add(area, region);
   }
   if (sorted.cycles > 0 && depth < kDeepestRing) mend(order, region, depth);
   if (sorted.cycles > 0 && depth == kDeepestRing) picture_.rings += sorted.cycles;
@@ -101,12 +101,12 @@ void Painter::mend(const std::vector<int>& order, const Polygon& region, int dep
       const int one = order[sooner];
       const int other = order[later];
       if (area_of(common(one, other, region, 0.0)) < kTooSmall) continue;
-      const std::array<Box, 2> pair = {scene_.boxes[at(one)].box, scene_.boxes[at(other)].box};
+      const std::array<Box, 2> pair = {scene_.boxes[idx(one)].box, scene_.boxes[idx(other)].box};
       if (painters_order(pair, scene_.eye_w).order.front() == 0) continue;  // correct order
       const Polygon wider = common(one, other, region, kOutlineRoom);
       std::vector<int> there;
       for (const int number : order) {
-        if (clipped(wider, prepared_[at(number)].outline).size() > 2) there.push_back(number);
+        if (clipped(wider, prepared_[idx(number)].outline).size() > 2) there.push_back(number);
       }
       paint(there, wider, depth + 1);
     }

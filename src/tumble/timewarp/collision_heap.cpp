@@ -10,17 +10,17 @@ namespace tumble {
 
 void CollisionHeap::reset(int bodies) {
   heap_.clear();
-  forgotten_.assign(at(bodies), 0);
+  forgotten_.assign(idx(bodies), 0);
 }
 
 void CollisionHeap::insert(const ForeseenCollision& collision) {
   const IndexPair& pair = collision.pair;
-  heap_.push_back({collision, forgotten_[at(pair.first)], forgotten_[at(pair.second)]});
+  heap_.push_back({collision, forgotten_[idx(pair.first)], forgotten_[idx(pair.second)]});
   std::push_heap(heap_.begin(), heap_.end(), later);
 }
 
 void CollisionHeap::forget(int body) {
-  ++forgotten_[at(body)];
+  ++forgotten_[idx(body)];
   drop_forgotten();
 }
 
@@ -42,8 +42,8 @@ std::vector<ForeseenCollision> CollisionHeap::entries() const {
 
 bool CollisionHeap::valid(const Entry& entry) const {
   const IndexPair& pair = entry.collision.pair;
-  return entry.first_forgotten == forgotten_[at(pair.first)] &&
-         entry.second_forgotten == forgotten_[at(pair.second)];
+  return entry.first_forgotten == forgotten_[idx(pair.first)] &&
+         entry.second_forgotten == forgotten_[idx(pair.second)];
 }
 
 void CollisionHeap::drop_forgotten() {

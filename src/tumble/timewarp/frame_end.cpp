@@ -31,11 +31,11 @@ void FrameEnd::settle(World& world, double dt, double resolution, std::span<cons
 
 // Adds the pairs in contact that are connected to the resting ones through movable bodies.
 void FrameEnd::join_touching(const World& world, double reach, StepReport& report) {
-  const auto movable = [&](int body) { return world.bodies()[at(body)].movable(); };
+  const auto movable = [&](int body) { return world.bodies()[idx(body)].movable(); };
   const auto join = [&](const IndexPair& pair) {
-    for (const int body : {pair.first, pair.second}) joined_[at(body)] = movable(body) ? 1 : 0;
+    for (const int body : {pair.first, pair.second}) joined_[idx(body)] = movable(body) ? 1 : 0;
   };
-  joined_.assign(at(world.count()), 0);
+  joined_.assign(idx(world.count()), 0);
   for (const IndexPair& pair : resting_) join(pair);
 
   touching_.clear();
@@ -43,12 +43,12 @@ void FrameEnd::join_touching(const World& world, double reach, StepReport& repor
     if (!movable(pair.first) && !movable(pair.second)) continue;
     ++report.pair_tests;
     const Separation gap =
-        gap_between(world.bodies()[at(pair.first)], world.states()[at(pair.first)],
-                    world.bodies()[at(pair.second)], world.states()[at(pair.second)]);
+        gap_between(world.bodies()[idx(pair.first)], world.states()[idx(pair.first)],
+                    world.bodies()[idx(pair.second)], world.states()[idx(pair.second)]);
     if (gap.distance <= reach) touching_.push_back(pair);
   }
   const auto joins = [&](const IndexPair& pair) {
-    if (joined_[at(pair.first)] == 0 && joined_[at(pair.second)] == 0) return false;
+    if (joined_[idx(pair.first)] == 0 && joined_[idx(pair.second)] == 0) return false;
     join(pair);
     resting_.push_back(pair);
     return true;

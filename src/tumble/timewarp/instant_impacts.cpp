@@ -22,8 +22,8 @@ bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
   double size = std::numeric_limits<double>::infinity();
   for (const IndexPair& pair : pairs)
     for (const int body : {pair.first, pair.second})
-      if (world.bodies()[at(body)].movable())
-        size = std::min(size, world.bodies()[at(body)].size.minCoeff());
+      if (world.bodies()[idx(body)].movable())
+        size = std::min(size, world.bodies()[idx(body)].size.minCoeff());
   return left.approach_left <= world.gravity_w.norm() * dt ||
          left.approach_left * dt <= tolerance::repair_slop * size;
 }
@@ -37,7 +37,7 @@ double speed_change(const BodyProperties& body, const MovingBody& before, const 
 
 bool only_rounding(const World& world, const Event& event, double time) {
   for (const BodyId id : {event.first, event.second}) {
-    const BodyProperties& body = world.bodies()[at(world.index_of(id))];
+    const BodyProperties& body = world.bodies()[idx(world.index_of(id))];
     const double way = time * body.inverse_mass * event.impulse_w.norm();
     if (way > tolerance::rounding_overlap * body.size.maxCoeff()) return false;
   }
@@ -57,17 +57,17 @@ void list_movable(const World& world, std::span<const IndexPair> pairs, std::vec
   out.clear();
   for (const IndexPair& pair : pairs)
     for (const int body : {pair.first, pair.second})
-      if (world.bodies()[at(body)].movable()) out.push_back(body);
+      if (world.bodies()[idx(body)].movable()) out.push_back(body);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> pairs,
                                       const InstantOptions& options, StepReport& report) {
-  moving_.resize(at(world.count()));
+  moving_.resize(idx(world.count()));
   for (const IndexPair& pair : pairs)
     for (const int body : {pair.first, pair.second})
-      moving_[at(body)] = moving_body_of(world.bodies()[at(body)], world.states()[at(body)]);
+      moving_[idx(body)] = moving_body_of(world.bodies()[idx(body)], world.states()[idx(body)]);
 
   const double margin =
       std::max(options.margin, search_margin(world, moving_, pairs, options.resolution));
@@ -86,7 +86,7 @@ InstantReport InstantImpacts::resolve(World& world, std::span<const IndexPair> p
 
   for (const Contact& contact : contacts_)
     for (const int body : {contact.first, contact.second})
-      store_moving_body(moving_[at(body)], world.bodies()[at(body)], world.states()[at(body)]);
+      store_moving_body(moving_[idx(body)], world.bodies()[idx(body)], world.states()[idx(body)]);
   out.contacts = contacts_;
   if (out.status == ImpactStatus::cap_reached && hardly_approach(world, pairs, out, options.dt))
     out.status = ImpactStatus::done;
@@ -100,8 +100,8 @@ double InstantImpacts::separation_speed(const World& world, const IndexPair& pai
   if (std::isinf(slowest)) return 0.0;
   double size = 0.0;
   for (const int body : {pair.first, pair.second})
-    if (world.bodies()[at(body)].movable())
-      size = std::max(size, world.bodies()[at(body)].size.maxCoeff());
+    if (world.bodies()[idx(body)].movable())
+      size = std::max(size, world.bodies()[idx(body)].size.maxCoeff());
   return slowest * time > tolerance::rounding_overlap * size ? slowest : 0.0;
 }
 
@@ -109,10 +109,10 @@ double InstantImpacts::slowest_separation(const IndexPair& pair, bool pushed_onl
   double slowest = std::numeric_limits<double>::infinity();
   for (const Contact& contact : contacts_) {
     if (contact.first != pair.first || contact.second != pair.second) continue;
-    const MovingBody& first = moving_[at(contact.first)];
-    const MovingBody& second = moving_[at(contact.second)];
+    const MovingBody& first = moving_[idx(contact.first)];
+    const MovingBody& second = moving_[idx(contact.second)];
     for (int p = 0; p < contact.count; ++p) {
-      const ContactPoint& point = contact.points[at(p)];
+      const ContactPoint& point = contact.points[idx(p)];
       if (pushed_only && !(point.normal_impulse > 0.0)) continue;
       const Vec3 velocity_w = relative_velocity(first, second, point.position_w);
       slowest = std::min(slowest, contact.normal_w.dot(velocity_w));
@@ -124,9 +124,9 @@ double InstantImpacts::slowest_separation(const IndexPair& pair, bool pushed_onl
 void InstantImpacts::resolve_island(std::span<const int> members, InstantReport& out,
                                     StepReport& report) {
   island_contacts_.clear();
-  for (const int c : members) island_contacts_.push_back(contacts_[at(c)]);
+  for (const int c : members) island_contacts_.push_back(contacts_[idx(c)]);
   resolve_together(island_contacts_, out, report);
-  for (std::size_t k = 0; k < members.size(); ++k) contacts_[at(members[k])] = island_contacts_[k];
+  for (std::size_t k = 0; k < members.size(); ++k) contacts_[idx(members[k])] = island_contacts_[k];
 }
 
 void InstantImpacts::resolve_together(std::span<Contact> contacts, InstantReport& out,

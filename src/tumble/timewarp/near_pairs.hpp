@@ -21,7 +21,7 @@ void for_each_near_pair(std::span<const int> bodies, const Searched& searched,
   for (const int body : bodies) {
     if (!searched(body)) continue;
     for (int other = 0; other < static_cast<int>(bounds.size()); ++other) {
-      if (other == body || !overlap(bounds[at(body)], bounds[at(other)])) continue;
+      if (other == body || !overlap(bounds[idx(body)], bounds[idx(other)])) continue;
       // A pair of two listed bodies is found twice.
       const bool again = other < body && searched(other) &&
                          std::binary_search(bodies.begin(), bodies.end(), other);

@@ -21,7 +21,7 @@ void require_step(double dt, const TimewarpOptions& options, double steps) {
 
 void require_finite_states(const World& world) {
   for (int body = 0; body < world.count(); ++body) {
-    if (!is_finite(world.states()[at(body)]))
+    if (!is_finite(world.states()[idx(body)]))
       require::that(false,
                     "state of " + world.name(body) +
                         " is not finite: expected numbers for place, orientation and momenta");
@@ -46,18 +46,18 @@ void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
   report = {};
   records_.clear();
   stage_.begin();
-  test.resize(at(world.count()));
-  valid_times.resize(at(world.count()));
-  before_.resize(at(world.count()));
+  test.resize(idx(world.count()));
+  valid_times.resize(idx(world.count()));
+  before_.resize(idx(world.count()));
 }
 
 void TimewarpFrame::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
-  fly(world_->bodies()[at(body)], state, world_->gravity_w, time, options_.rotation);
+  fly(world_->bodies()[idx(body)], state, world_->gravity_w, time, options_.rotation);
   ++report.integrations;
 }
 
-bool TimewarpFrame::movable(int body) const { return world_->bodies()[at(body)].movable(); }
+bool TimewarpFrame::movable(int body) const { return world_->bodies()[idx(body)].movable(); }
 
 Flight TimewarpFrame::flight() const {
   return Flight{.bodies = world_->bodies(),
@@ -69,21 +69,21 @@ Flight TimewarpFrame::flight() const {
 
 // Bounds that must overlap for a pair to be searched: of the test state, or of the trajectory to it.
 Bounds TimewarpFrame::bounds_of_body(int body) const {
-  const BodyProperties& properties = world_->bodies()[at(body)];
-  if (method_ == SearchMethod::discrete) return bounds_of(properties, test[at(body)]);
-  return bounds_of_flight(properties, world_->states()[at(body)], world_->gravity_w,
-                          dt_ - valid_times[at(body)], 0.5 * properties.size.norm());
+  const BodyProperties& properties = world_->bodies()[idx(body)];
+  if (method_ == SearchMethod::discrete) return bounds_of(properties, test[idx(body)]);
+  return bounds_of_flight(properties, world_->states()[idx(body)], world_->gravity_w,
+                          dt_ - valid_times[idx(body)], 0.5 * properties.size.norm());
 }
 
 void TimewarpFrame::find_all_collisions(CollisionHeap& heap) {
   bounds_.resize(test.size());
-  for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
+  for (int body = 0; body < world_->count(); ++body) bounds_[idx(body)] = bounds_of_body(body);
   broad_phase_->find_pairs(bounds_, candidates_);
   for (const IndexPair& pair : candidates_) search(pair, heap);
 }
 
 void TimewarpFrame::add_collisions_of(std::span<const int> bodies, CollisionHeap& heap) {
-  for (const int body : bodies) bounds_[at(body)] = bounds_of_body(body);
+  for (const int body : bodies) bounds_[idx(body)] = bounds_of_body(body);
   for_each_near_pair(
       bodies, [&](int body) { return movable(body); }, bounds_,
       [&](const IndexPair& pair) { search(pair, heap); });
@@ -97,7 +97,7 @@ void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {
 // The time of a pair's first collision before `end`, each body flown from its valid state.
 std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
-  const double start = std::max(valid_times[at(pair.first)], valid_times[at(pair.second)]);
+  const double start = std::max(valid_times[idx(pair.first)], valid_times[idx(pair.second)]);
   if (!(start < end)) return std::nullopt;
   const auto gap = [&](double time) {
     ++report.pair_tests;
@@ -124,16 +124,16 @@ std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, doub
 
 std::span<const int> TimewarpFrame::find_near(const ForeseenCollision& collision) {
   const auto swept = [&](int body) {
-    const BodyProperties& properties = world_->bodies()[at(body)];
-    return bounds_of_flight(properties, world_->states()[at(body)], world_->gravity_w,
-                            collision.time - valid_times[at(body)], 0.5 * properties.size.norm());
+    const BodyProperties& properties = world_->bodies()[idx(body)];
+    return bounds_of_flight(properties, world_->states()[idx(body)], world_->gravity_w,
+                            collision.time - valid_times[idx(body)], 0.5 * properties.size.norm());
   };
   const Bounds first = swept(collision.pair.first);
   const Bounds second = swept(collision.pair.second);
   near_.clear();
   for (int body = 0; body < world_->count(); ++body) {
     // A body that is valid at a later time has no trajectory until then.
-    if (valid_times[at(body)] > collision.time) continue;
+    if (valid_times[idx(body)] > collision.time) continue;
     const Bounds own = swept(body);
     if (overlap(own, first) || overlap(own, second)) near_.push_back(body);
   }
@@ -149,8 +149,8 @@ std::optional<ForeseenCollision> TimewarpFrame::first_of_group(std::span<const i
       const IndexPair pair{group[i], group[j]};
       if (pair == other.pair || !(movable(pair.first) || movable(pair.second))) continue;
       if (stage_.holds(pair)) continue;
-      const Bounds first = bounds_of(world_->bodies()[at(pair.first)], test[at(pair.first)]);
-      const Bounds second = bounds_of(world_->bodies()[at(pair.second)], test[at(pair.second)]);
+      const Bounds first = bounds_of(world_->bodies()[idx(pair.first)], test[idx(pair.first)]);
+      const Bounds second = bounds_of(world_->bodies()[idx(pair.second)], test[idx(pair.second)]);
       if (!overlap(first, second)) continue;
       const std::optional<double> time = first_collision(pair, other.time);
       if (!time || !(*time < before)) continue;
@@ -164,7 +164,7 @@ std::optional<ForeseenCollision> TimewarpFrame::first_of_group(std::span<const i
 void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
   list_movable(*world_, pairs, pushed_);
   for (const int body : pushed_)
-    before_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
+    before_[idx(body)] = moving_body_of(world_->bodies()[idx(body)], world_->states()[idx(body)]);
 
   const InstantReport impact =
       impacts_.resolve(*world_, pairs, {.resolution = options_.resolution, .dt = dt_}, report);

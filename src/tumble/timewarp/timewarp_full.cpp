@@ -60,7 +60,7 @@ void TimewarpFull::begin(const World& world, double dt) {
   records_.clear();
   horizon_ = options_.synchronise_every > 0 ? dt * (options_.synchronise_every - frames_)
                                             : std::numeric_limits<double>::infinity();
-  const auto changed = [&](int body) { return !(world.states()[at(body)] == shown_[at(body)]); };
+  const auto changed = [&](int body) { return !(world.states()[idx(body)] == shown_[idx(body)]); };
   // All histories restart after an incomplete step, with other bodies, and if an immovable body has
   // been moved: all tests were made against its old place.
   bool anew = !whole_ || !same_bodies(world, scratch_);
@@ -68,23 +68,23 @@ void TimewarpFull::begin(const World& world, double dt) {
   whole_ = false;
   if (!anew) {
     for (int body = 0; body < world.count(); ++body)
-      if (changed(body)) begin_anew(body, 0.0, world.states()[at(body)]);
+      if (changed(body)) begin_anew(body, 0.0, world.states()[idx(body)]);
     return;
   }
   scratch_ = world;
-  histories_.assign(at(world.count()), {});
+  histories_.assign(idx(world.count()), {});
   resolved_.clear();
   holds_.clear();
   turns_.clear();
   frames_ = 0;
-  for (int body = 0; body < world.count(); ++body) begin_anew(body, 0.0, world.states()[at(body)]);
+  for (int body = 0; body < world.count(); ++body) begin_anew(body, 0.0, world.states()[idx(body)]);
 }
 
 // The body with the smallest local time; none if that is the end of the step or later.
 int TimewarpFull::next_body() {
   while (!turns_.empty()) {
     const Turn turn = turns_.front();
-    const bool valid = histories_[at(turn.body)].known_until() == turn.time;
+    const bool valid = histories_[idx(turn.body)].known_until() == turn.time;
     if (valid && !(turn.time < dt_)) return -1;
     std::pop_heap(turns_.begin(), turns_.end(), later);
     turns_.pop_back();
@@ -96,10 +96,10 @@ int TimewarpFull::next_body() {
 }
 
 double TimewarpFull::end_of_flight(int body) const {
-  const double from = histories_[at(body)].milestones().back().time;
+  const double from = histories_[idx(body)].milestones().back().time;
   double end = options_.stride > 0.0 ? from + options_.stride * dt_ : std::max(dt_, horizon_);
   if (std::isinf(end) || waits_for_frame(body)) end = std::min(end, dt_);
-  return std::max(std::min(end, horizon_), histories_[at(body)].known_until());
+  return std::max(std::min(end, horizon_), histories_[idx(body)].known_until());
 }
 
 // [S2.4.3:flight]
@@ -110,11 +110,11 @@ void TimewarpFull::advance(int body) {
     collide(body, meeting);
     return;
   }
-  BodyHistory& history = histories_[at(body)];
+  BodyHistory& history = histories_[idx(body)];
   const BodyState state = flown(body, history.milestones().back(), meeting.time);
   const Milestone next = milestone(body, meeting.time, state, Milestone::kNoCollision);
   ++report_.integrations;
-  history.add(next, scratch_.bodies()[at(body)], scratch_.gravity_w);
+  history.add(next, scratch_.bodies()[idx(body)], scratch_.gravity_w);
   wait_for_turn(body);
 }
 // [S2.4.3:flight]
@@ -122,25 +122,25 @@ void TimewarpFull::advance(int body) {
 // The first collision of a body's flight with the known trajectories of the others.
 TimewarpFull::Meeting TimewarpFull::first_meeting(int body, double target) {
   Meeting best{target, -1};
-  const Bounds flight = bounds_from(histories_[at(body)].milestones().back(), target,
-                                    scratch_.bodies()[at(body)], scratch_.gravity_w);
+  const Bounds flight = bounds_from(histories_[idx(body)].milestones().back(), target,
+                                    scratch_.bodies()[idx(body)], scratch_.gravity_w);
   for (int other = 0; other < scratch_.count(); ++other)
-    if (other != body && overlap(flight, histories_[at(other)].bounds()))
+    if (other != body && overlap(flight, histories_[idx(other)].bounds()))
       meet(body, other, flight, best);
   return best;
 }
 
 void TimewarpFull::meet(int body, int other, const Bounds& flight, Meeting& best) {
-  const BodyHistory& history = histories_[at(other)];
+  const BodyHistory& history = histories_[idx(other)];
   const std::span<const Milestone> way = history.milestones();
-  const double from = histories_[at(body)].known_until();
+  const double from = histories_[idx(body)].known_until();
   for (std::size_t k = 0; k < way.size(); ++k) {
     const double next = k + 1 < way.size() ? way[k + 1].time : history.known_until();
     const double start = std::max(from, way[k].time);
     const double end = std::min(best.time, next);
     if (!(start < end) || held({std::min(body, other), std::max(body, other)}, start)) continue;
     if (!overlap(flight,
-                 bounds_from(way[k], next, scratch_.bodies()[at(other)], scratch_.gravity_w)))
+                 bounds_from(way[k], next, scratch_.bodies()[idx(other)], scratch_.gravity_w)))
       continue;
     if (const auto first = first_collision(body, other, way[k], start, end)) {
       best = *first;
@@ -153,12 +153,12 @@ void TimewarpFull::meet(int body, int other, const Bounds& flight, Meeting& best
 std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int other,
                                                                    const Milestone& other_from,
                                                                    double start, double end) {
-  const Milestone& own_from = histories_[at(body)].milestones().back();
+  const Milestone& own_from = histories_[idx(body)].milestones().back();
   const bool own_first = body < other;
   const Milestone& a = own_first ? own_from : other_from;
   const Milestone& b = own_first ? other_from : own_from;
-  const std::array<BodyProperties, 2> bodies = {scratch_.bodies()[at(std::min(body, other))],
-                                                scratch_.bodies()[at(std::max(body, other))]};
+  const std::array<BodyProperties, 2> bodies = {scratch_.bodies()[idx(std::min(body, other))],
+                                                scratch_.bodies()[idx(std::max(body, other))]};
   const std::array<BodyState, 2> states = {a.state, b.state};
   const std::array<double, 2> times = {a.time, b.time};
   const std::array<double, 2> micro_steps = {a.micro_step, b.micro_step};
@@ -206,9 +206,9 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   const std::array<int, 2> both = {collision.pair.first, collision.pair.second};
   std::array<MovingBody, 2> old;
   for (std::size_t k = 0; k < 2; ++k) {
-    const BodyProperties& properties = scratch_.bodies()[at(both[k])];
-    BodyState& state = scratch_.states()[at(both[k])];
-    state = flown(both[k], histories_[at(both[k])].milestones().back(), meeting.time);
+    const BodyProperties& properties = scratch_.bodies()[idx(both[k])];
+    BodyState& state = scratch_.states()[idx(both[k])];
+    state = flown(both[k], histories_[idx(both[k])].milestones().back(), meeting.time);
     if (properties.movable()) ++report_.integrations;
     old[k] = moving_body_of(properties, state);
   }
@@ -227,12 +227,12 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   moment.rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1;
   record_impact(scratch_, impact.contacts, moment, dt_, collision.records, collision.events);
   for (std::size_t k = 0; k < 2; ++k) {
-    const BodyProperties& properties = scratch_.bodies()[at(both[k])];
+    const BodyProperties& properties = scratch_.bodies()[idx(both[k])];
     if (!properties.movable()) continue;
-    const BodyState& state = scratch_.states()[at(both[k])];
+    const BodyState& state = scratch_.states()[idx(both[k])];
     collision.pushes[k] = speed_change(properties, old[k], moving_body_of(properties, state));
-    histories_[at(both[k])].add(milestone(both[k], meeting.time, state, collision.number),
-                                properties, scratch_.gravity_w);
+    histories_[idx(both[k])].add(milestone(both[k], meeting.time, state, collision.number),
+                                 properties, scratch_.gravity_w);
     wait_for_turn(both[k]);
   }
   hold_or_release(collision, impacts_.separation_speed(scratch_, collision.pair, dt_));

@@ -16,32 +16,32 @@ std::unique_ptr<Technique> TimewarpFull::clone() const {
 // Integrating a brick's rotation has an error that grows with the step: a long flight takes several.
 Milestone TimewarpFull::milestone(int body, double time, const BodyState& state,
                                   std::int64_t collision) const {
-  const bool evenly = turns_evenly(scratch_.bodies()[at(body)], state, options_.rotation);
+  const bool evenly = turns_evenly(scratch_.bodies()[idx(body)], state, options_.rotation);
   return {time, state, collision, evenly ? std::numeric_limits<double>::infinity() : dt_};
 }
 
 BodyState TimewarpFull::flown(int body, const Milestone& from, double time) const {
   BodyState state = from.state;
-  fly_in_micro_steps(scratch_.bodies()[at(body)], state, scratch_.gravity_w, time - from.time,
+  fly_in_micro_steps(scratch_.bodies()[idx(body)], state, scratch_.gravity_w, time - from.time,
                      options_.rotation, from.micro_step);
   return state;
 }
 
-bool TimewarpFull::movable(int body) const { return scratch_.bodies()[at(body)].movable(); }
+bool TimewarpFull::movable(int body) const { return scratch_.bodies()[idx(body)].movable(); }
 
 // Starts a new history; bodies that have collided with this one since that time are rolled back.
 void TimewarpFull::begin_anew(int body, double time, const BodyState& state) {
-  BodyHistory& history = histories_[at(body)];
+  BodyHistory& history = histories_[idx(body)];
   if (!history.milestones().empty()) roll_back(body, time, true);
   history.begin(milestone(body, time, state, Milestone::kNoCollision));
   if (!movable(body)) history.end_at(std::numeric_limits<double>::infinity());
-  history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+  history.measure(scratch_.bodies()[idx(body)], scratch_.gravity_w);
   wait_for_turn(body);
 }
 
 void TimewarpFull::wait_for_turn(int body) {
   if (!movable(body)) return;
-  turns_.push_back({histories_[at(body)].known_until(), body});
+  turns_.push_back({histories_[idx(body)].known_until(), body});
   std::push_heap(turns_.begin(), turns_.end(), later);
 }
 
@@ -50,7 +50,7 @@ void TimewarpFull::wait_for_turn(int body) {
 // it, which may cancel others, and so on.
 void TimewarpFull::roll_back(int body, double time, bool also_at_it) {
   if (!movable(body)) return;
-  BodyHistory& history = histories_[at(body)];
+  BodyHistory& history = histories_[idx(body)];
   const auto undone = [&](double when) { return also_at_it ? when >= time : when > time; };
   while (history.milestones().size() > 1 && undone(history.milestones().back().time)) {
     undone_.push_back(history.milestones().back().collision);
@@ -65,7 +65,7 @@ void TimewarpFull::roll_back(int body, double time, bool also_at_it) {
     history.end_at(time);
     drop_holds_of(body);
   }
-  history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+  history.measure(scratch_.bodies()[idx(body)], scratch_.gravity_w);
   wait_for_turn(body);
   while (!undone_.empty()) {
     const std::int64_t number = undone_.back();
@@ -80,7 +80,7 @@ void TimewarpFull::undo(std::int64_t number) {
   collision.cancelled = true;
   ++work_.cancelled;
   for (const int body : {collision.pair.first, collision.pair.second}) {
-    BodyHistory& history = histories_[at(body)];
+    BodyHistory& history = histories_[idx(body)];
     const auto is_it = [&](const Milestone& m) { return m.collision == number; };
     const std::span<const Milestone> way = history.milestones();
     if (std::none_of(way.begin(), way.end(), is_it)) continue;  // the body that was rolled back
@@ -92,7 +92,7 @@ void TimewarpFull::undo(std::int64_t number) {
     } while (last != number);
     history.end_at(std::min(history.known_until(), collision.time));
     drop_holds_of(body);
-    history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+    history.measure(scratch_.bodies()[idx(body)], scratch_.gravity_w);
     ++work_.rolled_back;
     ++report_.rewinds;
     wait_for_turn(body);
@@ -113,7 +113,7 @@ TimewarpFull::Resolved& TimewarpFull::resolved(std::int64_t number) {
 
 // A pair held because its search reached the cap is searched again if one of the two is rolled back.
 void TimewarpFull::drop_holds_of(int body) {
-  const double until = histories_[at(body)].known_until();
+  const double until = histories_[idx(body)].known_until();
   std::erase_if(holds_, [&](const Hold& hold) {
     const bool among = hold.pair.first == body || hold.pair.second == body;
     return among && hold.made_by == Milestone::kNoCollision && hold.since > until;
@@ -141,8 +141,8 @@ void TimewarpFull::finish(World& world) {
   const bool synchronised = options_.synchronise_every > 0 && frames_ >= options_.synchronise_every;
   if (synchronised) frames_ = 0;
   for (int body = 0; body < world.count(); ++body) {
-    const BodyState& state = world.states()[at(body)];
-    if (movable(body) && (synchronised || !(state == shown_[at(body)])))
+    const BodyState& state = world.states()[idx(body)];
+    if (movable(body) && (synchronised || !(state == shown_[idx(body)])))
       begin_anew(body, dt_, state);
   }
   shown_.assign(world.states().begin(), world.states().end());
@@ -156,7 +156,7 @@ void TimewarpFull::finish(World& world) {
 void TimewarpFull::show(World& world) {
   for (int body = 0; body < world.count(); ++body) {
     if (!movable(body)) continue;
-    world.states()[at(body)] = flown(body, histories_[at(body)].before(dt_), dt_);
+    world.states()[idx(body)] = flown(body, histories_[idx(body)].before(dt_), dt_);
   }
   shown_.assign(world.states().begin(), world.states().end());
 }
@@ -201,11 +201,11 @@ void TimewarpFull::forget_past(double time) {
   flights_since_forgetting_ = 0;
   std::int64_t kept = 0;
   for (int body = 0; body < scratch_.count(); ++body) {
-    BodyHistory& history = histories_[at(body)];
+    BodyHistory& history = histories_[idx(body)];
     kept += static_cast<std::int64_t>(history.milestones().size());
     if (history.milestones().size() == 1) continue;
     history.forget_before(time);
-    history.measure(scratch_.bodies()[at(body)], scratch_.gravity_w);
+    history.measure(scratch_.bodies()[idx(body)], scratch_.gravity_w);
   }
   work_.most_milestones = std::max(work_.most_milestones, kept);
 }
@@ -215,7 +215,7 @@ void TimewarpFull::forget_past(double time) {
 void TimewarpFull::count_from_here() {
   turns_.clear();
   for (int body = 0; body < scratch_.count(); ++body) {
-    histories_[at(body)].shift(dt_);
+    histories_[idx(body)].shift(dt_);
     wait_for_turn(body);
   }
   for (Resolved& collision : resolved_) collision.time -= dt_;

@@ -28,14 +28,14 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   std::vector<double>& valid_times = frame_.valid_times;
   // Flies a body from its valid state to a time of the frame.
   const auto test_at = [&](int index, double time) {
-    test[at(index)] = valid[at(index)];
-    frame_.integrate_forward(test[at(index)], index, time - valid_times[at(index)]);
+    test[idx(index)] = valid[idx(index)];
+    frame_.integrate_forward(test[idx(index)], index, time - valid_times[idx(index)]);
   };
 
   // [SAFERSYNCTIMEWARP:1-4]
   // Every body flies to the end of the frame, ignoring all others.
   for (int i = 0; i < world.count(); ++i) {
-    valid_times[at(i)] = 0.0;
+    valid_times[idx(i)] = 0.0;
     test_at(i, dt);
   }
   // [SAFERSYNCTIMEWARP:1-4]
@@ -83,8 +83,8 @@ StepReport TimewarpSafer::step(World& world, double dt) {
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
       collision_heap_.forget(index);
-      frame_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
-      valid_times[at(index)] = current.time;
+      frame_.integrate_forward(valid[idx(index)], index, current.time - valid_times[idx(index)]);
+      valid_times[idx(index)] = current.time;
     }
     // [SAFERSYNCTIMEWARP:17-20]
 
@@ -104,8 +104,8 @@ StepReport TimewarpSafer::step(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:30-32]
   // The queue is empty: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
-    valid[at(i)] = test[at(i)];
-    valid_times[at(i)] = dt;
+    valid[idx(i)] = test[idx(i)];
+    valid_times[idx(i)] = dt;
   }
   // [SAFERSYNCTIMEWARP:30-32]
 

@@ -30,9 +30,9 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   // Every body flies to the end of the frame, ignoring all others.
   // Valid is its state at the start.
   for (int i = 0; i < world.count(); ++i) {
-    test[at(i)] = valid[at(i)];
-    frame_.integrate_forward(test[at(i)], i, dt);
-    valid_times[at(i)] = 0.0;
+    test[idx(i)] = valid[idx(i)];
+    frame_.integrate_forward(test[idx(i)], i, dt);
+    valid_times[idx(i)] = 0.0;
   }
   // [SIMPLESYNCTIMEWARP:1-4]
 
@@ -58,8 +58,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
     for (const int index : both) {
       if (!frame_.movable(index)) continue;
       collision_heap_.forget(index);
-      frame_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
-      valid_times[at(index)] = current.time;
+      frame_.integrate_forward(valid[idx(index)], index, current.time - valid_times[idx(index)]);
+      valid_times[idx(index)] = current.time;
     }
     // [SIMPLESYNCTIMEWARP:8-12]
 
@@ -72,8 +72,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
     // collisions predicted for them (T3), each pair searched from
     // the later of its two valid times on (T4).
     for (const int index : both) {
-      test[at(index)] = valid[at(index)];
-      frame_.integrate_forward(test[at(index)], index, dt - valid_times[at(index)]);
+      test[idx(index)] = valid[idx(index)];
+      frame_.integrate_forward(test[idx(index)], index, dt - valid_times[idx(index)]);
     }
     frame_.add_collisions_of(both, collision_heap_);
     // [SIMPLESYNCTIMEWARP:14-18]
@@ -83,8 +83,8 @@ StepReport TimewarpSimple::step(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:19-21]
   // The queue is empty: the test states are valid.
   for (int i = 0; i < world.count(); ++i) {
-    valid[at(i)] = test[at(i)];
-    valid_times[at(i)] = dt;
+    valid[idx(i)] = test[idx(i)];
+    valid_times[idx(i)] = dt;
   }
   // [SIMPLESYNCTIMEWARP:19-21]
 

@@ -22,9 +22,9 @@ StepReport TimewarpSwept::step(World& world, double dt) {
   frame_.begin(world, dt, observer());
   const std::span<BodyState> valid = world.states();
   for (int i = 0; i < world.count(); ++i) {
-    frame_.test[at(i)] = valid[at(i)];
-    frame_.integrate_forward(frame_.test[at(i)], i, dt);
-    frame_.valid_times[at(i)] = 0.0;
+    frame_.test[idx(i)] = valid[idx(i)];
+    frame_.integrate_forward(frame_.test[idx(i)], i, dt);
+    frame_.valid_times[idx(i)] = 0.0;
   }
   collision_heap_.reset(world.count());
   frame_.find_all_collisions(collision_heap_);
@@ -34,22 +34,22 @@ StepReport TimewarpSwept::step(World& world, double dt) {
     take_moment(world);
     for (const int index : bodies_) {
       collision_heap_.forget(index);
-      frame_.integrate_forward(valid[at(index)], index,
-                               first_.time - frame_.valid_times[at(index)]);
-      frame_.valid_times[at(index)] = first_.time;
+      frame_.integrate_forward(valid[idx(index)], index,
+                               first_.time - frame_.valid_times[idx(index)]);
+      frame_.valid_times[idx(index)] = first_.time;
     }
     frame_.collide(pairs_, first_.time);
     for (const int index : bodies_) {
-      frame_.test[at(index)] = valid[at(index)];
-      frame_.integrate_forward(frame_.test[at(index)], index, dt - first_.time);
+      frame_.test[idx(index)] = valid[idx(index)];
+      frame_.integrate_forward(frame_.test[idx(index)], index, dt - first_.time);
     }
     frame_.add_collisions_of(bodies_, collision_heap_);
     frame_.show(watcher_, &first_, collision_heap_);
   }
 
   for (int i = 0; i < world.count(); ++i) {
-    valid[at(i)] = frame_.test[at(i)];
-    frame_.valid_times[at(i)] = dt;
+    valid[idx(i)] = frame_.test[idx(i)];
+    frame_.valid_times[idx(i)] = dt;
   }
   frame_.finish();
   return frame_.report;

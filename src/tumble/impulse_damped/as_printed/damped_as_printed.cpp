@@ -250,7 +250,7 @@ void DampedAsPrinted::record(const World& world, double dt, const Contact& conta
   }
   // "Has had a contact interaction." DM5 mended: the bodies pressed against each other.
   if (done.approached || !options_.repaired.has("DM5"))
-    for (const int body : {contact.first, contact.second}) memory_[at(body)].touched = 1;
+    for (const int body : {contact.first, contact.second}) memory_[idx(body)].touched = 1;
 
   auto told = std::find_if(records_.begin(), records_.end(), [&](const ContactRecord& r) {
     return r.first == contact.first_id && r.second == contact.second_id;

@@ -25,8 +25,8 @@ void gather_collisions(PrintedStage& stage) {
   for (const Contact& c : stage.collisions) {
     const double sine = Vec3(c.normal_w.x(), 0.0, c.normal_w.z()).norm();
     if (sine <= tolerance::vertical_normal) continue;
-    stage.objects.all()[at(c.first)].geometrically_stable = false;
-    stage.objects.all()[at(c.second)].geometrically_stable = false;
+    stage.objects.all()[idx(c.first)].geometrically_stable = false;
+    stage.objects.all()[idx(c.second)].geometrically_stable = false;
   }
 }
 
@@ -35,15 +35,15 @@ bool still_overlaps(PrintedStage& stage, const Contact& c) {
   stage.objects.revert_to_original_positions(stage.world);
   integrate_object_positions(stage, PrintedGravity::velocity_plus_gravity);
   ++stage.report.pair_tests;
-  return gap_between(stage.world.bodies()[at(c.first)], stage.world.states()[at(c.first)],
-                     stage.world.bodies()[at(c.second)], stage.world.states()[at(c.second)])
+  return gap_between(stage.world.bodies()[idx(c.first)], stage.world.states()[idx(c.first)],
+                     stage.world.bodies()[idx(c.second)], stage.world.states()[idx(c.second)])
              .distance <= 0.0;
 }
 
 void collide(PrintedStage& stage, const Contact& c, double restitution, PrintedGravity gravity) {
   if (stage.collide.repaired.has("RC2") && !still_overlaps(stage, c)) return;
   const std::span<PrintedObject> objects = stage.objects.all();
-  const PrintedCollision done = collide_as_printed(objects[at(c.first)], objects[at(c.second)], c,
+  const PrintedCollision done = collide_as_printed(objects[idx(c.first)], objects[idx(c.second)], c,
                                                    restitution, gravity, stage.collide);
   stage.report.energy.restitution += done.energy;
   stage.report.energy.damping += done.damping;

@@ -34,21 +34,21 @@ void BaraffAsPrintedSolver::solve(const LcpProblem& problem, LcpResult& result,
   result.pivots = 0;
   result.multiplications = 0;
   if (system_.rows() < n) system_.resize(n, n + 1);
-  C_.reserve(at(n));
-  df_.resize(at(n));
-  da_.resize(at(n));
+  C_.reserve(idx(n));
+  df_.resize(idx(n));
+  da_.resize(idx(n));
 
   // [S3.3.1:compute_forces]
   // f = 0, a = b; both sets are empty.
-  result.f.assign(at(n), 0.0);
+  result.f.assign(idx(n), 0.0);
   result.a.assign(problem.b.data(), problem.b.data() + n);
-  set_.assign(at(n), Set::none);
+  set_.assign(idx(n), Set::none);
 
   // While there is a contact d that sinks, a_d < -eps,
   // drive it to zero. (The paper: a_d < 0.)
   while (result.status == LcpStatus::solved) {
     int d = 0;
-    while (d < n && !(result.a[at(d)] < -options_.eps)) ++d;
+    while (d < n && !(result.a[idx(d)] < -options_.eps)) ++d;
     if (d == n) break;
     result.status = drive_to_zero(problem.A, d, result);
   }
@@ -68,7 +68,7 @@ LcpStatus BaraffAsPrintedSolver::drive_to_zero(const MatX& A, int d, LcpResult& 
 
   // Rounding can make a contact sink that is in one of the sets. The description does not say what
   // then; here it is taken out first, or it would end its own step for ever.
-  set_[at(d)] = Set::none;
+  set_[idx(d)] = Set::none;
 
   while (result.pivots < options_.pivots_per_row * (n + 1)) {
     // df: what the other forces have to do while the one at d grows by 1; da = A df.
@@ -83,14 +83,14 @@ LcpStatus BaraffAsPrintedSolver::drive_to_zero(const MatX& A, int d, LcpResult& 
 
     // f and a go there.
     for (int i = 0; i < n; ++i) {
-      result.f[at(i)] += step.length * df_[at(i)];
-      result.a[at(i)] += step.length * da_[at(i)];
+      result.f[idx(i)] += step.length * df_[idx(i)];
+      result.a[idx(i)] += step.length * da_[idx(i)];
     }
     result.multiplications += 2 * std::int64_t{n};
     ++result.pivots;
 
     // j changes sets, and d goes on; if it is d, it has stopped sinking and belongs to C.
-    set_[at(j)] = set_[at(j)] == Set::C ? Set::NC : Set::C;
+    set_[idx(j)] = set_[idx(j)] == Set::C ? Set::NC : Set::C;
     if (observer_ != nullptr) observer_->on_step({d, j, step.length, set_, result.f, result.a});
     if (j == d) return LcpStatus::solved;
   }
@@ -103,18 +103,18 @@ LcpStatus BaraffAsPrintedSolver::drive_to_zero(const MatX& A, int d, LcpResult& 
 bool BaraffAsPrintedSolver::fdirection(const MatX& A, int d, LcpResult& result) {
   C_.clear();
   for (int i = 0; i < static_cast<int>(set_.size()); ++i)
-    if (set_[at(i)] == Set::C) C_.push_back(i);
+    if (set_[idx(i)] == Set::C) C_.push_back(i);
   const int size = static_cast<int>(C_.size());
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column)
-      system_(row, column) = A(C_[at(row)], C_[at(column)]);
-    system_(row, size) = -A(C_[at(row)], d);
+      system_(row, column) = A(C_[idx(row)], C_[idx(column)]);
+    system_(row, size) = -A(C_[idx(row)], d);
   }
   if (!eliminate(result)) return false;
 
   std::fill(df_.begin(), df_.end(), 0.0);
-  df_[at(d)] = 1.0;
-  for (int row = 0; row < size; ++row) df_[at(C_[at(row)])] = system_(row, size);
+  df_[idx(d)] = 1.0;
+  for (int row = 0; row < size; ++row) df_[idx(C_[idx(row)])] = system_(row, size);
   return true;
 }
 // [S3.3.1:fdirection]
@@ -124,11 +124,11 @@ bool BaraffAsPrintedSolver::fdirection(const MatX& A, int d, LcpResult& result) 
 // begin to sink.
 BaraffAsPrintedSolver::Step BaraffAsPrintedSolver::maxstep(int d, const LcpResult& result) const {
   Step step;
-  if (da_[at(d)] > 0.0) step = {-result.a[at(d)] / da_[at(d)], d};
+  if (da_[idx(d)] > 0.0) step = {-result.a[idx(d)] / da_[idx(d)], d};
   for (int i = 0; i < static_cast<int>(set_.size()); ++i) {
     double length = step.length;
-    if (set_[at(i)] == Set::C && df_[at(i)] < 0.0) length = -result.f[at(i)] / df_[at(i)];
-    if (set_[at(i)] == Set::NC && da_[at(i)] < 0.0) length = -result.a[at(i)] / da_[at(i)];
+    if (set_[idx(i)] == Set::C && df_[idx(i)] < 0.0) length = -result.f[idx(i)] / df_[idx(i)];
+    if (set_[idx(i)] == Set::NC && da_[idx(i)] < 0.0) length = -result.a[idx(i)] / da_[idx(i)];
     if (length < step.length) step = {length, i};
   }
   return step;

@@ -17,7 +17,7 @@ constexpr double kMore = 1.0 + 1e-9;
 
 void PrintedQueries::collide_two_objects(CollidedObjects objects, const PrintedMoment& moment) {
   const auto exchange = [&] {
-    for (const int body : moment.indices) std::swap(world_->states()[at(body)], test[at(body)]);
+    for (const int body : moment.indices) std::swap(world_->states()[idx(body)], test[idx(body)]);
   };
   if (objects == CollidedObjects::test) exchange();
   collide_valid(moment);
@@ -26,7 +26,7 @@ void PrintedQueries::collide_two_objects(CollidedObjects objects, const PrintedM
 
 void PrintedQueries::collide_valid(const PrintedMoment& moment) {
   for (const int body : moment.indices)
-    moving_[at(body)] = moving_body_of(world_->bodies()[at(body)], world_->states()[at(body)]);
+    moving_[idx(body)] = moving_body_of(world_->bodies()[idx(body)], world_->states()[idx(body)]);
   approaching_.clear();
   for (const IndexPair& pair : moment.pairs) {
     const bool bounced = options_.collide_separating && bounce_separating(pair, moment.time);
@@ -92,20 +92,20 @@ bool PrintedQueries::bounce_separating(const IndexPair& pair, double time) {
               .normal_w = contact.normal_w,
               .rewinds = keep_pushed({&pair, 1})};
   for (int p = 0; p < contact.count; ++p)
-    event.point_w += contact.points[at(p)].position_w / contact.count;
+    event.point_w += contact.points[idx(p)].position_w / contact.count;
 
   MovingBody first =
-      moving_body_of(world_->bodies()[at(pair.first)], world_->states()[at(pair.first)]);
+      moving_body_of(world_->bodies()[idx(pair.first)], world_->states()[idx(pair.first)]);
   MovingBody second =
-      moving_body_of(world_->bodies()[at(pair.second)], world_->states()[at(pair.second)]);
+      moving_body_of(world_->bodies()[idx(pair.second)], world_->states()[idx(pair.second)]);
   const double speed = contact.normal_w.dot(relative_velocity(first, second, event.point_w));
   if (!(speed > 0.0)) return false;
   const double impulse = -(1.0 + contact.restitution) * speed *
                          effective_mass(first, second, event.point_w, contact.normal_w);
   event.impulse_w = impulse * contact.normal_w;
   apply_impulse(first, second, event.point_w, event.impulse_w);
-  store_moving_body(first, world_->bodies()[at(pair.first)], world_->states()[at(pair.first)]);
-  store_moving_body(second, world_->bodies()[at(pair.second)], world_->states()[at(pair.second)]);
+  store_moving_body(first, world_->bodies()[idx(pair.first)], world_->states()[idx(pair.first)]);
+  store_moving_body(second, world_->bodies()[idx(pair.second)], world_->states()[idx(pair.second)]);
   report.energy.restitution += 0.5 * impulse * speed * (1.0 - contact.restitution);
   report.rewinds += event.rewinds;
   ++report.events;

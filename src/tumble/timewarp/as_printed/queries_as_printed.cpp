@@ -47,7 +47,7 @@ bool PrintedQueries::stamped(int body) const { return movable(body) || !mended_.
 // as one step of their total length.
 void PrintedQueries::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
-  const BodyProperties& properties = world_->bodies()[at(body)];
+  const BodyProperties& properties = world_->bodies()[idx(body)];
   if (mended_.exact_flight)
     fly(properties, state, world_->gravity_w, time, options_.rotation);
   else
@@ -72,16 +72,16 @@ Flight PrintedQueries::flight() const {
 
 // Erratum T5: bounds of the test state. Mended: of the flight to it.
 Bounds PrintedQueries::bounds_of_body(int body) const {
-  const BodyProperties& properties = world_->bodies()[at(body)];
-  if (!mended_.ways) return bounds_of(properties, test[at(body)]);
+  const BodyProperties& properties = world_->bodies()[idx(body)];
+  if (!mended_.ways) return bounds_of(properties, test[idx(body)]);
   const Flight all = flight();
-  return bounds_of_flight(properties, all.states[at(body)], all.gravity_w,
-                          dt_ - all.valid_times[at(body)], 0.5 * properties.size.norm());
+  return bounds_of_flight(properties, all.states[idx(body)], all.gravity_w,
+                          dt_ - all.valid_times[idx(body)], 0.5 * properties.size.norm());
 }
 
 void PrintedQueries::find_all_collisions(CollisionHeap& heap) {
   heap.reset(world_->count());
-  for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
+  for (int body = 0; body < world_->count(); ++body) bounds_[idx(body)] = bounds_of_body(body);
   broad_phase_->find_pairs(bounds_, candidates_);
   for (const IndexPair& pair : candidates_) search(pair, heap);
 }
@@ -104,7 +104,7 @@ void PrintedQueries::remove_first_collision(CollisionHeap& heap, PrintedMoment& 
 }
 
 void PrintedQueries::add_collisions_for(std::span<const int> bodies, CollisionHeap& heap) {
-  for (int body = 0; body < world_->count(); ++body) bounds_[at(body)] = bounds_of_body(body);
+  for (int body = 0; body < world_->count(); ++body) bounds_[idx(body)] = bounds_of_body(body);
   for_each_near_pair(
       bodies, [&](int body) { return stamped(body); }, bounds_,
       [&](const IndexPair& pair) { search(pair, heap); });
@@ -117,8 +117,8 @@ void PrintedQueries::search(const IndexPair& pair, CollisionHeap& heap) {
 
 double PrintedQueries::gap_of(std::span<const BodyState> states, const IndexPair& pair) {
   ++report.pair_tests;
-  return gap_between(world_->bodies()[at(pair.first)], states[at(pair.first)],
-                     world_->bodies()[at(pair.second)], states[at(pair.second)])
+  return gap_between(world_->bodies()[idx(pair.first)], states[idx(pair.first)],
+                     world_->bodies()[idx(pair.second)], states[idx(pair.second)])
       .distance;
 }
 
@@ -127,7 +127,8 @@ double PrintedQueries::gap_of(std::span<const BodyState> states, const IndexPair
 // states. So test states that do not follow from the valid ones (T3) are a collision at the end.
 std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, double end) {
   const Flight all = flight();
-  const double start = std::max(all.valid_times[at(pair.first)], all.valid_times[at(pair.second)]);
+  const double start =
+      std::max(all.valid_times[idx(pair.first)], all.valid_times[idx(pair.second)]);
   const auto gap = [&](double time) {
     ++report.pair_tests;
     return gap_at(all, pair, time).distance;
@@ -157,17 +158,17 @@ std::optional<double> PrintedQueries::first_collision(const IndexPair& pair, dou
 
 void PrintedQueries::find_near_objects(const PrintedMoment& moment, std::vector<int>& out) const {
   const auto bounds = [&](int body) {
-    const BodyProperties& properties = world_->bodies()[at(body)];
+    const BodyProperties& properties = world_->bodies()[idx(body)];
     // Erratum F7: bounds of the test state. Mended: of the flight from the valid time on.
-    if (!mended_.swept) return bounds_of(properties, test[at(body)]);
-    return bounds_of_flight(properties, world_->states()[at(body)], gravity_of_flight(),
-                            moment.time - valid_times[at(body)], 0.5 * properties.size.norm());
+    if (!mended_.swept) return bounds_of(properties, test[idx(body)]);
+    return bounds_of_flight(properties, world_->states()[idx(body)], gravity_of_flight(),
+                            moment.time - valid_times[idx(body)], 0.5 * properties.size.norm());
   };
   out.clear();
   for (int body = 0; body < world_->count(); ++body) {
     const bool itself = std::binary_search(moment.indices.begin(), moment.indices.end(), body);
     // A body that is valid at a later time has no trajectory until then.
-    if (!itself && mended_.swept && valid_times[at(body)] > moment.time) continue;
+    if (!itself && mended_.swept && valid_times[idx(body)] > moment.time) continue;
     const Bounds own = bounds(body);
     const bool near = std::any_of(moment.indices.begin(), moment.indices.end(),
                                   [&](int index) { return overlap(own, bounds(index)); });
@@ -185,8 +186,8 @@ std::optional<ForeseenCollision> PrintedQueries::find_collisions_for_group(
       if (!(movable(pair.first) || movable(pair.second)) || stage_.holds(pair)) continue;
       const bool present = std::binary_search(moment.pairs.begin(), moment.pairs.end(), pair);
       if (mended_.strictly_before && present) continue;
-      const Bounds first = bounds_of(world_->bodies()[at(pair.first)], test[at(pair.first)]);
-      const Bounds second = bounds_of(world_->bodies()[at(pair.second)], test[at(pair.second)]);
+      const Bounds first = bounds_of(world_->bodies()[idx(pair.first)], test[idx(pair.first)]);
+      const Bounds second = bounds_of(world_->bodies()[idx(pair.second)], test[idx(pair.second)]);
       if (!overlap(first, second)) continue;
       const std::optional<double> time = first_collision(pair, moment.time);
       if (!time || (mended_.strictly_before && !(*time < before))) continue;

@@ -164,7 +164,7 @@ class PrintedQueries {
     bool swept = false;            // F7
   };
 
-  [[nodiscard]] bool movable(int body) const { return world_->bodies()[at(body)].movable(); }
+  [[nodiscard]] bool movable(int body) const { return world_->bodies()[idx(body)].movable(); }
   [[nodiscard]] Flight flight() const;
   [[nodiscard]] Vec3 gravity_of_flight() const;
   [[nodiscard]] Bounds bounds_of_body(int body) const;

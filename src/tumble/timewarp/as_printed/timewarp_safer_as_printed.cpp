@@ -33,9 +33,9 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:1-4]
   // All bodies fly to the end of the frame.
   for (int i = 0; i < world.count(); ++i) {
-    test[at(i)] = valid[at(i)];
-    queries_.integrate_forward(test[at(i)], i, dt);
-    valid_times[at(i)] = 0.0;
+    test[idx(i)] = valid[idx(i)];
+    queries_.integrate_forward(test[idx(i)], i, dt);
+    valid_times[idx(i)] = 0.0;
   }
   // [SAFERSYNCTIMEWARP:1-4]
   // [SAFERSYNCTIMEWARP:5]
@@ -59,8 +59,8 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
     // They fly to that time.
     for (std::size_t i = 0; i < near.size(); ++i) {
       const int index = near[i];
-      test[at(index)] = valid[at(index)];
-      queries_.integrate_forward(test[at(index)], index, current.time - valid_times[at(index)]);
+      test[idx(index)] = valid[idx(index)];
+      queries_.integrate_forward(test[idx(index)], index, current.time - valid_times[idx(index)]);
     }
     // [SAFERSYNCTIMEWARP:9-12]
     // [SAFERSYNCTIMEWARP:13-14]
@@ -78,7 +78,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
       // Mended: both are put back.
       if (nothing_lost) {
         for (const IndexPair& pair : current.pairs) collision_heap_.insert({current.time, pair});
-        for (const int index : near) test[at(index)] = scratch[at(index)];
+        for (const int index : near) test[idx(index)] = scratch[idx(index)];
       }
       // [SAFERSYNCTIMEWARP:16]
       // If not:
@@ -88,7 +88,7 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
       // [SAFERSYNCTIMEWARP:17-19]
       // the two are removed from the neighbours, ...
       for (int i = 0; i < both; ++i) {
-        index = current.indices[at(i)];
+        index = current.indices[idx(i)];
         near.erase(std::remove(near.begin(), near.end(), index), near.end());
         // [SAFERSYNCTIMEWARP:17-19]
         if (!queries_.stamped(index)) continue;  // erratum T10 mended
@@ -99,9 +99,9 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         // Erratum F1 mended: its valid state goes to the time of the
         // collision. F2: so does its valid time.
         if (collides_valid)
-          queries_.integrate_forward(valid[at(index)], index,
-                                     current.time - valid_times[at(index)]);
-        if (advances_times) valid_times[at(index)] = current.time;
+          queries_.integrate_forward(valid[idx(index)], index,
+                                     current.time - valid_times[idx(index)]);
+        if (advances_times) valid_times[idx(index)] = current.time;
       }
       // [SAFERSYNCTIMEWARP:21]
       // For each neighbour
@@ -113,8 +113,8 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
         const double until = to_the_end ? dt : current.time;
         // [SAFERSYNCTIMEWARP:22-23]
         // a body flies, from its valid state.
-        test[at(index)] = valid[at(index)];
-        queries_.integrate_forward(test[at(index)], index, until - valid_times[at(index)]);
+        test[idx(index)] = valid[idx(index)];
+        queries_.integrate_forward(test[idx(index)], index, until - valid_times[idx(index)]);
         // [SAFERSYNCTIMEWARP:22-23]
       }
       // Erratum F1: the collided test states are overwritten by line 27.
@@ -126,9 +126,9 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
       // [SAFERSYNCTIMEWARP:25-28]
       // Both fly to the end of the frame again.
       for (int i = 0; i < both; ++i) {
-        const int moved = current.indices[at(i)];
-        test[at(moved)] = valid[at(moved)];
-        queries_.integrate_forward(test[at(moved)], moved, dt - current.time);
+        const int moved = current.indices[idx(i)];
+        test[idx(moved)] = valid[idx(moved)];
+        queries_.integrate_forward(test[idx(moved)], moved, dt - current.time);
         // [SAFERSYNCTIMEWARP:25-28]
         // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
@@ -145,8 +145,8 @@ void TimewarpAsPrinted::safer(World& world, double dt) {
   // [SAFERSYNCTIMEWARP:30-32]
   // Test states become valid.
   for (int i = 0; i < world.count(); ++i) {
-    valid[at(i)] = test[at(i)];
-    valid_times[at(i)] = dt;
+    valid[idx(i)] = test[idx(i)];
+    valid_times[idx(i)] = dt;
   }
   // [SAFERSYNCTIMEWARP:30-32]
   // [SAFERSYNCTIMEWARP:33-34]

@@ -24,9 +24,9 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:1-4]
   // All bodies fly to the end of the frame.
   for (int i = 0; i < world.count(); ++i) {
-    test[at(i)] = valid[at(i)];
-    queries_.integrate_forward(test[at(i)], i, dt);
-    valid_times[at(i)] = 0.0;
+    test[idx(i)] = valid[idx(i)];
+    queries_.integrate_forward(test[idx(i)], i, dt);
+    valid_times[idx(i)] = 0.0;
   }
   // [SIMPLESYNCTIMEWARP:1-4]
   // [SIMPLESYNCTIMEWARP:5]
@@ -52,15 +52,16 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
     // [SIMPLESYNCTIMEWARP:8-9]
     // For each of its two bodies:
     for (i = 0; i < both; ++i) {
-      const int index = current.indices[at(i)];
+      const int index = current.indices[idx(i)];
       // [SIMPLESYNCTIMEWARP:8-9]
       if (queries_.stamped(index)) {  // erratum T10: immovable ones, too
         // [SIMPLESYNCTIMEWARP:10-12]
         // drop all other collisions predicted for it, and move it to the
         // time of the collision.
         collision_heap_.forget(index);
-        queries_.integrate_forward(valid[at(index)], index, current.time - valid_times[at(index)]);
-        valid_times[at(index)] = current.time;
+        queries_.integrate_forward(valid[idx(index)], index,
+                                   current.time - valid_times[idx(index)]);
+        valid_times[idx(index)] = current.time;
         // [SIMPLESYNCTIMEWARP:10-12]
       }
       // Erratum T1: the rest is done for each of the two, before the other
@@ -73,9 +74,9 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
       // [SIMPLESYNCTIMEWARP:14-17]
       // Both fly to the end of the frame again.
       for (inner = 0; inner < both; ++inner) {
-        const int moved = current.indices[at(inner)];
-        test[at(moved)] = valid[at(moved)];
-        queries_.integrate_forward(test[at(moved)], moved, dt - current.time);
+        const int moved = current.indices[idx(inner)];
+        test[idx(moved)] = valid[idx(moved)];
+        queries_.integrate_forward(test[idx(moved)], moved, dt - current.time);
         // [SIMPLESYNCTIMEWARP:14-17]
         // Erratum T3: at once, while the other's test state is the old one.
         if (test_states_first) continue;
@@ -92,8 +93,8 @@ void TimewarpAsPrinted::simple(World& world, double dt) {
   // [SIMPLESYNCTIMEWARP:19-21]
   // Test states become valid.
   for (int i = 0; i < world.count(); ++i) {
-    valid[at(i)] = test[at(i)];
-    valid_times[at(i)] = dt;
+    valid[idx(i)] = test[idx(i)];
+    valid_times[idx(i)] = dt;
   }
   // [SIMPLESYNCTIMEWARP:19-21]
   // [SIMPLESYNCTIMEWARP:22-23]

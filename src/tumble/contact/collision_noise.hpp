@@ -4,9 +4,7 @@
 
 #include "tumble/base/random.hpp"
 #include "tumble/contact/contact.hpp"
-#include "tumble/impulse_damped/tolerances.hpp"
-
-#include <string_view>
+#include "tumble/contact/tolerances.hpp"
 
 namespace tumble {
 

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Normals and restitution varied at random.
-#include "tumble/impulse_damped/collision_noise.hpp"
+#include "tumble/contact/collision_noise.hpp"
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
@@ -8,11 +8,9 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 namespace tumble {
 namespace {
@@ -22,7 +20,7 @@ constexpr int kMostHalvings = 8;
 // [m/s] normal velocity of a contact's only point; below 0: approach
 double normal_speed(const Contact& contact, std::span<const MovingBody> bodies) {
   return contact.normal_w.dot(relative_velocity(
-      bodies[at(contact.first)], bodies[at(contact.second)], contact.points[0].position_w));
+      bodies[idx(contact.first)], bodies[idx(contact.second)], contact.points[0].position_w));
 }
 
 }  // namespace
@@ -44,8 +42,8 @@ NoisyCollision vary(const Contact& contact, std::span<const MovingBody> bodies,
   const Tangents across = tangents_of(contact.normal_w);
   Vec3 rotation_w = angle * (way.cos * across.first_w + way.sin * across.second_w);
 
-  const MovingBody& first = bodies[at(contact.first)];
-  const MovingBody& second = bodies[at(contact.second)];
+  const MovingBody& first = bodies[idx(contact.first)];
+  const MovingBody& second = bodies[idx(contact.second)];
   const Vec3& point_w = contact.points[0].position_w;
   const Vec3 u_w = relative_velocity(first, second, point_w);
   const Mat3 k_w = inverse_mass_at(first, second, point_w);
@@ -68,8 +66,8 @@ bool left_to_chance(const Contact& contact, std::span<const MovingBody> bodies, 
   if (!(approach > 0.0)) return false;
   double length = std::numeric_limits<double>::infinity();
   for (const int body : {contact.first, contact.second})
-    if (world.bodies()[at(body)].shape == Shape::box)
-      length = std::min(length, world.bodies()[at(body)].size.minCoeff());
+    if (world.bodies()[idx(body)].shape == Shape::box)
+      length = std::min(length, world.bodies()[idx(body)].size.minCoeff());
   const bool fast = approach > options.speed * std::sqrt(world.gravity_w.norm() * length);
   return options.where == Randomness::all || fast == (options.where == Randomness::fast);
 }
