@@ -36,7 +36,7 @@ class Reader {
  public:
   void read(const std::string& line) {
     static const std::regex layer("// --- (.+?) -+");
-    static const std::regex constant("inline constexpr double (\\w+) = ([^ ;]+);");
+    static const std::regex constant("inline constexpr (?:double|int) (\\w+) = ([^ ;]+);");
     std::smatch match;
     if (line.rfind("///", 0) == 0) {
       docstring_ += line.substr(3);
@@ -52,7 +52,7 @@ class Reader {
     } else if (std::regex_match(line, match, layer)) {
       layer_ = match[1];
     } else if (!line.empty()) {
-      throw std::invalid_argument("give inline constexpr double name = value;");
+      throw std::invalid_argument("give inline constexpr double (or int) name = value;");
     }
   }
 

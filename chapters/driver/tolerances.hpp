@@ -22,7 +22,7 @@ struct Tolerance {
 /// Reads all constants of the header.
 ///
 /// A constant is a docstring `[unit] what it decides. Reason: why. (section)` and the line
-/// `inline constexpr double name = value;`; a comment `// --- layer ---` begins a layer. Anything
+/// `inline constexpr double name = value;` (or int); a comment `// --- layer ---` begins a layer. Anything
 /// else within the namespace is a mistake.
 /// \param path  the header
 /// \return the constants in its order

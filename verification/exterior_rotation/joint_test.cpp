@@ -89,7 +89,7 @@ TEST_CASE("A contact without a point is refused as a joint", "[unit][exterior_ro
   const World world = two(Vec3::Ones(), Vec3(0.0, 0.5, 0.0), Quat::Identity());
   Contact contact;
   contact.second = 1;
-  CHECK_THROWS_WITH(joint_of(world, contact), Catch::Contains("no point"));
+  CHECK_THROWS_WITH(joint_of(world, contact), Catch::Contains("without a point"));
 }
 
 TEST_CASE("A joint keeps its corners in the frames of both bodies wherever the world stands",

@@ -109,24 +109,24 @@ inline constexpr double friction_negligible = 1e-17;
 /// order. Reason: its error is the square of this, 1e-14. (6.3.1)
 inline constexpr double friction_last_step = 1e-7;
 
-/// Newton steps to the bound of friction, at most. Reason: they converge quadratically; a few do. (6.3.1)
+/// [-] Newton steps to the bound of friction, at most. Reason: they converge quadratically; a few do. (6.3.1)
 inline constexpr int friction_newton_steps = 30;
 
 // --- sweeps over an island -----------------------------------------------------------------------
 
-/// Bodies of a small island, at most. Reason: it is solved well at any speed, since that costs little. (6.3.1)
+/// [-] Bodies of a small island, at most. Reason: it is solved well at any speed, since that costs little. (6.3.1)
 inline constexpr int small_island = 20;
 
-/// Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
+/// [-] Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
 inline constexpr int small_island_sweeps = 50;
 
-/// Friction and pressure in turn within a patch, in a small island, at most. Reason: as for small_island. (6.3.1)
+/// [-] Friction and pressure in turn within a patch, in a small island, at most. Reason: as for small_island. (6.3.1)
 inline constexpr int small_patch_iterations = 20;
 
-/// Friction and pressure in turn within a patch of a large island. Reason: the next sweep goes on. (6.3.1)
+/// [-] Friction and pressure in turn within a patch of a large island. Reason: the next sweep goes on. (6.3.1)
 inline constexpr int patch_iterations = 2;
 
-/// The same in a large island that moves fast. Reason: it changes before the last digits matter. (6.3.1)
+/// [-] The same in a large island that moves fast. Reason: it changes before the last digits matter. (6.3.1)
 inline constexpr int fast_patch_iterations = 1;
 
 /// [-] Sweeps are converging if the second one corrects less than this share of the first. Reason: one or two
@@ -150,26 +150,26 @@ inline constexpr double diverged_residual = 1e6;
 
 // --- direct solver -------------------------------------------------------------------------------
 
-/// Multiple of the option's ADMM iterations for a small island. Reason: they are cheap there. (6.3.1)
+/// [-] Multiple of the option's ADMM iterations for a small island. Reason: they are cheap there. (6.3.1)
 inline constexpr int small_island_iterations = 3;
 
-/// ADMM iterations for a quiet island, at most. Reason: they would not converge, and are only the start of
+/// [-] ADMM iterations for a quiet island, at most. Reason: they would not converge, and are only the start of
 /// the Newton steps. (6.3.1)
 inline constexpr int quiet_iterations = 20;
 
-/// Newton steps in a small island, at most. Reason: it must be solved in this step. (6.3.1)
+/// [-] Newton steps in a small island, at most. Reason: it must be solved in this step. (6.3.1)
 inline constexpr int small_newton_steps = 50;
 
-/// Newton steps in a quiet island, at most. Reason: each factors a large matrix; the next step goes on. (6.3.1)
+/// [-] Newton steps in a quiet island, at most. Reason: each factors a large matrix; the next step goes on. (6.3.1)
 inline constexpr int quiet_newton_steps = 20;
 
-/// Updates of impulses and shifts in a quiet island, at most. Reason: the next step goes on. (6.3.1)
+/// [-] Updates of impulses and shifts in a quiet island, at most. Reason: the next step goes on. (6.3.1)
 inline constexpr int quiet_shift_updates = 3;
 
-/// ADMM iterations between two adjustments of the stiffness. Reason: a new stiffness costs a factorization. (6.3.1)
+/// [-] ADMM iterations between two adjustments of the stiffness. Reason: a new stiffness costs a factorization. (6.3.1)
 inline constexpr int stiffness_interval = 8;
 
-/// ADMM iterations that must be left for an adjustment of the stiffness. Reason: as above. (6.3.1)
+/// [-] ADMM iterations that must be left for an adjustment of the stiffness. Reason: as above. (6.3.1)
 inline constexpr int stiffness_last = 4;
 
 /// [-] Square root of the ratio of primal and dual residual at which the stiffness is adjusted. Reason: Boyd et
@@ -190,7 +190,7 @@ inline constexpr double admm_diverged = 10.0;
 /// [-] Friction beyond which Newton steps are not tried. Reason: shifts that follow the sliding diverge. (6.3.1)
 inline constexpr double newton_steepest_friction = 1.0;
 
-/// Newton steps before impulses and shifts are updated. Reason: balance is reached in a handful. (6.3.1)
+/// [-] Newton steps before impulses and shifts are updated. Reason: balance is reached in a handful. (6.3.1)
 inline constexpr int newton_steps_in_a_row = 10;
 
 /// [-] Share of the allowed residual at which springs and bodies are in balance. Reason: the remainder must not
@@ -201,7 +201,7 @@ inline constexpr double newton_balanced = 0.01;
 /// before them. Reason: a clear gain, not chance. (6.3.1)
 inline constexpr double newton_improved = 0.1;
 
-/// Evaluations of a line search, at most. Reason: secants halve the interval or better. (6.3.1)
+/// [-] Evaluations of a line search, at most. Reason: secants halve the interval or better. (6.3.1)
 inline constexpr int line_search_evaluations = 12;
 
 /// [-] Share of the slope at the start of a Newton step at which its line search ends. Reason: the next step
@@ -213,13 +213,13 @@ inline constexpr double line_search_cut = 0.1;
 
 // --- restitution and overlap ---------------------------------------------------------------------
 
-/// Sweeps over an island after restitution, at most. Reason: a bounce is not carried through a stack. (4.3)
+/// [-] Sweeps over an island after restitution, at most. Reason: a bounce is not carried through a stack. (4.3)
 inline constexpr int bounce_sweeps = 10;
 
-/// Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
+/// [-] Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
 inline constexpr int bounce_patch_iterations = 20;
 
-/// Sweeps of the overlap correction over a large island that moves fast, at most. Reason: it makes new overlap in
+/// [-] Sweeps of the overlap correction over a large island that moves fast, at most. Reason: it makes new overlap in
 /// each step. (4.4)
 inline constexpr int fast_correction_sweeps = 10;
 
