@@ -40,10 +40,10 @@ class DisplayFrames {
   /// The first frame at a time or after it.
   /// \param time [s]
   /// \return its number
-  /// \return its number
   [[nodiscard]] std::int64_t frame_from(double time) const;
   /// Position of a frame within the last step.
   /// \param frame first() to end() - 1
+  /// \return [-] share of the step that is over by then, 0 to 1
   [[nodiscard]] double share(std::int64_t frame) const;
 
  private:
