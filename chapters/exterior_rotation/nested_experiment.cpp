@@ -30,7 +30,7 @@ std::vector<NestedRun> nested_runs(const Parameters& settings) {
   std::vector<NestedRun> runs;
   for (const FilmScheme& scheme : schemes)
     runs.push_back({scheme, false, run_held(start, options_of(scheme), dt, steps)});
-  for (const std::size_t k : {0, 1, 2, 6})
+  for (const std::size_t k : {0U, 1U, 2U, 6U})
     runs.push_back({schemes[k], true,
                     run_held(start, options_of(schemes[k], PoseUpdate::exponential), dt, steps)});
   return runs;

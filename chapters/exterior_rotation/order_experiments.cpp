@@ -182,7 +182,7 @@ Result measure_one_step_gap(const Parameters& settings) {
   for (std::size_t s = 0; s < schemes.size(); ++s)
     if (schemes[s].column != "dormand_prince" && schemes[s].column != "leapfrog")
       out.push_back({"gap after 1/60 s, " + schemes[s].words, "m", usual[2 + s]});
-  for (const std::size_t s : {0, 3, 5}) {  // of orders 1, 2 and 4
+  for (const std::size_t s : {0U, 3U, 5U}) {  // of orders 1, 2 and 4
     std::vector<double> step;
     std::vector<double> gap;
     for (std::size_t k = 0; k < kFitted; ++k) {

@@ -86,7 +86,7 @@ TwoImpacts impacts_in(int bin, int trial, bool turning, double tolerance) {
 
 TieTallies tallies_of(int bin, const Parameters& settings, TieTechniques& techniques) {
   TieTallies tallies;
-  for (const std::size_t turning : {0, 1}) {
+  for (const std::size_t turning : {0U, 1U}) {
     for (int k = 0; k < settings.count("trials"); ++k) {
       const TwoImpacts impacts = impacts_in(bin, k, turning == 1, settings.number("resolution"));
       tallies[kBySimple][turning].add(impacts, techniques.simple);
@@ -153,7 +153,7 @@ Result measure_ties(const Parameters& settings) {
               with_interval(wrong_of("", tallies[kBySwept][1])));
     if (bin >= kWithin) beyond.add(both(tallies[kBySwept]));
     for (std::size_t by = 0; by < kTieTechniques && bin < kWithin; ++by)
-      for (const std::size_t turning : {0, 1}) within[by][turning].add(tallies[by][turning]);
+      for (const std::size_t turning : {0U, 1U}) within[by][turning].add(tallies[by][turning]);
   }
 
   const Tally stroke = both(within[kTogether]);
