@@ -2,6 +2,7 @@
 /// \brief The separating axis test as a plain loop over all fifteen axes (thesis 3.2).
 #pragma once
 
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/box.hpp"
 
@@ -61,17 +62,17 @@ Real separation_plain(const Box& first, const Box& second,
   std::array<Vec, 15> axes;
   for (int i = 0; i < 3; ++i) {
     const Vec edge = first.axes_w.col(i).template cast<Real>();
-    axes[i] = edge;
-    axes[3 + i] = second.axes_w.col(i).template cast<Real>();
+    axes[idx(i)] = edge;
+    axes[idx(3 + i)] = second.axes_w.col(i).template cast<Real>();
     for (int j = 0; j < 3; ++j)
-      axes[6 + 3 * i + j] = across<Vec>(edge, second.axes_w.col(j).template cast<Real>());
+      axes[idx(6 + 3 * i + j)] = across<Vec>(edge, second.axes_w.col(j).template cast<Real>());
   }
 
   // Along which of them are the boxes farthest apart?
   Real largest = -std::numeric_limits<Real>::infinity();
   for (const Vec& axis : axes) {
     const Real length = axis.norm();
-    if (length <= parallel) continue;
+    if (length <= static_cast<Real>(parallel)) continue;
     largest = std::max(largest, gap_along<Real>(first, second, axis / length));
   }
   return largest;
