@@ -1,10 +1,10 @@
 /// \file
-/// \brief Numbers of several random scenes: means and ratios with their intervals, as columns of a table.
+/// \brief Numbers of several random scenes: means and ratios with their intervals.
 #pragma once
 
+#include "driver/intervals.hpp"
 #include "driver/statistics.hpp"
 
-#include <array>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -49,24 +49,6 @@ inline Quantity ratio_of_sums(std::string name, std::string unit, const std::vec
   return over_seeds(
       std::move(name), std::move(unit), static_cast<int>(above.size()),
       [&](int left_out) { return sum_without(above, left_out) / sum_without(below, left_out); });
-}
-
-/// A quantity as three cells of a row.
-/// \param quantity  over seeds
-/// \return its value and the ends of its interval
-inline std::array<double, 3> with_interval(const Quantity& quantity) {
-  return {quantity.value, quantity.low, quantity.high};
-}
-
-/// The columns of with_interval(): the name, and with "_low" and "_high".
-/// \param name     of the first
-/// \param unit     of all
-/// \param meaning  of all
-/// \param table    gets them
-inline void add_interval_columns(const std::string& name, const std::string& unit,
-                                 const std::string& meaning, Table& table) {
-  for (const char* end : {"", "_low", "_high"})
-    table.columns.push_back({name + end, unit, meaning});
 }
 
 }  // namespace tumble::chapters

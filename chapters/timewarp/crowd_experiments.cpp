@@ -1,13 +1,13 @@
 /// \file
 /// \brief Crowded frames in which the forms of the timewarp go wrong (thesis 5.1).
 #include "driver/common_numbers.hpp"
+#include "driver/intervals.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
-#include "timewarp/intervals.hpp"
 
 #include <array>
 #include <functional>

@@ -1,9 +1,9 @@
 /// \file
 /// \brief Claim 2.4.3a: all bodies taken back for a collision, or only those near it.
+#include "driver/intervals.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/cage_runs.hpp"
-#include "timewarp/intervals.hpp"
 
 #include <algorithm>
 #include <array>

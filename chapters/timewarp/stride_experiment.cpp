@@ -1,9 +1,9 @@
 /// \file
 /// \brief The work of full timewarp against the length of its flights.
+#include "driver/intervals.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/cage_runs.hpp"
-#include "timewarp/intervals.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 /// \file
 /// \brief Claim 2.4.3b: full timewarp, all bodies waiting for one another on every so many frames.
+#include "driver/intervals.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/cage_runs.hpp"
-#include "timewarp/intervals.hpp"
 
 #include <algorithm>
 #include <array>

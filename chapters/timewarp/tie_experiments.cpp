@@ -5,10 +5,10 @@
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/intervals.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 #include "timewarp/event_story.hpp"
-#include "timewarp/intervals.hpp"
 #include "timewarp/tie_scenes.hpp"
 
 #include <array>
