@@ -3,8 +3,8 @@
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/gather.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/geometry/ground.hpp"
 
 #include <algorithm>
 #include <array>
@@ -68,21 +68,6 @@ double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody
 bool has_point_within(const Manifold& found, double reach) {
   return std::any_of(found.points.begin(), found.points.begin() + found.count,
                      [&](const ManifoldPoint& p) { return p.distance <= reach; });
-}
-
-bool collide_pair(const World& world, const IndexPair& pair, double reach, AxisIndex remembered,
-                  Manifold& out) {
-  const BodyProperties& a = world.bodies()[idx(pair.first)];
-  const BodyProperties& b = world.bodies()[idx(pair.second)];
-  if (a.shape == Shape::ground)
-    return collide_with_ground(box_of(b, world.states()[idx(pair.second)]), reach, out);
-  const Box box = box_of(a, world.states()[idx(pair.first)]);
-  if (b.shape == Shape::ground) {
-    const bool found = collide_with_ground(box, reach, out);
-    flip(out);
-    return found;
-  }
-  return collide(box, box_of(b, world.states()[idx(pair.second)]), reach, remembered, out);
 }
 
 }  // namespace
@@ -175,7 +160,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     } else {
       ++found.pair_tests;
       const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
-      if (!collide_pair(world, pair, reach, axis, manifold)) continue;
+      if (!touch_pair(world, world.states(), pair, reach, axis, manifold)) continue;
       const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
       if (!has_point_within(manifold, approach + margin)) continue;
       ContactPatch& patch = add_patch(world, pair, manifold, first, second, reach);
