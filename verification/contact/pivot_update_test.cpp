@@ -21,7 +21,7 @@ namespace {
 using namespace tumble;
 using Catch::Matchers::Contains;
 
-// Bodies with their momenta, and who pushes whom.
+// Bodies with their momenta, and the pairs that push each other.
 struct Scene {
   World world;
   std::vector<PushedPair> pairs;
@@ -56,17 +56,17 @@ struct Scene {
   }
   // All states after a move; bodies that are not carried go straight.
   [[nodiscard]] std::vector<BodyState> moved(double h, RigidAt rigid_at = RigidAt::start) const {
-    const PivotUpdate who = carried(rigid_at);
+    const PivotUpdate update = carried(rigid_at);
     std::vector<BodyState> states(world.states().begin(), world.states().end());
     for (int b = 0; b < world.count(); ++b) {
       BodyState& state = states[idx(b)];
       if (!world.bodies()[idx(b)].movable()) continue;
-      if (!who.carries(b)) {
+      if (!update.carries(b)) {
         advance_pose(world.bodies()[idx(b)], state, h, RotationRule::frozen);
         continue;
       }
       state.position_w += h * velocity(world.bodies()[idx(b)], state);
-      who.carry(b, h, state);
+      update.carry(b, h, state);
     }
     return states;
   }
@@ -461,7 +461,7 @@ TEST_CASE("A body that stands has its arm from the point on which it stands, and
     const Vec3 pivot_w = standing.world.states()[idx(b)].position_w - *arm_w;
     CHECK((pivot_w - standing.pairs[idx(b - 1)].point_w).norm() < 1e-15);
   }
-  CHECK_FALSE(carried.arm_w(5).has_value());  // nobody
+  CHECK_FALSE(carried.arm_w(5).has_value());  // no body has this index
   CHECK_FALSE(carried.arm_w(-1).has_value());
 
   // Two that are stuck together in flight, and one that flies by itself: the first of the two carries
@@ -479,9 +479,9 @@ TEST_CASE("A body that stands has its arm from the point on which it stands, and
   CHECK_FALSE(group.carries(2));
   CHECK_FALSE(group.arm_w(2).has_value());
 
-  PivotUpdate nobody = carried;
-  nobody.clear();
-  CHECK_FALSE(nobody.arm_w(1).has_value());
+  PivotUpdate cleared = carried;
+  cleared.clear();
+  CHECK_FALSE(cleared.arm_w(1).has_value());
 }
 
 TEST_CASE("A contact pushes where its impulses are", "[unit][exterior_rotation]") {

@@ -98,7 +98,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// round.
 ///
 /// **Bodies that turn together** about a point outside of them fly along their arcs with
-/// PoseUpdate::exponential (PivotUpdate): who stands on whom is told from the forces of the start, the
+/// PoseUpdate::exponential (PivotUpdate): the forces of the start show which body supports which, the
 /// arcs follow the accelerations of the forces that are used. Impacts are searched on them.
 ///
 /// **Drift** is held in three places. A speed and a gap that should not be there are led to 0 by the

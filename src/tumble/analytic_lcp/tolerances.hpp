@@ -8,7 +8,7 @@ namespace tumble::tolerance {
 
 /// [-] How far surfaces may be apart and still have a contact force between them, as a share of the
 /// shortest edge of the smaller body. Reason: rounding and the step's error part resting bodies by a
-/// tenth of it; nobody sees a ten-thousandth. (3.3.1)
+/// tenth of it; a ten-thousandth is not seen. (3.3.1)
 inline constexpr double contact_margin = 1e-4;
 
 /// [-] Below this share of the resting speed a point with friction does not slide: friction may stop

@@ -84,7 +84,7 @@ inline constexpr double friction_limit = 1e-9;
 
 /// [-] Two bodies stick where they push each other if their materials there part by less than this
 /// share of the speed at which turning moves the bodies' ends. Reason: solvers leave a thousandth, what
-/// slides has ten times as much. In between it hardly matters who is carried: the two ways of moving
+/// slides has ten times as much. In between it hardly matters which body is carried: the two ways of moving
 /// differ by half the angle of a step, and only in where what slides is led. (6.2)
 inline constexpr double carried_slip = 1e-2;
 

@@ -95,7 +95,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// bodies are by then predicted to be.
 ///
 /// With PoseUpdate::exponential bodies are predicted, and move, about the points on which they stood when
-/// the step before ended (PivotUpdate); a pair that nobody has moved since counts.
+/// the step before ended (PivotUpdate); a pair that has not been moved since counts.
 ///
 /// **What holds.** Newton's approach speed is that of the event, once for each pair and step
 /// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept
