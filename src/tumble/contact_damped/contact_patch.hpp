@@ -71,6 +71,7 @@ struct ContactPatch {
   std::array<Quat, 2> built_orientation_wb;    ///< [-] of both bodies then
   std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleeping ones
   double built_reach = 0.0;                    ///< [m] points with a larger gap were left out
+  Vec3 flat_w = Vec3::Zero();                  ///< [-] see find_meeting()
   int count = 0;                               ///< points in use
   std::array<ContactPatchPoint, kMostPoints> points;  ///< the first `count`
   double along_impulse = 0.0;                         ///< [N s] friction along the first tangent

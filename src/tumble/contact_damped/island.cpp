@@ -38,6 +38,16 @@ double approach_of(const ContactPatchPoint& p, const Six& before, const Six& aft
   return -std::sqrt(std::max(start * start + gained, 0.0));
 }
 
+// Speed of a body's fastest point, as a share of sqrt(g L).
+double relative_speed(const Island& island, int k, std::span<const MovingBody> moving) {
+  const BodyProperties& body = island.world.bodies()[idx(k)];
+  const double g = island.world.gravity_w.norm();
+  const double size = body.size.minCoeff();
+  const double unit = g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
+  return fastest_point_speed(body, moving[idx(k)].velocity_w, moving[idx(k)].angular_velocity_w) /
+         unit;
+}
+
 }  // namespace
 
 double shortest_edge(const Island& island) {
@@ -56,21 +66,29 @@ double negligible_residual(const Island& island) {
 
 SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
-  const double g = island.world.gravity_w.norm();
   for (const int k : island.bodies) {
-    const BodyProperties& body = island.world.bodies()[idx(k)];
-    const double size = body.size.minCoeff();
-    const double unit =
-        g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
-    const auto fastest_point = [&](const MovingBody& moving) {
-      return (moving.velocity_w.norm() +
-              0.5 * body.size.norm() * moving.angular_velocity_w.norm()) /
-             unit;
-    };
-    before = std::max(before, fastest_point(island.start[idx(k)]));
-    now = std::max(now, fastest_point(island.now[idx(k)]));
+    before = std::max(before, relative_speed(island, k, island.start));
+    now = std::max(now, relative_speed(island, k, island.now));
   }
   return {std::min(before, now), std::max(before, now)};
+}
+
+bool moves_fast(const Island& island, int k) {
+  return island.world.bodies()[idx(k)].movable() &&
+         relative_speed(island, k, island.start) >= tolerance::calm_speed &&
+         relative_speed(island, k, island.now) >= tolerance::calm_speed;
+}
+
+double approach_of_slow_bodies(const Island& island) {
+  double most = 0.0;
+  for (const int contact : island.contacts) {
+    const ContactPatch& patch = island.patches[idx(contact)];
+    if (moves_fast(island, patch.first) || moves_fast(island, patch.second)) continue;
+    const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+    for (const ContactPatchPoint& p : patch.used())
+      most = std::max(most, p.target - (u[2] + p.across * u[3] - p.along * u[4]));
+  }
+  return most;
 }
 
 bool is_small(const Island& island) {

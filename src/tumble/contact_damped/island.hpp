@@ -46,6 +46,22 @@ struct SpeedRange {
   double higher = 0.0;  ///< [-] ditto
 };
 
+/// The speed of a body's fastest point.
+/// \param body                the body
+/// \param velocity_w          [m/s] of its centre
+/// \param angular_velocity_w  [rad/s]
+/// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
+[[nodiscard]] inline double fastest_point_speed(const BodyProperties& body, const Vec3& velocity_w,
+                                                const Vec3& angular_velocity_w) {
+  return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
+}
+
+/// Whether a body moves fast, both before the step and with the impulses so far: see SpeedRange.
+/// \param island  the island
+/// \param k       index of the body
+/// \return false for an immovable body
+[[nodiscard]] bool moves_fast(const Island& island, int k);
+
 /// How fast an island moves.
 /// \param island  the island
 /// \return see there
@@ -75,6 +91,12 @@ enum class SweepOrder : std::uint8_t {
 /// \return [m/s] the largest change of a velocity
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report);
+
+/// The largest error of the contacts between bodies that do not move fast. However fast others move, bodies that
+/// carry something must go on carrying it.
+/// \param island  with the impulses so far
+/// \return [m/s] by how much a point approaches faster than its target; 0 or above
+[[nodiscard]] double approach_of_slow_bodies(const Island& island);
 
 /// Sets all impulses to 0.
 /// \param island  `now` is `free` again

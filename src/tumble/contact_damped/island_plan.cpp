@@ -84,6 +84,17 @@ IslandLimits quiet_limits(const Island& island, int iterations) {
   return limits;
 }
 
+// A large island that moves fast gets few ADMM iterations: its contacts change in the next step.
+IslandLimits fast_limits(const Island& island, int iterations) {
+  IslandLimits limits;
+  limits.residual = tolerance::solved_residual * negligible_residual(island);
+  limits.enough =
+      tolerance::fast_residual * negligible_residual(island) / tolerance::contact_settled;
+  limits.max_iterations = std::min(iterations, tolerance::fast_iterations);
+  limits.max_newton_steps = 0;
+  return limits;
+}
+
 // A large island that moves gets ADMM only.
 IslandLimits large_limits(const Island& island, int iterations) {
   IslandLimits limits;
@@ -124,10 +135,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
   // others, and for small islands in any case.
   const bool sweeps_first = fast || converging || has_sliding_patch(island, unit_speed);
-  const bool direct = iterations > 0 && (small || !fast);
-  plan.method = !direct        ? IslandMethod::sweep
-                : sweeps_first ? IslandMethod::sweep_then_solve
-                               : IslandMethod::solve;
+  plan.method = iterations == 0 ? IslandMethod::sweep
+                : sweeps_first  ? IslandMethod::sweep_then_solve
+                                : IslandMethod::solve;
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 
   plan.max_sweeps = small ? std::max(sweeps, tolerance::small_island_sweeps) : sweeps;
@@ -136,8 +146,11 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   plan.skipped_residual = skipped_residual_of(island);
   plan.residual = tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
+  plan.moves_fast = fast && !small;
+  plan.slow_approach = tolerance::slow_approach * unit_speed;
 
   plan.direct = small   ? small_limits(island, iterations)
+                : fast  ? fast_limits(island, iterations)
                 : quiet ? quiet_limits(island, iterations)
                         : large_limits(island, iterations);
   plan.direct.unit_speed = unit_speed;

@@ -35,6 +35,8 @@ struct IslandPlan {
   double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
+  bool moves_fast = false;          ///< then they are also enough if `slow_approach` is met
+  double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_bodies()
   IslandLimits direct;              ///< of the direct solver
 };
 

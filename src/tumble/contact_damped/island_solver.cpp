@@ -132,7 +132,7 @@ IslandResult IslandSolver::solve(std::span<const int> members, std::span<const i
     result.residual = std::max(stiffness_ * primal, dual);
     result.converged = result.residual < limits.residual;
     if (k == 1) first_residual = result.residual;
-    if (result.converged || std::isnan(result.residual)) break;
+    if (result.converged || result.residual < limits.enough || std::isnan(result.residual)) break;
     if (k % tolerance::stiffness_interval == 0 &&
         k + tolerance::stiffness_last <= limits.max_iterations)
       adjust_stiffness(primal, dual, limits.max_stiffness);

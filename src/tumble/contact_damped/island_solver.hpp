@@ -18,6 +18,7 @@ namespace tumble {
 /// When IslandSolver stops, and which islands it takes.
 struct IslandLimits {
   double residual = 0.0;    ///< [m/s] velocity error at a point that counts as solved
+  double enough = 0.0;      ///< [m/s] ADMM ends below it too, though that does not count as solved
   double unit_speed = 0.0;  ///< [m/s] speed that gravity gives in a step, or a substitute for it
   int max_iterations = 20;  ///< ADMM iterations, at least 1
   double max_work = 0.0;    ///< [-] multiplications of a factorization for each body, at most

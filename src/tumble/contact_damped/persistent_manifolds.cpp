@@ -4,6 +4,7 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
@@ -63,6 +64,11 @@ double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody
   const double v = normal_w.dot(first.velocity_w - rest_w);
   const double w = normal_w.dot(rest_w - second.velocity_w);
   return dt * std::max({v + w, v, w, 0.0});
+}
+
+Vec3 velocity_before_gravity(const World& world, const MovingBody& body, double dt) {
+  return body.inverse_mass.x() == 0.0 ? body.velocity_w
+                                      : Vec3(body.velocity_w - dt * world.gravity_w);
 }
 
 bool has_point_within(const Manifold& found, double reach) {
@@ -163,7 +169,12 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
       if (!touch_pair(world, world.states(), pair, reach, axis, manifold)) continue;
       const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
       if (!has_point_within(manifold, approach + margin)) continue;
+      const MeetingFound met = find_meeting(
+          world, pair, manifold, size_of(a, b),
+          velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt));
+      if (met.meeting == Meeting::pass) continue;
       ContactPatch& patch = add_patch(world, pair, manifold, first, second, reach);
+      patch.flat_w = met.flat_w;
       if (previous != nullptr) transfer_impulses(*previous, patch);
     }
     ContactPatch& patch = patches_.back();
@@ -174,8 +185,9 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     scale_impulses(impulse_ratio, patch);
     for (const ContactPatchPoint& p : patch.used())
       found.deepest_overlap = std::max(found.deepest_overlap, -p.gap);
-    found.points += patch.count;
   }
+  drop_grazed_edges(bodies, patches_);
+  for (const ContactPatch& patch : patches_) found.points += patch.count;
   return found;
 }
 

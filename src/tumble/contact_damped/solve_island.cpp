@@ -1,6 +1,7 @@
 /// \file
 /// \brief The default technique: the impulses of an island.
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 
@@ -9,7 +10,8 @@
 namespace tumble {
 namespace {
 
-// Goes on sweeping after the first two sweeps, up and down in turn. Returns whether that was enough.
+// Goes on sweeping after the first two sweeps, up and down in turn. Returns whether that was enough. In an island
+// that moves fast it is, if bodies that do not are held.
 bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
               StepReport& report) {
   double residual = first.up;
@@ -18,7 +20,8 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
                      plan.skipped_residual, report);
     if (residual < plan.residual) return true;
   }
-  return residual < plan.fair_residual;
+  return residual < plan.fair_residual ||
+         (plan.moves_fast && approach_of_slow_bodies(island) < plan.slow_approach);
 }
 
 // All patches together. Returns whether the direct solver accepted the island.
@@ -32,7 +35,7 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
 }
 
 // Marks bodies with an impulse as not in flight. The others move as if there were no contact: impulses that were
-// added and removed leave rounding.
+// added and removed leave rounding. More than that is momentum which the springs of the direct solver exchanged.
 void release_untouched(const Island& island, std::span<char> in_flight) {
   for (const int contact : island.contacts) {
     const ContactPatch& patch = island.patches[idx(contact)];
@@ -43,8 +46,24 @@ void release_untouched(const Island& island, std::span<char> in_flight) {
     in_flight[idx(patch.first)] = 0;
     in_flight[idx(patch.second)] = 0;
   }
-  for (const int k : island.bodies)
-    if (in_flight[idx(k)] != 0) island.now[idx(k)] = island.free[idx(k)];
+  double fastest = 0.0;  // [m/s]
+  for (const int k : island.bodies) {
+    const MovingBody& free = island.free[idx(k)];
+    fastest = std::max(fastest, fastest_point_speed(island.world.bodies()[idx(k)], free.velocity_w,
+                                                    free.angular_velocity_w));
+  }
+  for (const int k : island.bodies) {
+    if (in_flight[idx(k)] == 0) continue;
+    MovingBody& now = island.now[idx(k)];
+    const MovingBody& free = island.free[idx(k)];
+    const double changed =
+        fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
+                            now.angular_velocity_w - free.angular_velocity_w);
+    if (changed <= tolerance::rounding * fastest)
+      now = free;
+    else
+      in_flight[idx(k)] = 0;
+  }
 }
 
 }  // namespace
@@ -66,10 +85,10 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   switch (plan.method) {
     case IslandMethod::settled:
       break;
-    case IslandMethod::sweep:  // it moves fast
+    case IslandMethod::sweep:  // the direct solver is off
       sweep_on(island, plan, first, report);
       break;
-    case IslandMethod::sweep_then_solve:  // it slides, or sweeps converge
+    case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
       if (!sweep_on(island, plan, first, report))
         direct = solve_directly(island, plan, memory_.island_solver, report);
       break;

@@ -10,6 +10,14 @@ namespace tumble::tolerance {
 /// micrometres for a metre is not seen and far above rounding, so that a contact stays one. (6.3.1)
 inline constexpr double contact_damped_slop = 1e-5;
 
+/// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: above
+/// the slop with which a slider lies on its tiles, and a step so low is corrected as overlap without a jolt. (6.3.1)
+inline constexpr double least_height = 1e-4;
+
+/// [-] Cosine above which two directions count as the same. Reason: flush faces are parallel to within a tenth of
+/// a degree or so. (6.3.1)
+inline constexpr double same_plane = 0.999;
+
 /// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
 /// corner that hangs a millimetre over its support belongs to the patch that carries the box. (6.3.1)
 inline constexpr double kept_margin = 1e-3;
@@ -129,6 +137,11 @@ inline constexpr int patch_iterations = 2;
 /// [-] The same in a large island that moves fast. Reason: it changes before the last digits matter. (6.3.1)
 inline constexpr int fast_patch_iterations = 1;
 
+/// [-] Approach that sweeps may leave between bodies that do not move fast, in an island in which others do, as a share
+/// of g dt. Reason: of 1, 0.3, 0.1 and 0.03 the largest with which a tower keeps its height to 1 mm while a block
+/// is pulled out of it. (6.3.1)
+inline constexpr double slow_approach = 0.03;
+
 /// [-] Sweeps are converging if the second one corrects less than this share of the first. Reason: one or two
 /// more are enough then. (6.3.1)
 inline constexpr double sweeps_converging = 0.05;
@@ -156,6 +169,14 @@ inline constexpr int small_island_iterations = 3;
 /// [-] ADMM iterations for a quiet island, at most. Reason: they would not converge, and are only the start of
 /// the Newton steps. (6.3.1)
 inline constexpr int quiet_iterations = 20;
+
+/// [-] ADMM iterations for a large island that moves fast, at most. Reason: of 20, 30, 60 and 100 the fewest with
+/// which no tower of 3 to 30 layers sinks while a block is pulled out of it. (6.3.1)
+inline constexpr int fast_iterations = 60;
+
+/// [-] Residual at which ADMM ends in a large island that moves fast, as a share of g dt. Reason: of 0.3, 0.1, 0.03
+/// the largest with which the same towers stand. (6.3.1)
+inline constexpr double fast_residual = 0.1;
 
 /// [-] Newton steps in a small island, at most. Reason: it must be solved in this step. (6.3.1)
 inline constexpr int small_newton_steps = 50;

@@ -25,7 +25,8 @@ Vec3 upward_axis(const Quat& orientation_wb) {
 }
 
 // Whether a face is across gravity. The listing hands over nothing: then it must be so exactly.
-bool check_y_axis_alignment(const BodyState& o, double tolerance, const DampedErrata& repaired) {
+bool check_y_axis_alignment_as_printed(const BodyState& o, double tolerance,
+                                       const DampedErrata& repaired) {
   const double cosine = upward_axis(o.orientation_wb).y();
   return repaired.has("DM16") ? cosine >= elementary::cos(tolerance) : cosine == 1.0;
 }
@@ -108,7 +109,7 @@ void dampen_object(BodyState& o, bool touched, const PrintedNumbers& numbers,
   // If it has touched something: see whether one of its faces is
   // across gravity, and scale both momenta.
   if (touched) {
-    const bool y_axis_aligned = check_y_axis_alignment(o, eps.aligned, repaired);
+    const bool y_axis_aligned = check_y_axis_alignment_as_printed(o, eps.aligned, repaired);
     momentum = momentum * k.momentum;
     spin = spin * k.spin;
     // [DAMPENOBJECTS:2-5]

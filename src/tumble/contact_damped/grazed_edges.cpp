@@ -1,0 +1,72 @@
+/// \file
+/// \brief Edges without height.
+#include "tumble/contact_damped/grazed_edges.hpp"
+
+#include "tumble/base/index.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/geometry/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+double least_gap(const Manifold& found) {
+  double gap = found.points[0].distance;
+  for (int i = 1; i < found.count; ++i) gap = std::min(gap, found.points[idx(i)].distance);
+  return gap;
+}
+
+Vec3 middle_of(const ContactPatch& patch, std::span<const MovingBody> bodies) {
+  return bodies[idx(patch.first)].position_w + patch.first_arm_w;
+}
+
+bool share_a_body(const ContactPatch& a, const ContactPatch& b) {
+  return a.first == b.first || a.first == b.second || a.second == b.first || a.second == b.second;
+}
+
+}  // namespace
+
+MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
+                          double size, const Vec3& velocity_w) {
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
+  if (a.shape == Shape::ground || b.shape == Shape::ground) return {};
+  const double least = -tolerance::least_height * size;
+  const double gap = least_gap(found);
+  const Box first = box_of(a, world.states()[idx(pair.first)]);
+  Box second = box_of(b, world.states()[idx(pair.second)]);
+  // Straight along the normal.
+  second.center_w -= (gap + tolerance::kept_margin * size) * found.normal_w;
+  const Vec3 closed_w = second.center_w;
+  const Separation straight = separation(first, second);
+  if (straight.distance < least) return {};
+  if (gap <= tolerance::contact_damped_slop * size)
+    return straight.distance < -least ? MeetingFound{Meeting::graze, straight.normal_w}
+                                      : MeetingFound{};
+  // As the bodies moved before the step.
+  const double speed = -found.normal_w.dot(velocity_w);
+  if (!(speed > 0.0)) return {Meeting::pass};
+  second.center_w = closed_w + gap / speed * (velocity_w + speed * found.normal_w);
+  return {separation(first, second).distance < least ? Meeting::overlap : Meeting::pass};
+}
+
+void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPatch>& patches) {
+  const auto grazes = [](const ContactPatch& patch) { return !patch.flat_w.isZero(); };
+  // Whether a body of the edge's pair lies on something in the plane of the edge.
+  const auto supports = [&](const ContactPatch& edge, const ContactPatch& other) {
+    if (grazes(other) || !share_a_body(edge, other)) return false;
+    const Vec3 height_w = middle_of(edge, bodies) - middle_of(other, bodies);
+    return std::abs(other.frame_w.col(2).dot(edge.flat_w)) > tolerance::same_plane &&
+           std::abs(height_w.dot(edge.flat_w)) < tolerance::least_height * edge.size;
+  };
+  for (ContactPatch& patch : patches)
+    if (grazes(patch) &&
+        std::any_of(patches.begin(), patches.end(),
+                    [&](const ContactPatch& other) { return supports(patch, other); }))
+      patch.count = 0;
+  std::erase_if(patches, [](const ContactPatch& patch) { return patch.count == 0; });
+}
+
+}  // namespace tumble
