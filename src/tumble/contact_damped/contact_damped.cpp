@@ -54,12 +54,12 @@ StepReport ContactDamped::step(World& world, double dt) {
   // 4. Bodies move with these velocities.
   move(world, dt, report);
   // 5. Fast impacts bounce from there.
-  const bool bounced = bounce(world, dt, report);
+  bounce(world, dt, report);
+  account(world, report);
   // 6. Overlap is corrected, and no velocity changes.
   correct_overlaps(world, dt, report);
   // [S6.3.1:step]
-  // 7. Energy and sleep.
-  account(world, dt, bounced, report);
+  // 7. Bodies at rest fall asleep.
   if (options_.sleeping) {
     const Islands& islands = memory_.order.islands();
     report.energy.damping +=

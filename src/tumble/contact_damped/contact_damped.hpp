@@ -110,7 +110,8 @@ class ContactDamped : public Technique {
     std::vector<MovingBody> start;  // before gravity
     std::vector<MovingBody> free;   // with gravity, without contacts
     std::vector<MovingBody> end;    // with impulses
-    std::vector<MovingBody> moved;  // with which bodies moved, before something bounced
+    std::vector<MovingBody>
+        moved;  // those of `end` with which bodies moved, before something bounced
   };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
@@ -132,9 +133,9 @@ class ContactDamped : public Technique {
   void solve_island(const Island& island, StepReport& report);
   void find_pivots(const World& world);
   void move(World& world, double dt, StepReport& report);
-  bool bounce(World& world, double dt, StepReport& report);
+  void bounce(World& world, double dt, StepReport& report);
   void correct_overlaps(World& world, double dt, StepReport& report);
-  void account(const World& world, double dt, bool bounced, StepReport& report) const;
+  void account(const World& world, StepReport& report) const;
   void notify_observer(const ContactPatch& patch, double time) const;
 
   ContactDampedOptions options_;

@@ -81,8 +81,8 @@ void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& d
 }  // namespace
 
 // Newton's restitution for impacts faster than the sticky speed (thesis 4.3), after the bodies have come
-// together, island by island. Returns whether anything bounced.
-bool ContactDamped::bounce(World& world, double dt, StepReport& report) {
+// together, island by island.
+void ContactDamped::bounce(World& world, double dt, StepReport& report) {
   const std::vector<ContactPatch>& patches = memory_.manifolds.patches();
   const double g = world.gravity_w.norm();
   bool bounced = false;
@@ -101,11 +101,19 @@ bool ContactDamped::bounce(World& world, double dt, StepReport& report) {
     bounced = true;
     bounce_island(island(world, k, dt), report);
   }
-  if (bounced) store_moving_bodies(velocities_.end, world);
-  if (observer() == nullptr) return bounced;
+  // Bodies have turned since then: their angular momentum is what the impulses change.
+  for (std::size_t i = 0; bounced && i < velocities_.end.size(); ++i) {
+    const MovingBody& now = velocities_.end[i];
+    const Vec3 turn_w = now.angular_velocity_w - velocities_.moved[i].angular_velocity_w;
+    const Vec3 push_w = now.velocity_w - velocities_.moved[i].velocity_w;
+    if (now.inverse_mass.x() == 0.0 || (turn_w.isZero(0.0) && push_w.isZero(0.0))) continue;
+    storage_.in_flight[i] = 0;
+    world.states()[i].linear_momentum_w += world.bodies()[i].mass * push_w;
+    world.states()[i].angular_momentum_w += now.inverse_inertia_w.inverse() * turn_w;
+  }
+  if (observer() == nullptr) return;
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (storage_.hit[k] != 0) notify_observer(patches[k], world.time());
-  return bounced;
 }
 
 // Overlap beyond the slop is corrected in all islands that have some.
@@ -150,25 +158,20 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
   }
 }
 
-// The work of the impulses: each times the mean of the motions at the start, before gravity, and at the
-// end. The part that is not friction's is booked as restitution. So is that of a body that bounced: it has its new
-// velocity where it hit, not where gravity would have taken it meanwhile.
-void ContactDamped::account(const World& world, double dt, bool bounced, StepReport& report) const {
-  const auto& [start, free, end, moved] = velocities_;
-  double all = 0.0;
+// Energy that the impulses of the step have added: what bodies have now less what they had. The part that is not the
+// work of friction, nor that of pivot updates, is booked as restitution. Called before overlap is corrected.
+void ContactDamped::account(const World& world, StepReport& report) const {
+  const std::vector<MovingBody>& start = velocities_.start;
+  const std::vector<MovingBody>& end = velocities_.end;
+  double all = -report.energy.repair;
   for (std::size_t k = 0; k < end.size(); ++k) {
     if (end[k].inverse_mass.x() == 0.0 || storage_.in_flight[k] != 0) continue;
     const BodyProperties& body = world.bodies()[k];
-    const Vec3 change_w = end[k].velocity_w - start[k].velocity_w - dt * world.gravity_w;
-    all += 0.5 * body.mass * change_w.dot(end[k].velocity_w + start[k].velocity_w);
-    if (bounced) {
-      const Vec3 mean_w = 0.5 * (end[k].velocity_w + start[k].velocity_w);
-      all += dt * body.mass * world.gravity_w.dot(mean_w - moved[k].velocity_w);
-    }
-    // Both with the inertia of the start of the step.
-    const Vec3 turn_w = end[k].angular_velocity_w - start[k].angular_velocity_w;
-    const Mat3 inertia_w = end[k].inverse_inertia_w.inverse();
-    all += 0.5 * (inertia_w * turn_w).dot(end[k].angular_velocity_w + start[k].angular_velocity_w);
+    const Vec3& spin_w = start[k].angular_velocity_w;
+    all += kinetic_energy(body, world.states()[k]) -
+           0.5 * body.mass * start[k].velocity_w.squaredNorm() -
+           0.5 * spin_w.dot(start[k].inverse_inertia_w.inverse() * spin_w) -
+           body.mass * world.gravity_w.dot(world.states()[k].position_w - start[k].position_w);
   }
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     const Six u = motion_of(patch, start[idx(patch.first)], start[idx(patch.second)]);

@@ -50,6 +50,8 @@ void IslandSolver::load(std::span<const int> members, std::span<const int> conta
     member.free = velocities_of(free[idx(body)]);
     member.now = velocities_of(bodies[idx(body)]);
   }
+  double heaviest = 0.0;  // [kg]
+  for (const Member& member : members_) heaviest = std::max(heaviest, member.mass);
   constraints_.clear();
   points_.clear();
   joined_.clear();
@@ -64,7 +66,7 @@ void IslandSolver::load(std::span<const int> members, std::span<const int> conta
       joined_.push_back({constraint.first, constraint.second});
     }
     constraint.begin = static_cast<int>(points_.size());
-    load_points(patch);
+    load_points(patch, heaviest);
     constraint.end = static_cast<int>(points_.size());
     stamps_.push_back(patch.stamp);
   }
@@ -80,7 +82,8 @@ void IslandSolver::load(std::span<const int> members, std::span<const int> conta
 // The points of a patch, each with its impulse of the last solution. Friction that was added since is distributed:
 // each point gets a share in proportion to its pressure, and of the moment about the centre of pressure in
 // proportion to its lever as well.
-void IslandSolver::load_points(const ContactPatch& patch) {
+// Springs between light bodies are stiff enough to carry the heaviest body of the island.
+void IslandSolver::load_points(const ContactPatch& patch, double heaviest) {
   const SixBySix& K = patch.inverse_mass;
   Six since = impulse_of(patch);
   for (const ContactPatchPoint& p : patch.used())
@@ -117,6 +120,7 @@ void IslandSolver::load_points(const ContactPatch& patch) {
     point.inverse_mass = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
                          p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
                          p.along * p.along * K[4][4];
+    point.inverse_mass = std::min(point.inverse_mass, tolerance::lightest_spring / heaviest);
     if (!(pressure[i] > 0.0)) continue;
     const double share = pressure[i] / normal;
     double f = p.solver_impulse[0] + share * since[0] - turn * pressure[i] * (p.across - across);
@@ -144,8 +148,9 @@ Six IslandSolver::motion_now(const Constraint& constraint, const ContactPatch& p
   return motion;
 }
 
-// Classifies points as sliding or not, and starts z from the velocities.
-void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, double unit_speed) {
+// Classifies points as sliding or not, which the convex law does not need, and starts z from the velocities.
+void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, double unit_speed,
+                                    FrictionLaw law) {
   for (Constraint& constraint : constraints_) {
     const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
@@ -154,7 +159,8 @@ void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, doubl
       Vec3 u = motion_at(p.along, p.across, motion);
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
-      p.slides = speed > tolerance::island_slides * p.friction * unit_speed;
+      p.slides =
+          law == FrictionLaw::coulomb && speed > tolerance::island_slides * p.friction * unit_speed;
       stamps_.push_back(p.slides ? 1 : 0);
       if (p.slides) {
         p.slip_direction = {u[0] / speed, u[1] / speed, 0.0};

@@ -31,8 +31,8 @@ void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
 }
 
 // Second half: each point gets the impulse in its cone that is nearest to that of its spring.
-void IslandSolver::project_impulses(std::span<const ContactPatch> patches, double& primal,
-                                    double& dual) {
+void IslandSolver::project_impulses(std::span<const ContactPatch> patches, FrictionLaw law,
+                                    double& primal, double& dual) {
   primal = dual = 0.0;
   for (Constraint& constraint : constraints_) {
     const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
@@ -64,7 +64,7 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, doubl
       raise((auxiliary - p.auxiliary).norm(), dual);
       p.auxiliary = auxiliary;
       p.impulse = impulse;
-      p.shift = p.friction * slide;
+      p.shift = law == FrictionLaw::coulomb ? p.friction * slide : 0.0;
     }
   }
 }
@@ -108,25 +108,18 @@ void IslandSolver::store(std::span<const int> members, bool from_impulses,
   }
 }
 
-IslandResult IslandSolver::solve(std::span<const int> members, std::span<const int> contacts,
-                                 const IslandLimits& limits, std::span<const MovingBody> free,
-                                 std::span<ContactPatch> patches, std::span<MovingBody> bodies) {
-  IslandResult result;
-  load(members, contacts, free, patches, bodies);
-  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
-  if (static_cast<double>(matrix_.multiplications_of_factor()) >
-      limits.max_work * static_cast<double>(members.size()))
-    return result;
-  result.accepted = true;
+// ADMM iterations until the residual is small, or too many. Returns false if they have diverged.
+bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLimits& limits,
+                           FrictionLaw law, IslandResult& result) {
   stiffness_ = tolerance::island_stiffness;
-  begin_iterations(patches, limits.unit_speed);
+  begin_iterations(patches, limits.unit_speed, law);
   double first_residual = 0.0;  // [m/s] after one iteration
   for (int k = 1; k <= limits.max_iterations; ++k) {
     factor_if_changed(patches, result);
     solve_velocities(patches);
     double primal = 0.0;
     double dual = 0.0;
-    project_impulses(patches, primal, dual);
+    project_impulses(patches, law, primal, dual);
     ++result.iterations;
     // With the impulses alone, velocities are wrong by what the springs still contribute.
     result.residual = std::max(stiffness_ * primal, dual);
@@ -137,9 +130,23 @@ IslandResult IslandSolver::solve(std::span<const int> members, std::span<const i
         k + tolerance::stiffness_last <= limits.max_iterations)
       adjust_stiffness(primal, dual, limits.max_stiffness);
   }
-  // The shift s is found by substitution, which diverges where friction is very large.
-  if (!(result.residual <= tolerance::admm_diverged * first_residual + limits.unit_speed)) {
-    result.accepted = false;
+  return result.residual <= tolerance::admm_diverged * first_residual + limits.unit_speed;
+}
+
+IslandResult IslandSolver::solve(std::span<const int> members, std::span<const int> contacts,
+                                 const IslandLimits& limits, std::span<const MovingBody> free,
+                                 std::span<ContactPatch> patches, std::span<MovingBody> bodies) {
+  IslandResult result;
+  load(members, contacts, free, patches, bodies);
+  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
+  if (static_cast<double>(matrix_.multiplications_of_factor()) >
+      limits.max_work * static_cast<double>(members.size()))
+    return result;
+  result.accepted = true;
+  if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
+    load(members, contacts, free, patches, bodies);
+    result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
+    if (result.accepted) store(members, result.converged, free, patches, bodies);
     return result;
   }
   if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);

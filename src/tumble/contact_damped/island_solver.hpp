@@ -105,6 +105,9 @@ class IslandSolver {
                      std::span<ContactPatch> patches, std::span<MovingBody> bodies);
 
  private:
+  // The shift s is found by substitution, which diverges where friction or the ratio of masses is very large. Without
+  // it the problem is convex, and the iterations converge; points that slide then separate a little.
+  enum class FrictionLaw : std::uint8_t { coulomb, convex };
   // A movable body of the island.
   struct Member {
     double mass = 0.0;              // [kg]
@@ -143,8 +146,8 @@ class IslandSolver {
   void load(std::span<const int> members, std::span<const int> contacts,
             std::span<const MovingBody> free, std::span<const ContactPatch> patches,
             std::span<const MovingBody> bodies);
-  void load_points(const ContactPatch& patch);
-  void begin_iterations(std::span<const ContactPatch> patches, double unit_speed);
+  void load_points(const ContactPatch& patch, double heaviest);
+  void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);
   [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
   void factor(std::span<const ContactPatch> patches, bool newton);
   void factor_if_changed(std::span<const ContactPatch> patches, IslandResult& result);
@@ -155,7 +158,10 @@ class IslandSolver {
 
   // island_solver.cpp: an ADMM iteration is solve_velocities(), then project_impulses().
   void solve_velocities(std::span<const ContactPatch> patches);
-  void project_impulses(std::span<const ContactPatch> patches, double& primal, double& dual);
+  bool iterate(std::span<const ContactPatch> patches, const IslandLimits& limits, FrictionLaw law,
+               IslandResult& result);
+  void project_impulses(std::span<const ContactPatch> patches, FrictionLaw law, double& primal,
+                        double& dual);
   void adjust_stiffness(double primal, double dual, double most);
   void store(std::span<const int> members, bool from_impulses, std::span<const MovingBody> free,
              std::span<ContactPatch> patches, std::span<MovingBody> bodies) const;

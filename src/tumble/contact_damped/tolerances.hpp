@@ -51,6 +51,10 @@ inline constexpr double weightless_speed = 3e-3;
 /// 30, 100, 300 and 1000 the one with the fewest rounds for stacks, pyramids and walls that land. (6.3.1)
 inline constexpr double island_stiffness = 100.0;
 
+/// [-] The mass that a point resists with counts as at least the heaviest body's over this. Reason: of 1, 10, 100 and
+/// 1000 the one with which random worlds with mass ratios of a million overlap least. (6.3.1)
+inline constexpr double lightest_spring = 100.0;
+
 /// [-] Springs of the direct solver at their hardest, as a multiple of the mass that a point resists with.
 /// Reason: half of the digits are left for what they solve. (6.3.1)
 inline constexpr double island_hardness = 1e6;
@@ -205,7 +209,7 @@ inline constexpr double stiffness_change = 10.0;
 inline constexpr double island_softness = 0.1;
 
 /// [-] Multiple of the residual after the first ADMM iteration beyond which the iterations have diverged. Reason:
-/// the shift of sliding points is found by substitution, which diverges for large friction. (6.3.1)
+/// the shift of sliding points is found by substitution, which diverges for large friction or mass ratios. (6.3.1)
 inline constexpr double admm_diverged = 10.0;
 
 /// [-] Friction beyond which Newton steps are not tried. Reason: shifts that follow the sliding diverge. (6.3.1)
