@@ -84,6 +84,12 @@ int run(const Request& request) {
                  r.folder.c_str());
     return kMathematical;
   }
+  if (!result.energy_gained.empty()) {
+    std::fprintf(
+        stderr,
+        "the energy of this run is wrong, see above: try a smaller --dt or another technique\n");
+    return kMathematical;
+  }
   if (result.worst != StepStatus::done) {
     std::fprintf(stderr, "%s: worst status %s, %lld steps at the event cap\n",
                  r.description.technique.c_str(), std::string(name_of(result.worst)).c_str(),

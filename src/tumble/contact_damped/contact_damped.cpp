@@ -79,6 +79,8 @@ void ContactDamped::load(const World& world, double dt) {
     start[k].inverse_mass.setZero();
     start[k].inverse_inertia_w.setZero();
   }
+  storage_.start_wb.clear();
+  for (const BodyState& state : world.states()) storage_.start_wb.push_back(state.orientation_wb);
   free = start;
   for (MovingBody& body : free)
     if (body.inverse_mass.x() > 0.0) body.velocity_w += dt * world.gravity_w;

@@ -122,6 +122,7 @@ class ContactDamped : public Technique {
     std::vector<char> in_flight;            // by body index: without an impulse
     std::vector<char> hit;                  // by patch: an impact too fast to stick
     std::vector<PushedPair> pushed;         // pairs with an impulse
+    std::vector<Quat> start_wb;             // orientations at the start of the step
     PivotUpdate pivots;                     // bodies that are moved together
     std::vector<MovingBody> displacements;  // of the overlap correction
   };

@@ -101,7 +101,8 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     bounced = true;
     bounce_island(island(world, k, dt), report);
   }
-  // Bodies have turned since then: their angular momentum is what the impulses change.
+  // Bodies have turned since their impulses were found, and take their angular momentum with them: in its own frame a
+  // body has the velocity that the impulses give it, and so the energy.
   for (std::size_t i = 0; bounced && i < velocities_.end.size(); ++i) {
     const MovingBody& now = velocities_.end[i];
     const Vec3 turn_w = now.angular_velocity_w - velocities_.moved[i].angular_velocity_w;
@@ -109,7 +110,9 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     if (now.inverse_mass.x() == 0.0 || (turn_w.isZero(0.0) && push_w.isZero(0.0))) continue;
     storage_.in_flight[i] = 0;
     world.states()[i].linear_momentum_w += world.bodies()[i].mass * push_w;
-    world.states()[i].angular_momentum_w += now.inverse_inertia_w.inverse() * turn_w;
+    const Quat turned = world.states()[i].orientation_wb * storage_.start_wb[i].conjugate();
+    world.states()[i].angular_momentum_w =
+        turned * Vec3(now.inverse_inertia_w.inverse() * now.angular_velocity_w);
   }
   if (observer() == nullptr) return;
   for (std::size_t k = 0; k < patches.size(); ++k)

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
+#include "tumble/record/energy_check.hpp"
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
@@ -105,6 +106,8 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
   const World& world = simulation.world();
   MetricsMeter meter;
   const Observation measured(simulation, meter);
+  EnergyCheck energy;
+  const Observation checked(simulation, energy);
   EventForwarder events(world, observers);
   const Observation forwarded(simulation, events);
   RunResult result;
@@ -132,6 +135,11 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     }
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
+    if (energy.failed()) report.status = std::max(report.status, StepStatus::energy_gained);
+    if (energy.failed() && result.energy_gained.empty()) {
+      result.energy_gained = energy.message();
+      for (RunObserver* observer : observers) observer->on_mistake(energy.message());
+    }
     add_up(report, result.totals, result.worst_report);
     result.last_report = report;
     result.last = meter.metrics();
@@ -162,6 +170,8 @@ std::string_view name_of(StepStatus status) {
       return "done";
     case StepStatus::event_cap:
       return "event_cap";
+    case StepStatus::energy_gained:
+      return "energy_gained";
     case StepStatus::unsolved:
       return "unsolved";
     case StepStatus::not_finite:
