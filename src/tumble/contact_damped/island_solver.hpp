@@ -18,7 +18,6 @@ namespace tumble {
 /// When IslandSolver stops, and which islands it takes.
 struct IslandLimits {
   double residual = 0.0;    ///< [m/s] velocity error at a point that counts as solved
-  double enough = 0.0;      ///< [m/s] ADMM ends below it too, though that does not count as solved
   double unit_speed = 0.0;  ///< [m/s] speed that gravity gives in a step, or a substitute for it
   int max_iterations = 20;  ///< ADMM iterations, at least 1
   double max_work = 0.0;    ///< [-] multiplications of a factorization for each body, at most
@@ -28,6 +27,7 @@ struct IslandLimits {
   /// taken when they have not converged, if it is in balance and its residual much smaller than before.
   double shift_tolerance = 0.0;
   int max_shift_updates = 100;  ///< updates of impulses and shifts between Newton steps
+  double enough = 0.0;  ///< [m/s] ADMM ends below it too, though that does not count as solved
 };
 
 /// How IslandSolver ended.

@@ -12,7 +12,7 @@ namespace tumble {
 /// Watches the total energy of a run, kinetic and potential. Nothing in a scene adds any: contacts, friction and impacts
 /// can only take it away. A run in which it rises shows something that cannot happen, however it was booked.
 ///
-/// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start plus the
+/// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start and the
 /// sum of m g L over the movable bodies, L a body's longest edge.
 class EnergyCheck : public Observer {
  public:
@@ -20,7 +20,7 @@ class EnergyCheck : public Observer {
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
 
-  /// Whether the energy is above what is allowed.
+  /// Whether the energy is above the limit.
   /// \return after the last step; false for a world that is not finite
   [[nodiscard]] bool failed() const { return failed_; }
 

@@ -80,8 +80,10 @@ PrintedFixReport fix_contact_constraints_as_printed(World& world, std::span<cons
       // [FIXCONTACTCONSTRAINTS:6-7]
       ++report.pushes;
       // Erratum X1: nothing says that this ends.
-      report.ended = report.ended && ++pushes < cap;
-      if (pushes == cap) break;
+      if (++pushes == cap) {
+        report.ended = false;
+        break;
+      }
     }
   }
   report.energy = energy_of(world).potential - before;

@@ -1,0 +1,132 @@
+/// \file
+/// \brief The default technique in motion: bodies that do not move fast keep carrying, whatever moves among them.
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/scenes/simulation.hpp"
+
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace {
+
+using namespace tumble;
+
+// A tower of crossed layers of three blocks; one block has a velocity along its length.
+Scene tower(int layers, int layer, int block, double speed, double scale) {
+  Scene scene;
+  scene.ground = SceneGround{0.4, 0.0};
+  const Vec3 size = scale * Vec3(0.075, 0.015, 0.025);
+  for (int l = 0; l < layers; ++l) {
+    const bool along = l % 2 == 0;
+    for (int k = 0; k < 3; ++k) {
+      SceneBox box;
+      box.name = "block" + std::to_string(l) + "_" + std::to_string(k);
+      box.size = along ? size : Vec3(size.z(), size.y(), size.x());
+      box.mass = 0.018 * scale * scale * scale;
+      box.friction = 0.4;
+      const double sideways = (k - 1) * size.z();
+      box.position_w = Vec3(along ? 0.0 : sideways, (l + 0.5) * size.y(), along ? sideways : 0.0);
+      if (l == layer && k == block)
+        box.velocity_w = speed * (along ? Vec3::UnitX() : Vec3::UnitZ());
+      scene.boxes.push_back(box);
+    }
+  }
+  return scene;
+}
+
+// Tiles side by side with flush tops, and a cube that slides over them.
+Scene tiles(bool fixed, double speed) {
+  Scene scene;
+  scene.ground = SceneGround{0.5, 0.0};
+  for (int k = 0; k < 8; ++k) {
+    SceneBox tile;
+    tile.name = "tile" + std::to_string(k);
+    tile.size = Vec3(0.5, 0.5, 0.5);
+    tile.mass = 50.0;
+    tile.fixed = fixed;
+    tile.position_w = Vec3(0.5 * k, 0.25, 0.0);
+    scene.boxes.push_back(tile);
+  }
+  SceneBox slider;
+  slider.name = "slider";
+  slider.size = Vec3(0.3, 0.3, 0.3);
+  slider.position_w = Vec3(0.0, 0.65, 0.05);
+  slider.velocity_w = Vec3(speed, 0.0, 0.0);
+  scene.boxes.push_back(slider);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
+          "[unit][contact_damped]") {
+  struct Pull {
+    int layers, layer, block;
+    double speed, scale;
+  };
+  for (const Pull& p :
+       {Pull{8, 5, 1, 0.3, 1.0}, Pull{3, 0, 1, -0.64, 40.0}, Pull{13, 11, 2, 1.04, 1.0},
+        Pull{18, 8, 1, 0.3, 1.0}, Pull{22, 0, 2, 0.34, 40.0}, Pull{9, 6, 2, -4.23, 1.0}}) {
+    CAPTURE(p.layers, p.layer, p.block, p.speed, p.scale);
+    const Scene scene = tower(p.layers, p.layer, p.block, p.speed, p.scale);
+    Simulation simulation(scene);
+    CHECK(simulation.run_for(0.1) == StepStatus::done);
+    const std::string pulled = "block" + std::to_string(p.layer) + "_" + std::to_string(p.block);
+    double sunk = 0.0;
+    for (const SceneBox& box : scene.boxes) {
+      if (box.name == pulled) continue;
+      sunk = std::max(sunk, box.position_w.y() - simulation.body(box.name).position_w().y());
+    }
+    CHECK(sunk < 1e-3);
+  }
+}
+
+TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_damped]") {
+  for (const bool fixed : {true, false}) {
+    for (const double dt : {1.0 / 240.0, 1.0 / 100.0, 1.0 / 60.0, 1.0 / 50.0, 1.0 / 30.0}) {
+      for (const double speed : {0.7, 2.0, 3.5}) {
+        CAPTURE(fixed, dt, speed);
+        Simulation simulation(tiles(fixed, speed));
+        CHECK(simulation.run_for(2.0, dt) == StepStatus::done);
+        const BodyView slider = simulation.body("slider");
+        // It brakes at the end of each step rather than over it, which costs v dt / 2.
+        const double stops = speed * speed / (2.0 * 0.5 * 9.81) - 0.5 * speed * dt;
+        CHECK(std::abs(slider.position_w().x() - stops) < 1e-3 + 0.5 * 9.81 * dt * dt);
+        CHECK(std::abs(slider.position_w().y() - 0.65) < 1e-6);
+        CHECK(std::abs(slider.position_w().z() - 0.05) < 1e-6);
+        CHECK(std::abs(slider.orientation_wb().w()) > 1.0 - 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("A thin rod that tumbles on the ground gains no energy", "[unit][contact_damped]") {
+  for (const Vec3& size :
+       {Vec3(2.0, 0.005, 0.005), Vec3(1.0, 0.01, 1.0), Vec3(0.15, 0.007, 0.007)}) {
+    for (const double dt : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+      CAPTURE(size.transpose(), dt);
+      Scene scene;
+      scene.ground = SceneGround{0.4, 0.2};
+      SceneBox rod;
+      rod.size = size;
+      rod.position_w = Vec3(0.0, 1.2 * size.x(), 0.0);
+      rod.orientation_wb = rotation_from_vector(Vec3(0.0, 0.26, 0.35));
+      rod.angular_velocity_w = Vec3(0.0, 0.0, 0.3 / dt);
+      rod.friction = 0.4;
+      rod.restitution = 0.2;
+      scene.boxes = {rod};
+      Simulation simulation(scene);
+      const double start = energy_of(simulation.world()).total();
+      double most = start;
+      for (double t = 0.0; t < 3.0; t += dt) {
+        CHECK(simulation.step(dt).status == StepStatus::done);
+        most = std::max(most, energy_of(simulation.world()).total());
+      }
+      CHECK(most < 1.001 * start);
+    }
+  }
+}
