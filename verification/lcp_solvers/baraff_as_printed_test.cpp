@@ -62,10 +62,10 @@ Tally tally_of(const BaraffAsPrintedOptions& options) {
 
 }  // namespace
 
-TEST_CASE("The thesis's form counts a contact that pushed at first and then parts",
+TEST_CASE("The thesis's form counts a contact that pushed at first and then separates",
           "[exact][lcp][analytic_lcp]") {
   const LcpResult result = solved(lcp({4, 3, 3, 4}, {-1, -4}));
-  CHECK(result.pivots == 3);  // 0 pushes, 0 parts again, 1 pushes
+  CHECK(result.pivots == 3);  // 0 pushes, 0 separates again, 1 pushes
   CHECK(result.pushing == std::vector<int>{1});
   // A df: 4 each time. Elimination with C = {}, {0}, {}: one division. f and a: 4 each time.
   CHECK(result.multiplications == 3 * 4 + 1 + 3 * 4);
@@ -86,7 +86,7 @@ TEST_CASE(
     "one in twenty",
     "[claims][lcp][analytic_lcp]") {
   // 2000 boxes with up to 24 contacts, a third of them twice; every problem has a solution. Counts
-  // depend on rounding, so they are the same everywhere; bounds leave room for other tie rules.
+  // depend on rounding, so they are the same everywhere; bounds allow for other tie rules.
   const Tally thesis = tally_of({});
   CHECK(thesis.solved >= 1900);                          // measured 1917
   CHECK(thesis.infeasible + thesis.cap_reached <= 100);  // measured 46 and 37

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What all solvers of the complementarity problem share, and the list of them.
+/// \brief Checks and residuals common to all solvers of the complementarity problem, and their list.
 #include "tumble/lcp_solvers/lcp.hpp"
 
 #include "tumble/base/error.hpp"

@@ -1,6 +1,6 @@
 /// \file
-/// \brief The linear complementarity problem of contact forces, and what every solver of it looks
-///        like (thesis 2.6, 3.3.1).
+/// \brief The linear complementarity problem of contact forces, and the interface of its solvers
+///        (thesis 2.6, 3.3.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -17,7 +17,7 @@
 namespace tumble {
 
 /// Find f with a = A f + b such that row by row either \f$f_i \ge 0, a_i \ge 0, f_i a_i = 0\f$ (a
-/// contact pushes or parts), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
+/// contact pushes or separates), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
 struct LcpProblem {
   MatX A;                      ///< [1/kg] (n×n)
   VecX b;                      ///< [m/s²] (n) what a would be without forces
@@ -60,7 +60,7 @@ struct LcpResult {
   }
 };
 
-/// The number that judges any answer, whoever computed it.
+/// The number that judges any answer, of any solver.
 /// \param problem the problem
 /// \param f       (n) the answer
 /// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the

@@ -4,9 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/lcp_solvers/mass_root.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
@@ -45,7 +43,7 @@ void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
   result.f.assign(idx(n), 0.0);
   result.pivots = 0;
   result.multiplications = 0;
-  take_roots(problem.factors);
+  roots_.take(problem.factors);
   set_up_columns(problem);
   x_.assign(6 * problem.factors.bodies.size(), 0.0);
 
@@ -66,16 +64,6 @@ void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
   complete(problem, result);
 }
 
-// S, body by body.
-void LeastConstraintSolver::take_roots(const LcpFactors& factors) {
-  root_inverse_mass_.clear();
-  root_inverse_inertia_w_.clear();
-  for (const LcpFactors::Body& body : factors.bodies) {
-    root_inverse_mass_.push_back(body.inverse_mass.cwiseSqrt());
-    root_inverse_inertia_w_.push_back(root_of(body.inverse_inertia_w));
-  }
-}
-
 // E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities.
 void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
   const int n = problem.size();
@@ -90,22 +78,14 @@ void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
   target_[rows - 1] = 1.0;
 
   const auto put = [this](int column, int body, const Vec3& linear_w, const Vec3& angular_w) {
-    if (body < 0) return;
-    E_.block<3, 1>(6 * body, column) = root_inverse_mass_[idx(body)].cwiseProduct(linear_w);
-    E_.block<3, 1>(6 * body + 3, column) =
-        root_inverse_inertia_w_[idx(body)].transpose() * angular_w;
+    if (body >= 0) E_.block<6, 1>(6 * body, column) = roots_.part(body, linear_w, angular_w);
   };
   for (int i = 0; i < n; ++i) {
     const LcpFactors::Row& row = problem.factors.rows[idx(i)];
     put(i, row.first, row.linear_first_w, row.angular_first_w);
     put(i, row.second, row.linear_second_w, row.angular_second_w);
     const double length = length_of(E_, i);
-    const double A_ii = problem.A(i, i);
-    const double scale = std::max(length * length, std::abs(A_ii));
-    if (!(std::abs(length * length - A_ii) <= tolerance::symmetry * scale))
-      require::that(false, "row " + std::to_string(i) + " of the factors makes " +
-                               shortest_text(length * length) +
-                               " of A_ii = " + shortest_text(A_ii) + ": give the factors of A");
+    require_diagonal(problem, i, length * length);
   }
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
     for (int row = 0; row < rows; ++row) E_(row, n + static_cast<int>(k)) = -E_(row, mirrored_[k]);
@@ -147,16 +127,10 @@ void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
     result.f[idx(mirrored_[k])] -= factor * cone_.f[idx(n) + k];
 
-  for (std::size_t body = 0; body < root_inverse_mass_.size(); ++body) {
-    const double* Gu = &cone_.rest[6 * body];  // with the other sign
-    const Vec3 linear = -factor * Vec3(Gu[0], Gu[1], Gu[2]);
-    const Vec3 angular = -factor * Vec3(Gu[3], Gu[4], Gu[5]);
-    const Vec3 added_linear_w = root_inverse_mass_[body].cwiseProduct(linear);
-    const Vec3 added_angular_w = root_inverse_inertia_w_[body] * angular;
-    for (int k = 0; k < 3; ++k) {
-      x_[6 * body + idx(k)] = added_linear_w[k];
-      x_[6 * body + 3 + idx(k)] = added_angular_w[k];
-    }
+  for (int body = 0; body < static_cast<int>(problem.factors.bodies.size()); ++body) {
+    double* x = &x_[6 * idx(body)];
+    const Vec6 Gu = Eigen::Map<const Vec6>(&cone_.rest[6 * idx(body)]);  // with the other sign
+    Eigen::Map<Vec6>(x, 6) = roots_.acceleration(body, -factor * Gu);
   }
 }
 

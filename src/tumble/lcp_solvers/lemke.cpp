@@ -58,6 +58,8 @@ void LemkeSolver::solve_equalities(LcpResult& result) {
   open_rows_.reserve(idx(n));
   ties_.clear();  // here: equalities whose forces are not in the basis
   ties_.reserve(idx(n));
+  column_.x.reserve(idx(n));
+  column_.bound.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(*problem_, i)) open_rows_.push_back(i);
   ties_.assign(open_rows_.begin(), open_rows_.end());

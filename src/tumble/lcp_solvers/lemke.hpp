@@ -49,7 +49,7 @@ struct LemkeOptions {
 /// \see Lemke, "Bimatrix equilibrium points and mathematical programming", Management Science 11,
 ///      1965; Cottle, Pang, Stone, "The linear complementarity problem", 1992, 4.4 and 4.9.
 /// \algorithm{Forces of contacts for any matrix, by Lemke: section 3.3.1}
-/// \verified{Lemke's method, Baraff's and trying everything agree on 10000 contact problems}
+/// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class LemkeSolver : public LcpSolver {
  public:
   /// \param options what can be chosen

@@ -29,8 +29,8 @@ inline constexpr double gauss_seidel_residual = 1e-9;
 /// more than a box of a ton on one of a gram. (2.6.2)
 inline constexpr double contradiction = 1e-6;
 
-/// [-] Residual at which the method of multipliers stops. Reason: a hundredth of what is asked for of an
-/// exact solver, and a hundred times the rounding of a pile of a thousand contacts. (3.3.1)
+/// [-] Residual at which the method of multipliers stops. Reason: a hundredth of the
+/// residual asked of an exact solver, and a hundred times the rounding of a pile of a thousand contacts. (3.3.1)
 inline constexpr double multiplier_residual = 1e-12;
 
 /// [-] Softness of the springs that stand for contacts, for rows scaled to A_ii = 1. Reason: a round
@@ -49,8 +49,8 @@ inline constexpr double slow_round = 0.1;
 /// [-] What a slow round does to the softness. Reason: three steps lead to the hardest springs. (3.3.1)
 inline constexpr double hardening = 0.01;
 
-/// [-] Springs and masses are in balance if what is left is below this share of the accelerations
-/// that are wrong. Reason: what is left is mended by the next round, and rounds without a change of
+/// [-] Springs and masses are in balance if their imbalance is below this share of the accelerations
+/// that are wrong. Reason: the next round corrects the rest, and rounds without a change of
 /// the set gain three digits anyhow. (3.3.1)
 inline constexpr double balance = 1e-4;
 
