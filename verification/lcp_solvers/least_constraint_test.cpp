@@ -81,9 +81,11 @@ TEST_CASE("Least constraint begins with the rows that it is given", "[unit][lcp]
   CHECK(near(result.f, {0, 5.4936, 5.4936, 0}, rounding));
 }
 
-TEST_CASE("Least constraint refuses a problem without factors, or with others",
+TEST_CASE("Least constraint works on A alone, and refuses factors of another matrix",
           "[unit][lcp][analytic_lcp]") {
-  CHECK_THROWS_WITH(solved(lcp({2}, {-4})), Catch::Contains("needs the factors"));
+  CHECK(near(solved(without_factors(stack(3))).f, {29.43, 19.62, 9.81}, rounding));
+  CHECK(near(solved(without_factors(rising_cube(true))).f, {0, 0, -9.81, 0}, rounding));
+  CHECK(solved(lcp({-1}, {-1})).status == LcpStatus::not_positive_semidefinite);
   LcpProblem problem = stack(2);
   problem.A(0, 0) = 3.0;
   CHECK_THROWS_WITH(solved(problem), Catch::Contains("row 0 of the factors makes 1 of A_ii = 3"));

@@ -2,21 +2,17 @@
 /// \brief A positive semidefinite matrix as products of short rows.
 #include "tumble/lcp_solvers/block_rows.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace tumble {
 bool BlockRows::take(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
   const std::size_t n = idx(problem.size());
-  if (rows != 0 && rows != n)
-    require::that(
-        false, "factors have " + std::to_string(rows) + " rows: give none or " + std::to_string(n));
+  if (rows != 0) require_factors_fit(problem);
   begin_.clear();
   begin_.reserve(n + 1);
   begin_.push_back(0);
@@ -33,7 +29,6 @@ bool BlockRows::take(const LcpProblem& problem) {
 // g_i is what Sᵀ makes of row i of J, body by body.
 void BlockRows::take_factors(const LcpProblem& problem) {
   const LcpFactors& factors = problem.factors;
-  require_valid(factors);
   blocks_ = static_cast<int>(factors.bodies.size());
   roots_.take(factors);
 

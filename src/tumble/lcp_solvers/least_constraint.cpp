@@ -21,30 +21,23 @@ double length_of(const MatX& E, int column) {
   return std::sqrt(square);
 }
 
-void require_factors(const LcpProblem& problem) {
-  const std::size_t rows = problem.factors.rows.size();
-  if (rows != idx(problem.size()))
-    require::that(false, "factors have " + std::to_string(rows) + " rows: give " +
-                             std::to_string(problem.size()) +
-                             ", least constraint needs the factors of A, not only A");
-  require_valid(problem.factors);
-}
-
 }  // namespace
 
 void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
                                   std::span<const int> start) {
   require_valid(problem, LcpMatrix::symmetric_semidefinite);
   require_valid_start(problem.size(), start);
-  require_factors(problem);
   const int n = problem.size();
   cone_.pushing.assign(start.begin(), start.end());
   result.status = LcpStatus::solved;
   result.f.assign(idx(n), 0.0);
   result.pivots = 0;
   result.multiplications = 0;
-  roots_.take(problem.factors);
-  set_up_columns(problem);
+  if (!set_up_columns(problem)) {
+    result.status = LcpStatus::not_positive_semidefinite;
+    complete(problem, result);
+    return;
+  }
   x_.assign(6 * problem.factors.bodies.size(), 0.0);
 
   // |z| is at least the distance of the farthest constraint; if that is 0, the free accelerations
@@ -61,34 +54,57 @@ void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
     const double t = cone_.rest.back();
     scale *= std::sqrt(std::max(0.0, cone_.distance * cone_.distance - t * t)) / t;
   }
-  complete(problem, result);
+  conclude(problem, result);
 }
 
-// E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities.
-void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
+// E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities. Where bodies are not
+// known a factor of A stands for G. Returns false if there is none.
+bool LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
   const int n = problem.size();
   mirrored_.clear();
   mirrored_.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(problem, i)) mirrored_.push_back(i);
-  const int rows = 6 * static_cast<int>(problem.factors.bodies.size()) + 1;
-  const int columns = n + static_cast<int>(mirrored_.size());
-  E_.setZero(rows, columns);
+  if (problem.factors.rows.empty()) {
+    if (!rows_.take(problem)) return false;
+    set_size(problem, rows_.blocks());
+    take_matrix_columns();
+  } else {
+    set_size(problem, static_cast<int>(problem.factors.bodies.size()));
+    take_body_columns(problem);
+  }
+  for (std::size_t k = 0; k < mirrored_.size(); ++k)
+    E_.col(n + static_cast<int>(k)) = -E_.col(mirrored_[k]);
+  return true;
+}
+
+void LeastConstraintSolver::set_size(const LcpProblem& problem, int blocks) {
+  const int rows = 6 * blocks + 1;
+  E_.setZero(rows, problem.size() + static_cast<int>(mirrored_.size()));
   target_.setZero(rows);
   target_[rows - 1] = 1.0;
+}
 
+void LeastConstraintSolver::take_matrix_columns() {
+  for (int i = 0; i < rows_.size(); ++i)
+    for (int p = rows_.begin_of_rows()[idx(i)]; p < rows_.begin_of_rows()[idx(i) + 1]; ++p)
+      E_.block<6, 1>(6 * rows_.blocks_of_rows()[idx(p)], i) =
+          rows_.length(i) * rows_.parts()[idx(p)];
+}
+
+void LeastConstraintSolver::take_body_columns(const LcpProblem& problem) {
+  require_factors_fit(problem);
+  roots_.take(problem.factors);
   const auto put = [this](int column, int body, const Vec3& linear_w, const Vec3& angular_w) {
     if (body >= 0) E_.block<6, 1>(6 * body, column) = roots_.part(body, linear_w, angular_w);
   };
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < problem.size(); ++i) {
     const LcpFactors::Row& row = problem.factors.rows[idx(i)];
     put(i, row.first, row.linear_first_w, row.angular_first_w);
     put(i, row.second, row.linear_second_w, row.angular_second_w);
     const double length = length_of(E_, i);
     require_diagonal(problem, i, length * length);
   }
-  for (std::size_t k = 0; k < mirrored_.size(); ++k)
-    for (int row = 0; row < rows; ++row) E_(row, n + static_cast<int>(k)) = -E_(row, mirrored_[k]);
 }
 
 // The distance of z = 0 from the half space that it is farthest out of; 0 if it is in all of them;
@@ -127,6 +143,7 @@ void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
     result.f[idx(mirrored_[k])] -= factor * cone_.f[idx(n) + k];
 
+  if (problem.factors.rows.empty()) return;
   for (int body = 0; body < static_cast<int>(problem.factors.bodies.size()); ++body) {
     double* x = &x_[6 * idx(body)];
     const Vec6 Gu = Eigen::Map<const Vec6>(&cone_.rest[6 * idx(body)]);  // with the other sign

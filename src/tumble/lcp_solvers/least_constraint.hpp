@@ -2,7 +2,7 @@
 /// \brief Contact forces by Gauss' principle of least constraint (thesis 2.6.2).
 #pragma once
 
-#include "tumble/lcp_solvers/mass_root.hpp"
+#include "tumble/lcp_solvers/block_rows.hpp"
 #include "tumble/math/least_squares.hpp"
 
 namespace tumble {
@@ -46,21 +46,23 @@ class LeastConstraintSolver final : public LcpSolver {
   [[nodiscard]] std::string_view name() const override { return "least_constraint"; }
 
   /// \copydoc LcpSolver::solve
-  /// \note A problem without factors is refused: bodies cannot be found from A alone. `start` is
-  ///       used. Equalities are, too
-  /// \throws std::invalid_argument if there are no factors, they make no sense, or the diagonal of
-  ///         J W Jᵀ is not that of A
+  /// \note Without factors, G is a Cholesky factor of A, and a matrix that is not positive semidefinite gets
+  ///       that status. `start` and equalities are used
+  /// \throws std::invalid_argument if factors are given that make no sense or are not those of A
   void solve(const LcpProblem& problem, LcpResult& result,
              std::span<const int> start = {}) override;
 
   /// What the contacts of the last problem add to the accelerations of the bodies, if it was
   /// solved.
-  /// \return [m/s², rad/s²] (6 per body) \f$\dot v\f$, \f$\dot\omega\f$ in the world frame, as the
+  /// \return [m/s², rad/s²] (6 per body; empty without factors) \f$\dot v\f$, \f$\dot\omega\f$ in the world frame, as the
   ///         bodies are numbered in the factors
   [[nodiscard]] std::span<const double> added_accelerations() const { return x_; }
 
  private:
-  void set_up_columns(const LcpProblem& problem);
+  bool set_up_columns(const LcpProblem& problem);
+  void set_size(const LcpProblem& problem, int blocks);
+  void take_matrix_columns();
+  void take_body_columns(const LcpProblem& problem);
   [[nodiscard]] double farthest_constraint(const LcpProblem& problem) const;
   bool project(const LcpProblem& problem, double scale);
   void take_forces(const LcpProblem& problem, double scale, LcpResult& result);
@@ -71,6 +73,7 @@ class LeastConstraintSolver final : public LcpSolver {
   VecX target_;                // (m) (0, 1)
   std::vector<int> mirrored_;  // (e) rows that are equalities
   MassRoots roots_;
+  BlockRows rows_;         // of A alone
   std::vector<double> x_;  // (6 bodies) see added_accelerations()
 };
 

@@ -53,6 +53,14 @@ Vec6 MassRoots::acceleration(int body, const Vec6& z) const {
   return rates;
 }
 
+void require_factors_fit(const LcpProblem& problem) {
+  const std::size_t rows = problem.factors.rows.size();
+  if (rows != idx(problem.size()))
+    require::that(false, "factors have " + std::to_string(rows) + " rows: give none or " +
+                             std::to_string(problem.size()));
+  require_valid(problem.factors);
+}
+
 void require_diagonal(const LcpProblem& problem, int row, double product) {
   const double A_ii = problem.A(row, row);
   if (std::abs(product - A_ii) <= tolerance::symmetry * std::max(product, std::abs(A_ii))) return;

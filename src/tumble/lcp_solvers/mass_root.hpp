@@ -37,6 +37,11 @@ class MassRoots {
   std::vector<Mat3> inertia_w_;  // (bodies) lower right block of S
 };
 
+/// Refuses factors that make no sense, or of which there are not as many rows as A has.
+/// \param problem  the problem
+/// \throws std::invalid_argument as require_valid(), or naming both numbers
+void require_factors_fit(const LcpProblem& problem);
+
 /// Refuses factors whose product has another diagonal than A.
 /// \param problem  the problem
 /// \param row      from 0 to n - 1

@@ -59,4 +59,18 @@ inline constexpr double balance = 1e-4;
 /// that one contact asks for. (3.3.1)
 inline constexpr double usable_residual = 1e-6;
 
+/// [-] Residual of the least violation up to which a problem is called inconsistent and its forces are
+/// usable, and above which it is called infeasible. Reason: a millimetre per second for an impact at
+/// 1 m/s; measured systems contradict themselves by 1e-10 to 1e-6. (3.3.1)
+inline constexpr double inconsistent = 1e-3;
+
+/// [-] Softness of the rounds towards the least violation, for rows scaled to A_ii = 1. Reason: half of the
+/// digits; a round takes the error to this share over the smallest eigenvalue of the contacts that
+/// push. (3.3.1)
+inline constexpr double proximal_softness = 1e-8;
+
+/// [-] Forces A_ii f_i above this share of max |b| may be due to a slight contradiction, and are compared
+/// with those of the least violation. Reason: a stack of fifty boxes; more is seldom due to load. (3.3.1)
+inline constexpr double large_forces = 100.0;
+
 }  // namespace tumble::tolerance

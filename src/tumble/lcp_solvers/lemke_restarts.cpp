@@ -1,0 +1,88 @@
+/// \file
+/// \brief Lemke's method begun at other bases, for matrices for which a ray proves nothing.
+#include "tumble/lcp_solvers/lemke_restarts.hpp"
+
+#include "tumble/base/index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+constexpr int kMostAttempts = 500;
+
+// Of a 1×1 or 2×2 matrix; false if it has none.
+bool invert(const MatX& A, MatX& inverse) {
+  const double determinant = A.rows() == 1 ? A(0, 0) : A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+  if (determinant == 0.0) return false;
+  inverse.resize(A.rows(), A.cols());
+  if (A.rows() == 1)
+    inverse(0, 0) = 1.0;
+  else
+    inverse << A(1, 1), -A(0, 1), -A(1, 0), A(0, 0);
+  inverse /= determinant;
+  return inverse.allFinite();
+}
+
+}  // namespace
+
+bool LemkeRestarts::solve(const LcpProblem& problem, LcpResult& result) {
+  const int n = problem.size();
+  for (int i = 0; i < n; ++i)
+    if (is_equality(problem, i)) return false;
+  int attempts = 0;
+  for (int i = 0; i < n && attempts < kMostAttempts; ++i, ++attempts)
+    if (attempt(problem, std::array{i}, result)) return true;
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n && attempts < kMostAttempts; ++j, ++attempts)
+      if (attempt(problem, std::array{i, j}, result)) return true;
+  return false;
+}
+
+bool LemkeRestarts::attempt(const LcpProblem& problem, std::span<const int> exchanged,
+                            LcpResult& result) {
+  const auto count = static_cast<Eigen::Index>(exchanged.size());
+  MatX rows(count, problem.size());
+  MatX columns(problem.size(), count);
+  MatX own(count, count);
+  VecX b(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const int i = exchanged[static_cast<std::size_t>(k)];
+    rows.row(k) = problem.A.row(i);
+    columns.col(k) = problem.A.col(i);
+    b[k] = problem.b[i];
+    for (Eigen::Index m = 0; m < count; ++m)
+      own(k, m) = problem.A(i, exchanged[static_cast<std::size_t>(m)]);
+  }
+  MatX inverse;
+  if (!invert(own, inverse)) return false;
+  const MatX to_rows = columns * inverse;
+  transformed_.A = problem.A - to_rows * rows;
+  transformed_.b = problem.b - to_rows * b;
+  const MatX own_rows = -inverse * rows;
+  const VecX own_b = -inverse * b;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const int i = exchanged[static_cast<std::size_t>(k)];
+    transformed_.A.row(i) = own_rows.row(k);
+    transformed_.b[i] = own_b[k];
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const int i = exchanged[static_cast<std::size_t>(k)];
+    transformed_.A.col(i) = to_rows.col(k);
+    for (Eigen::Index m = 0; m < count; ++m)
+      transformed_.A(exchanged[static_cast<std::size_t>(m)], i) = inverse(m, k);
+  }
+  if (!transformed_.A.allFinite() || !transformed_.b.allFinite()) return false;
+  lemke_.solve(transformed_, answer_);
+  if (answer_.status != LcpStatus::solved) return false;
+  for (const int i : exchanged) answer_.f[idx(i)] = answer_.a[idx(i)];
+  for (double& f : answer_.f) f = std::max(f, 0.0);
+  conclude(problem, answer_);
+  if (answer_.status != LcpStatus::solved || !holds(problem, answer_)) return false;
+  std::swap(result, answer_);
+  return true;
+}
+
+}  // namespace tumble

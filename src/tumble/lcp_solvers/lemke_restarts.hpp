@@ -1,0 +1,34 @@
+/// \file
+/// \brief Lemke's method begun at other bases, for matrices for which a ray proves nothing.
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/lcp_solvers/lemke.hpp"
+
+namespace tumble {
+
+/// Tries Lemke's method on principal transforms of a problem.
+///
+/// A set of rows α whose A_αα has an inverse exchanges its forces and accelerations,
+/// \f[ \begin{pmatrix} f_\alpha \\ a_\beta \end{pmatrix} = A' \begin{pmatrix} a_\alpha \\ f_\beta \end{pmatrix} + b', \f]
+/// which has the same solutions and another path. Tried are all single rows and then all pairs, in their
+/// order, up to a number of attempts. So games of two players are solved, whose first path ends on a ray at once.
+/// \see Cottle, Pang, Stone, "The linear complementarity problem", 1992, 2.3 and 4.4.
+class LemkeRestarts {
+ public:
+  /// Tries until an answer passes holds().
+  /// \param problem  without equalities; others are not tried
+  /// \param result   the answer if there is one; else it is left as it is
+  /// \return whether there is one
+  bool solve(const LcpProblem& problem, LcpResult& result);
+
+ private:
+  bool attempt(const LcpProblem& problem, std::span<const int> exchanged, LcpResult& result);
+
+  LemkeSolver lemke_;
+  LcpProblem transformed_;
+  LcpResult answer_;
+};
+
+}  // namespace tumble
