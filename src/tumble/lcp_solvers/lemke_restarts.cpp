@@ -3,6 +3,7 @@
 #include "tumble/lcp_solvers/lemke_restarts.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@ namespace tumble {
 namespace {
 
 constexpr int kMostAttempts = 500;
+constexpr double kMostWork = 1e9;  // multiplications of all attempts, about 2 n³ each
 
 // Of a 1×1 or 2×2 matrix; false if it has none.
 bool invert(const MatX& A, MatX& inverse) {
@@ -32,17 +34,28 @@ bool LemkeRestarts::solve(const LcpProblem& problem, LcpResult& result) {
   const int n = problem.size();
   for (int i = 0; i < n; ++i)
     if (is_equality(problem, i)) return false;
-  int attempts = 0;
-  for (int i = 0; i < n && attempts < kMostAttempts; ++i, ++attempts)
-    if (attempt(problem, std::array{i}, result)) return true;
+  if (n == 0) return false;
+  units_.assign(problem);
+  const LcpProblem& scaled = units_.problem();
+  int left = std::min(kMostAttempts, static_cast<int>(kMostWork / (2.0 * n * n * n)));
+  for (LemkeSolver& solver : solvers_)
+    if (attempt(scaled, {}, solver, problem, result)) return true;
+  for (int i = 0; i < n && left > 0; ++i, --left)
+    if (attempt(scaled, std::array{i}, solvers_[0], problem, result)) return true;
   for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n && attempts < kMostAttempts; ++j, ++attempts)
-      if (attempt(problem, std::array{i, j}, result)) return true;
+    for (int j = i + 1; j < n && left > 0; ++j, --left)
+      if (attempt(scaled, std::array{i, j}, solvers_[0], problem, result)) return true;
   return false;
 }
 
-bool LemkeRestarts::attempt(const LcpProblem& problem, std::span<const int> exchanged,
-                            LcpResult& result) {
+LemkeRestarts::LemkeRestarts()
+    : solvers_{LemkeSolver(), LemkeSolver({.slack = tolerance::lost_in_A}),
+               LemkeSolver({.slack = tolerance::lost_digits})} {}
+
+bool LemkeRestarts::exchange(const LcpProblem& problem, std::span<const int> exchanged) {
+  transformed_.A = problem.A;
+  transformed_.b = problem.b;
+  if (exchanged.empty()) return true;
   const auto count = static_cast<Eigen::Index>(exchanged.size());
   MatX rows(count, problem.size());
   MatX columns(problem.size(), count);
@@ -74,11 +87,17 @@ bool LemkeRestarts::attempt(const LcpProblem& problem, std::span<const int> exch
     for (Eigen::Index m = 0; m < count; ++m)
       transformed_.A(exchanged[static_cast<std::size_t>(m)], i) = inverse(m, k);
   }
-  if (!transformed_.A.allFinite() || !transformed_.b.allFinite()) return false;
-  lemke_.solve(transformed_, answer_);
+  return transformed_.A.allFinite() && transformed_.b.allFinite();
+}
+
+bool LemkeRestarts::attempt(const LcpProblem& scaled, std::span<const int> exchanged,
+                            LemkeSolver& solver, const LcpProblem& problem, LcpResult& result) {
+  if (!exchange(scaled, exchanged)) return false;
+  solver.solve(transformed_, answer_);
   if (answer_.status != LcpStatus::solved) return false;
   for (const int i : exchanged) answer_.f[idx(i)] = answer_.a[idx(i)];
   for (double& f : answer_.f) f = std::max(f, 0.0);
+  units_.forces(answer_.f, answer_.f);
   conclude(problem, answer_);
   if (answer_.status != LcpStatus::solved || !holds(problem, answer_)) return false;
   std::swap(result, answer_);

@@ -13,8 +13,10 @@
 namespace tumble {
 namespace {
 
-constexpr int kMostRowsToCompare = 100;  // a second answer costs more than the first one
-constexpr double kMuchSmaller = 0.25;    // forces that are worth a change
+// A second answer costs more than the first one, most of all where bodies are known and forces fast.
+constexpr int kMostRowsToCompare = 300;
+constexpr int kMostRowsToCompareOfBodies = 100;
+constexpr double kMuchSmaller = 0.25;  // forces that are worth a change
 
 // [-] max A_ii |f_i| over max |b|, in rows of unit diagonal.
 double size_of_forces(const LcpProblem& problem, const LcpResult& result) {
@@ -55,7 +57,8 @@ void SafeguardedSolver::solve(const LcpProblem& problem, LcpResult& result,
 // itself a little.
 bool SafeguardedSolver::needs_help(const LcpProblem& problem, const LcpResult& result) const {
   if (core_->name() == "baraff_as_printed") return false;
-  const bool few = problem.size() <= kMostRowsToCompare;
+  const bool few = problem.size() <=
+                   (problem.factors.rows.empty() ? kMostRowsToCompare : kMostRowsToCompareOfBodies);
   if (result.status == LcpStatus::cap_reached && sweeps()) return few;
   if (!is_solved(problem, result)) return true;
   const bool precise = result.residual <= tolerance::lost_in_A || sweeps();
@@ -83,7 +86,7 @@ void SafeguardedSolver::try_again(const LcpProblem& problem, LcpResult& result) 
 // What is neither solved nor semidefinite. Trying every case knows all; Lemke's method from other bases
 // knows nothing if it fails.
 void SafeguardedSolver::try_any_matrix(const LcpProblem& problem, LcpResult& result) {
-  if (result.status != LcpStatus::ray && result.status != LcpStatus::singular) return;
+  if (core_->name() != "lemke" || result.status == LcpStatus::infeasible) return;
   int rows = problem.size();
   for (int i = 0; i < problem.size(); ++i) rows += is_equality(problem, i) ? 1 : 0;
   if (rows > enumeration_limit) {
