@@ -2,7 +2,7 @@
 /// \brief Painlevé's rod: a stick that slides on its lower end (thesis 2.6.3).
 #pragma once
 
-#include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/analytic_lcp/velocity_step.hpp"
 
 #include <vector>
 
@@ -29,21 +29,31 @@ std::vector<double> possible_forces(const PainleveRod& rod);
 // The friction beyond which there may be none or two: (4 + tan²) / (3 tan), where p = 0.
 double critical_friction(double angle);
 
-// The state of the lower end after a time step.
-struct RodStep {
-  LcpStatus status = LcpStatus::solved;  // of Lemke's method
-  double normal_impulse = 0.0;           // [N s] away from the ground
-  double friction_impulse = 0.0;         // [N s] to the right
-  double slip = 0.0;                     // [m/s] to the right, after the step
-  double lift = 0.0;                     // [m/s] away from the ground, after the step
-  double spin = 0.0;                     // [rad/s] after the step
+// A world at the start of a step.
+struct Instant {
+  World world;
+  ContactList contacts;
+  std::vector<MovingBody> bodies;
+  std::vector<Acceleration> free;  // gravity
 };
 
-// A step of Stewart and Trinkle, and of Anitescu and Potra, on the velocities of a rod whose end
-// slides with -1 m/s.
-//
-// Unknown are the impulses along the normal (c) and to either side (p, q), and the speed of sliding s,
-// complementary to the velocity away from the ground, to s + v, s - v and mu c - p - q.
-RodStep step_rod(const PainleveRod& rod, double step, LcpSolver& solver);
+// Loads the bodies and gravity of a world with contacts.
+void add_gravity(Instant& instant);
+
+// The ground and the rod, 0.01 mm thick, whose end slides with 1 m/s to the left.
+Instant rod_on_end(const PainleveRod& rod);
+
+// The state of the lower end after a time step.
+struct RodStep {
+  bool solved = false;
+  double normal_impulse = 0.0;    // [N s] away from the ground
+  double friction_impulse = 0.0;  // [N s] to the right
+  double slip = 0.0;              // [m/s] to the right, after the step
+  double lift = 0.0;              // [m/s] away from the ground, after the step
+  double spin = 0.0;              // [rad/s] after the step
+};
+
+// A step of Stewart and Trinkle with a pyramid of 4 or 8 directions.
+RodStep step_rod(const PainleveRod& rod, double step, int directions);
 
 }  // namespace tumble::chapters

@@ -23,9 +23,16 @@ VecX constant_part(const LcpFactors& factors, const std::vector<Load>& loads);
 // independent. Rows 4k to 4k + 3 are under cube k.
 LcpFactors stack_on_corners(int cubes);
 
+// Variants of a chain of boxes.
+struct ChainOptions {
+  double heavy = 1.0;   // [-] mass of every second body over that of the others
+  double needle = 1.0;  // [-] factor of inverse inertias about z
+  bool repeat = false;  // whether every fifth contact is the one before once more
+};
+
 // A chain of boxes of 1 kg, each touched by the one before in points anywhere and in any direction, the
 // first by something fixed. No contact depends on fewer than seven others of its box.
-LcpProblem contact_chain(Random& random, int boxes, int contacts);
+LcpProblem contact_chain(Random& random, int boxes, int contacts, const ChainOptions& options = {});
 
 // Boxes that touch each other and something fixed anywhere, every third contact given once more.
 LcpProblem repeated_contacts(Random& random);

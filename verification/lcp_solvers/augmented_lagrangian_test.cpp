@@ -8,10 +8,8 @@
 
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/random_contacts.hpp"
-#include "lcp_solvers/siconos_problems.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
-#include "support/shared_data.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -70,7 +68,8 @@ TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their
         for (const int contacts : {2, 6, 12, 24, 48}) {
           Random random(7);
           for (int k = 0; k < 5; ++k) {
-            const LcpProblem problem = chain(random, bodies, contacts, {heavy, needle});
+            const LcpProblem problem =
+                chapters::contact_chain(random, bodies, contacts, {heavy, needle});
             solver.solve(problem, result);
             ++problems;
             if (result.status != LcpStatus::solved) ++unsolved;
@@ -147,17 +146,6 @@ TEST_CASE("The method of multipliers notices a matrix that is not semidefinite",
   CHECK(solved(lcp({1, 2, 2, 1}, {-1, -1})).f == std::vector<double>{0, 0});
 }
 
-TEST_CASE("Published problems with semidefinite matrices are solved by multipliers",
-          "[reference][lcp][analytic_lcp]") {
-  if (const auto folder = shared_data("siconos-lcp"))
-    for (const SiconosProblem& one : siconos_problems(*folder)) {
-      if (!one.semidefinite) continue;
-      INFO(one.name);
-      CHECK(solved(one.problem).status == LcpStatus::solved);
-      CHECK(solved(one.problem).residual <= 1e-12);  // [-] as promised
-    }
-}
-
 TEST_CASE("The rows that push save all factorisations but one, and their forces that one too",
           "[unit][lcp][analytic_lcp]") {
   const auto pyramid = chapters::pyramid_problem(256, 0.1, 1);
@@ -191,14 +179,6 @@ TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp][anal
   CHECK(solved(problem, {.rounds = 1}).status == LcpStatus::cap_reached);
   CHECK(solved(problem, {.rounds = 1}).residual <= 1e-3);  // one round's worth: measured 2.6e-6
   CHECK(solved(stack(2), {.factorisations = 1}).status == LcpStatus::solved);
-}
-
-TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp][analytic_lcp]") {
-  const LcpProblem problem = stack(10);
-  const LcpResult hard = solved(problem, {.softness = 1e-8});
-  const LcpResult soft = solved(problem, {.softness = 1e-3});
-  CHECK(distance(hard.f, soft.f) <= 1e-8);  // [N] of loads of 98 N: measured 1.7e-11
-  CHECK(soft.multiplications > hard.multiplications);
 }
 
 TEST_CASE("The method of multipliers asks for no memory when rows touch the same bodies",

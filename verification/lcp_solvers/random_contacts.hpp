@@ -58,42 +58,4 @@ inline LcpProblem random_contacts(Random& random, int most_bodies, int most_rows
   return problem;
 }
 
-// The variants of a chain of boxes.
-struct ChainOptions {
-  double heavy = 1.0;   // [-] mass of every second body over that of the others
-  double needle = 1.0;  // [-] how much more easily bodies turn about z
-  bool repeat = false;  // whether every fifth contact is given twice
-};
-
-// A chain of boxes, each touched in points in any direction by the one before; the first by scenery.
-// With twice as many contacts as motions a body hardly fits in, and forces grow to a hundred
-// thousand times b.
-inline LcpProblem chain(Random& random, int bodies, int contacts,
-                        const ChainOptions& options = {}) {
-  LcpProblem problem;
-  std::vector<chapters::Load> loads;
-  for (int k = 0; k < bodies; ++k) {
-    const double inverse_mass = k % 2 == 0 ? 1.0 : 1.0 / options.heavy;
-    const Vec3 yields = inverse_mass * Vec3(6.0, 6.0, 6.0 * options.needle);
-    problem.factors.bodies.push_back({Vec3::Constant(inverse_mass), Mat3(yields.asDiagonal())});
-    const Vec3 linear_w = random.in_cube(10.0);
-    loads.push_back({linear_w, random.in_cube(10.0)});
-  }
-  for (int i = 0; i < bodies * contacts; ++i) {
-    LcpFactors::Row row;
-    row.second = i / contacts;
-    row.first = row.second - 1;
-    const Vec3 normal = random.direction();
-    row.linear_first_w = -normal;
-    row.linear_second_w = normal;
-    row.angular_first_w = -random.in_cube(0.5).cross(normal);
-    row.angular_second_w = random.in_cube(0.5).cross(normal);
-    if (options.repeat && i % 5 == 4) row = problem.factors.rows.back();
-    problem.factors.rows.push_back(row);
-  }
-  problem.b = chapters::constant_part(problem.factors, loads);
-  multiply_out(problem.factors, problem.A);
-  return problem;
-}
-
 }  // namespace tumble::test

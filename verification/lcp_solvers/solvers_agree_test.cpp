@@ -144,7 +144,7 @@ TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
   for (const int bodies : {1, 4})
     for (const int contacts : {12, 16})
       for (int k = 0; k < 20; ++k)
-        comparison.add(chain(random, bodies, contacts, {.repeat = true}));
+        comparison.add(chapters::contact_chain(random, bodies, contacts, {.repeat = true}));
   CHECK(comparison.unsure == 0);
   for (const std::string_view name : {"baraff", "lemke", "augmented_lagrangian"}) {
     const Agreement& one = comparison.agreements.at(std::string(name));
@@ -170,7 +170,7 @@ TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
   double worst = 0.0;
   for (const int contacts : {12, 16, 24}) {
     for (int k = 0; k < 4; ++k) {
-      const LcpProblem problem = chain(random, 10, contacts, {.repeat = true});
+      const LcpProblem problem = chapters::contact_chain(random, 10, contacts, {.repeat = true});
       baraff.solve(problem, result);
       reference.solve(problem, want);
       on_A_alone.solve(problem.A, problem.b, alone);
