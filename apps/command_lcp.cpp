@@ -7,7 +7,11 @@
 
 #include "request.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
+#include <string_view>
+#include <system_error>
 
 namespace tumble::app {
 namespace {
@@ -20,6 +24,32 @@ void write_list(Json& json, std::string_view name, const std::vector<double>& va
 
 std::string size_text(const MatX& matrix) {
   return std::to_string(matrix.rows()) + " by " + std::to_string(matrix.cols());
+}
+
+// A row of --equalities, from 0.
+int row_of(std::string_view text, int size) {
+  int row = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row);
+  require::that(error == std::errc{} && end == text.data() + text.size() && row >= 1 && row <= size,
+                "--equalities: expected rows from 1 to " + std::to_string(size) + ", as in 2,5-7");
+  return row - 1;
+}
+
+// Marks the rows of "2,5-7".
+std::vector<char> equalities_of(const std::string& text, int size) {
+  std::vector<char> marks;
+  if (text.empty()) return marks;
+  marks.assign(static_cast<std::size_t>(size), 0);
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string_view item = std::string_view(text).substr(at, comma - at);
+    const std::size_t dash = item.find('-');
+    const int first = row_of(item.substr(0, dash), size);
+    const int last = dash == std::string_view::npos ? first : row_of(item.substr(dash + 1), size);
+    for (int row = first; row <= last; ++row) marks[static_cast<std::size_t>(row)] = 1;
+    at = comma + 1;
+  }
+  return marks;
 }
 
 LcpProblem read_problem(const LcpRequest& request) {
@@ -35,6 +65,7 @@ LcpProblem read_problem(const LcpRequest& request) {
                     std::to_string(problem.A.rows()) + " by 1, a row for each of " +
                     request.matrix);
   problem.b = b.col(0);
+  problem.equality = equalities_of(request.equalities, problem.size());
   return problem;
 }
 

@@ -171,6 +171,8 @@ int main(int argc, char** argv) {
   CLI::App* lcp = app.add_subcommand("lcp", "solve f >= 0, a = A f + b >= 0, f'a = 0 from files");
   lcp->add_option("--matrix", problem.matrix, "A: a Matrix Market file");
   lcp->add_option("--vector", problem.vector, "b: a Matrix Market file with one column");
+  lcp->add_option("--equalities", problem.equalities,
+                  "rows with a = 0 and f of any sign, from 1: 2,5-7");
   lcp->add_option("--solver", problem.solver, "solver (list: --list)")->capture_default_str();
   lcp->add_flag("--list", list_solvers, "list the solvers");
 

@@ -107,6 +107,7 @@ struct LcpRequest {
   std::string matrix;            ///< Matrix Market file of A
   std::string vector;            ///< Matrix Market file of b, one column
   std::string solver = "lemke";  ///< the default takes any matrix
+  std::string equalities;        ///< rows, from 1: "2,5-7"; empty: none
 };
 
 /// `tumble lcp`.

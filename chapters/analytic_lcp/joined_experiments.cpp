@@ -112,7 +112,6 @@ Result measure_joined(const Parameters& settings) {
                {"stack_m", "m", "largest distance of a cube of the stack from its start"},
                {"post_deg", "deg", "tilt of the post"},
                {"energy_J", "J", "total energy"}}};
-  double overlap = 0.0;
   double highest_gain = 0.0;
   double booked = 0.0;
   StepStatus worst = StepStatus::done;
@@ -132,7 +131,6 @@ Result measure_joined(const Parameters& settings) {
     const double before = table.rows.back().back();
     const StepReport report = technique->step(world, dt);
     worst = std::max(worst, report.status);
-    overlap = std::max(overlap, report.deepest_overlap);
     booked = report.energy.total();
     moved = row();
     highest_gain = std::max(highest_gain, table.rows.back().back() - before - booked);
@@ -159,7 +157,6 @@ Result measure_joined(const Parameters& settings) {
             "-", passed},
            {"bounce: largest error of six impact times", "s", impact_error},
            {"sticky collision: impacts until the cube rests", "-", watcher.impacts.size()},
-           {"largest overlap", "m", overlap},
            {"largest gain of energy in a step that is not booked", "J", highest_gain}}};
 }
 

@@ -2,36 +2,17 @@
 /// \brief Painlevé's rod: a stick that slides on its lower end (thesis 2.6.3).
 #include "analytic_lcp/painleve_rod.hpp"
 
+#include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/elementary.hpp"
+#include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
 
-#include <algorithm>
-
 namespace tumble::chapters {
-namespace {
-
-constexpr double kSlip = -1.0;  // [m/s] of the lower end before the step
-
-// What an impulse (tangential, normal) at the lower end changes. The end is at -(cos, sin) from the
-// centre, the moment of inertia is 1/3.
-struct Response {
-  double tangent_tangent;  // [1/kg]
-  double tangent_normal;   // [1/kg]
-  double normal_normal;    // [1/kg]
-};
-
-Response response(double angle) {
-  const double sine = elementary::sin(angle);
-  const double cosine = elementary::cos(angle);
-  return {1.0 + 3.0 * sine * sine, -3.0 * sine * cosine, 1.0 + 3.0 * cosine * cosine};
-}
-
-}  // namespace
 
 double push_response(const PainleveRod& rod) {
-  const Response k = response(rod.angle);
-  return k.normal_normal + rod.friction * k.tangent_normal;
+  const double cosine = elementary::cos(rod.angle);
+  return 1.0 + 3.0 * cosine * cosine - rod.friction * 3.0 * elementary::sin(rod.angle) * cosine;
 }
 
 double free_acceleration(const PainleveRod& rod) {
@@ -52,29 +33,41 @@ double critical_friction(double angle) {
   return (4.0 + tangent * tangent) / (3.0 * tangent);
 }
 
-RodStep step_rod(const PainleveRod& rod, double step, LcpSolver& solver) {
-  // Rows and unknowns: normal, right, left, speed of sliding.
-  const Response k = response(rod.angle);
-  const double tt = k.tangent_tangent;
-  const double tn = k.tangent_normal;
-  LcpProblem problem{MatX(4, 4), VecX(4), {}};
-  problem.A << k.normal_normal, tn, -tn, 0.0, tn, tt, -tt, 1.0, -tn, -tt, tt, 1.0, rod.friction,
-      -1.0, -1.0, 0.0;
-  problem.b << -kGravity * step, kSlip, -kSlip, 0.0;
-  LcpResult answer;
-  solver.solve(problem, answer);
+void add_gravity(Instant& instant) {
+  load_moving_bodies(instant.world, instant.bodies);
+  instant.free.assign(instant.bodies.size(), Acceleration{});
+  for (std::size_t k = 0; k < instant.bodies.size(); ++k)
+    if (instant.world.bodies()[k].movable()) instant.free[k].linear_w = instant.world.gravity_w;
+}
 
-  RodStep after;
-  after.status = answer.status;
-  const double normal = answer.f[0];
-  const double tangential = answer.f[1] - answer.f[2];
-  after.normal_impulse = normal;
-  after.friction_impulse = tangential;
-  after.slip = kSlip + tn * normal + tt * tangential;
-  after.lift = answer.a[0];
-  after.spin = rod.spin + 3.0 * (elementary::sin(rod.angle) * tangential -
-                                 elementary::cos(rod.angle) * normal);
-  return after;
+Instant rod_on_end(const PainleveRod& rod) {
+  Instant instant;
+  instant.world.add_ground(rod.friction);
+  const Vec3 to_end(-elementary::cos(rod.angle), -elementary::sin(rod.angle), 0.0);
+  const Vec3 spin_w(0.0, 0.0, rod.spin);
+  const BodyProperties body = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, rod.friction);
+  const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, rod.angle));
+  const Vec3 velocity_w = -Vec3::UnitX() - spin_w.cross(to_end);
+  instant.world.add(body, make_state(body, -to_end, turned, velocity_w, spin_w));
+  Contact contact;
+  contact.second = 1;
+  contact.friction = rod.friction;
+  contact.count = 1;
+  instant.contacts.push_back(contact);
+  add_gravity(instant);
+  return instant;
+}
+
+RodStep step_rod(const PainleveRod& rod, double step, int directions) {
+  Instant instant = rod_on_end(rod);
+  VelocityStepOptions options;
+  options.directions = directions;
+  const VelocityStepResult result = VelocityStep().solve(
+      instant.world, instant.free, instant.contacts, step, options, instant.bodies);
+  const ContactPoint& point = instant.contacts[0].points[0];
+  const Vec3 motion_w = relative_velocity(instant.bodies[0], instant.bodies[1], Vec3::Zero());
+  return {result.solved, point.normal_impulse, point.friction_impulse_w.x(),
+          motion_w.x(),  motion_w.y(),         instant.bodies[1].angular_velocity_w.z()};
 }
 
 }  // namespace tumble::chapters

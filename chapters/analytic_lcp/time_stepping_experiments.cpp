@@ -4,6 +4,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/contact/gather.hpp"
 
+#include "analytic_lcp/painleve_rod.hpp"
 #include "driver/common_numbers.hpp"
 #include "driver/registry.hpp"
 
@@ -51,20 +52,6 @@ void shoot(World world, double duration, Shots& shots, Table* table) {
     shots.worst_error = std::max(shots.worst_error, error);
     if (table != nullptr) table->add(world.time(), 100.0 * overlap, std::max(error, 1e-17));
   }
-}
-
-struct Instant {
-  World world;
-  ContactList contacts;
-  std::vector<MovingBody> bodies;
-  std::vector<Acceleration> free;
-};
-
-void add_gravity(Instant& instant) {
-  load_moving_bodies(instant.world, instant.bodies);
-  instant.free.assign(instant.bodies.size(), Acceleration{});
-  for (std::size_t k = 0; k < instant.bodies.size(); ++k)
-    if (instant.world.bodies()[k].movable()) instant.free[k].linear_w = instant.world.gravity_w;
 }
 
 BodyState random_motion(Random& random, const BodyProperties& body, const Vec3& place_w,
@@ -123,26 +110,6 @@ Instant random_bricks(Random& random) {
   return instant;
 }
 
-// A rod of 1 kg and half length 1 m that slides on its end at 1 m/s, away from the side to which it
-// leans.
-Instant rod_on_end(double angle, double friction, double spin) {
-  Instant instant;
-  instant.world.add_ground(friction);
-  const Vec3 to_end(-std::cos(angle), -std::sin(angle), 0.0);
-  const Vec3 spin_w(0.0, 0.0, spin);
-  const BodyProperties rod = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, friction);
-  const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
-  instant.world.add(
-      rod, make_state(rod, -to_end, turned, -Vec3::UnitX() - spin_w.cross(to_end), spin_w));
-  Contact contact;
-  contact.second = 1;
-  contact.friction = friction;
-  contact.count = 1;
-  instant.contacts.push_back(contact);
-  add_gravity(instant);
-  return instant;
-}
-
 VelocityStepResult step(Instant& instant) {
   VelocityStepOptions options;
   options.form = SteppingForm::anitescu_potra;
@@ -190,8 +157,6 @@ Result measure_no_events(const Parameters& settings) {
   return {{run},
           {{"steps that were not solved or left an overlap above 1 % of the size, over all steps",
             "-", failed},
-           {"steps", "-", all.steps},
-           {"steps not solved", "-", all.unsolved},
            {"steps with an overlap above 1 %", "-", all.deep},
            {"largest error of the velocities", "-", all.worst_error}}};
 }
@@ -218,7 +183,7 @@ Result measure_always_solved(const Parameters& settings) {
   for (int degrees = 5; degrees <= 85; degrees += 5)
     for (int tenths = 0; tenths <= 30; tenths += 2)
       for (const double spin : {-5.0, 0.0, 2.0, 5.0}) {
-        Instant instant = rod_on_end(degrees * std::numbers::pi / 180.0, 0.1 * tenths, spin);
+        Instant instant = rod_on_end({degrees * std::numbers::pi / 180.0, 0.1 * tenths, spin});
         rods.add(step(instant));
       }
 
@@ -237,10 +202,7 @@ Result measure_always_solved(const Parameters& settings) {
   const double unsolved = points.unsolved + bricks.unsolved + rods.unsolved;
   return {{errors},
           {{"problems that were not solved over all problems", "-", unsolved / all},
-           {"problems", "-", all},
-           {"random points not solved", "-", points.unsolved},
-           {"bricks not solved", "-", bricks.unsolved},
-           {"rods not solved", "-", rods.unsolved}}};
+           {"bricks not solved", "-", bricks.unsolved}}};
 }
 
 const Registered claim_2_6_3b_always_solved_figure{

@@ -10,34 +10,24 @@
 
 namespace tumble::chapters {
 
-/// Two ends of a range.
+// Two ends of a range.
 struct ForceInterval {
-  double least = 0.0;  ///< [N]
-  double most = 0.0;   ///< [N]
+  double least = 0.0;  // [N]
+  double most = 0.0;   // [N]
 };
 
-/// All forces f >= 0 with A f + b = 0, those under which nothing accelerates, and how large a sum of
-/// some of them can be.
-///
-/// Dantzig's simplex method on a dense tableau: m equations, and a basis of as many unknowns that
-/// are not 0. Pivots follow Bland's rule, the unknown of least index first, and so cannot run in
-/// circles where contacts tie. Equations that depend on others are recognised and dropped.
-/// \par Cost
-/// O(n²) a pivot, for some tens of contacts.
-/// \see Bland, "New finite pivoting rules for the simplex method", Mathematics of Operations
-///      Research 2 (1977).
+// All forces f >= 0 with A f + b = 0, those under which nothing accelerates, and how large a sum of
+// some of them can be.
+//
+// Dantzig's simplex method on a dense tableau: m equations, and a basis of as many unknowns that
+// are not 0. Pivots follow Bland's rule, the unknown of least index first, and so cannot run in
+// circles where contacts tie. Equations that depend on others are recognised and dropped.
 class ForceRange {
  public:
-  /// Finds forces to begin with.
-  /// \param A [1/kg] (n×n) the matrix
-  /// \param b [m/s²] (n) the accelerations without forces
-  /// \throws std::runtime_error if there are no such forces
+  // Finds forces to begin with; throws std::runtime_error if there are none.
   ForceRange(const MatX& A, const VecX& b);
 
-  /// The range of a sum of forces.
-  /// \param rows  which forces, each once
-  /// \return the least and the largest sum
-  /// \throws std::runtime_error if the sum has no limit
+  // The least and the largest sum of some forces; throws std::runtime_error if it has no limit.
   [[nodiscard]] ForceInterval of(std::span<const int> rows) const;
 
  private:

@@ -30,7 +30,8 @@ Table set_table(const std::vector<TracedStep>& steps, int contacts) {
               {{"step", "-", "from 1"},
                {"contact", "-", "from 1"},
                {"state", "-", "0: not looked at, 1: driven, 2: in C, 3: in NC"},
-               {"ends", "-", "of the contact that ends the step: 1 rests, 2 lets go, 3 returns"}}};
+               {"ends", "-",
+                "of the contact that ends the step: 1 rests, 2 stops pushing, 3 pushes again"}}};
   double number = 0.0;
   for (const TracedStep& step : steps) {
     ++number;

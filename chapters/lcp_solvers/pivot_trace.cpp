@@ -15,7 +15,7 @@ class Recorder : public BaraffObserver {
     traced.driven = step.driven;
     traced.ended_by = step.ended_by;
     traced.end = step.ended_by == step.driven        ? StepEnd::rests
-                 : step.sets[mover] == BaraffSet::NC ? StepEnd::lets_go
+                 : step.sets[mover] == BaraffSet::NC ? StepEnd::stops
                                                      : StepEnd::returns;
     traced.during = sets_;
     traced.f.assign(step.f.begin(), step.f.end());

@@ -8,27 +8,24 @@
 
 namespace tumble::chapters {
 
-/// How a step of Baraff's algorithm ends.
+// How a step of Baraff's algorithm ends.
 enum class StepEnd : std::uint8_t {
-  rests,    ///< the driven contact has stopped to sink: it goes to C
-  lets_go,  ///< a force of C is used up: its contact goes to NC
-  returns   ///< a contact of NC would begin to sink: it goes to C
+  rests,   // the driven contact has stopped to sink: it goes to C
+  stops,   // a force of C is used up: its contact goes to NC
+  returns  // a contact of NC would begin to sink: it goes to C
 };
 
-/// One step, copied.
+// One step, copied.
 struct TracedStep {
-  int driven = 0;                 ///< the contact whose force grew
-  int ended_by = 0;               ///< the contact that ended the step
-  StepEnd end = StepEnd::rests;   ///< how
-  std::vector<BaraffSet> during;  ///< (n) the sets while it grew
-  std::vector<double> f;          ///< [N] (n) after the step
-  std::vector<double> a;          ///< [m/s²] (n) after the step
+  int driven = 0;                 // the contact whose force grew
+  int ended_by = 0;               // the contact that ended the step
+  StepEnd end = StepEnd::rests;   // how
+  std::vector<BaraffSet> during;  // (n) the sets while it grew
+  std::vector<double> f;          // [N] (n) after the step
+  std::vector<double> a;          // [m/s²] (n) after the step
 };
 
-/// Runs the algorithm as the thesis describes it and keeps every step.
-/// \param problem  symmetric and positive semidefinite
-/// \param result   the answer
-/// \return the steps, in their order
+// Runs the algorithm as the thesis describes it and keeps every step.
 std::vector<TracedStep> trace_baraff(const LcpProblem& problem, LcpResult& result);
 
 }  // namespace tumble::chapters

@@ -69,11 +69,17 @@ LcpFactors stack_on_corners(int cubes) {
   return factors;
 }
 
-LcpProblem contact_chain(Random& random, int boxes, int contacts) {
+LcpProblem contact_chain(Random& random, int boxes, int contacts, const ChainOptions& options) {
   LcpFactors factors;
   for (int k = 0; k < boxes; ++k) {
-    factors.bodies.push_back(unit_cube());
-    for (int i = 0; i < contacts; ++i) factors.rows.push_back(contact_anywhere(random, k - 1, k));
+    const double inverse = k % 2 == 0 ? 1.0 : 1.0 / options.heavy;
+    factors.bodies.push_back(
+        {Vec3::Constant(inverse),
+         Vec3(6.0 * inverse, 6.0 * inverse, 6.0 * inverse * options.needle).asDiagonal()});
+    for (int i = 0; i < contacts; ++i) {
+      const bool again = options.repeat && factors.rows.size() % 5 == 4;
+      factors.rows.push_back(again ? factors.rows.back() : contact_anywhere(random, k - 1, k));
+    }
   }
   return with_loads(random, std::move(factors));
 }

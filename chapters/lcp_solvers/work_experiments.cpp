@@ -80,10 +80,7 @@ Table table_of(const std::string& suffix, const std::vector<std::vector<Work>>& 
 // What is said about the fastest solver.
 void add_quantities(const std::string& which, const std::vector<Work>& fastest,
                     std::vector<Quantity>& quantities) {
-  double worst = 0.0;
-  for (const Work& work : fastest) worst = std::max(worst, work.residual);
   const double n = fastest.back().n;
-  quantities.push_back({"largest residual, multipliers, " + which, "-", worst});
   quantities.push_back({"work over a dense factorisation, multipliers, largest, " + which, "-",
                         fastest.back().multiplications / (n * n * n / 6.0)});
 }

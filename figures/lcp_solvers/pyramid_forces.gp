@@ -46,4 +46,4 @@ plot @drawn notitle, \
   '' using (place(1)):(level('baraff')) with points lt 1 ps mark title 'Baraff', \
   '' using (place(2)):(level('lemke')) with points lt 2 ps mark title 'Lemke', \
   '' using (place(3)):(level('gauss_seidel')) with points lt 3 ps 1.2*mark title 'Gauss–Seidel', \
-  '' using (place(4)):(level('least_norm')) with points lt 4 ps 1.2*mark title 'least norm'
+  '' using (place(4)):(level('multipliers')) with points lt 4 ps 1.2*mark title 'multipliers'

@@ -26,7 +26,7 @@ using Catch::Matchers::Contains;
 
 constexpr double kPi = std::numbers::pi;
 
-// The floor, and a particle of 1 kg on it.
+// The ground, and a particle of 1 kg on it.
 std::vector<MovingBody> particle_on_floor() {
   std::vector<MovingBody> bodies(2);
   bodies[1].inverse_mass = Vec3::Ones();
@@ -48,7 +48,7 @@ Solved solve(const FrictionPyramid& pyramid) {
   return solved;
 }
 
-// A particle that slides over the floor for one step of 1/60 s, with the least friction on its way.
+// A particle that slides over the ground for one step of 1/60 s, with the least friction on its way.
 Solved slide(const Vec3& velocity_w, double friction, int directions) {
   const std::vector<MovingBody> bodies = particle_on_floor();
   const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), friction)};

@@ -16,20 +16,12 @@
 
 namespace tumble::test {
 
-inline constexpr double kG = 9.81;       ///< [m/s²]
-inline constexpr double kMargin = 1e-9;  ///< [m] of contacts between bodies that touch exactly
-/// [m/s] Every point gets a row.
+inline constexpr double kG = 9.81;       // [m/s²]
+inline constexpr double kMargin = 1e-9;  // [m] of contacts between bodies that touch exactly
+// [m/s] Every point gets a row.
 inline constexpr double kAll = std::numeric_limits<double>::infinity();
 
-/// Adds a movable box.
-/// \param world           where to
-/// \param size            [m] full edges
-/// \param mass            [kg]
-/// \param position_w      [m]
-/// \param orientation_wb  [-]
-/// \param velocity_w      [m/s]
-/// \param omega_w         [rad/s]
-/// \return its id
+// Adds a movable box.
 inline BodyId add_box(World& world, const Vec3& size, double mass, const Vec3& position_w,
                       const Quat& orientation_wb = Quat::Identity(),
                       const Vec3& velocity_w = Vec3::Zero(), const Vec3& omega_w = Vec3::Zero()) {
@@ -37,35 +29,29 @@ inline BodyId add_box(World& world, const Vec3& size, double mass, const Vec3& p
   return world.add(body, make_state(body, position_w, orientation_wb, velocity_w, omega_w));
 }
 
-/// Adds an immovable box.
-/// \param world           where to
-/// \param size            [m] full edges
-/// \param position_w      [m]
-/// \param orientation_wb  [-]
-/// \return its id
+// Adds an immovable box.
 inline BodyId add_fixed(World& world, const Vec3& size, const Vec3& position_w,
                         const Quat& orientation_wb = Quat::Identity()) {
   const BodyProperties body = fixed_box_properties(size);
   return world.add(body, make_state(body, position_w, orientation_wb));
 }
 
-/// A world at an instant: from its contacts to the accelerations under the forces of a solver.
+// A world at an instant: from its contacts to the accelerations under the forces of a solver.
 struct Instant {
-  /// Gathers the contacts.
-  /// \param w the world
+  // Gathers the contacts.
   explicit Instant(const World& w) : world(w), external(w.bodies().size()) {
     load_moving_bodies(world, bodies);
     gather_contacts(world, bodies, all_pairs(world), kMargin, {}, contacts);
   }
 
-  /// Sets up the problem.
+  // Sets up the problem.
   void assemble() {
     free_accelerations(world, bodies, accelerations);
     accelerate(bodies, external, accelerations);
     problem.assemble(world, bodies, accelerations, contacts, kAll);
   }
 
-  /// Sets up the problem, solves it and lets the forces act.
+  // Sets up the problem, solves it and lets the forces act.
   void solve() {
     assemble();
     ComplementaritySolver().solve(problem.lcp().A, problem.lcp().b, answer);
@@ -75,18 +61,13 @@ struct Instant {
     accelerate(bodies, wrenches, accelerations);
   }
 
-  /// The point of a row.
-  /// \param row from 0
-  /// \return [m] world frame
+  // The point of a row. [m] world frame
   [[nodiscard]] const Vec3& place(std::size_t row) const {
     const ContactRow& r = problem.rows()[row];
     return contacts[idx(r.contact)].points[idx(r.point)].position_w;
   }
 
-  /// All forces of the contacts between two bodies.
-  /// \param first   index of the first body
-  /// \param second  index of the second body
-  /// \return [N] their sum
+  // All forces of the contacts between two bodies. [N] their sum
   [[nodiscard]] double force_between(int first, int second) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < answer.f.size(); ++i) {
@@ -96,8 +77,7 @@ struct Instant {
     return sum;
   }
 
-  /// The largest acceleration of any body.
-  /// \return [m/s² or rad/s²]
+  // The largest acceleration of any body. [m/s² or rad/s²]
   [[nodiscard]] double unrest() const {
     double most = 0.0;
     for (const Acceleration& a : accelerations)
@@ -105,14 +85,14 @@ struct Instant {
     return most;
   }
 
-  World world;                              ///< the bodies
-  std::vector<MovingBody> bodies;           ///< how they move
-  std::vector<Wrench> external;             ///< what acts beside gravity and contacts
-  ContactList contacts;                     ///< where they touch
-  std::vector<Acceleration> accelerations;  ///< without, and after solve() with contact forces
-  ContactProblem problem;                   ///< the problem
-  ComplementarityResult answer;             ///< its solution
-  std::vector<Wrench> wrenches;             ///< of the contact forces
+  World world;                              // the bodies
+  std::vector<MovingBody> bodies;           // how they move
+  std::vector<Wrench> external;             // what acts beside gravity and contacts
+  ContactList contacts;                     // where they touch
+  std::vector<Acceleration> accelerations;  // without, and after solve() with contact forces
+  ContactProblem problem;                   // the problem
+  ComplementarityResult answer;             // its solution
+  std::vector<Wrench> wrenches;             // of the contact forces
 };
 
 }  // namespace tumble::test

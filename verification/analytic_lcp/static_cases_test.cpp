@@ -1,8 +1,6 @@
 /// \file
 /// \brief Worlds of boxes whose contact forces and impacts are known in closed form: tipping, leaning,
-///        rocking, Newton's cradle, sweeps on a stack.
-#include "tumble/lcp_solvers/gauss_seidel.hpp"
-
+///        rocking, Newton's cradle.
 #include "analytic_lcp/instant.hpp"
 #include "support/touching.hpp"
 
@@ -126,7 +124,7 @@ TEST_CASE("A push at the top edge tips a block that cannot slide from m g w / 2h
   });
 }
 
-TEST_CASE("A block that is taken along by the floor tips from the acceleration g w / h on",
+TEST_CASE("A block on ground that accelerates tips from the acceleration g w / h on",
           "[exact][assembly][analytic_lcp]") {
   check_threshold([](double width, double height, double share) {
     Instant block = block_on_ground(width, height);
@@ -261,39 +259,5 @@ TEST_CASE("Cubes in a row, all impulses at once, share the speed of those that c
         CHECK(after[k].angular_w.norm() < 1e-13);
       }
     }
-  }
-}
-
-// --- sweeps -------------------------------------------------------------------------------------
-
-TEST_CASE("Sweeps take 20, 136, 550, 2204 rounds to know the forces under 2, 5, 10, 20 cubes",
-          "[exact][assembly][analytic_lcp]") {
-  for (const auto& [count, sweeps] :
-       {std::pair(2, 20), std::pair(5, 136), std::pair(10, 550), std::pair(20, 2204)}) {
-    World world;
-    world.add_ground();
-    for (int k = 0; k < count; ++k) add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5 + k, 0));
-    Instant stack(world);
-    for (Contact& contact : stack.contacts)
-      contact = contact_at(contact.first, contact.second, Vec3(0, contact.first, 0), Vec3::UnitY());
-    stack.assemble();
-    const LcpProblem& lcp = stack.problem.lcp();
-    REQUIRE(lcp.size() == count);
-    const auto error_after = [&lcp](int rounds) {
-      GaussSeidelOptions options;
-      options.sweeps = rounds;
-      options.residual = 0.0;
-      LcpResult result;
-      GaussSeidelSolver(options).solve(lcp, result);
-      double worst = 0.0;
-      for (int k = 0; k < lcp.size(); ++k)
-        worst = std::max(worst, std::abs(result.f[idx(k)] / kG - (lcp.size() - k)));
-      return worst / lcp.size();
-    };
-    CHECK(error_after(sweeps) <= 1e-6);
-    CHECK(error_after(sweeps - 1) > 1e-6);
-    const double cosine = std::cos(0.5 * std::numbers::pi / count);
-    // Rounding of forces beside their error: measured 2e-10.
-    CHECK(error_after(sweeps) / error_after(sweeps - 1) == Approx(cosine * cosine).epsilon(1e-8));
   }
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief One velocity-level step: energy, momentum, Painlevé's rod, redundant points.
+/// \brief One velocity-level step: energy, momentum, redundant points.
 #include "tumble/analytic_lcp/velocity_step.hpp"
 
 #include "tumble/base/index.hpp"
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace {
 
@@ -82,24 +81,6 @@ Scene random_scene(Random& random, bool with_fixed) {
   return scene;
 }
 
-// Painlevé's rod: half length 1, 1 kg, at an angle to the ground, its lower end sliding at a speed
-// towards the side away from the centre of mass, and turning.
-Scene painleve(double degrees, double friction, double sliding, double omega) {
-  Scene scene;
-  scene.world.add_ground(friction);
-  const double angle = degrees * std::numbers::pi / 180.0;
-  const Vec3 to_end(-std::cos(angle), -std::sin(angle), 0.0);
-  const Vec3 spin_w(0.0, 0.0, omega);
-  const BodyProperties rod = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, friction);
-  const Vec3 velocity_w = Vec3(sliding, 0.0, 0.0) - spin_w.cross(to_end);
-  const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
-  scene.world.add(rod, make_state(rod, -to_end, turned, velocity_w, spin_w));
-  scene.contacts.push_back(contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), friction));
-  scene.load();
-  scene.free[1].linear_w = scene.world.gravity_w;
-  return scene;
-}
-
 }  // namespace
 
 TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1000 random states",
@@ -156,29 +137,6 @@ TEST_CASE("Bodies that touch each other only keep their momenta",
         {worst, (after.first - before.first).norm(), (after.second - before.second).norm()});
   }
   CHECK(worst < 1e-11);  // [kg m/s], [kg m²/s] rounding of sums up to 50
-}
-
-TEST_CASE("The step of Painlevé's rod is solved where no force could be",
-          "[exact][velocity_step][analytic_lcp]") {
-  // The thickness of the rod changes its moment of inertia by 2.5e-11.
-  for (const int directions : {4, 8}) {
-    Scene rod = painleve(60.0, 1.5, -1.0, 0.0);
-    rod.options.directions = directions;
-    REQUIRE(rod.solve().solved);
-    const ContactPoint& stuck = rod.contacts[0].points[0];
-    CHECK(std::abs(stuck.normal_impulse - 0.457603276) < 1e-9);  // [N s]
-    CHECK(std::abs(stuck.friction_impulse_w.x() - 0.490598183) < 1e-9);
-    CHECK(rod.motion_at(rod.contacts[0]).norm() < 1e-12);  // [m/s]
-    CHECK(std::abs(std::abs(rod.bodies[1].angular_velocity_w.z()) - 0.588206553) < 1e-9);
-
-    Scene slips = painleve(60.0, 1.0, -1.0, 0.0);
-    slips.options.directions = directions;
-    REQUIRE(slips.solve().solved);
-    const ContactPoint& sliding = slips.contacts[0].points[0];
-    CHECK(std::abs(sliding.normal_impulse - 0.362558349) < 1e-9);
-    CHECK(std::abs(sliding.friction_impulse_w.x() - 0.362558349) < 1e-9);
-    CHECK(std::abs(slips.motion_at(slips.contacts[0]).x() + 0.292662476) < 1e-9);
-  }
 }
 
 TEST_CASE("A contact that is there twice changes nothing but the shares of its points",

@@ -81,11 +81,6 @@ TEST_CASE(
     if (name.find("as_printed") != std::string::npos) continue;  // may fail, that is its point
     const Outcome outcome = files.solve("--solver " + name);
     INFO(outcome.text);
-    if (name == "least_constraint") {  // works on bodies, which files do not have
-      CHECK(outcome.code == 2);
-      CHECK_THAT(outcome.text, Contains("factors"));
-      continue;
-    }
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.text, Contains("\"solver\": \"" + name + "\""));
     const std::vector<double> f = list_of(outcome.text, "f"), a = list_of(outcome.text, "a");
@@ -106,6 +101,17 @@ TEST_CASE("A problem without solution ends with code 3 and says so", "[unit][com
     CHECK(outcome.code == 3);
     CHECK_THAT(outcome.text, Contains("\"status\": \"infeasible\""));
   }
+}
+
+TEST_CASE("Rows may be equalities, whose force has any sign", "[unit][command]") {
+  const Files files("lcp_equalities");
+  files.write(MatX({{2, 1, 0}, {1, 2, 0}, {0, 0, 1}}), MatX({{4}, {0}, {1}}));
+  const Outcome glued = files.solve("--equalities 1");
+  INFO(glued.text);
+  CHECK(glued.code == 0);
+  CHECK(list_of(glued.text, "f")[0] < -2.6);  // -8/3, and contact 2 pushes with 4/3
+  CHECK(list_of(files.solve("--equalities 1,3-3").text, "f")[2] == -1.0);
+  CHECK(list_of(files.solve("--equalities 1-3").text, "a") == std::vector<double>{0, 0, 0});
 }
 
 TEST_CASE("A problem of no rows is solved", "[unit][command]") {
@@ -137,5 +143,8 @@ TEST_CASE("A problem that cannot be read ends with code 2 and one line that says
       {arguments("A.mtx", "cut.mtx"), "cut.mtx:3: the file ends here: expected one number"},
       {arguments("A.mtx", "b.mtx") + " --solver lemkee", "lemke"},
       {arguments("A.mtx", "b.mtx") + " --solver baraff", "symmetric"},
+      {arguments("A.mtx", "b.mtx") + " --equalities 3", "--equalities: expected rows from 1 to 2"},
+      {arguments("A.mtx", "b.mtx") + " --equalities 1,", "--equalities: expected rows from 1 to 2"},
+      {arguments("A.mtx", "b.mtx") + " --equalities 0-2", "--equalities: expected rows from 1"},
   });
 }

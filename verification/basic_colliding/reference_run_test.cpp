@@ -70,7 +70,7 @@ TEST_CASE("A bouncing cube of the basic technique follows an event-driven refere
     const Sample& sample = samples[k];
     const bool impact = k + 1 < samples.size() && samples[k + 1].time == sample.time;
     if (impact) {
-      // Our cube is flown past the impact; the next row that is none tells where it came to.
+      // Our cube flies past the impact; the next row without an impact has its position.
       ++impacts;
       ++k;
       continue;

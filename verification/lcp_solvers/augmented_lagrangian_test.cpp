@@ -8,10 +8,8 @@
 
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/random_contacts.hpp"
-#include "lcp_solvers/siconos_problems.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
-#include "support/shared_data.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -56,58 +54,6 @@ TEST_CASE("Redundant contacts share a force as equal springs do", "[exact][lcp][
   }
 }
 
-TEST_CASE("The method of multipliers agrees with Baraff's on 10000 contact problems",
-          "[unit][lcp][analytic_lcp]") {
-  Random random(1);
-  BaraffSolver baraff;
-  LeastConstraintSolver gauss;
-  AugmentedLagrangianSolver solver;
-  LcpResult want;
-  LcpResult result;
-  int unsolved = 0;
-  double worst_a = 0.0;
-  double worst_wrench = 0.0;
-  double worst_residual = 0.0;
-  std::int64_t factorisations = 0;
-  for (int i = 0; i < 10000; ++i) {
-    const LcpProblem problem = random_contacts(random, 4, 24, i % 2 == 0);
-    baraff.solve(problem, want);
-    if (want.status != LcpStatus::solved || want.residual > 1e-10) gauss.solve(problem, want);
-    solver.solve(problem, result);
-    if (want.status != LcpStatus::solved || result.status != LcpStatus::solved) ++unsolved;
-    worst_a = std::max(worst_a, distance(result.a, want.a) / scale_of(problem));
-    worst_wrench = std::max(worst_wrench, distance(added_accelerations(problem.factors, result.f),
-                                                   added_accelerations(problem.factors, want.f)) /
-                                              scale_of(problem));
-    worst_residual = std::max(worst_residual, result.residual);
-    factorisations += result.pivots;
-  }
-  INFO("worst a " << worst_a << ", wrench " << worst_wrench << ", residual " << worst_residual);
-  CHECK(unsolved == 0);
-  CHECK(worst_a <= 1e-9);          // of max |b|, the comparison of two solvers: measured 1.9e-10
-  CHECK(worst_wrench <= 1e-9);     // of max |b|: measured 3.1e-10
-  CHECK(worst_residual <= 2e-12);  // [-] what is promised, and the rounding of A f: measured 1e-12
-  CHECK(factorisations <= 30000);  // measured 26 900
-}
-
-TEST_CASE("A matrix without its factors has the same accelerations", "[unit][lcp][analytic_lcp]") {
-  Random random(2);
-  AugmentedLagrangianSolver solver;
-  LcpResult with;
-  LcpResult without;
-  int unsolved = 0;
-  double worst = 0.0;
-  for (int i = 0; i < 2000; ++i) {
-    const LcpProblem problem = random_contacts(random, 4, 24, i % 2 == 0);
-    solver.solve(problem, with);
-    solver.solve(without_factors(problem), without);
-    if (without.status != LcpStatus::solved) ++unsolved;
-    worst = std::max(worst, distance(with.a, without.a) / scale_of(problem));
-  }
-  CHECK(unsolved == 0);
-  CHECK(worst <= 1e-9);  // of max |b|: measured 1.1e-12
-}
-
 TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their masses and shapes",
           "[unit][lcp][analytic_lcp]") {
   AugmentedLagrangianSolver solver;
@@ -122,7 +68,8 @@ TEST_CASE("Chains of boxes with 2 to 48 contacts each are solved, whatever their
         for (const int contacts : {2, 6, 12, 24, 48}) {
           Random random(7);
           for (int k = 0; k < 5; ++k) {
-            const LcpProblem problem = chain(random, bodies, contacts, {heavy, needle});
+            const LcpProblem problem =
+                chapters::contact_chain(random, bodies, contacts, {heavy, needle});
             solver.solve(problem, result);
             ++problems;
             if (result.status != LcpStatus::solved) ++unsolved;
@@ -158,37 +105,13 @@ TEST_CASE("The method of multipliers solves pyramids of singular contacts to rou
     }
 }
 
-TEST_CASE("The method of multipliers agrees with Baraff's on 2000 problems with glue",
-          "[unit][lcp][analytic_lcp]") {
-  Random random(3);
-  BaraffSolver baraff;
-  AugmentedLagrangianSolver solver;
-  LcpResult want;
-  LcpResult result;
-  int unsolved = 0;
-  double worst = 0.0;
-  for (int i = 0; i < 2000; ++i) {
-    LcpProblem problem = random_contacts(random, 4, 16, i % 2 == 0);
-    for (int k = 0; k < problem.size(); ++k)
-      problem.equality.push_back(random.below(3) == 0 ? 1 : 0);
-    baraff.solve(problem, want);
-    solver.solve(problem, result);
-    if (result.status != LcpStatus::solved) ++unsolved;
-    if (want.status != LcpStatus::solved || want.residual > 1e-10) continue;
-    worst = std::max(worst, distance(result.a, want.a) / scale_of(problem));
-  }
-  INFO("worst " << worst);
-  CHECK(unsolved == 0);
-  CHECK(worst <= 1e-9);  // of max |b|: measured 7.6e-11
-}
-
 TEST_CASE("Springs whose forces grow for ever prove that contacts contradict each other",
           "[unit][lcp][analytic_lcp]") {
   LcpProblem fixed = on_fixed_box(1.0, -9.81);
   fixed.equality = {1, 0};
   CHECK(solved(fixed).status == LcpStatus::infeasible);  // glue that moves away from it
 
-  // A vice about any body of a random heap.
+  // A vice around any body of a random pile.
   Random random(4);
   int missed = 0;
   int factorisations = 0;
@@ -221,17 +144,6 @@ TEST_CASE("The method of multipliers notices a matrix that is not semidefinite",
   CHECK(solved(lcp({0, 1, 1, 0}, {-1, -1})).status == not_semidefinite);
   CHECK(solved(lcp({1, 1, 0, 1, 1, 1, 0, 1, 0}, {1, 1, 1})).status == not_semidefinite);
   CHECK(solved(lcp({1, 2, 2, 1}, {-1, -1})).f == std::vector<double>{0, 0});
-}
-
-TEST_CASE("Published problems with semidefinite matrices are solved by multipliers",
-          "[reference][lcp][analytic_lcp]") {
-  if (const auto folder = shared_data("siconos-lcp"))
-    for (const SiconosProblem& one : siconos_problems(*folder)) {
-      if (!one.semidefinite) continue;
-      INFO(one.name);
-      CHECK(solved(one.problem).status == LcpStatus::solved);
-      CHECK(solved(one.problem).residual <= 1e-12);  // [-] as promised
-    }
 }
 
 TEST_CASE("The rows that push save all factorisations but one, and their forces that one too",
@@ -267,27 +179,6 @@ TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp][anal
   CHECK(solved(problem, {.rounds = 1}).status == LcpStatus::cap_reached);
   CHECK(solved(problem, {.rounds = 1}).residual <= 1e-3);  // one round's worth: measured 2.6e-6
   CHECK(solved(stack(2), {.factorisations = 1}).status == LcpStatus::solved);
-}
-
-TEST_CASE("Softer springs take more rounds to the same answer", "[unit][lcp][analytic_lcp]") {
-  const LcpProblem problem = stack(10);
-  const LcpResult hard = solved(problem, {.softness = 1e-8});
-  const LcpResult soft = solved(problem, {.softness = 1e-3});
-  CHECK(distance(hard.f, soft.f) <= 1e-8);  // [N] of loads of 98 N: measured 1.7e-11
-  CHECK(soft.multiplications > hard.multiplications);
-}
-
-TEST_CASE("The method of multipliers gives the same bits whatever it solved before",
-          "[determinism][lcp][analytic_lcp]") {
-  const LcpProblem problem = chapters::pyramid_problem(256, 0.1, 1).problem;
-  AugmentedLagrangianSolver solver;
-  LcpResult first;
-  LcpResult second;
-  solver.solve(problem, first);
-  solver.solve(stack(7), second);
-  solver.solve(problem, second);
-  CHECK(first.f == second.f);
-  CHECK(first.multiplications == second.multiplications);
 }
 
 TEST_CASE("The method of multipliers asks for no memory when rows touch the same bodies",

@@ -34,7 +34,7 @@ double left_over(const BlockRows& rows, const std::vector<char>& in_set, const s
 
 }  // namespace
 
-TEST_CASE("The sparse factor solves its equations for any heap and any set of rows",
+TEST_CASE("The sparse factor solves its equations for any pile and any set of rows",
           "[unit][lcp][analytic_lcp]") {
   Random random(5);
   BlockRows rows;

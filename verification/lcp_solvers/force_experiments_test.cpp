@@ -92,8 +92,6 @@ TEST_CASE("The ends of a brick on two others bear from 1/21 to 20/21 of its weig
   // Faces are widened by 1e-12 to be clipped: measured 1e-12.
   CHECK(figure.number("two rows on faces: smallest force under an end of the top brick, over its "
                       "weight") == Approx(1.0 / 21.0).epsilon(1e-9));
-  CHECK(figure.number("two rows on faces: largest force there, over its weight") ==
-        Approx(20.0 / 21.0).epsilon(1e-9));
   const Table& pairs = figure.result.tables.front();
   REQUIRE(pairs.rows.size() == 4);
   for (std::size_t k = 0; k < 2; ++k) {  // on the ground, with their own weight
@@ -117,7 +115,7 @@ TEST_CASE("All solvers' forces in a pyramid lie within what is possible, and the
 
 // --- Baraff's steps -----------------------------------------------------------------------------
 
-TEST_CASE("On two planks, contact 1 comes to rest, parts and returns",
+TEST_CASE("On two planks, contact 1 comes to rest, separates and pushes again",
           "[exact][lcp][lcp_solvers]") {
   const Planks planks = make_planks(1.625, 1.5);
   LcpResult result;
@@ -131,11 +129,11 @@ TEST_CASE("On two planks, contact 1 comes to rest, parts and returns",
   const std::array<Expected, 9> expected{{{0, 0, StepEnd::rests, "-----"},
                                           {1, 1, StepEnd::rests, "C----"},
                                           {2, 2, StepEnd::rests, "CC---"},
-                                          {3, 0, StepEnd::lets_go, "CCC--"},
-                                          {3, 2, StepEnd::lets_go, "NCC--"},
+                                          {3, 0, StepEnd::stops, "CCC--"},
+                                          {3, 2, StepEnd::stops, "NCC--"},
                                           {3, 3, StepEnd::rests, "NCN--"},
                                           {4, 0, StepEnd::returns, "NCNC-"},
-                                          {4, 3, StepEnd::lets_go, "CCNC-"},
+                                          {4, 3, StepEnd::stops, "CCNC-"},
                                           {4, 4, StepEnd::rests, "CCNN-"}}};
   REQUIRE(steps.size() == expected.size());
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -172,7 +170,7 @@ TEST_CASE("A contact that a later one relieves enters the set C and leaves it ag
   CHECK(steps[0].f == std::vector<double>{0.25, 0.0});
   CHECK(steps[1].driven == 1);
   CHECK(steps[1].ended_by == 0);
-  CHECK(steps[1].end == StepEnd::lets_go);
+  CHECK(steps[1].end == StepEnd::stops);
   CHECK(steps[2].end == StepEnd::rests);
   CHECK(near(result.f, {0.0, 1.0}, 1e-15));
   CHECK(near(result.a, {2.0, 0.0}, 1e-15));

@@ -13,10 +13,7 @@
 
 namespace tumble::test {
 
-/// Writes a problem down.
-/// \param rows  A, row by row
-/// \param b     the constant part
-/// \return a problem without equalities and factors
+// A problem from the rows of A and b, without equalities and factors.
 inline LcpProblem lcp(std::initializer_list<double> rows, std::initializer_list<double> b) {
   const auto n = static_cast<Eigen::Index>(b.size());
   LcpProblem problem{MatX(n, n), VecX(n), {}};
@@ -30,11 +27,7 @@ inline LcpProblem lcp(std::initializer_list<double> rows, std::initializer_list<
   return problem;
 }
 
-/// Compares numbers.
-/// \param got        what came out
-/// \param want       what should have
-/// \param tolerance  how far each may be off
-/// \return whether the lengths agree and each entry is as close
+// Whether lengths agree and each entry does within the tolerance.
 inline bool near(const std::vector<double>& got, const std::vector<double>& want,
                  double tolerance) {
   if (got.size() != want.size()) return false;
@@ -43,16 +36,12 @@ inline bool near(const std::vector<double>& got, const std::vector<double>& want
   return true;
 }
 
-/// Corners of the cube below in x, in the order of its contacts.
+// Corners of the cube below in x, in the order of its contacts.
 inline constexpr double cube_x[4] = {-0.5, 0.5, 0.5, -0.5};
-/// The same in z.
+// The same in z.
 inline constexpr double cube_z[4] = {-0.5, -0.5, 0.5, 0.5};
 
-/// A unit cube of 1 kg on its four corners; A has the rank 3.
-/// \param weight  [N] its load
-/// \param x       [m] where the load acts, from the middle
-/// \param z       [m] the same
-/// \return with factors. Corners sink with weight (1 + 6 (x x_k + z z_k)), since I = 1/6
+// A unit cube of 1 kg on its four corners, its load [N] at (x, z) from the middle; A has the rank 3.
 inline LcpProblem cube_on_ground(double weight, double x, double z) {
   LcpProblem problem = lcp({4, 1, -2, 1, 1, 4, 1, -2, -2, 1, 4, 1, 1, -2, 1, 4}, {0, 0, 0, 0});
   problem.factors.bodies.push_back({Vec3::Ones(), Vec3::Constant(6.0).asDiagonal()});
@@ -67,9 +56,7 @@ inline LcpProblem cube_on_ground(double weight, double x, double z) {
   return problem;
 }
 
-/// A stack of boxes of 1 kg that touch in one point each.
-/// \param n  how many
-/// \return with factors; level k carries (n - k) 9.81 N
+// A stack of boxes of 1 kg that touch in one point each.
 inline LcpProblem stack(int n) {
   LcpProblem problem;
   problem.b = VecX::Zero(n);
@@ -87,11 +74,7 @@ inline LcpProblem stack(int n) {
   return problem;
 }
 
-/// A body of 1 kg with two contacts.
-/// \param second  1: on the same side as the first one; -1: opposite it
-/// \param b_0     [m/s²] how the first one parts without forces
-/// \param b_1     [m/s²] ditto, the second one
-/// \return with factors
+// A body of 1 kg with two contacts: on the same side (second = 1) or opposite each other (-1).
 inline LcpProblem two_contacts(double second, double b_0, double b_1) {
   LcpProblem problem = stack(1);
   problem.factors.rows.push_back(problem.factors.rows[0]);
@@ -101,10 +84,7 @@ inline LcpProblem two_contacts(double second, double b_0, double b_1) {
   return problem;
 }
 
-/// A box on another one that cannot move, which stands on the ground.
-/// \param b_0  [m/s²] how the lower contact parts, in which nothing can move
-/// \param b_1  [m/s²] how the upper one parts without forces
-/// \return with factors
+// A box on another one that cannot move, which stands on the ground.
 inline LcpProblem on_fixed_box(double b_0, double b_1) {
   LcpProblem problem = stack(2);
   problem.factors.bodies[0] = {};
@@ -113,9 +93,7 @@ inline LcpProblem on_fixed_box(double b_0, double b_1) {
   return problem;
 }
 
-/// A cube that flies up from its four corners and may not turn.
-/// \param glued  whether its third corner is held back
-/// \return with factors
+// A cube that flies up from its four corners and may not turn.
 inline LcpProblem rising_cube(bool glued) {
   LcpProblem problem = cube_on_ground(-9.81, 0, 0);
   problem.factors.bodies[0].inverse_inertia_w.setZero();
@@ -124,18 +102,14 @@ inline LcpProblem rising_cube(bool glued) {
   return problem;
 }
 
-/// The same problem, known by its matrix alone.
-/// \param problem a copy is changed
-/// \return it
+// The same problem, known by its matrix alone.
 inline LcpProblem without_factors(LcpProblem problem) {
   problem.factors = {};
   return problem;
 }
 
-/// The same problem with bodies: A = L Lᵀ, and two bodies with unit inverse mass take six columns
-/// of L each. A row can only name two bodies, so n is at most 12.
-/// \param problem  its matrix is positive definite; one with factors, or without rows, stays
-/// \return with factors
+// The same problem with bodies: A = L Lᵀ, and two bodies with unit inverse mass take six columns
+// of L each. A row can only name two bodies, so n is at most 12.
 inline LcpProblem with_factors(LcpProblem problem) {
   const int n = problem.size();
   if (!problem.factors.rows.empty() || n == 0) return problem;
@@ -155,10 +129,7 @@ inline LcpProblem with_factors(LcpProblem problem) {
   return problem;
 }
 
-/// What forces do to the bodies, W Jᵀ f. Unlike f it is unique.
-/// \param factors  of the problem
-/// \param f        [N]
-/// \return [m/s²], [rad/s²] 6 numbers a body
+// The accelerations of the bodies by forces, W Jᵀ f, 6 numbers a body. Unlike f they are unique.
 inline std::vector<double> added_accelerations(const LcpFactors& factors,
                                                const std::vector<double>& f) {
   std::vector<Vec3> pushed(2 * factors.bodies.size(), Vec3::Zero());
@@ -181,11 +152,7 @@ inline std::vector<double> added_accelerations(const LcpFactors& factors,
   return out;
 }
 
-/// Solves a problem by a new solver.
-/// \tparam Solver  its class
-/// \param problem  the problem
-/// \param options  of the solver
-/// \return what it says
+// Solves a problem by a new solver.
 template <class Solver, class... Options>
 LcpResult solved_with(const LcpProblem& problem, const Options&... options) {
   Solver solver(options...);
@@ -194,18 +161,13 @@ LcpResult solved_with(const LcpProblem& problem, const Options&... options) {
   return result;
 }
 
-/// The largest |b|, the scale of accelerations.
-/// \param problem the problem
-/// \return [m/s²] 1 if all are 0 or there are none
+// The largest |b|, the scale of accelerations. [m/s²] 1 if all are 0 or there are none
 inline double scale_of(const LcpProblem& problem) {
   const double largest = problem.size() > 0 ? problem.b.cwiseAbs().maxCoeff() : 0.0;
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// How far two lists of accelerations are apart.
-/// \param got   one
-/// \param want  the other
-/// \return the largest difference
+// How far two lists of accelerations are apart.
 inline double distance(const std::vector<double>& got, const std::vector<double>& want) {
   double worst = 0.0;
   for (std::size_t i = 0; i < got.size(); ++i) {

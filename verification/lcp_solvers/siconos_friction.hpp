@@ -14,18 +14,14 @@
 
 namespace tumble::test {
 
-/// One of the problems.
+// One of the problems.
 struct NormalProblem {
-  std::string name;       ///< of the file
-  LcpProblem problem;     ///< rows and columns of the normals only, made symmetric
-  std::vector<double> a;  ///< [m/s] what it comes to, unique
+  std::string name;       // of the file
+  LcpProblem problem;     // rows and columns of the normals only, made symmetric
+  std::vector<double> a;  // [m/s] what it comes to, unique
 };
 
-/// The number that comes next.
-/// \tparam Number  of which kind
-/// \param in       where
-/// \return it
-/// \throws std::runtime_error at the end
+// The next number of a file.
 template <class Number>
 Number next(std::istream& in) {
   Number value{};
@@ -33,10 +29,7 @@ Number next(std::istream& in) {
   return value;
 }
 
-/// Reads the matrix in either of its formats: dense by columns, or blocks listed row by row.
-/// \param in  at the number of the format
-/// \param d   rows and columns of a block
-/// \return the matrix
+// Reads the matrix in either of its formats: dense by columns, or blocks listed row by row.
 inline MatX read_matrix(std::istream& in, int d) {
   const int format = next<int>(in);
   const int rows = next<int>(in);
@@ -69,10 +62,7 @@ inline MatX read_matrix(std::istream& in, int d) {
   return W;
 }
 
-/// Reads a file of a problem with friction, and keeps the normals.
-/// \param file the path
-/// \return the problem; its units are those of velocities and impulses
-/// \throws std::runtime_error if it is missing or ends early
+// Reads a file of a problem with friction, and keeps the normals.
 inline LcpProblem read_normal_problem(const std::filesystem::path& file) {
   std::ifstream in(file);
   const int d = next<int>(in);
@@ -88,10 +78,7 @@ inline LcpProblem read_normal_problem(const std::filesystem::path& file) {
   return problem;
 }
 
-/// Reads all of them, with the expected answers.
-/// \param folder what shared_data("siconos-friction") returned
-/// \return in the order of expected_normal_lcp.json
-/// \throws std::runtime_error if a file is missing
+// Reads all of them, with the expected answers.
 inline std::vector<NormalProblem> siconos_normal_problems(const std::filesystem::path& folder) {
   std::ifstream in(folder / "expected_normal_lcp.json");
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -12,22 +12,19 @@
 
 namespace tumble::test {
 
-/// What is known about one of the problems.
+// A problem and its known solutions.
 struct SiconosProblem {
-  std::string name;    ///< of the file, for example "lcp_mmc"
-  LcpProblem problem;  ///< the problem, no equalities
-  bool semidefinite;   ///< A is symmetric and positive semidefinite
-  bool solvable;       ///< it has a solution
-  /// The solutions at corners of the solution set, all of them, found by trying all cases; empty if
-  /// there is none or the problem is too large for that
+  std::string name;    // of the file, for example "lcp_mmc"
+  LcpProblem problem;  // the problem, no equalities
+  bool semidefinite;   // A is symmetric and positive semidefinite
+  bool solvable;       // it has a solution
+  // The solutions at corners of the solution set, all of them, found by trying all cases; empty if
+  // there is none or the problem is too large for that
   std::vector<std::vector<double>> solutions;
 };
 
-/// Reads a file of Siconos in its dense format: n, 0, rows, columns, both again, the matrix column by
-/// column, the vector, and remarks, which are not read.
-/// \param file the path
-/// \return the problem
-/// \throws std::runtime_error naming the file if it is missing or in another format
+// Reads a file of Siconos in its dense format: n, 0, rows, columns, both again, the matrix column by
+// column, the vector, and remarks, which are not read.
 inline LcpProblem read_siconos(const std::filesystem::path& file) {
   std::ifstream in(file);
   int n = 0;
@@ -46,9 +43,7 @@ inline LcpProblem read_siconos(const std::filesystem::path& file) {
   return problem;
 }
 
-/// Reads all problems that are given as dense matrices.
-/// \param folder what shared_data("siconos-lcp") returned
-/// \return in alphabetical order
+// Reads all problems that are given as dense matrices.
 inline std::vector<SiconosProblem> siconos_problems(const std::filesystem::path& folder) {
   // An LCP is solvable if it says so here; the lists are those that trying all cases gave.
   std::vector<SiconosProblem> all = {

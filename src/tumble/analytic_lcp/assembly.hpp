@@ -55,7 +55,7 @@ void accelerate(std::span<const MovingBody> bodies, std::span<const Wrench> wren
 /// \f$n = \pm c/|c|\f$ with \f$c = e \times h\f$, so
 /// \f[ \dot n = \pm\frac{(1 - n n^{\mathsf T})\,\dot c}{|c|}, \qquad
 ///     \dot c = (\omega_1 \times e) \times h + e \times (\omega_2 \times h). \f]
-/// Contact::axis tells which. The ground's normal stays. Where two faces rest flat on each other it
+/// Contact::axis says which. The ground's normal stays. Where two faces rest flat on each other it
 /// does not matter whose it is. Where a box has just begun to tip over its edge, contacts may name
 /// its own face instead of the one that the edge lies on, until it is tilted by
 /// `tolerance::face_preference_length` or so; the second derivative of the gap is then off by at most
@@ -130,8 +130,8 @@ class ContactProblem {
   /// \return [m/s] the fastest; 0 if none approaches
   [[nodiscard]] double fastest_approach() const { return fastest_approach_; }
 
-  /// Adds what contact forces exert on the bodies, \f$J^{\mathsf T} f\f$; accelerate() tells what
-  /// they do there.
+  /// Adds what contact forces exert on the bodies, \f$J^{\mathsf T} f\f$; accelerate() finds
+  /// the accelerations.
   /// \param f         [N] a force for each row
   /// \param wrenches  one for each body index; those of movable bodies are added to
   /// \throws std::invalid_argument if there is not one force for each row, or not one wrench for

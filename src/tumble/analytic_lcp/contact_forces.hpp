@@ -29,7 +29,7 @@ struct ContactForceOptions {
   std::string solver = "augmented_lagrangian";  ///< of problems without friction, by name
   bool friction = true;                         ///< Coulomb's, or none
   int directions = 8;                           ///< of the pyramid of friction: 4 or 8
-  StableRule stable_boxes = StableRule::off;    ///< who is left out; without friction only
+  StableRule stable_boxes = StableRule::off;    ///< bodies left out; without friction only
 };
 
 /// What the forces are to bring about, and for how long they will act.
@@ -104,7 +104,7 @@ class ContactForces {
   /// \return one for each body index
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return total_; }
 
-  /// Who is left out as stable.
+  /// The bodies that are left out as stable.
   /// \return as of the last solve()
   [[nodiscard]] const HeldBodies& held() const { return held_; }
 

@@ -12,11 +12,11 @@
 
 namespace tumble {
 
-/// Moves bodies out of each other, and lets those that were lifted pay for it.
+/// Moves bodies out of each other; a body that is lifted loses as much kinetic energy as it gains height.
 ///
-/// OverlapRepair moves bodies whose overlap exceeds the slop. Who goes up gains potential energy, and
-/// loses as much kinetic energy here, by scaling both of its momenta, as far as it has any. What
-/// is left is booked: bodies at rest have nothing to pay with.
+/// OverlapRepair moves bodies whose overlap exceeds the slop. A body that goes up gains
+/// potential energy, and loses as much kinetic energy here, by scaling both of its momenta, as far as
+/// it has any. The rest of the gain is booked: a body at rest has no kinetic energy to lose.
 /// \par Cost
 /// That of OverlapRepair. No allocation once warm.
 class DriftCorrection {

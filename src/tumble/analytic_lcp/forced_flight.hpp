@@ -22,11 +22,11 @@ namespace tumble {
 /// is flown to from the start in one go: a body put at a time found by a search has the very bits
 /// that the search saw.
 ///
-/// Bodies that stand on others may be carried by them (carry()): then they follow the arcs of
+/// Bodies that stand on others may follow them (carry()): then they move along the arcs of
 /// PivotUpdate, of order 2 in t and continuous as well, and their momenta are as above.
 class ForcedFlight {
  public:
-  /// Keeps the present states as the start; nobody is carried.
+  /// Keeps the present states as the start; no body follows another one.
   /// \param world  the bodies
   void begin(const World& world);
 
@@ -35,21 +35,21 @@ class ForcedFlight {
   /// \throws std::invalid_argument if there is not one for each body
   void set_wrenches(std::span<const Wrench> wrenches);
 
-  /// Lets bodies be carried by those that push them.
+  /// Makes bodies follow those that push them.
   /// \param world   the bodies
   /// \param bodies  how they move at the start, by index
-  /// \param pushed  who pushes whom
+  /// \param pushed  pairs of a pushing and a pushed body
   void carry(const World& world, std::span<const MovingBody> bodies,
              std::span<const PushedPair> pushed);
 
-  /// Says how the motion of carried bodies changes, by what set_wrenches() was given and gravity.
+  /// Sets the accelerations of bodies that follow others, due to the wrenches and gravity.
   /// \param rates by body index
   void accelerate(std::span<const Acceleration> rates);
 
-  /// How far carrying leads a body away from its parabola.
+  /// The displacement of a body from its parabola because it follows another one.
   /// \param body  its index
   /// \param time  [s] after the start
-  /// \return [m] world frame; 0 for a body that is not carried
+  /// \return [m] world frame; 0 for a body that follows none
   [[nodiscard]] Vec3 offset_w(int body, double time) const;
 
   /// Puts all bodies where they are at a time.

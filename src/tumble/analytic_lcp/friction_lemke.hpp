@@ -5,7 +5,7 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/lcp_solvers/lemke.hpp"
+#include "tumble/lcp_solvers/lemke_restarts.hpp"
 
 #include <array>
 
@@ -20,7 +20,8 @@ namespace tumble {
 ///    makes rows independent, and again with \f$b - \varepsilon D f\f$ for the f just found. This is the
 ///    proximal point method: f stays where \f$A f + b\f$ solves the problem itself, and the error falls,
 ///    by about ε each time where rows do not depend on each other; with four more ε if need be;
-/// 3. with the lexicographic rule and no slack.
+/// 3. with the lexicographic rule and no slack;
+/// 4. in rows of unit diagonal and from other bases (LemkeRestarts).
 /// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14,
 ///      1976.
 class FrictionLemkeSolver : public LcpSolver {
@@ -50,6 +51,7 @@ class FrictionLemkeSolver : public LcpSolver {
 
   std::array<LemkeSolver, 2> slack_solvers_;
   LemkeSolver exact_solver_;
+  LemkeRestarts restarts_;
   LcpProblem yielding_;  // A + eps D, b - eps D f
 };
 

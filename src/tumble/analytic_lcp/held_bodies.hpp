@@ -24,10 +24,10 @@ namespace tumble {
 /// \verified{Leaving stable boxes out changes no acceleration}
 class HeldBodies {
  public:
-  /// \param rule by which boxes are told
+  /// \param rule that decides which boxes are stable
   explicit HeldBodies(StableRule rule) : rule_(rule), boxes_(rule) {}
 
-  /// Finds who is held.
+  /// Finds the held bodies.
   /// \param world     masses, poses, gravity
   /// \param bodies    how they move, one for each body index
   /// \param contacts  points that rest
@@ -35,7 +35,7 @@ class HeldBodies {
   std::span<const MovingBody> find(const World& world, std::span<const MovingBody> bodies,
                                    std::span<const Contact> contacts);
 
-  /// Who is held, by body index.
+  /// The held bodies, by body index.
   /// \return a Hold for each; empty with the rule `off`
   [[nodiscard]] std::span<const char> held() const { return held_; }
 

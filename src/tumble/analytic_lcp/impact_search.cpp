@@ -1,5 +1,5 @@
 /// \file
-/// \brief When the next collision is, among bodies that fly and bodies that rest.
+/// \brief The time of the next collision among bodies that fly and bodies that rest.
 #include "tumble/analytic_lcp/impact_search.hpp"
 
 #include "tumble/analytic_lcp/touch.hpp"

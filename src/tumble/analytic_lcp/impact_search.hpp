@@ -1,5 +1,5 @@
 /// \file
-/// \brief When the next collision is, among bodies that fly and bodies that rest (thesis 3.3.1).
+/// \brief The time of the next collision among bodies that fly and bodies that rest (thesis 3.3.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace tumble {
 
-/// What is searched, and how.
+/// A search: pairs, interval and precision.
 struct ImpactSearchTask {
   std::span<const IndexPair> candidates;  ///< pairs that may meet, sorted
   std::span<const Contact> near;  ///< all points within the margin at the start, sorted by id
@@ -25,7 +25,7 @@ struct ImpactSearchTask {
   RotationRule rule = RotationRule::splitting;      ///< how bodies turn
 };
 
-/// What was found.
+/// The result of a search.
 struct FirstImpact {
   bool found = false;            ///< whether there is one
   double time = 0.0;             ///< [s] found: by now a pair has met, one resolution ago none had

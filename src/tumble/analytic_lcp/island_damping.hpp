@@ -32,7 +32,7 @@ class IslandDamping {
  public:
   /// Slows bodies down.
   /// \param contacts  with the impulses of the last flight; a contact without any does not count
-  /// \param held      who was left out of the forces: where one of them stands on another does count
+  /// \param held      the bodies left out of the forces; contacts between two of them count
   /// \param shares    see there
   /// \param dt        [s] the time step
   /// \param world     momenta in and out

@@ -48,12 +48,12 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 ///
 /// VelocityStep takes resting contacts and impacts of a step together, one complementarity problem
 /// for each group of bodies. Poses follow by the semi-implicit rule
-/// \f$x^+ = x + h\,v^+\f$, and orientations by the new angular momentum. What is left of
-/// overlap, of order (hω)² of a body's size as points move on arcs and the problem thinks
-/// of straight lines, is repaired by moving bodies.
+/// \f$x^+ = x + h\,v^+\f$, and orientations by the new angular momentum. The
+/// remaining overlap, of order (hω)² of a body's size because points move on arcs and the problem
+/// assumes straight lines, is removed by moving bodies.
 ///
 /// **Bodies that turn together** about a point outside of them come apart by this, and are kept together
-/// by PoseUpdate::exponential: velocities agree at the poses of the start, from which bodies are carried
+/// by PoseUpdate::exponential: velocities agree at the poses of the start, and poses follow from them
 /// (PivotUpdate).
 ///
 /// **The form.** Stewart and Trinkle's is the default: a body may close its gap and no more, so nothing

@@ -36,7 +36,7 @@ inline constexpr double motionless = 1e-9;
 
 /// [-] How far unknowns of a contact problem with friction may fall below 0 on the way, as a share of
 /// max |b|. Reason: boxes that have turned by 1e-9 have rows that depend on each other to as much, and
-/// a hundredth of what is accepted as an error is left to a hundred pivots. (2.6.3)
+/// a hundred pivots may then add up to the accepted error at most. (2.6.3)
 inline constexpr double slack = 1e-10;
 
 /// [-] Error of the velocities at the end of a time step, as a share of the fastest point of the island,
@@ -49,7 +49,7 @@ inline constexpr double step_residual = 1e-7;
 /// 1/60 s, this is 5 mm in a year. (2.6.3)
 inline constexpr double step_sliding = 1e-9;
 
-/// [-] By which part a contact point yields too much to its own push while rows that nearly depend on
+/// [-] Relative excess of a contact point's response to its own push while rows that nearly depend on
 /// each other are kept apart. Reason: far above rounding, and two rounds of the remedy leave its square
 /// as the error. (2.6.3)
 inline constexpr double compliance = 1e-6;

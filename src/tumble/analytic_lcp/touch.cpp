@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a contact point is about to do: collide, part, rest, or not yet.
+/// \brief The state of a contact point: about to collide, colliding, at rest, or separating.
 #include "tumble/analytic_lcp/touch.hpp"
 
 #include "tumble/analytic_lcp/tolerances.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a contact point is about to do: collide, part, rest, or not yet (thesis 3.3.1, 4.3).
+/// \brief The state of a contact point: about to collide, colliding, at rest, or separating (thesis 3.3.1, 4.3).
 ///
 /// Uses no other chapter.
 #pragma once

@@ -183,7 +183,7 @@ double VelocityStep::error_of(const LcpProblem& problem) const {
   double largest = 0.0;
   for (int k = 0; k < problem.size(); ++k) largest = std::max(largest, std::abs(problem.b[k]));
   const double error = answer_.residual * (largest > 0.0 ? largest : 1.0);
-  return error > 0.0 ? error / std::max(speed_, largest) : 0.0;
+  return error != 0.0 ? error / std::max(speed_, largest) : 0.0;
 }
 
 // The velocities of an island at the end, from those of free bodies.

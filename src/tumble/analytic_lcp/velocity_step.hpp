@@ -53,7 +53,7 @@ struct VelocityStepResult {
 /// \f[ v^+ = v^- + h\,a + W J^{\mathsf T} p, \qquad
 ///     0 \le p_n \perp n\cdot u^+ + \max(g, 0)/h \ge 0 \f]
 /// and p_t is within the pyramid of friction and against the sliding of u⁺ (FrictionPyramid). A
-/// collision is a point with a large impulse; nothing tells it from a resting contact. What overlaps
+/// collision is a point with a large impulse; otherwise it is treated as a resting contact. What overlaps
 /// (g < 0) is not pushed apart: that would give it speed. Move it, see OverlapRepair.
 ///
 /// **There is always a solution** with e = 0, Painlevé's rod included: the impulse that no finite
@@ -69,9 +69,9 @@ struct VelocityStepResult {
 /// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge -e\,u_n^-\f$ instead,
 /// unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
 /// collide together can ask for what no motion gives, and friction with Newton's law may add energy.
-/// Then (`fallbacks`) the group of bodies is solved with e = 0 as well, and what is taken is the last
-/// of the way from there to the other solution at which the work is not above 0, or e = 0 if there is
-/// no other. Every convex combination of two answers holds points apart and friction in its pyramid.
+/// Then (`fallbacks`) the group of bodies is solved with e = 0 as well, and the answer is the
+/// point of the straight line from there to the other solution that is closest to the latter among
+/// those whose work is not above 0, or the solution for e = 0 if there is no other. Every convex combination of two answers holds points apart and friction in its pyramid.
 /// \par How it is solved
 /// Each island by itself, with no more of it than matters. Points that are apart and would not meet are
 /// left out, and so is friction; BaraffSolver solves that. If points then meet they are taken up, and if
@@ -90,7 +90,7 @@ struct VelocityStepResult {
 class VelocityStep {
  public:
   /// Finds the velocities at the end of a step.
-  /// \param world     constant parts and gravity, as scales and to tell who is immovable
+  /// \param world     constant parts and gravity, for scales and to see which bodies are immovable
   /// \param free      how bodies accelerate without contact, one for each body index
   /// \param contacts  what touches or may, gathered with the velocities of the start: approach speeds
   ///                  are read, impulses are overwritten

@@ -108,7 +108,7 @@ LcpStatus AugmentedLagrangianSolver::raise_preloads(const LcpProblem& problem,
     const double now = residual(problem);
     if (now <= options_.residual) return LcpStatus::solved;
     if (round > 0 && contradiction(problem)) return LcpStatus::infeasible;
-    if (now > tolerance::slow_round * before) {
+    if (!(now <= tolerance::slow_round * before)) {
       if (only_rounding_is_left(problem)) return LcpStatus::solved;
       if (softness_ > tolerance::least_softness) {
         softness_ = std::max(tolerance::hardening * softness_, tolerance::least_softness);
@@ -141,7 +141,8 @@ double AugmentedLagrangianSolver::residual(const LcpProblem& problem) const {
   double worst = 0.0;
   for (int i = 0; i < problem.size(); ++i) {
     const double here = rows_.length(i) * wrong(problem, i);
-    if (!(here <= worst)) worst = here;  // keeps what is not a number
+    if (!(here <= worst)) worst = here;
+    if (std::isnan(worst)) break;  // the next row would hide it
   }
   return worst / scale_;
 }

@@ -42,7 +42,7 @@ struct AugmentedLagrangianOptions {
 /// there are bodies, not contacts, empty where bodies do not touch, and never singular: redundant
 /// contacts share a force as equal springs do. A round takes the error to about
 /// \f$\varepsilon / \sigma\f$ of what it was, \f$\sigma\f$ the smallest eigenvalue that matters; begins
-/// from f alone, so that rounding of earlier rounds is mended too; and costs no factorisation if C
+/// from f alone, so that it also corrects rounding errors of earlier rounds; and costs no factorisation if C
 /// stays.
 /// \par How it ends
 /// `solved`, at the residual asked for, or where rounding allows no smaller one (forces far
@@ -59,7 +59,7 @@ struct AugmentedLagrangianOptions {
 ///      Patrinos, "QPALM: a proximal augmented Lagrangian method for nonconvex quadratic programs",
 ///      Mathematical Programming Computation 14 (2022).
 /// \algorithm{Contact forces by the method of multipliers: sections 2.6.2 and 3.3.1}
-/// \verified{The method of multipliers agrees with Baraff's on 10000 contact problems}
+/// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class AugmentedLagrangianSolver final : public LcpSolver {
  public:
   /// Makes a solver.

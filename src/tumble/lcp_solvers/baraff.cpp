@@ -43,7 +43,7 @@ void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span
   result.status = translated(answer_.status);
   result.pivots = answer_.pivots;
   result.multiplications = answer_.multiplications;
-  complete(problem, result);
+  conclude(problem, result);
 
   // A holds only the squares of what J holds: half of the digits. Where that is too few, J is used.
   const bool good = result.status == LcpStatus::solved && result.residual <= tolerance::lost_in_A;

@@ -26,7 +26,7 @@ namespace tumble {
 /// them equalities; no allocation for a problem no larger than one before.
 /// \see Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994, 4.
 /// \algorithm{Forces of resting contacts: section 3.3.1}
-/// \verified{Lemke's method, Baraff's and trying everything agree on 10000 contact problems}
+/// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class BaraffSolver : public LcpSolver {
  public:
   /// \return "baraff"

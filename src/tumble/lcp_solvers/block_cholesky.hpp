@@ -1,5 +1,5 @@
 /// \file
-/// \brief Cholesky factor of a sparse matrix of 6×6 blocks: the bodies of a heap and who touches whom.
+/// \brief Cholesky factor of a sparse matrix of 6×6 blocks: a block for each body and for each pair that touches.
 ///
 /// Uses no other chapter.
 #pragma once

@@ -2,35 +2,17 @@
 /// \brief A positive semidefinite matrix as products of short rows.
 #include "tumble/lcp_solvers/block_rows.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/lcp_solvers/mass_root.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace tumble {
-namespace {
-
-void require_diagonal(const LcpProblem& problem, int row, double product) {
-  const double A_ii = problem.A(row, row);
-  if (std::abs(product - A_ii) <= tolerance::symmetry * std::max(product, std::abs(A_ii))) return;
-  require::that(false, "row " + std::to_string(row) + " of the factors makes " +
-                           shortest_text(product) + " of A_ii = " + shortest_text(A_ii) +
-                           ": give the factors of A");
-}
-
-}  // namespace
-
 bool BlockRows::take(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
   const std::size_t n = idx(problem.size());
-  if (rows != 0 && rows != n)
-    require::that(
-        false, "factors have " + std::to_string(rows) + " rows: give none or " + std::to_string(n));
+  if (rows != 0) require_factors_fit(problem);
   begin_.clear();
   begin_.reserve(n + 1);
   begin_.push_back(0);
@@ -47,21 +29,11 @@ bool BlockRows::take(const LcpProblem& problem) {
 // g_i is what Sᵀ makes of row i of J, body by body.
 void BlockRows::take_factors(const LcpProblem& problem) {
   const LcpFactors& factors = problem.factors;
-  require_valid(factors);
   blocks_ = static_cast<int>(factors.bodies.size());
-  root_inverse_mass_.clear();
-  root_inverse_inertia_w_.clear();
-  for (const LcpFactors::Body& body : factors.bodies) {
-    root_inverse_mass_.push_back(body.inverse_mass.cwiseSqrt());
-    root_inverse_inertia_w_.push_back(root_of(body.inverse_inertia_w));
-  }
+  roots_.take(factors);
 
   const auto append_part = [&](int body, const Vec3& linear_w, const Vec3& angular_w) {
-    if (body < 0) return;
-    Vec6 part;
-    part.head<3>() = root_inverse_mass_[idx(body)].cwiseProduct(linear_w);
-    part.tail<3>() = root_inverse_inertia_w_[idx(body)].transpose() * angular_w;
-    append(body, part);
+    if (body >= 0) append(body, roots_.part(body, linear_w, angular_w));
   };
   part_.reserve(2 * factors.rows.size());
   block_.reserve(2 * factors.rows.size());

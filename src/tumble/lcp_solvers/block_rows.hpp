@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/lcp_solvers/mass_root.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <cstdint>
@@ -80,11 +81,10 @@ class BlockRows {
   std::vector<double> length_;
   std::int64_t taking_ = 0;
 
-  std::vector<Vec3> root_inverse_mass_;       // (bodies) upper left block of S, its diagonal
-  std::vector<Mat3> root_inverse_inertia_w_;  // (bodies) lower right block of S
-  MatX lower_;                                // (n×n or larger) Cholesky factor, rows in A's order
-  std::vector<double> left_;                  // (n) diagonal of what is left of A
-  std::vector<char> taken_;                   // (n) whether a row has been a pivot
+  MassRoots roots_;
+  MatX lower_;                // (n×n or larger) Cholesky factor, rows in A's order
+  std::vector<double> left_;  // (n) diagonal of what is left of A
+  std::vector<char> taken_;   // (n) whether a row has been a pivot
 };
 
 }  // namespace tumble

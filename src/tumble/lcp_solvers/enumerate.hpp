@@ -11,7 +11,7 @@ namespace tumble {
 /// Tries all pairs of a set of rows without acceleration and a part of it that pushes: 3ⁿ cases, see
 /// solve_by_enumeration().
 ///
-/// It takes any matrix, never errs but for rounding, and `infeasible` means that there is no
+/// It takes any matrix, works in rows of unit diagonal (ScaledProblem), never errs but for rounding, and `infeasible` means that there is no
 /// solution. An equality counts as two rows (TwinProblem). It allocates as it goes, and ignores rows
 /// to start with.
 class EnumerationSolver : public LcpSolver {

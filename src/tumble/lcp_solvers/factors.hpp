@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// A = J W Jᵀ: contact forces act on bodies, bodies yield, constraints see how.
+/// A = J W Jᵀ: from contact forces to forces on bodies, to their accelerations, to those at the contacts.
 ///
 /// The acceleration of a body is \f$(\dot v, \dot\omega)\f$ in the world frame, 6 numbers. J has a
 /// row for each row of the problem, with at most two bodies in it, and W a block for each body.

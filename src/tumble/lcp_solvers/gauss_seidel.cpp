@@ -43,11 +43,12 @@ void GaussSeidelSolver::solve(const LcpProblem& problem, LcpResult& result,
   // A row is judged when it is visited and may be put wrong again by later ones. So when all were
   // right on their visit, the forces are judged once more as they are.
   complete(problem, result);
-  while (result.residual > options_.residual && result.pivots < options_.sweeps) {
+  while (!(result.residual <= options_.residual) && result.pivots < options_.sweeps) {
     double worst = 0.0;
     for (int i = 0; i < n; ++i) {
       const double wrong = put_right(problem, i, result.f);
-      if (!(wrong <= worst)) worst = wrong;  // keeps what is not a number
+      if (!(wrong <= worst)) worst = wrong;
+      if (!std::isfinite(worst)) break;  // the next row would hide it
     }
     ++result.pivots;
     result.multiplications += std::int64_t{n} * (n + 1);
@@ -61,7 +62,7 @@ void GaussSeidelSolver::solve(const LcpProblem& problem, LcpResult& result,
     if (worst <= limit) complete(problem, result);
   }
   complete(problem, result);
-  if (result.status == LcpStatus::solved && result.residual > options_.residual)
+  if (result.status == LcpStatus::solved && !(result.residual <= options_.residual))
     result.status = LcpStatus::cap_reached;
 }
 

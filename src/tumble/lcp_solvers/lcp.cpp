@@ -1,5 +1,5 @@
 /// \file
-/// \brief What all solvers of the complementarity problem share, and the list of them.
+/// \brief Checks and residuals common to all solvers of the complementarity problem, and their list.
 #include "tumble/lcp_solvers/lcp.hpp"
 
 #include "tumble/base/error.hpp"
@@ -14,10 +14,13 @@
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
+#include "tumble/lcp_solvers/safeguard.hpp"
+#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace tumble {
@@ -86,7 +89,8 @@ double residual_of(const LcpProblem& problem, std::span<const double> f,
     const double wrong = is_equality(problem, i)
                              ? a[idx(i)]
                              : std::min(yield_of(problem.A, i) * f[idx(i)], a[idx(i)]);
-    if (std::isnan(wrong)) return wrong;
+    if (std::isnan(wrong) || std::isnan(f[idx(i)]) || std::isnan(a[idx(i)]))
+      return std::numeric_limits<double>::quiet_NaN();
     worst = std::max(worst, std::abs(wrong));
     largest = std::max(largest, std::abs(problem.b[i]));
   }
@@ -120,6 +124,10 @@ std::string_view name_of(LcpStatus status) {
       return "cycling";
     case LcpStatus::cap_reached:
       return "cap_reached";
+    case LcpStatus::least_violation:
+      return "least_violation";
+    case LcpStatus::ray:
+      return "ray";
   }
   require::that(false,
                 "status = " + std::to_string(static_cast<int>(status)) + ": give one of LcpStatus");
@@ -165,6 +173,32 @@ void complete(const LcpProblem& problem, LcpResult& result) {
     if (result.f[idx(i)] != 0.0) result.pushing.push_back(i);
 }
 
+void conclude(const LcpProblem& problem, LcpResult& result) {
+  complete(problem, result);
+  if (result.status == LcpStatus::solved && !(result.residual <= tolerance::usable_residual))
+    result.status = LcpStatus::singular;
+}
+
+double scaled_residual(const LcpProblem& problem, const LcpResult& result) {
+  double worst = 0.0;
+  double largest = 0.0;
+  for (int i = 0; i < problem.size(); ++i) {
+    const double f = result.f[idx(i)];
+    const double a = result.a[idx(i)];
+    if (!std::isfinite(f) || !std::isfinite(a)) return std::numeric_limits<double>::infinity();
+    const double y = yield_of(problem.A, i);
+    const double wrong = is_equality(problem, i) ? a : std::min(y * f, a);
+    worst = std::max(worst, std::abs(wrong) / std::sqrt(y));
+    largest = std::max(largest, std::abs(problem.b[i]) / std::sqrt(y));
+  }
+  return largest > 0.0 ? worst / largest : worst;
+}
+
+bool holds(const LcpProblem& problem, const LcpResult& result) {
+  return result.residual <= tolerance::usable_residual &&
+         scaled_residual(problem, result) <= tolerance::usable_residual;
+}
+
 const std::vector<LcpRecipe>& lcp_solvers() {
   static const std::vector<LcpRecipe> solvers = {
       {"baraff", "3.3.1", "one contact after the other, for symmetric semidefinite matrices",
@@ -172,7 +206,7 @@ const std::vector<LcpRecipe>& lcp_solvers() {
       {"lemke", "3.3.1", "a path of pivots for any matrix, friction included", make<LemkeSolver>},
       {"gauss_seidel", "3.3.1", "projected sweeps, for a positive diagonal; slow on tall stacks",
        make<GaussSeidelSolver>},
-      {"least_constraint", "2.6.2", "Gauss' principle, for problems that come from bodies",
+      {"least_constraint", "2.6.2", "Gauss' principle, sure where bodies are known",
        make<LeastConstraintSolver>},
       {"augmented_lagrangian", "2.6.2",
        "springs whose preload grows; sparse and fastest where bodies are known",
@@ -189,7 +223,7 @@ const std::vector<LcpRecipe>& lcp_solvers() {
 std::unique_ptr<LcpSolver> make_lcp_solver(std::string_view name) {
   std::vector<std::string_view> names;
   for (const LcpRecipe& recipe : lcp_solvers()) {
-    if (recipe.name == name) return recipe.make();
+    if (recipe.name == name) return std::make_unique<SafeguardedSolver>(recipe.make());
     names.push_back(recipe.name);
   }
   require::that(false, "unknown solver " + std::string(name) + ": " + expected_names(name, names));

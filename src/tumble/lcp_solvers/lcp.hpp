@@ -1,6 +1,6 @@
 /// \file
-/// \brief The linear complementarity problem of contact forces, and what every solver of it looks
-///        like (thesis 2.6, 3.3.1).
+/// \brief The linear complementarity problem of contact forces, and the interface of its solvers
+///        (thesis 2.6, 3.3.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -17,7 +17,7 @@
 namespace tumble {
 
 /// Find f with a = A f + b such that row by row either \f$f_i \ge 0, a_i \ge 0, f_i a_i = 0\f$ (a
-/// contact pushes or parts), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
+/// contact pushes or separates), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
 struct LcpProblem {
   MatX A;                      ///< [1/kg] (n×n)
   VecX b;                      ///< [m/s²] (n) what a would be without forces
@@ -29,12 +29,14 @@ struct LcpProblem {
 
 /// How a solver ended.
 enum class LcpStatus : std::uint8_t {
-  solved,      ///< f holds a solution to the solver's tolerance
-  infeasible,  ///< there is none, or, for Lemke's method, it ended on a ray: see the solver
+  solved,                     ///< f holds a solution to the solver's tolerance
+  infeasible,                 ///< there is none
   not_positive_semidefinite,  ///< the solver needs a matrix that is, and noticed that it is not
   cycling,                    ///< the same index sets came back
-  singular,    ///< the solver had to solve a linear system without solution: see the solver
-  cap_reached  ///< as many pivots or sweeps as allowed; f holds the state reached
+  singular,         ///< the solver had to solve a linear system without solution: see the solver
+  cap_reached,      ///< as many pivots or sweeps as allowed; f holds the state reached
+  least_violation,  ///< there is none, but f violates the conditions least, by `residual` only
+  ray               ///< Lemke's path ended on a ray: whether there is a solution is not known
 };
 
 /// The name of a status in files.
@@ -60,7 +62,7 @@ struct LcpResult {
   }
 };
 
-/// The number that judges any answer, whoever computed it.
+/// The number that judges any answer, of any solver.
 /// \param problem the problem
 /// \param f       (n) the answer
 /// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the
@@ -102,6 +104,28 @@ inline bool is_equality(const LcpProblem& problem, int row) {
 /// \param result  f of length n, given
 void complete(const LcpProblem& problem, LcpResult& result);
 
+/// complete(), and `solved` becomes `singular` if the residual is above `tolerance::usable_residual` or is not
+/// a number.
+/// \param problem the problem
+/// \param result  f of length n and a status, given
+void conclude(const LcpProblem& problem, LcpResult& result);
+
+/// The residual in rows that have been divided by the roots of A_ii, which does not depend on their units.
+/// \param problem  the problem
+/// \param result   after complete()
+/// \return [-] as lcp_residual(), each row and each b_i over the root of A_ii or what stands for it; infinite if
+///         a number of f or a is not finite
+double scaled_residual(const LcpProblem& problem, const LcpResult& result);
+
+/// The judge of every answer: whether it may be called solved.
+///
+/// Its residual and its scaled residual are at most `tolerance::usable_residual`; every comparison fails for
+/// NaN.
+/// \param problem  the problem
+/// \param result   after complete()
+/// \return true if all of f, a and the residuals are finite and small enough
+bool holds(const LcpProblem& problem, const LcpResult& result);
+
 /// A way to solve the problem.
 class LcpSolver {
  public:
@@ -135,7 +159,7 @@ struct LcpRecipe {
 /// \return in the order in which `tumble lcp --list` shows them
 const std::vector<LcpRecipe>& lcp_solvers();
 
-/// Makes a solver.
+/// Makes a solver, with the safeguards of SafeguardedSolver.
 /// \param name its name
 /// \return the solver with its defaults
 /// \throws std::invalid_argument listing the names if there is none of this name

@@ -4,9 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/lcp_solvers/mass_root.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
@@ -23,30 +21,23 @@ double length_of(const MatX& E, int column) {
   return std::sqrt(square);
 }
 
-void require_factors(const LcpProblem& problem) {
-  const std::size_t rows = problem.factors.rows.size();
-  if (rows != idx(problem.size()))
-    require::that(false, "factors have " + std::to_string(rows) + " rows: give " +
-                             std::to_string(problem.size()) +
-                             ", least constraint needs the factors of A, not only A");
-  require_valid(problem.factors);
-}
-
 }  // namespace
 
 void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
                                   std::span<const int> start) {
   require_valid(problem, LcpMatrix::symmetric_semidefinite);
   require_valid_start(problem.size(), start);
-  require_factors(problem);
   const int n = problem.size();
   cone_.pushing.assign(start.begin(), start.end());
   result.status = LcpStatus::solved;
   result.f.assign(idx(n), 0.0);
   result.pivots = 0;
   result.multiplications = 0;
-  take_roots(problem.factors);
-  set_up_columns(problem);
+  if (!set_up_columns(problem)) {
+    result.status = LcpStatus::not_positive_semidefinite;
+    complete(problem, result);
+    return;
+  }
   x_.assign(6 * problem.factors.bodies.size(), 0.0);
 
   // |z| is at least the distance of the farthest constraint; if that is 0, the free accelerations
@@ -63,52 +54,57 @@ void LeastConstraintSolver::solve(const LcpProblem& problem, LcpResult& result,
     const double t = cone_.rest.back();
     scale *= std::sqrt(std::max(0.0, cone_.distance * cone_.distance - t * t)) / t;
   }
-  complete(problem, result);
+  conclude(problem, result);
 }
 
-// S, body by body.
-void LeastConstraintSolver::take_roots(const LcpFactors& factors) {
-  root_inverse_mass_.clear();
-  root_inverse_inertia_w_.clear();
-  for (const LcpFactors::Body& body : factors.bodies) {
-    root_inverse_mass_.push_back(body.inverse_mass.cwiseSqrt());
-    root_inverse_inertia_w_.push_back(root_of(body.inverse_inertia_w));
-  }
-}
-
-// E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities.
-void LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
+// E without its last row: G = Sᵀ Jᵀ, then once more with the other sign for equalities. Where bodies are not
+// known a factor of A stands for G. Returns false if there is none.
+bool LeastConstraintSolver::set_up_columns(const LcpProblem& problem) {
   const int n = problem.size();
   mirrored_.clear();
   mirrored_.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(problem, i)) mirrored_.push_back(i);
-  const int rows = 6 * static_cast<int>(problem.factors.bodies.size()) + 1;
-  const int columns = n + static_cast<int>(mirrored_.size());
-  E_.setZero(rows, columns);
+  if (problem.factors.rows.empty()) {
+    if (!rows_.take(problem)) return false;
+    set_size(problem, rows_.blocks());
+    take_matrix_columns();
+  } else {
+    set_size(problem, static_cast<int>(problem.factors.bodies.size()));
+    take_body_columns(problem);
+  }
+  for (std::size_t k = 0; k < mirrored_.size(); ++k)
+    E_.col(n + static_cast<int>(k)) = -E_.col(mirrored_[k]);
+  return true;
+}
+
+void LeastConstraintSolver::set_size(const LcpProblem& problem, int blocks) {
+  const int rows = 6 * blocks + 1;
+  E_.setZero(rows, problem.size() + static_cast<int>(mirrored_.size()));
   target_.setZero(rows);
   target_[rows - 1] = 1.0;
+}
 
+void LeastConstraintSolver::take_matrix_columns() {
+  for (int i = 0; i < rows_.size(); ++i)
+    for (int p = rows_.begin_of_rows()[idx(i)]; p < rows_.begin_of_rows()[idx(i) + 1]; ++p)
+      E_.block<6, 1>(6 * rows_.blocks_of_rows()[idx(p)], i) =
+          rows_.length(i) * rows_.parts()[idx(p)];
+}
+
+void LeastConstraintSolver::take_body_columns(const LcpProblem& problem) {
+  require_factors_fit(problem);
+  roots_.take(problem.factors);
   const auto put = [this](int column, int body, const Vec3& linear_w, const Vec3& angular_w) {
-    if (body < 0) return;
-    E_.block<3, 1>(6 * body, column) = root_inverse_mass_[idx(body)].cwiseProduct(linear_w);
-    E_.block<3, 1>(6 * body + 3, column) =
-        root_inverse_inertia_w_[idx(body)].transpose() * angular_w;
+    if (body >= 0) E_.block<6, 1>(6 * body, column) = roots_.part(body, linear_w, angular_w);
   };
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < problem.size(); ++i) {
     const LcpFactors::Row& row = problem.factors.rows[idx(i)];
     put(i, row.first, row.linear_first_w, row.angular_first_w);
     put(i, row.second, row.linear_second_w, row.angular_second_w);
     const double length = length_of(E_, i);
-    const double A_ii = problem.A(i, i);
-    const double scale = std::max(length * length, std::abs(A_ii));
-    if (!(std::abs(length * length - A_ii) <= tolerance::symmetry * scale))
-      require::that(false, "row " + std::to_string(i) + " of the factors makes " +
-                               shortest_text(length * length) +
-                               " of A_ii = " + shortest_text(A_ii) + ": give the factors of A");
+    require_diagonal(problem, i, length * length);
   }
-  for (std::size_t k = 0; k < mirrored_.size(); ++k)
-    for (int row = 0; row < rows; ++row) E_(row, n + static_cast<int>(k)) = -E_(row, mirrored_[k]);
 }
 
 // The distance of z = 0 from the half space that it is farthest out of; 0 if it is in all of them;
@@ -147,16 +143,11 @@ void LeastConstraintSolver::take_forces(const LcpProblem& problem, double scale,
   for (std::size_t k = 0; k < mirrored_.size(); ++k)
     result.f[idx(mirrored_[k])] -= factor * cone_.f[idx(n) + k];
 
-  for (std::size_t body = 0; body < root_inverse_mass_.size(); ++body) {
-    const double* Gu = &cone_.rest[6 * body];  // with the other sign
-    const Vec3 linear = -factor * Vec3(Gu[0], Gu[1], Gu[2]);
-    const Vec3 angular = -factor * Vec3(Gu[3], Gu[4], Gu[5]);
-    const Vec3 added_linear_w = root_inverse_mass_[body].cwiseProduct(linear);
-    const Vec3 added_angular_w = root_inverse_inertia_w_[body] * angular;
-    for (int k = 0; k < 3; ++k) {
-      x_[6 * body + idx(k)] = added_linear_w[k];
-      x_[6 * body + 3 + idx(k)] = added_angular_w[k];
-    }
+  if (problem.factors.rows.empty()) return;
+  for (int body = 0; body < static_cast<int>(problem.factors.bodies.size()); ++body) {
+    double* x = &x_[6 * idx(body)];
+    const Vec6 Gu = Eigen::Map<const Vec6>(&cone_.rest[6 * idx(body)]);  // with the other sign
+    Eigen::Map<Vec6>(x, 6) = roots_.acceleration(body, -factor * Gu);
   }
 }
 

@@ -2,7 +2,7 @@
 /// \brief Contact forces by Gauss' principle of least constraint (thesis 2.6.2).
 #pragma once
 
-#include "tumble/lcp_solvers/lcp.hpp"
+#include "tumble/lcp_solvers/block_rows.hpp"
 #include "tumble/math/least_squares.hpp"
 
 namespace tumble {
@@ -23,7 +23,7 @@ namespace tumble {
 /// \f[ \min_z |z|^2 \quad\text{with}\quad G^{\mathsf T} z + b \ge 0 \f]
 /// is the point nearest to the origin in a polyhedron. One more coordinate makes the polyhedron a
 /// cone: u >= 0 that brings \f$\binom{G}{-b^{\mathsf T}/s}\,u\f$ nearest to (0, 1) gives
-/// \f$z = s\,G u / t\f$ and the forces \f$f = s\,u / t\f$, t the last coordinate of what is left to
+/// \f$z = s\,G u / t\f$ and the forces \f$f = s\,u / t\f$, t the last coordinate of the vector from there to
 /// (0, 1). This is Wilhelmsen's nearest point of a cone, done by NonNegativeLeastSquares. The scale s, about |z|,
 /// keeps t about 1/2.
 ///
@@ -40,28 +40,29 @@ namespace tumble {
 ///      cones", Mathematics of Computation 30 (1976); Lawson and Hanson, Solving Least Squares
 ///      Problems, 1974, 23.4.
 /// \algorithm{Gauss' principle of least constraint: section 2.6.2}
-/// \verified{Least constraint finds the accelerations of 2000 singular contact problems}
+/// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class LeastConstraintSolver final : public LcpSolver {
  public:
   [[nodiscard]] std::string_view name() const override { return "least_constraint"; }
 
   /// \copydoc LcpSolver::solve
-  /// \note A problem without factors is refused: from A alone bodies cannot be told. `start` is
-  ///       used. Equalities are, too
-  /// \throws std::invalid_argument if there are no factors, they make no sense, or the diagonal of
-  ///         J W Jᵀ is not that of A
+  /// \note Without factors, G is a Cholesky factor of A, and a matrix that is not positive semidefinite gets
+  ///       that status. `start` and equalities are used
+  /// \throws std::invalid_argument if factors are given that make no sense or are not those of A
   void solve(const LcpProblem& problem, LcpResult& result,
              std::span<const int> start = {}) override;
 
   /// What the contacts of the last problem add to the accelerations of the bodies, if it was
   /// solved.
-  /// \return [m/s², rad/s²] (6 per body) \f$\dot v\f$, \f$\dot\omega\f$ in the world frame, as the
+  /// \return [m/s², rad/s²] (6 per body; empty without factors) \f$\dot v\f$, \f$\dot\omega\f$ in the world frame, as the
   ///         bodies are numbered in the factors
   [[nodiscard]] std::span<const double> added_accelerations() const { return x_; }
 
  private:
-  void take_roots(const LcpFactors& factors);
-  void set_up_columns(const LcpProblem& problem);
+  bool set_up_columns(const LcpProblem& problem);
+  void set_size(const LcpProblem& problem, int blocks);
+  void take_matrix_columns();
+  void take_body_columns(const LcpProblem& problem);
   [[nodiscard]] double farthest_constraint(const LcpProblem& problem) const;
   bool project(const LcpProblem& problem, double scale);
   void take_forces(const LcpProblem& problem, double scale, LcpResult& result);
@@ -71,9 +72,9 @@ class LeastConstraintSolver final : public LcpSolver {
   MatX E_;                     // (m×n+e) columns (G_i, -b_i/s), then the e equalities, negative
   VecX target_;                // (m) (0, 1)
   std::vector<int> mirrored_;  // (e) rows that are equalities
-  std::vector<Vec3> root_inverse_mass_;       // (bodies) S, upper left block, its diagonal
-  std::vector<Mat3> root_inverse_inertia_w_;  // (bodies) S, lower right block
-  std::vector<double> x_;                     // (6 bodies) see added_accelerations()
+  MassRoots roots_;
+  BlockRows rows_;         // of A alone
+  std::vector<double> x_;  // (6 bodies) see added_accelerations()
 };
 
 }  // namespace tumble

@@ -33,12 +33,13 @@ void LemkeSolver::solve(const LcpProblem& problem, LcpResult& result, std::span<
   result.status = follow_path(result);
   set_forces(result);
   if (result.status == LcpStatus::solved && !left_over_equalities_hold())
-    result.status = LcpStatus::infeasible;
-  complete(problem, result);
-  // A basis that was singular but for rounding may have been taken for regular: no answer is better
-  // than a wrong one. (The comparison is false for a residual that is not a number.)
-  if (result.status == LcpStatus::solved && !(result.residual <= tolerance::usable_residual))
     result.status = LcpStatus::singular;
+  if ((result.status == LcpStatus::ray || result.status == LcpStatus::singular) &&
+      proves_infeasible())
+    result.status = LcpStatus::infeasible;
+  // A basis that was singular but for rounding may have been taken for regular: no answer is better
+  // than a wrong one.
+  conclude(problem, result);
   result.multiplications = basis_.multiplications();
   problem_ = nullptr;
 }
@@ -58,6 +59,8 @@ void LemkeSolver::solve_equalities(LcpResult& result) {
   open_rows_.reserve(idx(n));
   ties_.clear();  // here: equalities whose forces are not in the basis
   ties_.reserve(idx(n));
+  column_.x.reserve(idx(n));
+  column_.bound.reserve(idx(n));
   for (int i = 0; i < n; ++i)
     if (is_equality(*problem_, i)) open_rows_.push_back(i);
   ties_.assign(open_rows_.begin(), open_rows_.end());
@@ -108,7 +111,7 @@ LcpStatus LemkeSolver::follow_path(LcpResult& result) {
     if (lift_is_zero()) return LcpStatus::solved;
     basis_.answer_to(entering, answer_);
     row = row_to_leave();
-    if (row < 0) return LcpStatus::infeasible;
+    if (row < 0) return LcpStatus::ray;
   }
 }
 
@@ -185,6 +188,25 @@ bool LemkeSolver::left_over_equalities_hold() const {
     if (std::abs(values_.x[idx(i)]) > slack) return false;
   }
   return true;
+}
+
+// Whether a path that ended without an answer is a proof that there is none: the symmetric part of A is
+// positive semidefinite, by Cholesky's method with the largest pivots, in rows of unit diagonal. An equality that is
+// left over proves it for a symmetric A only.
+bool LemkeSolver::proves_infeasible() {
+  const int n = problem_->size();
+  const MatX& A = problem_->A;
+  bool symmetric = true;
+  symmetric_.A.resize(n, n);
+  symmetric_.b.resize(n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      symmetric_.A(i, j) = 0.5 * A(i, j) + 0.5 * A(j, i);
+      const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
+      if (std::abs(A(i, j) - A(j, i)) > tolerance::symmetry * scale) symmetric = false;
+    }
+  const bool left_over = !open_rows_.empty();
+  return (symmetric || !left_over) && rows_.take(symmetric_);
 }
 
 // Forces of the basis get their values, the others are 0.

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/lcp_solvers/block_rows.hpp"
 #include "tumble/lcp_solvers/lemke_basis.hpp"
 
 namespace tumble {
@@ -32,13 +33,14 @@ struct LemkeOptions {
 ///
 /// Equalities come first: their forces are solved for with complete pivoting and take no more part in
 /// ties; a row that depends on others of them keeps the force 0, and must come out right by itself.
-/// \par What `infeasible` means
-/// The path ended on a ray: an unknown grows for ever and nothing reaches 0. If A is
-/// copositive-plus, as every positive semidefinite matrix is, symmetric or not, then there is no
-/// solution. For a copositive A (contacts with friction) it does not happen if \f$b \cdot f \ge 0\f$
-/// for all solutions f of the problem with b = 0. For any other matrix nothing follows: the method has
-/// failed, and there may or may not be a solution. So too, unless A is symmetric and positive
-/// semidefinite, if the equalities' own part of A has no inverse.
+/// \par How it ends
+/// `solved`; `ray` if an unknown grows for ever and nothing reaches 0; `singular`; `cap_reached`. If A is
+/// copositive-plus, as every positive semidefinite matrix is, symmetric or not, then a ray proves that
+/// there is no solution: where the symmetric part of A is found to be semidefinite the status is
+/// `infeasible`. For a copositive A (contacts with friction) a ray does not happen if
+/// \f$b \cdot f \ge 0\f$ for all solutions f of the problem with b = 0. For any other matrix nothing follows: the
+/// method has failed, and there may or may not be a solution. So too, as `singular`, if the equalities'
+/// own part of A has no inverse, unless A is symmetric and semidefinite.
 /// \par Rounding
 /// LemkeBasis gives each number with the bound of its rounding error, and no number is trusted below
 /// it; so a matrix may be singular, and its rows in any units. Rows that depend on each other but for
@@ -49,7 +51,7 @@ struct LemkeOptions {
 /// \see Lemke, "Bimatrix equilibrium points and mathematical programming", Management Science 11,
 ///      1965; Cottle, Pang, Stone, "The linear complementarity problem", 1992, 4.4 and 4.9.
 /// \algorithm{Forces of contacts for any matrix, by Lemke: section 3.3.1}
-/// \verified{Lemke's method, Baraff's and trying everything agree on 10000 contact problems}
+/// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class LemkeSolver : public LcpSolver {
  public:
   /// \param options what can be chosen
@@ -78,6 +80,7 @@ class LemkeSolver : public LcpSolver {
   void keep_first(const Rounded& numbers, double slack);
   [[nodiscard]] bool lift_is_zero() const;
   [[nodiscard]] bool left_over_equalities_hold() const;
+  bool proves_infeasible();
   void set_forces(LcpResult& result);
 
   LemkeOptions options_;
@@ -89,6 +92,8 @@ class LemkeSolver : public LcpSolver {
   double slack_ = 0.0;          // the option times max |b|
   std::vector<int> ties_;       // rows that would leave together
   std::vector<int> open_rows_;  // equalities without a force in the basis
+  LcpProblem symmetric_;        // the symmetric part of A
+  BlockRows rows_;              // of it
 };
 
 }  // namespace tumble

@@ -22,7 +22,7 @@ struct Rounded {
 ///
 /// Unknown i < n is the acceleration a_i, unknown n + i the force f_i, unknown 2n the lift z, which
 /// does not act on equalities. The inverse of the matrix B of the basis is kept and updated at each
-/// exchange. Everything computed with it is corrected once by what is left over, and comes with
+/// exchange. Everything computed with it is corrected once by its residual, and comes with
 /// the bound \f$|B^{-1}|\,(|B|\,|x| + |c|)\f$ units of rounding for \f$x = B^{-1} c\f$, which does not
 /// depend on the units of rows and unknowns. If a correction shows that the inverse has lost half of
 /// its digits, it is made anew from the basis of accelerations, the largest pivots first: the way

@@ -29,8 +29,8 @@ inline constexpr double gauss_seidel_residual = 1e-9;
 /// more than a box of a ton on one of a gram. (2.6.2)
 inline constexpr double contradiction = 1e-6;
 
-/// [-] Residual at which the method of multipliers stops. Reason: a hundredth of what is asked for of an
-/// exact solver, and a hundred times the rounding of a pile of a thousand contacts. (3.3.1)
+/// [-] Residual at which the method of multipliers stops. Reason: a hundredth of the
+/// residual asked of an exact solver, and a hundred times the rounding of a pile of a thousand contacts. (3.3.1)
 inline constexpr double multiplier_residual = 1e-12;
 
 /// [-] Softness of the springs that stand for contacts, for rows scaled to A_ii = 1. Reason: a round
@@ -49,8 +49,8 @@ inline constexpr double slow_round = 0.1;
 /// [-] What a slow round does to the softness. Reason: three steps lead to the hardest springs. (3.3.1)
 inline constexpr double hardening = 0.01;
 
-/// [-] Springs and masses are in balance if what is left is below this share of the accelerations
-/// that are wrong. Reason: what is left is mended by the next round, and rounds without a change of
+/// [-] Springs and masses are in balance if their imbalance is below this share of the accelerations
+/// that are wrong. Reason: the next round corrects the rest, and rounds without a change of
 /// the set gain three digits anyhow. (3.3.1)
 inline constexpr double balance = 1e-4;
 
@@ -58,5 +58,19 @@ inline constexpr double balance = 1e-4;
 /// micrometre per second for an impact at 1 m/s; it takes forces a thousand million times those
 /// that one contact asks for. (3.3.1)
 inline constexpr double usable_residual = 1e-6;
+
+/// [-] Residual of the least violation up to which a problem is called inconsistent and its forces are
+/// usable, and above which it is called infeasible. Reason: a millimetre per second for an impact at
+/// 1 m/s; measured systems contradict themselves by 1e-10 to 1e-6. (3.3.1)
+inline constexpr double inconsistent = 1e-3;
+
+/// [-] Softness of the rounds towards the least violation, for rows scaled to A_ii = 1. Reason: half of the
+/// digits; a round takes the error to this share over the smallest eigenvalue of the contacts that
+/// push. (3.3.1)
+inline constexpr double proximal_softness = 1e-8;
+
+/// [-] Forces A_ii f_i above this share of max |b| may be due to a slight contradiction, and are compared
+/// with those of the least violation. Reason: a stack of fifty boxes; more is seldom due to load. (3.3.1)
+inline constexpr double large_forces = 100.0;
 
 }  // namespace tumble::tolerance

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -42,7 +43,9 @@ double complementarity_residual(const MatRef& A, const VecRef& b, const VecRef& 
   for (int i = 0; i < b.size(); ++i) {
     double a = b[i];
     for (int j = 0; j < b.size(); ++j) a += A(i, j) * f[j];
-    worst = std::max(worst, std::abs(std::min(A(i, i) * f[i], a)));
+    const double wrong = std::abs(std::min(A(i, i) * f[i], a));
+    if (!(wrong <= worst)) worst = wrong;
+    if (std::isnan(worst) || std::isnan(a)) return std::numeric_limits<double>::quiet_NaN();
     scale = std::max(scale, std::abs(b[i]));
   }
   return scale > 0.0 ? worst / scale : worst;

@@ -18,10 +18,10 @@ struct BaraffAsPrintedOptions {
 enum class BaraffSet : std::uint8_t {
   none,  ///< not looked at yet, or driven right now
   C,     ///< its force may grow and shrink, its acceleration is 0
-  NC     ///< it parts, without a force
+  NC     ///< it separates, without a force
 };
 
-/// What is shown after each step of BaraffAsPrintedSolver, until the observer returns.
+/// The state after a step of BaraffAsPrintedSolver, valid until the observer returns.
 struct BaraffStep {
   int driven = 0;                   ///< the contact whose force grew
   int ended_by = 0;                 ///< the contact that ended the step and has just changed sets
@@ -45,7 +45,7 @@ class BaraffObserver {
 /// elimination.
 ///
 /// A force grows at a sinking contact until it sinks no more, while contacts that push stay at rest
-/// (the set C) and those that have ceased to push go on parting (the set NC); where one of them
+/// (the set C) and those that have ceased to push go on separating (the set NC); where one of them
 /// would break its condition, it moves to the other set. The changes: a contact d sinks if
 /// \f$a_d < -\varepsilon\f$, not if \f$a_d < 0\f$; and in the end negative forces are set to 0,
 /// whatever that does to the accelerations.
@@ -78,7 +78,7 @@ class BaraffAsPrintedSolver final : public LcpSolver {
              std::span<const int> start = {}) override;
 
   /// Shows every step to an observer.
-  /// \param observer  must outlive the solver or be replaced; nullptr: nobody watches
+  /// \param observer  must outlive the solver or be replaced; nullptr for none
   void observe(BaraffObserver* observer) { observer_ = observer; }
 
  private:
