@@ -114,7 +114,7 @@ TEST_CASE("A scene that is turned about the vertical does the same, turned",
   BOTH_POSES;
   for (const Example& example : kExamples) {
     INFO(example.scene);
-    // [m] Rounding, grown by a hundred steps with impacts. Which body is carried may depend on rounding too: the
+    // [m] Rounding, grown by a hundred steps with impacts. Which body moves with which may depend on rounding too: the
     // see-saw's plank, just before it rests, gets 8e-8 m apart.
     CHECK(yawed_apart(example) < (pose_under_test == PoseUpdate::separate ? 1e-9 : 1e-6));
   }
