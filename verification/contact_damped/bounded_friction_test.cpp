@@ -35,7 +35,7 @@ Mat3 random_matrix(double lever, Random& random) {
 TEST_CASE(
     "Friction within a ball stops the motion, or is at the bound and directly against the "
     "remaining one",
-    "[exact][bounded_friction][impulse_damped]") {
+    "[exact][bounded_friction][contact_damped]") {
   Random random(1);
   int stopped = 0;
   double off_bound = 0.0, not_straight = 0.0, left = 0.0;
@@ -64,7 +64,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Friction within a ball is finite whatever the lever and the bound",
-          "[exact][bounded_friction][impulse_damped]") {
+          "[exact][bounded_friction][contact_damped]") {
   Random random(2);
   for (int k = 0; k < 3000; ++k) {
     // Levers down to rounding, whose square vanishes in the sum of the others, and bounds of nearly 0.

@@ -33,7 +33,7 @@ int sleepers(const World& world) {
 // --- bodies that come and go --------------------------------------------------------------------
 
 TEST_CASE("A box that is removed from below lets those above fall, and no other body moves",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(4);
@@ -59,7 +59,7 @@ TEST_CASE("A box that is removed from below lets those above fall, and no other 
 }
 
 TEST_CASE("A box that is put onto a stack between two steps stands on it",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(3);
@@ -75,7 +75,7 @@ TEST_CASE("A box that is put onto a stack between two steps stands on it",
   }
 }
 
-TEST_CASE("A push between two steps is not forgotten", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("A push between two steps is not forgotten", "[unit][contact_damped]") {
   BOTH_POSES;
   for (const char* sleeping : {"off", "on"}) {
     World world = two_stacks(1);
@@ -94,7 +94,7 @@ TEST_CASE("A push between two steps is not forgotten", "[unit][contact_damped][i
 // --- steps and gravity that change ---------------------------------------------------------------
 
 TEST_CASE("A stack and a pyramid stand while the length of the step changes all the time",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const char* scene : {"stack", "pyramid"}) {
     World world = world_of(scene, {{std::string(scene) == "stack" ? "count" : "rows", "5"}});
@@ -112,7 +112,7 @@ TEST_CASE("A stack and a pyramid stand while the length of the step changes all 
 }
 
 TEST_CASE("Without gravity boxes in contact stay, and a pushed one keeps its velocity",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   World world;
   world.gravity_w = Vec3::Zero();
@@ -130,7 +130,7 @@ TEST_CASE("Without gravity boxes in contact stay, and a pushed one keeps its vel
 }
 
 TEST_CASE("When gravity turns, boxes fall the other way and come to rest there",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   World world;
   const BodyProperties wall = fixed_box_properties(Vec3(1.0, 10.0, 10.0), 0.5);
@@ -155,7 +155,7 @@ TEST_CASE("When gravity turns, boxes fall the other way and come to rest there",
 // --- the ends of the range ---------------------------------------------------------------------
 
 TEST_CASE("A frictionless box keeps its speed, one with friction ten stops within a step",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   World smooth = world_of("slide", {{"friction", "0"}});
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -171,8 +171,7 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
   CHECK(turned_most_of(rough, start) < 1e-4);
 }
 
-TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing",
-          "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing", "[unit][contact_damped]") {
   BOTH_POSES;
   World nothing;
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -190,7 +189,7 @@ TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing",
 }
 
 TEST_CASE("A box that is wedged between two walls too close for it comes to rest",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   // Walls that overlap it by 0.1 mm each: there is no room, and nothing may diverge.
   World world;
@@ -212,7 +211,7 @@ TEST_CASE("A box that is wedged between two walls too close for it comes to rest
 
 TEST_CASE(
     "A stack falls asleep, wakes when it is touched, and a step of sleeping bodies costs nothing",
-    "[unit][contact_damped][impulse_damped]") {
+    "[unit][contact_damped]") {
   BOTH_POSES;
   World world = two_stacks(5);
   const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
@@ -234,7 +233,7 @@ TEST_CASE(
   CHECK(sleepers(world) == 11);
 }
 
-TEST_CASE("Bad options and steps are refused", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("Bad options and steps are refused", "[unit][contact_damped]") {
   for (const char* option : {"passes", "repair_passes"})
     CHECK_THROWS_AS(contact_damped({{option, "0"}}), std::invalid_argument);
   CHECK_THROWS_AS(contact_damped({{"rounds", "-1"}}), std::invalid_argument);

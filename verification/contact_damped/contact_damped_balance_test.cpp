@@ -40,7 +40,7 @@ double threshold(double offset) {
 }  // namespace
 
 TEST_CASE("Figure 6.5 stands from a top block of two thirds, and of 70/93 if that is off by 0.2",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   const double centred = threshold(0.0);
   const double off = threshold(0.2);
@@ -49,8 +49,7 @@ TEST_CASE("Figure 6.5 stands from a top block of two thirds, and of 70/93 if tha
   CHECK(std::abs(off - 70.0 / 93.0) <= 0.05 * 70.0 / 93.0);
 }
 
-TEST_CASE("A loaded see-saw tips, one with equal loads stays",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A loaded see-saw tips, one with equal loads stays", "[exact][contact_damped]") {
   BOTH_POSES;
   const auto tilt_after = [](const Settings& set, double seconds) {
     World world = world_of("seesaw", set);
@@ -73,8 +72,7 @@ TEST_CASE("A loaded see-saw tips, one with equal loads stays",
   CHECK(tilt_after(loaded("1.53"), 4.0) > 5.0);
 }
 
-TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on", "[exact][contact_damped]") {
   BOTH_POSES;
   // Moments about the foot: the wall pushes with m g (cot/2 - t/(2L)), friction holds mu m g. For
   // mu = 0.3, 2 m and 0.02 m it is 58.62 degrees.
@@ -99,7 +97,7 @@ TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on",
 }
 
 TEST_CASE("Planks that lean on blocks, and a table on four legs, stay where they are",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   const std::pair<const char*, Settings> scenes[] = {
       {"leaning", {}}, {"leaning", {{"fixed", "on"}}}, {"table", {}}, {"table", {{"load", "50"}}}};

@@ -24,7 +24,7 @@ World column(int boxes) {
 }  // namespace
 
 TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const char* friction : {"3", "10"}) {
     for (const char* scene : {"leaning", "seesaw", "stack"}) {
@@ -49,13 +49,12 @@ TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
   }
 }
 
-TEST_CASE("A point without friction does not pull", "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A point without friction does not pull", "[exact][contact_damped]") {
   CHECK(island::into_cone(Vec3(0.0, 0.0, -1.0), 0.0).isZero(0.0));
   CHECK(island::into_cone(Vec3(0.0, 0.0, 1.0), 0.0) == Vec3(0.0, 0.0, 1.0));
 }
 
-TEST_CASE("A copy of the technique reports the same contacts",
-          "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("A copy of the technique reports the same contacts", "[unit][contact_damped]") {
   BOTH_POSES;
   World world = column(2);
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -67,7 +66,7 @@ TEST_CASE("A copy of the technique reports the same contacts",
 }
 
 TEST_CASE("A box that is replaced by an immovable one in its place disturbs no other body",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   World world = column(10);
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -83,7 +82,7 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs no o
 }
 
 TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own masses",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   World world = column(3);
   const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
@@ -97,7 +96,7 @@ TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own 
 }
 
 TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed out",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   World world = column(1);
   const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
@@ -109,7 +108,7 @@ TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed
   CHECK(world.states()[1].position_w.x() == near(-0.2).margin(1e-3));
 }
 
-TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped]") {
   BOTH_POSES;
   World world = column(5);
   run(world, *contact_damped({{"sleeping", "on"}}), 3.0);
@@ -122,7 +121,7 @@ TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped][impu
 }
 
 TEST_CASE("A box that spins in the air touches what it can reach and nothing else",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   for (const double spin : {40.0, 100.0}) {
     World world;
@@ -136,7 +135,7 @@ TEST_CASE("A box that spins in the air touches what it can reach and nothing els
 }
 
 TEST_CASE("An event reports the whole impulse, with that of restitution",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   class ImpulseSum : public Observer {
    public:

@@ -110,18 +110,18 @@ double yawed_apart(const Example& example) {
 }  // namespace
 
 TEST_CASE("A scene that is turned about the vertical does the same, turned",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   for (const Example& example : kExamples) {
     INFO(example.scene);
-    // [m] Rounding, grown by a hundred steps with impacts. Which body is carried may depend on rounding too: the
+    // [m] Rounding, grown by a hundred steps with impacts. Which body moves with which may depend on rounding too: the
     // see-saw's plank, just before it rests, gets 8e-8 m apart.
     CHECK(yawed_apart(example) < (pose_under_test == PoseUpdate::separate ? 1e-9 : 1e-6));
   }
 }
 
 TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   const Vec3 boost(3.0, -2.0, 1.0);
   // Bodies that meet within a hundred steps: the clump without ground and weight, in a row, in
@@ -157,7 +157,7 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
 
 TEST_CASE(
     "Four times the length, twice the time and any power of two of the mass give the same bits",
-    "[determinism][contact_damped][impulse_damped]") {
+    "[determinism][contact_damped]") {
   BOTH_POSES;
   for (const double mass : {1.0, 8.0, 0x1p-10}) {
     for (const Example& example : kExamples) {
@@ -186,7 +186,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Without gravity no step raises the kinetic energy except as booked",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -197,7 +197,7 @@ TEST_CASE("Without gravity no step raises the kinetic energy except as booked",
 }
 
 TEST_CASE("Without gravity no step raises the kinetic energy except as booked, in many clumps",
-          "[.long][exact][contact_damped][impulse_damped]") {
+          "[.long][exact][contact_damped]") {
   BOTH_POSES;
   double worst = 0.0;
   for (std::uint64_t seed = 100; seed <= 400; ++seed) {
@@ -208,7 +208,7 @@ TEST_CASE("Without gravity no step raises the kinetic energy except as booked, i
 }
 
 TEST_CASE("A copy of world and technique goes on with the same bits",
-          "[determinism][contact_damped][impulse_damped]") {
+          "[determinism][contact_damped]") {
   BOTH_POSES;
   for (const Example& example : kExamples) {
     World world = world_of(example.scene, example.settings);
@@ -228,7 +228,7 @@ TEST_CASE("A copy of world and technique goes on with the same bits",
 }
 
 TEST_CASE("The order of the bodies does not decide whether a pile stands",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   // Sweeps go through contacts in an order, so that the residual differs with it.
   for (std::size_t example = 0; example < 2; ++example) {
@@ -253,8 +253,7 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
   }
 }
 
-TEST_CASE("A warm step of contact_damped allocates nothing",
-          "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("A warm step of contact_damped allocates nothing", "[unit][contact_damped]") {
   BOTH_POSES;
   const Example examples[] = {{"stack", {}}, {"pyramid", {{"rows", "5"}}}, {"leaning", {}}};
   for (const Example& example : examples) {

@@ -49,7 +49,7 @@ class SlopeRun {
 // --- sliding ------------------------------------------------------------------------------------
 
 TEST_CASE("A box slides as far as Coulomb's law says, within half a step",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   // v²/(2 μ g) = 1.529051988 m for 3 m/s and 0.3. A step takes the speed at its end, which is short
   // by half a step at the speed of the start: 0.025 m.
@@ -65,7 +65,7 @@ TEST_CASE("A box slides as far as Coulomb's law says, within half a step",
 }
 
 TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   World world = world_of("slide");
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -78,7 +78,7 @@ TEST_CASE("The scheme stops a sliding box after 62 steps and 1.5041075 m",
 }
 
 TEST_CASE("A box slides equally far in every direction, straight on and without turning",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   // Friction is a cone, not a pyramid: a pyramid of four sides would be weaker by 29 % half way
   // between them.
@@ -101,8 +101,7 @@ TEST_CASE("A box slides equally far in every direction, straight on and without 
   CHECK((most - least) < 1e-3 * most);  // [-] of the way
 }
 
-TEST_CASE("A box goes down a slope with g (sin - mu cos)",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A box goes down a slope with g (sin - mu cos)", "[exact][contact_damped]") {
   BOTH_POSES;
   struct Case {
     double degrees, friction;
@@ -122,8 +121,7 @@ TEST_CASE("A box goes down a slope with g (sin - mu cos)",
   }
 }
 
-TEST_CASE("A box goes up a slope, and slides back or stays",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A box goes up a slope, and slides back or stays", "[exact][contact_damped]") {
   BOTH_POSES;
   // Friction 0.3, 3 m/s. 30 degrees: it stops after 0.6037 m and 0.4025 s, then slides back.
   // 15 degrees: after 0.8362 m and 0.5574 s, and stays. Half a step at 3 m/s is 0.025 m.
@@ -139,8 +137,7 @@ TEST_CASE("A box goes up a slope, and slides back or stays",
   CHECK(std::abs(down.after(11.0).place - 14.8170160594) < 2.0 * 0.5 * kFrame * 3.0);
 }
 
-TEST_CASE("A box on a slope begins to slide at the angle of friction",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A box on a slope begins to slide at the angle of friction", "[exact][contact_damped]") {
   BOTH_POSES;
   // Friction 0.5: atan 0.5 = 26.565 degrees. 0.15 degrees above it the box goes by 0.018 m/s².
   for (const char* width : {"1", "2"}) {
@@ -151,8 +148,7 @@ TEST_CASE("A box on a slope begins to slide at the angle of friction",
   }
 }
 
-TEST_CASE("A box on a slope tips at the angle of its diagonal",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A box on a slope tips at the angle of its diagonal", "[exact][contact_damped]") {
   BOTH_POSES;
   struct Case {
     const char *width, *height;
@@ -168,7 +164,7 @@ TEST_CASE("A box on a slope tips at the angle of its diagonal",
 }
 
 TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   // In a frame that is accelerated sideways gravity has a part along x. 0.5 by 2: 2.4525 m/s².
   for (const double share : {0.98, 1.02}) {
@@ -186,7 +182,7 @@ TEST_CASE("A box that is shaken sideways tips above g b/h if friction holds it",
 // --- friction that is passed on ------------------------------------------------------------------
 
 TEST_CASE("Friction drags the lower block of figure 5.2 along until both have one speed",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   // 1 kg at 2 m/s on 2 kg, no friction below: both end at 2/3 m/s; A slows down by mu g and B gains
   // mu g/2. After 0.2 s: 1.019 and 0.4905 m/s.
@@ -201,8 +197,7 @@ TEST_CASE("Friction drags the lower block of figure 5.2 along until both have on
   CHECK(std::abs(linear_momentum(world).x() - 2.0) < 1e-9);  // [kg m/s] nothing else pushes
 }
 
-TEST_CASE("A stack on a sled moves along with it, the upper box too",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A stack on a sled moves along with it, the upper box too", "[exact][contact_damped]") {
   BOTH_POSES;
   // 4 kg at 1 m/s and two boxes of 1 kg: 2/3 m/s for all of them. The boxes feel the same mu g, so
   // that neither slides on the other.
@@ -222,7 +217,7 @@ TEST_CASE("A stack on a sled moves along with it, the upper box too",
 // --- bounces -------------------------------------------------------------------------------------
 
 TEST_CASE("A cube with restitution a half rises to a quarter of its height after each bounce",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   World world;
   world.add_ground(0.0, 0.5);
@@ -261,7 +256,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height after
 
 TEST_CASE(
     "A cube with restitution one that falls flat rises as high as it was, in steps of any length",
-    "[exact][contact_damped][impulse_damped]") {
+    "[exact][contact_damped]") {
   BOTH_POSES;
   for (const double height : {0.7, 1.0, 1.3, 2.0}) {
     for (const double dt : {kFrame, kFrame / 16.0}) {

@@ -79,8 +79,7 @@ Seen rock(const Rocking& block, double dt) {
 
 }  // namespace
 
-TEST_CASE("A rocking block falls in the time of a compound pendulum",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A rocking block falls in the time of a compound pendulum", "[exact][contact_damped]") {
   BOTH_POSES;
   for (const Rocking& block : kBlocks) {
     INFO(block.width << " by " << block.height << ", tilt " << block.tilt);
@@ -94,7 +93,7 @@ TEST_CASE("A rocking block falls in the time of a compound pendulum",
 }
 
 TEST_CASE("The impact of a rocking block leaves Housner's share of its speed",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   for (const Rocking& block : kBlocks) {
     for (const double dt : {kFrame, kFrame / 64.0}) {
@@ -125,7 +124,7 @@ TEST_CASE("The impact of a rocking block leaves Housner's share of its speed",
   }
 }
 
-TEST_CASE("A flat block does not rock", "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A flat block does not rock", "[exact][contact_damped]") {
   BOTH_POSES;
   // 1.5 by 1: with b/h above the root of 2 both edges are loaded in the impact and it stays down.
   const Rocking flat = {"1.5", "1", "0.3", 0.9827937232, 0.0, 0.0, 0.0, 0.0};
@@ -134,7 +133,7 @@ TEST_CASE("A flat block does not rock", "[exact][contact_damped][impulse_damped]
 }
 
 TEST_CASE("A block falls over if it is pushed faster than its centre needs to pass its edge",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   BOTH_POSES;
   struct Case {
     const char *width, *height;
@@ -162,7 +161,7 @@ TEST_CASE("A block falls over if it is pushed faster than its centre needs to pa
 }
 
 TEST_CASE("A block that bounces on its corners does what Siconos' event-driven run does at first",
-          "[reference][contact_damped][impulse_damped]") {
+          "[reference][contact_damped]") {
   BOTH_POSES;
   // The example's block is 0.2 by 0.1 m for its contacts and has the moment of inertia of one of 1
   // by 0.5 m; restitution 0.8, no friction. It falls on a corner without turning. Compared are the

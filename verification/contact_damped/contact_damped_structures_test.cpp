@@ -106,7 +106,7 @@ std::vector<Structure> heavy_tops() {
 }  // namespace
 
 TEST_CASE("Stacks stand for four seconds, from exact and from scattered places",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& stack : stacks({1, 2, 3, 5, 10, 20})) {
     check_standing(stack, {}, 1, 4.0);
@@ -115,7 +115,7 @@ TEST_CASE("Stacks stand for four seconds, from exact and from scattered places",
 }
 
 TEST_CASE("Small pyramids and walls stand for four seconds, from exact and from scattered places",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& structure : kSmall) {
     check_standing(structure, {}, 1, 4.0);
@@ -124,7 +124,7 @@ TEST_CASE("Small pyramids and walls stand for four seconds, from exact and from 
 }
 
 TEST_CASE("A stack carries a top box of a thousand times the mass of the others for four seconds",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 4.0);
@@ -132,8 +132,7 @@ TEST_CASE("A stack carries a top box of a thousand times the mass of the others 
   }
 }
 
-TEST_CASE("Stacks of one to twenty boxes stand for a minute",
-          "[.long][unit][contact_damped][impulse_damped]") {
+TEST_CASE("Stacks of one to twenty boxes stand for a minute", "[.long][unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& stack : stacks(one_to(20))) {
     check_standing(stack, {}, 1, 60.0);
@@ -141,8 +140,7 @@ TEST_CASE("Stacks of one to twenty boxes stand for a minute",
   }
 }
 
-TEST_CASE("Pyramids and the wall stand for a minute",
-          "[.long][unit][contact_damped][impulse_damped]") {
+TEST_CASE("Pyramids and the wall stand for a minute", "[.long][unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& structure : kLarge) {
     check_standing(structure, {}, 1, 60.0);
@@ -152,14 +150,14 @@ TEST_CASE("Pyramids and the wall stand for a minute",
 
 // The unbooked energy is half of the weight times the step times the mean velocity: 0 if nothing moves.
 TEST_CASE("The scattered wall stands for a minute and its energy is booked",
-          "[.long][unit][contact_damped][impulse_damped]") {
+          "[.long][unit][contact_damped]") {
   BOTH_POSES;
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     check_standing(kLarge.back(), kScatter, seed, 60.0);
 }
 
 TEST_CASE("A stack carries a top box of a thousand times the mass of the others for a minute",
-          "[.long][unit][contact_damped][impulse_damped]") {
+          "[.long][unit][contact_damped]") {
   BOTH_POSES;
   for (const Structure& stack : heavy_tops()) {
     check_standing(stack, {}, 1, 60.0);

@@ -71,7 +71,7 @@ void check_tosses(const char* name) {
 }  // namespace
 
 TEST_CASE("Measured tosses are read y up, at rest on the table, and in free flight at the start",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   const auto folder = shared_data(kData);
   if (!folder) return;
   const std::vector<MeasuredToss> tosses = read_tosses(*folder);
@@ -100,7 +100,7 @@ TEST_CASE("Measured tosses are read y up, at rest on the table, and in free flig
 }
 
 TEST_CASE("The distance of two distributions is that of their shares up to a number",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   CHECK(distribution_distance({1, 2, 3, 4}, {1, 2, 3, 4}) == 0.0);
   CHECK(distribution_distance({1, 2, 3, 4}, {5, 6}) == 1.0);
   CHECK(distribution_distance({1, 2, 3, 4}, {3, 4, 5, 6}) == near(0.5).margin(1e-15));
@@ -110,12 +110,12 @@ TEST_CASE("The distance of two distributions is that of their shares up to a num
 }
 
 TEST_CASE("Cubes tossed like measured ones go as far and rest as soon as those did",
-          "[reference][contact_damped][impulse_damped]") {
+          "[reference][contact_damped]") {
   check_tosses(kTechnique);
 }
 
 TEST_CASE("With impulses alone tossed cubes go as far and rest as soon as the measured ones",
-          "[reference][impulse][impulse_damped]") {
+          "[reference][impulse][contact_damped]") {
   // The same lines, but for resting flat: without damping a cube may stay on an edge, and 18 of the
   // 20 have a face down within two degrees.
   const auto folder = shared_data(kData);

@@ -135,7 +135,7 @@ Wrong wrong_of(const TestIsland& island) {
 }  // namespace
 
 TEST_CASE("Without friction an island ends with the velocities that pivoting finds",
-          "[reference][contact_damped][impulse_damped]") {
+          "[reference][contact_damped]") {
   // The velocities are unique, the impulses of patches with four points are not.
   IslandSolver solver;
   double worst = 0.0;
@@ -160,7 +160,7 @@ TEST_CASE("Without friction an island ends with the velocities that pivoting fin
   CHECK(worst < 1e-8 * kStepGravity);  // [m/s] measured 2.1e-10, with 1e-9 g h asked for
 }
 
-TEST_CASE("A solved island meets Coulomb's conditions", "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A solved island meets Coulomb's conditions", "[exact][contact_damped]") {
   IslandSolver solver;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     for (const double speed : {1e-3, 0.05}) {
@@ -183,8 +183,7 @@ TEST_CASE("A solved island meets Coulomb's conditions", "[exact][contact_damped]
   }
 }
 
-TEST_CASE("An island that would cost more than allowed is not changed",
-          "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("An island that would cost more than allowed is not changed", "[unit][contact_damped]") {
   TestIsland island("stack", {{"count", "3"}}, 0.1, 1);
   IslandSolver solver;
   const IslandLimits limits{1e-9, kStepGravity, 20, 1.0};
@@ -198,7 +197,7 @@ TEST_CASE("An island that would cost more than allowed is not changed",
 }
 
 TEST_CASE("An island that was solved before is factored once and allocates nothing",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   TestIsland island("stack", {{"count", "5"}}, 0.0, 1);
   IslandSolver solver;
   CHECK(island.solve(solver, 60, 1e-5).factorizations > 0);

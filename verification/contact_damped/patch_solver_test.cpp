@@ -68,7 +68,7 @@ double largest(const Six& motion) {
 }  // namespace
 
 TEST_CASE("A box that turns about an edge has a patch whose middle does not slide",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   // Its face rises from the edge by a hundredth of a metre; points halfway are 2.5 mm above the ground on average.
   const double tilt = 0.01;
   const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
@@ -98,7 +98,7 @@ TEST_CASE("A box that turns about an edge has a patch whose middle does not slid
 }
 
 TEST_CASE("A patch that sticks is stopped in all six motions by one product",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(1.0);
   one.box.velocity_w = Vec3(0.02, -0.1635, 0.01);
   one.box.angular_velocity_w = Vec3(0.03, 0.05, -0.04);
@@ -113,7 +113,7 @@ TEST_CASE("A patch that sticks is stopped in all six motions by one product",
 }
 
 TEST_CASE("A box that slides is braked by mu times the pressure, straight against its motion",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(0.3);
   one.box.velocity_w = Vec3(3.0, -0.1635, 1.0);
   const Vec3 before = one.box.velocity_w;
@@ -133,7 +133,7 @@ TEST_CASE("A box that slides is braked by mu times the pressure, straight agains
 }
 
 TEST_CASE("A box that spins on the ground is braked by mu times pressure times lever",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(0.3);
   one.box.velocity_w = Vec3(0.0, -0.1635, 0.0);
   one.box.angular_velocity_w = Vec3(0.0, 5.0, 0.0);
@@ -150,8 +150,7 @@ TEST_CASE("A box that spins on the ground is braked by mu times pressure times l
   CHECK(largest(slow.motion()) < 1e-15);
 }
 
-TEST_CASE("A patch never pulls, and has no friction without pressure",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("A patch never pulls, and has no friction without pressure", "[exact][contact_damped]") {
   OnGround one(0.5);
   one.box.velocity_w = Vec3(1.0, 0.2, 0.0);
   one.box.angular_velocity_w = Vec3(0.0, 2.0, 0.0);
@@ -167,7 +166,7 @@ TEST_CASE("A patch never pulls, and has no friction without pressure",
 }
 
 TEST_CASE("A box above the ground may come down by its gap less the slop, in one step",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(0.5, 0.01);
   one.box.velocity_w = Vec3(0.0, -2.0, 0.0);
   one.solve(4);
@@ -180,7 +179,7 @@ TEST_CASE("A box above the ground may come down by its gap less the slop, in one
 }
 
 TEST_CASE("Solving a patch lowers the kinetic energy, whatever the motion",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   double worst = -1.0;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     Random chance(seed);
@@ -198,7 +197,7 @@ TEST_CASE("Solving a patch lowers the kinetic energy, whatever the motion",
 }
 
 TEST_CASE("Points that were hit separate with the restitution times the speed of approach",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(0.0);
   one.patch.restitution = 0.5;
   one.box.velocity_w = Vec3(0.4, -2.0, 0.0);
@@ -221,7 +220,7 @@ TEST_CASE("Points that were hit separate with the restitution times the speed of
 }
 
 TEST_CASE("The overlap correction removes a share of the overlap, and lets nothing sink",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   OnGround one(0.5, -0.01);
   MovingBody move = one.box;
   MovingBody still = one.ground;

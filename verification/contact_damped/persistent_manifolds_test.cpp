@@ -55,7 +55,7 @@ std::pair<Vec3, Vec3> wrench_of(const ContactPatch& patch) {
 
 }  // namespace
 
-TEST_CASE("Patches of resting bodies are built once", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("Patches of resting bodies are built once", "[unit][contact_damped]") {
   const World world = stack(4);
   PersistentManifolds manifolds;
   const ManifoldsFound first = find(manifolds, world);
@@ -73,8 +73,7 @@ TEST_CASE("Patches of resting bodies are built once", "[unit][contact_damped][im
   }
 }
 
-TEST_CASE("Gaps of a kept patch follow the small motion of its bodies",
-          "[exact][contact_damped][impulse_damped]") {
+TEST_CASE("Gaps of a kept patch follow the small motion of its bodies", "[exact][contact_damped]") {
   World world = stack(2);
   PersistentManifolds manifolds;
   find(manifolds, world);
@@ -100,7 +99,7 @@ TEST_CASE("Gaps of a kept patch follow the small motion of its bodies",
 }
 
 TEST_CASE("A patch that is built again takes over force and moment of the previous one",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   World world = stack(2);
   PersistentManifolds manifolds;
   find(manifolds, world);
@@ -124,7 +123,7 @@ TEST_CASE("A patch that is built again takes over force and moment of the previo
 }
 
 TEST_CASE("Impulses scale with the length of the step, and belong to bodies by their ids",
-          "[exact][contact_damped][impulse_damped]") {
+          "[exact][contact_damped]") {
   World world = stack(3);
   PersistentManifolds manifolds;
   find(manifolds, world);
@@ -143,7 +142,7 @@ TEST_CASE("Impulses scale with the length of the step, and belong to bodies by t
 }
 
 TEST_CASE("A pair is tested again when a body has moved by more than a millionth of its edge",
-          "[unit][contact_damped][impulse_damped]") {
+          "[unit][contact_damped]") {
   for (const double share : {0.9, 1.1}) {
     World world = stack(1);
     PersistentManifolds manifolds;
@@ -161,7 +160,7 @@ TEST_CASE("A pair is tested again when a body has moved by more than a millionth
 TEST_CASE(
     "Bodies that can meet within the step get a patch, with the speed that this needs as the "
     "target",
-    "[unit][contact_damped][impulse_damped]") {
+    "[unit][contact_damped]") {
   for (const double speed : {5.9, 6.1}) {
     World world;
     world.add_ground();
@@ -178,7 +177,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Kept patches allocate nothing", "[unit][contact_damped][impulse_damped]") {
+TEST_CASE("Kept patches allocate nothing", "[unit][contact_damped]") {
   const World world = stack(5);
   PersistentManifolds manifolds;
   std::vector<IndexPair> candidates;

@@ -39,7 +39,7 @@ TEST_CASE("A step costs what moves, and a box that loses its support wakes its i
   CHECK(figure.number("lowest box taken away: boxes that wake") == 2.0);
   CHECK(figure.number("lowest box taken away: steps until the last one wakes") == 1.0);
   CHECK(figure.number("lowest box taken away: steps until all sleep again") < 200.0);
-  // Heaps wake as a whole: that is what it costs.
+  // An island wakes as a whole: one pushed box wakes all 55.
   CHECK(figure.number("pyramid, top box pushed: boxes that move") == 1.0);
   CHECK(figure.number("pyramid, top box pushed: boxes that wake") == 55.0);
 }

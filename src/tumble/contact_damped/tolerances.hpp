@@ -94,7 +94,7 @@ inline constexpr double repair_share = 0.2;
 
 /// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than
 /// this share of the largest change. Reason: sweeps over the island come back to the patch and
-/// correct what is left. (6.3.1)
+/// correct the remainder. (6.3.1)
 inline constexpr double patch_settled = 1e-4;
 
 /// [-] Friction that exceeds its bound by less than this share of the bound meets it. Reason: about fifty
@@ -238,7 +238,7 @@ inline constexpr double line_search_cut = 0.1;
 
 // --- restitution and overlap ---------------------------------------------------------------------
 
-/// [-] Sweeps over an island after restitution, at most. Reason: a bounce is not carried through a stack. (4.3)
+/// [-] Sweeps over an island after restitution, at most. Reason: a bounce does not spread through a stack. (4.3)
 inline constexpr int bounce_sweeps = 10;
 
 /// [-] Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
