@@ -28,6 +28,19 @@ inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separa
   return options;
 }
 
+/// Options of the technique with joints that push and do not pull.
+/// \param scheme  time integration
+/// \param events  where a step ends when a joint opens
+/// \return with an accuracy of 1e-12
+inline GluedOptions pressing(GluedScheme scheme, GluedEvents events = GluedEvents::located) {
+  GluedOptions options;
+  options.scheme = scheme;
+  options.joints = GluedJoints::unilateral;
+  options.events = events;
+  options.accuracy = 1e-12;
+  return options;
+}
+
 /// Difference of the states of two worlds.
 /// \param one    a world
 /// \param other  with as many bodies

@@ -14,21 +14,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// Stores the times of events and their bodies.
-struct Notes : Observer {
-  void on_event(const Event& event) override { all.push_back(event); }
-  std::vector<Event> all;
-};
-
-GluedOptions pressing(GluedScheme scheme, GluedEvents events = GluedEvents::located) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.joints = GluedJoints::unilateral;
-  options.events = events;
-  options.accuracy = 1e-12;
-  return options;
-}
-
 // The angle of the column's centre, from the vertical, about the pivot.
 double centre_angle(const World& world) {
   Vec3 centre_w = Vec3::Zero();
@@ -39,10 +24,10 @@ double centre_angle(const World& world) {
 std::vector<Event> events_of(const GluedOptions& options, double dt, double duration) {
   World world = world_of("fig6_1", {{"angle", "0.1"}});
   Glued technique(options);
-  Notes notes;
+  Listener notes;
   technique.observe(&notes);
   run(world, technique, static_cast<int>(std::lround(duration / dt)), dt);
-  return notes.all;
+  return notes.events;
 }
 
 }  // namespace
@@ -56,18 +41,18 @@ TEST_CASE("The column's top joint opens first, where its centre of pressure reac
   for (const Case& c : {Case{"0.1", 0.681721773}, Case{"0.3", 0.719834032}}) {
     World world = world_of("fig6_1", {{"angle", c.angle}});
     Glued technique(pressing(GluedScheme::dormand_prince));
-    Notes notes;
+    Listener notes;
     technique.observe(&notes);
-    while (notes.all.empty() && world.time() < 3.0) technique.step(world, kFrame);
-    REQUIRE_FALSE(notes.all.empty());
-    CHECK(notes.all[0].first == world.ids()[4]);
-    CHECK(notes.all[0].second == world.ids()[5]);
+    while (notes.events.empty() && world.time() < 3.0) technique.step(world, kFrame);
+    REQUIRE_FALSE(notes.events.empty());
+    CHECK(notes.events[0].first == world.ids()[4]);
+    CHECK(notes.events[0].second == world.ids()[5]);
     CHECK(technique.joints()[3].hold == JointHold::edge);
     // Until then it was as good as glued: position of its centre at that moment.
     World glued = world_of("fig6_1", {{"angle", c.angle}});
     GluedOptions bilateral = pressing(GluedScheme::dormand_prince);
     bilateral.joints = GluedJoints::bilateral;
-    Glued(bilateral).step(glued, notes.all[0].time);
+    Glued(bilateral).step(glued, notes.events[0].time);
     CHECK(centre_angle(glued) == near(c.opens).margin(1e-9));  // [rad] to the digits given
   }
 }

@@ -3,9 +3,9 @@
 #include "tumble/exterior_rotation/joint_events.hpp"
 
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
+#include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -13,11 +13,11 @@
 #include <vector>
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;  // [s]
-constexpr double kGravity = 9.81;     // [m/s²]
 
 // A cube of 2 kg and half a metre that stands on a fixed box, its centre this far to the right of the
 // middle. The fixed box ends at x = 1.
@@ -51,22 +51,6 @@ std::vector<Joint> joints_of(const World& world) {
   return find_joints(world, tolerance::glue_margin);
 }
 
-Glued without_glue(GluedEvents events = GluedEvents::located,
-                   GluedScheme scheme = GluedScheme::dormand_prince) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.joints = GluedJoints::unilateral;
-  options.events = events;
-  options.accuracy = 1e-12;
-  return Glued(options);
-}
-
-// Counts events.
-struct Notes : Observer {
-  void on_event(const Event& event) override { events.push_back(event); }
-  std::vector<Event> events;
-};
-
 }  // namespace
 
 TEST_CASE("The margin of a face is the distance of its centre of pressure from the edge, in edges",
@@ -94,8 +78,8 @@ TEST_CASE("A box whose centre is beyond the edge that it stands on opens at once
           "[exact][exterior_rotation]") {
   for (const GluedEvents events : {GluedEvents::located, GluedEvents::step_end}) {
     World world = cube_at(1.1);
-    Glued glued = without_glue(events);
-    Notes notes;
+    Glued glued(pressing(GluedScheme::dormand_prince, events));
+    Listener notes;
     glued.observe(&notes);
     const double start = energy_of(world).total();
     std::int64_t changes = 0;
@@ -115,7 +99,7 @@ TEST_CASE("A box whose centre is beyond the edge that it stands on opens at once
 TEST_CASE("A box whose centre is within the face that it stands on never opens",
           "[unit][exterior_rotation]") {
   World world = cube_at(0.99);
-  Glued glued = without_glue();
+  Glued glued(pressing(GluedScheme::dormand_prince));
   const World start = world;
   for (int n = 0; n < 120; ++n) CHECK(glued.step(world, kStep).events == 0);
   CHECK(glued.joints()[0].hold == JointHold::area);
@@ -142,7 +126,7 @@ TEST_CASE("A joint without glue that is pulled comes apart, and the box flies of
   edge[0].hold = JointHold::edge;
   CHECK(margin_of(world, edge).change.hold == JointHold::nothing);
 
-  Glued glued = without_glue();
+  Glued glued(pressing(GluedScheme::dormand_prince));
   std::int64_t changes = 0;
   for (int n = 0; n < 30; ++n) changes += glued.step(world, kStep).events;
   CHECK(changes == 2);
@@ -163,7 +147,7 @@ TEST_CASE("A joint that has opened closes when the box turns back, and books wha
           "[exact][exterior_rotation]") {
   for (const GluedScheme scheme : {GluedScheme::dormand_prince, GluedScheme::rk4}) {
     World world = cube_at(0.0);
-    Glued glued = without_glue(GluedEvents::located, scheme);
+    Glued glued(pressing(scheme));
     // Pushed to the right for a tenth of a second: a cube tips under a force above its weight.
     world.gravity_w = Vec3(1.4 * kGravity, -kGravity, 0.0);
     for (int n = 0; n < 6; ++n) glued.step(world, kStep);
@@ -201,8 +185,8 @@ TEST_CASE("The moment of an opening does not depend on the steps if it is locate
     const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
     for (const double y : {0.5, 1.5, 2.5})
       world.add(cube, make_state(cube, turned * Vec3(-0.5, y, 0.0), turned));
-    Glued glued = without_glue(events);
-    Notes notes;
+    Glued glued(pressing(GluedScheme::dormand_prince, events));
+    Listener notes;
     glued.observe(&notes);
     for (int n = 0; n < 2 * rate; ++n) glued.step(world, 1.0 / rate);
     REQUIRE(!notes.events.empty());
@@ -228,7 +212,7 @@ TEST_CASE("Accuracies that no error-controlled step without glue can have are re
     options.accuracy = accuracy;
     CHECK_THROWS_AS(Glued(options), std::invalid_argument);
   }
-  Glued glued = without_glue();
+  Glued glued(pressing(GluedScheme::dormand_prince));
   World world = cube_at(0.0);
   for (const double dt : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(glued.step(world, dt), std::invalid_argument);

@@ -10,6 +10,13 @@
 
 namespace tumble::test {
 
+/// Stores all collisions.
+class Listener final : public Observer {
+ public:
+  void on_event(const Event& event) override { events.push_back(event); }
+  EventLog events;  ///< in the order of their reports
+};
+
 /// Does steps of one length.
 /// \param world      in and out
 /// \param technique  steps it

@@ -39,11 +39,6 @@ TimewarpAsPrintedOptions printed(const TimewarpErrata& repaired, TimewarpListing
   return options;
 }
 
-// Cubes of 1 m on a line, as x:v,x:v.
-World line_of(const char* boxes, const char* restitution = "1") {
-  return world_of("line", {{"boxes", boxes}, {"restitution", restitution}});
-}
-
 // One frame and the state after it.
 struct Frame {
   Frame(const World& start, const TimewarpAsPrintedOptions& options, double dt = 1.0)

@@ -8,6 +8,7 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 
 #include <initializer_list>
@@ -44,12 +45,13 @@ inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
   return std::make_unique<TimewarpSwept>(swept);
 }
 
-/// Stores all collisions.
-class Listener final : public Observer {
- public:
-  void on_event(const Event& event) override { events.push_back(event); }
-  EventLog events;  ///< in the order of their reports
-};
+/// A world of cubes of 1 m on a line.
+/// \param boxes        places and velocities, as x:v,x:v
+/// \param restitution  of all of them
+/// \return the world
+inline World line_of(const char* boxes, const char* restitution = "1") {
+  return world_of("line", {{"boxes", boxes}, {"restitution", restitution}});
+}
 
 /// The two bodies of a collision, by name, as in "a-b".
 /// \param world  their world

@@ -15,11 +15,6 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-// Cubes of 1 m on a line, as x:v,x:v.
-World line_of(const char* boxes, const char* restitution = "1") {
-  return world_of("line", {{"boxes", boxes}, {"restitution", restitution}});
-}
-
 double x_of(const World& world, int body) {
   return world.states()[static_cast<std::size_t>(body)].position_w.x();
 }
