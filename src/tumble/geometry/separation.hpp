@@ -48,7 +48,7 @@ struct SeparationOptions {
 /// them. Touching is s = 0.
 ///
 /// With a preference or a remembered axis the answer may miss the largest s, by at most
-/// `tolerance::face_preference` |s| + `tolerance::face_preference_length` times the shortest half
+/// `tolerance::face_preference` |s| (s of the answer, not the largest) + `tolerance::face_preference_length` times the shortest half
 /// edge of the two boxes, and never across `enough`: boxes that are farther apart than `enough`
 /// are always found to be.
 ///
