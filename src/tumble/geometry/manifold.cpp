@@ -5,8 +5,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/geometry/edge_crossing.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
-#include "tumble/geometry/separation_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +17,6 @@ namespace tumble {
 namespace {
 
 using Three = std::array<double, 3>;
-
-// The number of a box edge, 0 to 11: the axis that it is parallel to, and on which sides of the
-// other two axes it lies.
-FeatureId edge_number(std::size_t axis, bool next_is_positive, bool after_is_positive) {
-  return static_cast<FeatureId>(axis) * 4U + static_cast<FeatureId>(next_is_positive) +
-         static_cast<FeatureId>(after_is_positive) * 2U;
-}
-
-// Edges of the second box count on from those of the first.
-constexpr FeatureId kEdgesOfSecond = 12;
-
-// The name of the point where two edges meet, whichever comes first.
-FeatureId name_of(FeatureId edge, FeatureId other) {
-  return std::min(edge, other) | std::max(edge, other) << 8U;
-}
 
 // Takes out points that fall together with the one before them, or the last with the first.
 void merge_repeated(double near, Manifold& out) {
@@ -179,51 +164,21 @@ void clip_along(const BoxPair& pair, const Separation& found, double margin, Man
   }
 }
 
-// The edge of a box that reaches farthest along a direction, among those parallel to an axis: its
-// midpoint relative to the centre, and its number.
-struct Edge {
-  Vec3 middle_w;
-  FeatureId number;
-};
-
-Edge farthest_edge(const Box& box, int axis, const Vec3& direction_w) {
-  const int next = (axis + 1) % 3, after = (axis + 2) % 3;
-  const Vec3 next_w = box.half[next] * box.axes_w.col(next);
-  const Vec3 after_w = box.half[after] * box.axes_w.col(after);
-  const bool at_next = next_w.dot(direction_w) > 0.0, at_after = after_w.dot(direction_w) > 0.0;
-  return {(at_next ? 1.0 : -1.0) * next_w + (at_after ? 1.0 : -1.0) * after_w,
-          edge_number(idx(axis), at_next, at_after)};
+void write_point(const EdgeContact& contact, const Separation& found, Manifold& out) {
+  out.points[0] = {contact.position_w, found.distance, contact.feature};
+  out.count = 1;
 }
 
-// Two edges P + x A_i and Q + y B_j: the one point between them where they pass each other. Says
-// whether they do: along an axis that is not the best one they may pass beyond an end.
-bool cross_edges(const BoxPair& pair, const Separation& found, Manifold& out) {
-  const int i = (found.axis - 6) / 3, j = (found.axis - 6) % 3;
-  const Edge edge_first = farthest_edge(pair.first, i, found.normal_w);
-  const Edge edge_second = farthest_edge(pair.second, j, -found.normal_w);
-  const Vec3 axis_first_w = pair.first.axes_w.col(i);
-  const Vec3 axis_second_w = pair.second.axes_w.col(j);
-  // The closest points of two lines, held to the length of the edges. The determinant is the
-  // squared sine of the angle between them, from its components to lose nothing for small angles.
-  const Vec3 gap_w = pair.d_w + edge_second.middle_w - edge_first.middle_w;
-  const double cosine = pair.c[idx(i)][idx(j)];
-  const double sine_k = pair.c[kCycle[idx(i) + 1]][idx(j)],
-               sine_l = pair.c[kCycle[idx(i) + 2]][idx(j)];
-  const double sine2 = sine_k * sine_k + sine_l * sine_l;
-  const double along_first = gap_w.dot(axis_first_w), along_second = gap_w.dot(axis_second_w);
-  const double a = pair.a[idx(i)], b = pair.b[idx(j)];
-  const double on_first = (along_first - cosine * along_second) / sine2;
-  const double on_second = (cosine * along_first - along_second) / sine2;
-  const double x = std::clamp(on_first, -a, a), y = std::clamp(on_second, -b, b);
-
-  ManifoldPoint& point = out.points[0];
-  point.position_w = pair.first.center_w + edge_first.middle_w + x * axis_first_w +
-                     0.5 * (gap_w + y * axis_second_w - x * axis_first_w);
-  point.distance = found.distance;
-  point.feature = name_of(edge_first.number, kEdgesOfSecond + edge_second.number);
-  out.count = 1;
-  return std::abs(on_first - x) <= tolerance::same_point * a &&
-         std::abs(on_second - y) <= tolerance::same_point * b;
+// Where no two edges pass each other along the best axis, boxes that are apart by less than the
+// margin are closest at two edges that lie beside each other, or at corners. Those are found among
+// the edges that reach farthest along the normal.
+void nearest_edges(const BoxPair& pair, const Separation& found, Manifold& out) {
+  EdgeContact nearest = cross_edges(pair, found.normal_w, 0, 0);
+  for (int k = 1; k < 9; ++k) {
+    const EdgeContact other = cross_edges(pair, found.normal_w, k / 3, k % 3);
+    if (other.apart2 < nearest.apart2) nearest = other;
+  }
+  write_point(nearest, found, out);
 }
 
 // Says whether the axis leads to a contact, or the boxes are too far apart along it to have one.
@@ -232,7 +187,12 @@ bool find_points(const BoxPair& pair, const Separation& found, double margin, Ma
   out.axis = found.axis;
   out.count = 0;
   if (found.distance > margin) return true;
-  if (found.axis >= 6) return cross_edges(pair, found, out);
+  if (found.axis >= 6) {
+    const EdgeContact contact =
+        cross_edges(pair, found.normal_w, (found.axis - 6) / 3, (found.axis - 6) % 3);
+    write_point(contact, found, out);
+    return contact.within;
+  }
   clip_along(pair, found, margin, out);
   return out.count > 0;
 }
@@ -258,10 +218,16 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
   check(margin, remembered, kNoAxis, "remembered");
   const BoxPair pair(first, second);
   SeparationOptions options{true, margin, remembered};
-  while (!find_points(pair, separation(pair, options), margin, out)) {
+  for (;;) {
+    const Separation found = separation(pair, options);
+    if (find_points(pair, found, margin, out)) break;
     // An axis that is almost the best may miss the contact area, as edges that pass beyond their
-    // ends do. Then the memory goes first and the preference next: the best axis misses nothing.
-    if (options.remembered == kNoAxis && !options.prefer_faces) break;
+    // ends do. Then the memory goes first and the preference next: the best axis misses nothing if
+    // the boxes overlap.
+    if (options.remembered == kNoAxis && !options.prefer_faces) {
+      if (found.axis >= 6 && found.distance > 0.0) nearest_edges(pair, found, out);
+      break;
+    }
     if (options.remembered == kNoAxis) options.prefer_faces = false;
     options.remembered = kNoAxis;
   }

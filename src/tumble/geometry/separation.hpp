@@ -47,10 +47,10 @@ struct SeparationOptions {
 /// is the answer. It is exact for boxes that overlap: -s is the shortest translation that parts
 /// them. Touching is s = 0.
 ///
-/// With a preference or a remembered axis the answer may miss the largest s, by at most
+/// With a preference or a remembered axis the answer s may miss the largest one, by at most
 /// `tolerance::face_preference` |s| + `tolerance::face_preference_length` times the shortest half
 /// edge of the two boxes, and never across `enough`: boxes that are farther apart than `enough`
-/// are always found to be.
+/// are always found to be. Here s is the answer, not the largest one.
 ///
 /// For boxes that are apart and have almost parallel edges, the cross product of these has a
 /// direction only to rounding over the sine of their angle, and so has the distance. Any direction

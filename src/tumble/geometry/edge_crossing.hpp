@@ -1,0 +1,43 @@
+/// \file
+/// \brief The point where two edges of two boxes touch, and the names of edges.
+#pragma once
+
+#include "tumble/base/types.hpp"
+#include "tumble/geometry/manifold.hpp"
+#include "tumble/geometry/separation_pair.hpp"
+
+namespace tumble {
+
+/// Edges of the second box count on from those of the first.
+inline constexpr FeatureId kEdgesOfSecond = 12;
+
+/// The number of a box edge, 0 to 11.
+/// \param axis               the axis that it is parallel to
+/// \param next_is_positive   on which side of the next axis it lies
+/// \param after_is_positive  on which side of the axis after that
+/// \return the number
+FeatureId edge_number(std::size_t axis, bool next_is_positive, bool after_is_positive);
+
+/// The name of the point where two edges meet, whichever comes first.
+/// \param edge   the one
+/// \param other  the other
+/// \return the name
+FeatureId name_of(FeatureId edge, FeatureId other);
+
+/// Two edges where they touch.
+struct EdgeContact {
+  Vec3 position_w;    ///< [m] world frame, halfway between their closest points
+  FeatureId feature;  ///< the name of the point
+  double apart2;      ///< [m²] squared distance of the closest points
+  bool within;        ///< whether neither passes beyond an end
+};
+
+/// Where the edges of two boxes that reach farthest along a direction touch.
+/// \param pair      the boxes
+/// \param normal_w  [-] from the first to the second
+/// \param i         the axis of the first box that its edge is parallel to
+/// \param j         the axis of the second box
+/// \return the point
+EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j);
+
+}  // namespace tumble
