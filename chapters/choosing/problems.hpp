@@ -36,7 +36,7 @@ Problem bounce_problem();
 /// \return with 3 m/s and a coefficient of 0.3
 Problem slide_problem();
 
-/// A tall block that is let go on its edge, until just before it is upright.
+/// A tall block that is released on its edge, until just before it is upright.
 ///
 /// It is a pendulum about its edge, and its tilt an elliptic function of time; errors are over the tilt
 /// at the start.

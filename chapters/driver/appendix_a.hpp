@@ -23,7 +23,7 @@ struct AppendixLine {
   int number = 0;                   ///< from 1
   std::string says;                 ///< what it says, retold
   std::vector<std::string> errata;  ///< their ids
-  std::string why;                  ///< why the code differs where no erratum tells; may be empty
+  std::string why;                  ///< why the code differs where no erratum says so; may be empty
   std::vector<SourceExcerpt>
       printed;                       ///< what does it as printed; no lines: no statement of its own
   std::vector<SourceExcerpt> meant;  ///< what does it as meant; no lines: no statement of its own
@@ -34,7 +34,7 @@ struct AppendixLine {
 struct AppendixListing {
   std::string name;                 ///< as in the marks: "COLLIDE"
   std::string section;              ///< of the thesis
-  std::string chapter;              ///< the folder of the chapter that tells of it
+  std::string chapter;              ///< the folder of the chapter that describes it
   std::string about;                ///< what it does, in a sentence
   std::vector<AppendixLine> lines;  ///< all of them, from 1
 };
@@ -49,7 +49,7 @@ std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folde
 ///
 /// The file has a table `[[listing]]` for each, with the keys `id` (its name), `section`, `chapter` and
 /// `about`, and a table `[[line]]` for each numbered line, with `id` ("COLLIDE 3"), `says` and, where
-/// needed, `errata` (ids with blanks between), `why`, `printed` and `meant`. The last two tell which of
+/// needed, `errata` (ids with blanks between), `why`, `printed` and `meant`. The last two show which of
 /// the lines between the marks are meant: a piece of each, one below the other; the statement that
 /// begins there is taken. Without them it is all that stands between the marks; "-" says that nothing
 /// there does this line alone.

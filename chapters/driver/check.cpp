@@ -80,7 +80,7 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
       figure.head[key] = value;
     }
   }
-  // A figure that no expected file knows tells its chapter by its command.
+  // A figure that no expected file knows shows its chapter by its command.
   const std::string command = figure.head["command"];
   if (figure.chapter.empty() && command.rfind(kProgram, 0) == 0) {
     figure.chapter = command.substr(kProgram.size(), command.find(' ') - kProgram.size());

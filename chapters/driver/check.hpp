@@ -26,7 +26,7 @@ struct CheckedNumber {
   [[nodiscard]] bool agrees() const;
 };
 
-/// A figure as its files tell it.
+/// A figure as its files describe it.
 struct DrawnFigure {
   std::string name;                         ///< of its files
   std::string chapter;                      ///< the folder of the chapter that computes it

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the thesis leaves open: our values, and what becomes of the numbers with others.
+/// \brief Choices that the thesis leaves open: our values, and the numbers with others.
 #pragma once
 
 #include "driver/check.hpp"

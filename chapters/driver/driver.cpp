@@ -87,7 +87,7 @@ void print_list(std::span<const Figure> figures) {
   }
 }
 
-// The figures asked for; a name that does not exist is told with all that do.
+// The figures asked for; a name that does not exist is reported with all that do.
 std::vector<const Figure*> chosen(const Request& request, std::span<const Figure> figures) {
   std::vector<const Figure*> result;
   std::string names;

@@ -30,11 +30,11 @@ int run_chapter(int argc, const char* const* argv, const std::string& chapter,
 /// \param figure    the figure
 /// \param settings  its parameters in this run
 /// \param quick     whether --quick was given
-/// \return lines that begin with "# "; the settings are told as "default" if nothing was changed
+/// \return lines that begin with "# "; the settings are shown as "default" if nothing was changed
 std::string head_of(std::string_view program, const Figure& figure, const Parameters& settings,
                     bool quick);
 
-/// The numbers of a figure as a file, with everything that the index page tells about it.
+/// The numbers of a figure as a file, with everything that the index page shows of it.
 /// \param head    from head_of()
 /// \param figure  the figure
 /// \param result  what was computed

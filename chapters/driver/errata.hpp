@@ -10,7 +10,7 @@
 
 namespace tumble::chapters {
 
-/// One erratum, as a chapter's `errata.toml` tells it.
+/// One erratum, as a chapter's `errata.toml` describes it.
 struct Erratum {
   std::string id;  ///< short name, as `repaired=` takes it where a technique can read as printed
   std::string section;  ///< of the thesis
@@ -36,7 +36,7 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path);
 
 /// An erratum with its numbers; a value is NaN if it is not measured.
 struct ErratumEntry {
-  Erratum erratum;        ///< what is wrong
+  Erratum erratum;        ///< the mistake
   CheckedNumber failure;  ///< the number with the erratum in place
   CheckedNumber mended;   ///< the number under our reading
 };

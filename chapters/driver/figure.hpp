@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a figure is before it is drawn: parameters in, tables and numbers out.
+/// \brief A figure before it is drawn: parameters in, tables and numbers out.
 #pragma once
 
 #include "tumble/base/parameters.hpp"
@@ -96,7 +96,7 @@ struct Drawing {
 /// All that one run of a figure computed.
 struct Result {
   std::vector<Table> tables;           ///< what gnuplot draws from
-  std::vector<Quantity> quantities;    ///< what is checked
+  std::vector<Quantity> quantities;    ///< to be checked
   std::vector<Drawing> drawings = {};  ///< what gnuplot is to draw as it is
   /// Paints the film of the figure: the bytes of a GIF. Empty: it has none. The driver alone asks for it, since
   /// it takes seconds.

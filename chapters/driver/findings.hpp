@@ -13,21 +13,22 @@
 
 namespace tumble::chapters {
 
-/// What the pages tell.
+/// The contents of the pages.
 struct Findings {
   std::vector<DrawnFigure> figures;  ///< from check_figures()
   std::vector<LedgerEntry> ledger;   ///< from judge()
   std::vector<ErratumEntry> errata;  ///< from find_errata()
   std::vector<ChoiceEntry> choices;  ///< from find_choices()
-  std::vector<std::string> stale;    ///< what pages and README's films tell that is no longer so
+  std::vector<std::string>
+      stale;  ///< statements of pages and README's films that are no longer true
 };
 
 /// Reads everything that chapters expect and claim, and what their figures gave.
 /// \param folder  where `NAME_numbers.csv` are; if it does not exist, nothing has been computed
 /// \param files   `expected.csv`, `claims.toml`, `errata.toml`, `choices.toml`, `figures.toml`, `page.md` of the
-///                chapters, in order, `open_claims.toml`, and films `NAME.gif` that README shows: told apart by
+///                chapters, in order, `open_claims.toml`, and films `NAME.gif` that README shows: distinguished by
 ///                their names
-/// \return figures, ledger, errata, choices, and what is no longer so in the pages or the films
+/// \return figures, ledger, errata, choices, and statements of pages or films that are no longer true
 /// \throws FileError, std::invalid_argument as the readers of these files do, and the latter for a
 ///         file of another name
 Findings read_findings(const std::filesystem::path& folder,

@@ -11,15 +11,15 @@
 
 namespace tumble::chapters {
 
-/// One claim of the thesis, as a file of claims tells it.
+/// One claim of the thesis, as a file of claims describes it.
 struct Claim {
   std::string id;          ///< thesis section and a letter, for example "3.3.1c"
   std::string section;     ///< of the thesis
   std::string chapter;     ///< the chapter that measures it, or will
   std::string statement;   ///< retold
-  std::string experiment;  ///< what is run and what is counted
+  std::string experiment;  ///< the run and its counts
   bool open = false;       ///< no chapter measures it yet: of what follows it has at most a rule
-  std::string technique;   ///< what is put to the test
+  std::string technique;   ///< under test
   std::string reading;     ///< of the technique: "as_printed", "as_meant", "ours" or "-"
   std::string quantity;    ///< the number that decides, one of its figure's
   std::string unit;        ///< of the number
@@ -43,7 +43,7 @@ std::vector<Claim> read_claims(const std::filesystem::path& path);
 
 /// A claim with the number that was found.
 struct LedgerEntry {
-  Claim claim;                              ///< what is claimed
+  Claim claim;                              ///< the sentence
   Verdict verdict = Verdict::not_measured;  ///< what the rule says of the number
   CheckedNumber number;                     ///< the number; its value is NaN if it is not measured
   std::string note;                         ///< why there is no verdict; empty if there is one

@@ -26,7 +26,7 @@ struct MarkedRegion {
 /// `// [S4.3:what]`.
 /// \param path        the file's name, for regions and complaints
 /// \param text        its C++
-/// \param complaints  gets "path:line: what is wrong" for a mark without twin, within another one, or
+/// \param complaints  gets "path:line: mistake" for a mark without twin, within another one, or
 ///                    ending before its beginning
 /// \return all regions, in the order of the file
 std::vector<MarkedRegion> marked_regions(const std::string& path, const std::string& text,

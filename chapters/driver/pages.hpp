@@ -25,7 +25,7 @@ std::string counts_text(const Findings& findings);
 /// \return the bytes of `ledger.md`
 std::string ledger_page(const Findings& findings);
 
-/// Every erratum: what is printed, our reading, the numbers of both, test, command.
+/// Every erratum: the printed text, our reading, the numbers of both, test, command.
 ///
 /// Other pages refer to it by `\ref errata`, to an erratum by `\ref erratum_C1 "C1"`.
 /// \param findings  from read_findings()

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How far a number that was measured over random scenes may be trusted.
+/// \brief Confidence of numbers that were measured over random scenes.
 #include "driver/statistics.hpp"
 
 #include <gsl/gsl_cdf.h>
@@ -71,7 +71,7 @@ double median_of(std::vector<double> values) {
 
 double fitted_order(std::span<const double> x, std::span<const double> y) {
   if (x.size() < 2 || x.size() != y.size())
-    throw std::invalid_argument("an order is told from two points or more");
+    throw std::invalid_argument("an order needs two points or more");
   std::vector<double> log_x;
   std::vector<double> log_y;
   for (std::size_t k = 0; k < x.size(); ++k) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How far a number that was measured over random scenes may be trusted.
+/// \brief Confidence of numbers that were measured over random scenes.
 #pragma once
 
 #include "driver/figure.hpp"

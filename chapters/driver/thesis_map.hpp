@@ -10,7 +10,7 @@
 
 namespace tumble::chapters {
 
-/// A section of the thesis, as `thesis_map.toml` tells of it.
+/// A section of the thesis, as `thesis_map.toml` describes it.
 struct ThesisSection {
   std::string id;                    ///< "3.2", "A.1"
   std::string title;                 ///< what it is called there

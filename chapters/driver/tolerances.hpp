@@ -27,7 +27,7 @@ struct Tolerance {
 /// \param path  the header
 /// \return the constants in its order
 /// \throws FileError for a file that cannot be read, std::invalid_argument naming file and line of
-///         what is not of this form
+///         a text that is not of this form
 std::vector<Tolerance> read_tolerances(const std::filesystem::path& path);
 
 /// Reads all constants of the library, of the `tolerances.hpp` in each of its folders.

@@ -17,7 +17,7 @@ struct BestFrame {
 ///
 /// Where the centre c is matters to the lower joint only: the two boxes' places differ by an amount in
 /// which c cancels. For any rate Omega but 0 there is one c that closes the lower joint. So the best frame
-/// closes it, and what is left is the upper joint's mismatch, a function of Omega alone. Its smallest value
+/// closes it, and the rest is the upper joint's mismatch, a function of Omega alone. Its smallest value
 /// is looked for on a grid and between its points by Brent's method.
 /// \param world   at the start of the step
 /// \param joints  the lower one, which has an immovable body, and the upper one

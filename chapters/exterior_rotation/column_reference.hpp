@@ -11,7 +11,7 @@ namespace tumble::chapters {
 struct ReferenceFall {
   double angle = 0.0;  ///< [rad] of the column's centre, from the vertical
   double rate = 0.0;   ///< [rad/s]
-  double gap = 0.0;    ///< [m] largest distance between what is glued; 0 for one degree of freedom
+  double gap = 0.0;    ///< [m] largest distance between glued points; 0 for one degree of freedom
 };
 
 /// The pendulum \f$\ddot\phi = p^2\sin\phi\f$ by Prince and Dormand's method of order 8.

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Why the gaps of figure 6.1 differ from technique to technique.
+/// \brief Reasons why the gaps of figure 6.1 differ from technique to technique.
 #include "driver/common_numbers.hpp"
 #include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"

@@ -27,15 +27,15 @@ struct ContactSet {
 ///
 /// A corner of the area touches while its two bodies have it at most a tolerance apart along the normal,
 /// or in each other. The joint is overlapped if a corner is deeper than the tolerance.
-/// \param joint      its area; what is held does not matter
+/// \param joint      its area; its hold does not matter
 /// \param states     of all bodies, by index
 /// \param tolerance  [m] above 0
-/// \return what is seen
+/// \return the contacts seen
 ContactSet contact_set_of(const Joint& joint, std::span<const BodyState> states, double tolerance);
 
 /// The hold of corners that touch.
-/// \param seen   what is seen of the joint
-/// \param joint  gets what is held: all corners its area, two of a side this side, one a corner, none
+/// \param seen   the contacts seen at the joint
+/// \param joint  gets its hold: all corners its area, two of a side this side, one a corner, none
 ///               nothing. Three, or two across the area, count as all
 void hold_what_touches(const ContactSet& seen, Joint& joint);
 
@@ -130,7 +130,7 @@ struct ContactChange {
 
 /// The changes of contact of a run.
 /// \param looks  at all joints, by step; the first one is at the start
-/// \return in the order of steps. What touches and what is overlapped change one by one: a step can
+/// \return in the order of steps. Touching and overlapping features change one by one: a step can
 ///         have both for a joint
 std::vector<ContactChange> changes_of(const std::vector<std::vector<ContactSet>>& looks);
 

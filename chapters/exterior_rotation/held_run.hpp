@@ -21,7 +21,7 @@ struct HeldFrame {
 /// A run of the technique `glued`.
 struct HeldRun {
   World start;                ///< the bodies at the start; constant parts are those of all frames
-  std::vector<Joint> joints;  ///< what is held
+  std::vector<Joint> joints;  ///< that are held
   std::vector<HeldFrame> frames;  ///< the start and each step after it
   double acceleration = 0.0;      ///< [m/s²] largest of relative_acceleration() at starts of steps
 
@@ -64,14 +64,14 @@ struct HeldInstant {
 
   /// Solves for the forces.
   /// \param world   the bodies
-  /// \param joints  what is held
+  /// \param joints  that are held
   HeldInstant(const World& world, std::span<const Joint> joints);
 };
 
 /// Relative acceleration of the two sides of each held point, with the forces that were found for this
 /// instant.
 /// \param world   the bodies
-/// \param joints  what is held
+/// \param joints  that are held
 /// \return [m/s²] the largest of all joints
 double relative_acceleration(const World& world, std::span<const Joint> joints);
 

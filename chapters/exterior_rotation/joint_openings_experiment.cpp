@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where the joints of the falling column open, and what happens then.
+/// \brief Openings of the joints of the falling column, and their consequences.
 #include "tumble/base/index.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
@@ -110,7 +110,7 @@ Drawing drawing_of(const JointMoment& moment, int number) {
 
 Table looks_table(const DryFall& fall, double angle) {
   Table table{"",
-              {{"time_s", "s", "since the column was let go"},
+              {{"time_s", "s", "since the release of the column"},
                {"glued_deg", "deg", "closed form: angle of the glued column's centre"}}};
   const double opens = fall.run.events.front().time;
   const std::array<std::array<std::string, 3>, 4> parts = {
@@ -142,7 +142,7 @@ Table looks_table(const DryFall& fall, double angle) {
 
 Table events_table(const DryFall& fall) {
   Table table{"events",
-              {{"time_s", "s", "since the column was let go"},
+              {{"time_s", "s", "since the release of the column"},
                {"joint", "-", "0: pivot; from 1 areas, the lowest first"},
                {"hold", "-", "0: area, 1: edge, 3: nothing, from now on"},
                {"angle_rad", "rad", "of the centre of all cubes"}}};
@@ -193,7 +193,7 @@ Result measure_joint_openings(const Parameters& settings) {
       {"moment of the first opening, closed form", "s", column_time(opening, angle)},
       {"largest error of a centre of pressure before the first opening", "m",
        largest_error(result.tables.front())},
-      {"angle at the first opening when let go at 0.3", "rad",
+      {"angle at the first opening when released at 0.3", "rad",
        event_of(other, kTop, JointHold::edge).angle},
       {"angle of the centre of all boxes at the second opening", "rad", second.angle},
       {"angle at the second opening if the first joint held, closed form", "rad",

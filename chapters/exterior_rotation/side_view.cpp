@@ -9,7 +9,7 @@
 namespace tumble::chapters {
 namespace {
 
-// Micrometres are finer than anybody sees, magnified or not.
+// Micrometres are too fine to be seen, magnified or not.
 std::string point_text(const Vec2& point) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "first %.6f,%.6f", point.x(), point.y());

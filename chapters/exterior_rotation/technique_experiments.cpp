@@ -64,7 +64,7 @@ PlayedTechnique exponential(const ComparedTechnique& technique) {
 }
 
 std::span<const ComparedScene> compared_scenes() {
-  // Without glue the column's top joint opens at 0.82 s and the upper edge of figure 6.3 lets go at 0.5 s.
+  // Without glue the column's top joint opens at 0.82 s and the upper edge of figure 6.3 opens at 0.5 s.
   static const std::array<ComparedScene, 3> list{
       {{"fig6_1", 0.8}, {"fig6_2", 0.45}, {"fig6_3", 0.4}}};
   return list;

@@ -17,7 +17,7 @@ inline constexpr double kSceneAngle = 0.3;
 /// A technique as it is compared.
 struct ComparedTechnique {
   std::string words;       ///< for readers and names of quantities
-  PlayedTechnique played;  ///< what is run
+  PlayedTechnique played;  ///< to be run
 };
 
 /// Techniques with the option `pose`, and `glued` with impulses as the plainest of them.

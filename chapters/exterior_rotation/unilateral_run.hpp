@@ -13,14 +13,14 @@ namespace tumble::chapters {
 /// A moment of a fall.
 struct JointMoment {
   World world;                ///< the bodies
-  std::vector<Joint> joints;  ///< and what is held
+  std::vector<Joint> joints;  ///< and their holds
 };
 
 /// A change of a joint.
 struct JointEvent {
   double time = 0.0;  ///< [s] since the start
   int joint = 0;      ///< its place; of a column 0 is the pivot, 1 the lowest area
-  JointHold hold = JointHold::nothing;  ///< what is held from now on
+  JointHold hold = JointHold::nothing;  ///< the hold from now on
   double angle = 0.0;                   ///< [rad] centre_angle() of all that moves, then
   JointMoment after;                    ///< just after it
 };

@@ -30,7 +30,7 @@ using Looks = std::vector<std::vector<ContactSet>>;
 // counterpart serves once.
 //
 // Mended after the first run, whose number was 23: both runs go on for two steps after the second, so that
-// no counterpart is cut off, and a face that has to pull can let go altogether within one step.
+// no counterpart is cut off, and a face that has to pull can open altogether within one step.
 struct Question {
   double angle = 0.0;
   double dt = 0.0;

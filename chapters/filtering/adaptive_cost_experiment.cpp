@@ -138,7 +138,7 @@ Result measure_chatter_cause(const Parameters& settings) {
       {"quarter", "pushes of a quarter of that", [](double) { return damped_with_push(0.25); }},
       {"shrinking", "pushes that shrink with the square of the step",
        [](double share) { return damped_with_push(share * share); }},
-      {"velocity", "velocities stopped and nobody pushed",
+      {"velocity", "velocities stopped and no pushes",
        [](double) { return damped_set_to({"shock=velocity"}); }},
   }};
   Table table{"", {{"step_s", "s", "length of the steps"}}};

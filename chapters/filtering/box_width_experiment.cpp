@@ -120,7 +120,7 @@ Landing landing_under(const char* technique, const char* restitution) {
 }
 
 Table impact_table(const Landing& landing) {
-  Table table{"impact", {{"time_s", "s", "since the cube was let go"}}};
+  Table table{"impact", {{"time_s", "s", "since the release of the cube"}}};
   for (const std::size_t w : kDrawn)
     table.columns.push_back({"height_" + std::to_string(kWidths[w]) + "_m", "m",
                              "of the lower face over the ground, this many frames averaged"});

@@ -25,9 +25,9 @@ MedianRange median_range(std::vector<double> values);
 
 /// Ranks: 1, and one more for each range that lies wholly below.
 ///
-/// Who shares a rank overlaps; the best that a range can be is its rank.
+/// Items that share a rank overlap; the best that a range can be is its rank.
 /// \param ranges  intervals
-/// \param floor   what is below counts as this: differences down there mean nothing
+/// \param floor   values below count as this: differences down there mean nothing
 /// \return one for each range
 std::vector<int> shared_ranks(std::span<const MedianRange> ranges, double floor);
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How much the bodies of a scene shake under a technique once they should rest (thesis 5.5).
+/// \brief Shaking of the bodies of a scene under a technique once they should rest (thesis 5.5).
 #pragma once
 
 #include "tumble/record/chatter.hpp"

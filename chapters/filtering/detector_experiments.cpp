@@ -127,12 +127,13 @@ Result measure_detector(const Parameters& settings) {
     return share(corpora, Doing::chatters, left_out, detected);
   };
   const auto kept = [&](int left_out) { return mean_share(corpora, left_out, left_moving); };
-  add("the smaller of two shares of a corpus with labels: chatter that is told as such, and slow "
+  add("the smaller of two shares of a corpus with labels: chatter that is classified as chatter, "
+      "and slow "
       "sliding, rolling and rocking that is not",
       [&](int left_out) { return std::min(hits(left_out), kept(left_out)); });
-  add("chatter that is told as such", hits);
-  add("mean share of sliding, creeping, rolling and rocking that is told to move", kept);
-  add("falling and fast sliding that is told to move", [&](int left_out) {
+  add("chatter that is classified as chatter", hits);
+  add("mean share of sliding, creeping, rolling and rocking that is classified as motion", kept);
+  add("falling and fast sliding that is classified as motion", [&](int left_out) {
     return 0.5 * (share(corpora, Doing::falls, left_out, left_moving) +
                   share(corpora, Doing::speeds, left_out, left_moving));
   });

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What two envelopes show of bodies that chatter (claim 5.5c).
+/// \brief Two envelopes and bodies that chatter (claim 5.5c).
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/overlap.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What envelopes show of bodies that are fast, and of those that are nearly so (claim 5.5d).
+/// \brief Envelopes and bodies that are fast or nearly so (claim 5.5d).
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/filtering/one_euro_filter.hpp"
 #include "tumble/math/rotation.hpp"
@@ -84,7 +84,7 @@ Table path_of_tossed_cube(double& worst_fast) {
                                            filtered(run.frames, SoftEnvelopeFilter(envelope)),
                                            filtered(run.frames, OneEuroFilter())};
   Table table{"",
-              {{"time_s", "s", "since it was let go"},
+              {{"time_s", "s", "since its release"},
                {"move", "-", "of the cube since the frame before, in envelopes"},
                {"thesis_mm", "mm", "from where its centre is shown to where it is: envelope"},
                {"soft_mm", "mm", "soft envelope"},

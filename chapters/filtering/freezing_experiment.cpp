@@ -144,7 +144,7 @@ Result measure_freezing(const Parameters& settings) {
       {table_of(runs, settings.number("settling"))},
       {mean("bodies awake before the hit, sleeping", sleeping, &Look::awake),
        mean("bodies awake before the hit, freezing", freezing, &Look::awake),
-       mean("bodies that chatter before the hit, nobody sleeps", off, &Look::chatters),
+       mean("bodies that chatter before the hit, sleeping off", off, &Look::chatters),
        mean("bodies that chatter before the hit, freezing", freezing, &Look::chatters),
        ratio_of_sums("pair tests before the hit, freezing over none", "-",
                      before_hit(freezing, settings, &Look::pair_tests),

@@ -65,8 +65,8 @@ std::vector<BodyState> seen_live(const Trajectory& run, const PoseFilter& filter
 /// \return its run
 Trajectory steady_run(double speed, int frames);
 
-/// By how many frames a body is seen late that moves at constant speed: the mean way between what is
-/// computed and what is seen, over the way of a frame, in the second half of a run.
+/// By how many frames a body is seen late that moves at constant speed: the mean way between the
+/// computed and the shown pose, over the way of a frame, in the second half of a run.
 /// \param speed   [m/s]
 /// \param frames  of the run
 /// \param filter  how

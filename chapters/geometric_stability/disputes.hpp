@@ -26,7 +26,7 @@ std::vector<char> called_stable_by_text(const World& world, std::span<const Cont
 struct Trial {
   World world;                                        ///< the bodies, at rest
   ContactList contacts;                               ///< all that touch
-  std::vector<GeometricStability::Outline> outlines;  ///< of what is no box; may be empty
+  std::vector<GeometricStability::Outline> outlines;  ///< of bodies that are no boxes; may be empty
   int body = 0;                                       ///< its index
   bool text = false;                                  ///< stable by the text
   bool hull = false;                                  ///< stable by the footnote

@@ -10,7 +10,7 @@
 
 namespace tumble::chapters {
 
-/// Puts boxes on boxes so that they touch to rounding, and keeps clear of what is nearly so.
+/// Puts boxes on boxes so that they touch to rounding, and keeps clear of near misses.
 ///
 /// Whether a corner is over its support must not hang on a tolerance. So a box is refused if it
 /// overlaps another one, or if anything about it is neither exact nor clearly apart: a gap, the

@@ -19,10 +19,10 @@ namespace tumble::chapters {
 enum class StabilityLevel : std::uint8_t {
   corners,     ///< four corners on stable bodies: GeometricStability
   hull,        ///< the hull of the supports covers the outline: GeometricStability
-  towers,      ///< hull, and towers on what is stable: Towers
+  towers,      ///< hull, and towers on stable boxes: Towers
   load_proof,  ///< every load on top can be balanced: LoadProof
   balance,     ///< whole islands in balance as they are: StaticEquilibrium
-  hierarchy    ///< hull, towers and balance of what is left: StableBoxes
+  hierarchy    ///< hull, towers and balance of the rest: StableBoxes
 };
 
 /// All of them.

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Boxes that rest on what is not level, beside a random pile (thesis 5.4).
+/// \brief Boxes that rest on slanted supports, beside a random pile (thesis 5.4).
 #pragma once
 
 #include "tumble/base/random.hpp"

@@ -159,7 +159,7 @@ Result measure_sliding(const Parameters& settings) {
        -damped.steps[last - 1].overhang},
       {"corner beyond the edge after the next step, the box being stable no more", "m",
        damped.steps[last].overhang},
-      {"largest change of the speed until then if nobody is marked", "m/s", apart},
+      {"largest change of the speed until then with no body marked", "m/s", apart},
       {"speed as a corner leaves, analytic forces without friction, over that at the start", "-",
        free.steps[static_cast<std::size_t>(free.leaves)].speed / settings.number("speed")},
       {"centre beyond the edge with which damping holds the box up for 10 s", "m",

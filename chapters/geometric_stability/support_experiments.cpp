@@ -190,7 +190,7 @@ Result measure(const RestingPile& pile, const Parameters& settings) {
       {"the same under the worst load on a corner of its top, over (load + weight)/mass", "-",
        by_load}};
   result.drawings = {drawing_of(pile, top),
-                     {"told", words("corners", corners) + words("hull", hull)}};
+                     {"marked", words("corners", corners) + words("hull", hull)}};
   return result;
 }
 

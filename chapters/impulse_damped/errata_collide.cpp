@@ -182,7 +182,7 @@ void add_collide_errata(Result& result) {
           "column no longer stable", mended, tilt_after_hit);
   compare(result, "C6: speed of a stable cube, ", "m/s", "velocity and momentum stored apart",
           "one store", mended, stable);
-  compare(result, "C7: speed of parting, ", "m/s", "impulse for all pairs",
+  compare(result, "C7: separation speed, ", "m/s", "impulse for all pairs",
           "impulse for pairs that approach", mended, separation_speed);
   const Vec3 corner(0.5, 0.0, 0.5);
   add(result, "C8: spin after a flat landing, point at a corner", "rad/s", landing_spin({corner}));

@@ -82,7 +82,7 @@ void add_fall(double k1, Result& result) {
   const std::vector<double> printed = fall_speeds(k1, false, 10 * second);
   const std::vector<double> mended = fall_speeds(k1, true, second);
   add_paths(result, "fall",
-            {{"time_s", "s", "time since they were let go"},
+            {{"time_s", "s", "time since their release"},
              {"printed_m_s", "m/s", "speed of the fall, damped in the world"},
              {"mended_m_s", "m/s", "damped against each other"}},
             kStep, 1.0, printed, mended);
@@ -189,7 +189,7 @@ void add_freeze(double eps10, Result& result) {
   add(result, "DM12: steps that a cube hangs at its apex, every body tested, twice the threshold",
       "-", fly_frozen(throw_w, 2.0 * eps10, true, 20).frozen);
   const Flown dropped = fly_frozen(Vec3::Zero(), eps10, true, 2);
-  add(result, "DM12: jump of a cube let go, after the steps that it hangs", "m",
+  add(result, "DM12: jump of a released cube, after the steps that it hangs", "m",
       dropped.places[1] - dropped.places[2]);
   const Vec3 slow_w(0.29, 0.0, 0.0);
   add(result, "DM12: way of a slide at 0.29 m/s in 1 s, every body tested", "m",
@@ -241,7 +241,7 @@ void add_motion_errata(double k1, double eps10, Result& result) {
   const std::vector<double> printed = fall_beside_wall(true, 60);
   const std::vector<double> mended = fall_beside_wall(false, 60);
   add_paths(result, "wall",
-            {{"time_s", "s", "time since it was let go"},
+            {{"time_s", "s", "time since its release"},
              {"printed_m", "m", "fall, held by any contact"},
              {"mended_m", "m", "fall, held by what is below"}},
             kStep, 1.0, printed, mended);

@@ -5,7 +5,7 @@ set multiplot
 outlines = stem.'_outlines.csv'
 stats stem.'_shifts.csv' using 'shift_m' name 'shift' nooutput
 stats outlines using 'x_m':'z_m' name 'seen' nooutput
-load stem.'_told.gp'
+load stem.'_marked.gp'
 height(points) = 1 - points*1.0/tall
 
 set origin 0,height(280)

@@ -4,7 +4,7 @@ tall = 585
 set multiplot
 outlines = stem.'_outlines.csv'
 stats outlines using 'x_m':'z_m' name 'seen' nooutput
-load stem.'_told.gp'
+load stem.'_marked.gp'
 height(points) = 1 - points*1.0/tall
 
 set origin 0,height(280)

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Appendix A beside the source: what is read, what is found, what is refused.
+/// \brief Appendix A beside the source: reading, findings, refusals.
 #include "chapters/scratch.hpp"
 #include "driver/appendix_page.hpp"
 #include "driver/csv.hpp"

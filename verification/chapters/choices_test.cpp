@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the thesis leaves open: what is read, what other values decide, what is refused.
+/// \brief Choices that the thesis leaves open: reading, verdicts of other values, refusals.
 #include "chapters/scratch.hpp"
 #include "driver/chosen_values.hpp"
 #include "driver/left_open_page.hpp"

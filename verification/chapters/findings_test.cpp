@@ -77,7 +77,7 @@ TEST_CASE("A changed number is reported with what was expected", "[unit][ledger]
   CHECK(others_text(findings) ==
         "also 1 figure of claims, 1 picture of the gallery, 1 number not compared: drawn with "
         "other settings");
-  CHECK(findings.figures.at(2).chapter == "falling");  // told by its command
+  CHECK(findings.figures.at(2).chapter == "falling");  // known from its command
 }
 
 TEST_CASE("A number that Markdown would take for an item of a list is reported", "[unit][ledger]") {

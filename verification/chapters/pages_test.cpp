@@ -115,7 +115,7 @@ TEST_CASE("The gallery shows thumbnails first and then figures by chapter", "[un
   CHECK_THAT(index_page(findings), Contains("src=\"gallery_pile.png\""));
 }
 
-TEST_CASE("A film is shown below its figure and not to those who want no motion",
+TEST_CASE("A film is shown below its figure and not to readers that want no motion",
           "[unit][ledger]") {
   const Scratch scratch("film");
   const auto folder =

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the glued column's accuracy costs, and the steps that hide its gap (claim 6.2e).
+/// \brief Cost of the glued column's accuracy, and the steps that hide its gap (claim 6.2e).
 #include "driver/quick.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "support/catch.hpp"

@@ -56,7 +56,7 @@ TEST_CASE(
         near(0.681721773).margin(1e-9));
   CHECK(figure.number("the same, closed form") == near(0.681721773).margin(1e-9));
   CHECK(figure.number("tilt of the column at the first opening") == near(53.096).margin(1e-3));
-  CHECK(figure.number("angle at the first opening when let go at 0.3") ==
+  CHECK(figure.number("angle at the first opening when released at 0.3") ==
         near(0.719834032).margin(1e-9));
   CHECK(figure.number("moment of the first opening") ==
         near(figure.number("moment of the first opening, closed form")).margin(1e-10));
@@ -71,7 +71,7 @@ TEST_CASE("Once the top box lags, the next joint opens later than glue would say
       figure.number("angle at the second opening if the first joint held, closed form");
   CHECK(glued == near(0.7159189796).margin(1e-10));
   CHECK(figure.number("angle of the centre of all boxes at the second opening") > glued + 0.04);
-  // Each joint opens from the top down, and then comes apart; last of all the pivot lets go.
+  // Each joint opens from the top down, and then comes apart; last of all the pivot opens.
   const Table& events = figure.result.tables.at(1);
   REQUIRE(events.rows.size() == 7);
   const std::array<std::array<double, 2>, 7> order = {
@@ -87,7 +87,7 @@ TEST_CASE("Once the top box lags, the next joint opens later than glue would say
   CHECK_THROWS_AS(FigureUnderTest("joint_openings", {"seconds=1"}), std::runtime_error);
 }
 
-TEST_CASE("The faces of the column are pressed where statics has them as it is let go",
+TEST_CASE("The faces of the column are pressed where statics has them at its release",
           "[reference][exterior_rotation]") {
   const World world = column_world(0.3);
   const std::vector<Joint> joints = find_joints(world, tolerance::glue_margin);
@@ -216,7 +216,7 @@ TEST_CASE("A right change answers for one change, of the same joint, within two 
 }
 
 TEST_CASE(
-    "Contacts found by geometry hold a box, let go of one that is lifted, and stop one that lands",
+    "Contacts found by geometry hold a box, release one that is lifted, and stop one that lands",
     "[unit][exterior_rotation]") {
   constexpr double dt = 1.0 / 60.0;
   for (const char* name : {"semi-implicit", "impulse", "midpoint", "rk4"}) {

@@ -97,8 +97,9 @@ TEST_CASE(
   CHECK(largest_gap({"damped"}) < 6e-3);  // measured 5.0e-3 in figure 6.3
   const TechniqueGaps still = run_technique(column(), {"damped"});
   CHECK(still.pivot < kRounding);
-  CHECK(still.angle_error ==
-        near(0.3 - column_angle(column().time, 0.3)).margin(1e-9));  // it stays where it was let go
+  CHECK(
+      still.angle_error ==
+      near(0.3 - column_angle(column().time, 0.3)).margin(1e-9));  // it stays where it was released
   CHECK(run_technique(nested(), {"damped"}).slide > 0.1);
 }
 

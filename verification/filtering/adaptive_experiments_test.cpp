@@ -1,5 +1,5 @@
 /// \file
-/// \brief Adaptive steps against fixed ones: how rest is measured, and what is found (claim 6.3.1b).
+/// \brief Adaptive steps against fixed ones: the measure of rest, and the findings (claim 6.3.1b).
 
 #include "tumble/dynamics/step_report.hpp"
 

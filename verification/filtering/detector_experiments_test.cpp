@@ -13,16 +13,16 @@ TEST_CASE(
     "Chatter of a settled clump is detected from its past, and sliding, rolling or rocking is not",
     "[claims][filtering]") {
   const FigureUnderTest figure("claim_6_3_1c_detector");
-  const double detected = figure.number("chatter that is told as such");
-  const double kept =
-      figure.number("mean share of sliding, creeping, rolling and rocking that is told to move");
+  const double detected = figure.number("chatter that is classified as chatter");
+  const double kept = figure.number(
+      "mean share of sliding, creeping, rolling and rocking that is classified as motion");
   // Two small clumps; in eight of 125 cubes 0.98 and 0.995.
   CHECK(detected >= 0.9);
   CHECK(kept >= 0.95);
-  CHECK(figure.number("the smaller of two shares of a corpus with labels: chatter that is told as "
-                      "such, and slow sliding, rolling and rocking that is not") ==
+  CHECK(figure.number("the smaller of two shares of a corpus with labels: chatter that is "
+                      "classified as chatter, and slow sliding, rolling and rocking that is not") ==
         std::min(detected, kept));
-  CHECK(figure.number("falling and fast sliding that is told to move") == 1.0);
+  CHECK(figure.number("falling and fast sliding that is classified as motion") == 1.0);
   CHECK(figure.number("false freezes per second of a moving body") <= 0.01);
 }
 
@@ -64,5 +64,5 @@ TEST_CASE("A clump that is frozen by history costs a fraction of one that chatte
   CHECK(figure.number("bodies awake before the hit, freezing") <
         figure.number("bodies awake before the hit, sleeping"));
   CHECK(figure.number("bodies that chatter before the hit, freezing") <
-        figure.number("bodies that chatter before the hit, nobody sleeps"));
+        figure.number("bodies that chatter before the hit, sleeping off"));
 }

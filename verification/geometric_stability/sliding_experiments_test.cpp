@@ -24,7 +24,7 @@ TEST_CASE("A stable box slides and is damped in each step but the first, which i
   // Three runs of 7, 6 and 6 steps.
   CHECK(quick.number(kShare) == near(16.0 / 19.0).margin(1e-15));
   CHECK(quick.number("the same, without the first step of each run") == 1.0);
-  CHECK(quick.number("largest change of the speed until then if nobody is marked") < 1e-3);  // m/s
+  CHECK(quick.number("largest change of the speed until then with no body marked") < 1e-3);  // m/s
   CHECK(quick.number("speed as a corner leaves, analytic forces without friction, over that at the "
                      "start") == near(1.0).margin(1e-12));
   // Whatever the constants: one step of each run is lost, so the share depends on the length of the runs.

@@ -33,7 +33,7 @@ double verdict_of(const FigureUnderTest& figure) {
 
 std::string told_by(const FigureUnderTest& figure) {
   for (const Drawing& drawing : figure.result.drawings)
-    if (drawing.suffix == "told") return drawing.commands;
+    if (drawing.suffix == "marked") return drawing.commands;
   return "";
 }
 

@@ -1,6 +1,6 @@
 /// \file
-/// \brief Damped integration as printed: what holds of it whatever is mended, and what is one
-///        listing's alone.
+/// \brief Damped integration as printed: laws that hold whichever errata are repaired, and
+///        those of a single listing.
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"

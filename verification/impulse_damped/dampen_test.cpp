@@ -55,7 +55,7 @@ TEST_CASE("Halving the step leaves the same momentum after a second", "[exact][i
   CHECK(left[2] == near(left[0]).margin(1e-15));
 }
 
-TEST_CASE("Who was not in contact is not damped", "[unit][impulse_damped]") {
+TEST_CASE("A body without contact is not damped", "[unit][impulse_damped]") {
   Single one;
   one.touched[0] = 0;
   one.state().linear_momentum_w = Vec3(1.0, -0.01, 0.02);
@@ -160,7 +160,8 @@ TEST_CASE("A box is turned upright by a little in each step and then stays",
   CHECK(std::abs(tilted_towards_y_axis(down, 0.01).toRotationMatrix()(1, 1) + 1.0) < 1e-15);
 }
 
-TEST_CASE("Who hardly moves is put back, with its energy booked", "[exact][impulse_damped]") {
+TEST_CASE("A body that hardly moves is put back, with its energy booked",
+          "[exact][impulse_damped]") {
   Single one;
   one.state().linear_momentum_w = Vec3(0.01, -0.01, 0.0);  // 0.24 mm in a step, below 0.5 mm
   const BodyState before = one.state();
@@ -174,7 +175,7 @@ TEST_CASE("Who hardly moves is put back, with its energy booked", "[exact][impul
   CHECK(one.damp(only("freeze")).frozen == 0);
 }
 
-TEST_CASE("A box let go falls, at any size up to five metres and any step down to 1/300 s",
+TEST_CASE("A released box falls, at any size up to five metres and any step down to 1/300 s",
           "[exact][impulse_damped]") {
   for (const double size : {0.01, 1.0, 5.0}) {
     for (const double rate : {60.0, 300.0}) {

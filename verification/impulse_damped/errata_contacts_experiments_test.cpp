@@ -104,8 +104,8 @@ TEST_CASE("A column that counts as stable is not toppled by a hit from the side"
 }
 
 TEST_CASE("Bodies that part are stopped if all pairs get an impulse", "[claims][impulse_damped]") {
-  check_pair("C7", "speed of parting, impulse for all pairs", 0.0,
-             "speed of parting, impulse for pairs that approach", 1.0);
+  check_pair("C7", "separation speed, impulse for all pairs", 0.0,
+             "separation speed, impulse for pairs that approach", 1.0);
 }
 
 TEST_CASE("A cube that lands flat spins if its one contact point is a corner",

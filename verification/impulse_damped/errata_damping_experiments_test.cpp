@@ -124,7 +124,7 @@ TEST_CASE("Small moves undone make a thrown cube hang at its apex", "[exact][imp
   CHECK(number(hangs + "every body tested") == 3.0);
   CHECK(number(hangs + "every body tested, twice the threshold") == 7.0);
   CHECK(number(hangs + "bodies in contact tested") == 0.0);
-  CHECK(close("DM12: jump of a cube let go, after the steps that it hangs", 2.0 * g * dt * dt));
+  CHECK(close("DM12: jump of a released cube, after the steps that it hangs", 2.0 * g * dt * dt));
   CHECK(number("DM12: way of a slide at 0.29 m/s in 1 s, every body tested") == 0.0);
 }
 

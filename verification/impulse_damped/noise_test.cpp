@@ -155,6 +155,6 @@ TEST_CASE("Only collisions on the right side of the threshold are left to chance
   CHECK_FALSE(chance(1.6, Randomness::slow));
   CHECK(chance(1.5, Randomness::slow));
   CHECK(chance(1.5, Randomness::all));
-  CHECK_FALSE(chance(-1.6, Randomness::all));  // parting
+  CHECK_FALSE(chance(-1.6, Randomness::all));  // separating
   CHECK_FALSE(chance(1.6, Randomness::off));
 }

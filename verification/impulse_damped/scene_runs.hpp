@@ -1,5 +1,5 @@
 /// \file
-/// \brief Runs of built-in scenes with a technique by name, and what is measured on them.
+/// \brief Runs of built-in scenes with a technique by name, and their measurements.
 #pragma once
 
 #include "tumble/dynamics/energy.hpp"

@@ -11,7 +11,7 @@ namespace tumble {
 
 /// What restitution means. Without friction both are the same.
 enum class RestitutionLaw : std::uint8_t {
-  newton,  ///< speed of parting = e times speed of approach
+  newton,  ///< separation speed = e times speed of approach
   poisson  ///< normal impulse while parting = e times normal impulse while approaching
 };
 

@@ -37,7 +37,7 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   // [COLLIDE:1-6]
 
   // [COLLIDE:7-8]
-  // The point was found with the pair (PairGatherer). Whoever
+  // The point was found with the pair (PairGatherer). A caller that
   // parts already gets no impulse.
   CollideResult result;
   const bool approaching = least_normal_speed(collision, bodies.moving) < 0.0;

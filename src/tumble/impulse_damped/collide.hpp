@@ -41,7 +41,7 @@ struct CollideResult {
 class Collide {
  public:
   /// Lets two bodies collide.
-  /// \param world        who they are
+  /// \param world        the bodies
   /// \param collision    the pair, its normal and point (or points, which are resolved together);
   ///                     gets the impulses added
   /// \param restitution  [-] e, -1 to 1

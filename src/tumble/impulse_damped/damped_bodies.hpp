@@ -24,7 +24,7 @@ struct DampedBodies {
 
   /// Reads velocities; nothing is touched yet.
   /// \param world   the bodies
-  /// \param firmly  by index: who is geometrically stable
+  /// \param firmly  by index: whether it is geometrically stable
   void load(const World& world, std::span<const char> firmly);
 
   /// integrateObjectPositions(Δt, VELOCITY_PLUS_GRAVITY): where bodies come to with the velocities

@@ -39,14 +39,14 @@ struct DampedFactors {
 /// prints alike.
 ///
 /// All numbers hold for any box: lengths are in units of its shortest edge L, speeds of
-/// \f$\sqrt{gL}\f$, momenta of \f$m\sqrt{gL}\f$, angular momenta of \f$mL\sqrt{gL}\f$. What is a
+/// \f$\sqrt{gL}\f$, momenta of \f$m\sqrt{gL}\f$, angular momenta of \f$mL\sqrt{gL}\f$. Something that is a
 /// share for each step belongs to steps of 1/60 s, as the thesis's: factors are raised to
 /// \f$60\,\Delta t\f$. ε4, ε10 and ε11 limit what moves in a step, and ε3, ε6, ε8 and ε9 stop what
 /// gravity's share of a step leaves; these are multiplied by it.
 ///
 /// Two bounds follow from gravity, which gives a body \f$m g\,\Delta t\f$ and moves it by
 /// \f$g\,\Delta t^2\f$ in its first step: ε3 and ε6 have to be below the one, or a box that touches
-/// a wall would hang there, and ε10 below the other, or one let go would not fall. At 1/60 s and 1
+/// a wall would hang there, and ε10 below the other, or a released one would not fall. At 1/60 s and 1
 /// m these are 0.0522 and 0.00272. Both bounds shrink as boxes grow, the numbers keep them up to
 /// 5 m; and the second one with the step, down to 1/300 s at 1 m.
 struct DampedNumbers {

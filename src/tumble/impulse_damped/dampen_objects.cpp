@@ -131,7 +131,7 @@ DampingReport ObjectDamping::run(World& world, std::span<const char> touched,
   };
   DampingReport report;
   // [DAMPENOBJECTS:1-2]
-  // Only who was held up or stopped by another body in this step.
+  // Only bodies that were held up or stopped by another body in this step.
   for (std::size_t o = 0; o < objects.size(); ++o) {
     if (touched[o] == 0 || stays(o)) continue;
     const DampedThresholds eps = thresholds_of(numbers, bodies[o], gravity, dt);
@@ -152,7 +152,7 @@ DampingReport ObjectDamping::run(World& world, std::span<const char> touched,
   // [DAMPENOBJECTS:22]
 
   // [DAMPENOBJECTS:23-28]
-  // Who has hardly moved or turned has not moved.
+  // A body that has hardly moved or turned counts as one that has not moved.
   for (std::size_t o = 0; parts.freeze && o < objects.size(); ++o) {
     if (stays(o)) continue;
     const double delta_position = (objects[o].position_w - old_[o].position_w).norm();

@@ -57,8 +57,8 @@ struct DampingReport {
 
 /// The listing DAMPENOBJECTS, in the sense in which it was meant.
 ///
-/// Bodies in contact are slowed down; what is slow anyway is stopped; a box that nearly lies flat
-/// is put flat. Then all bodies move, and who hardly moves is put back.
+/// Bodies in contact are slowed down; those that are slow anyway are stopped; a box that nearly lies flat
+/// is put flat. Then all bodies move, and each that hardly moves is put back.
 ///
 /// **Mended.** Small is |x| < ε. The second threshold of momentum (line 14) is a smaller one, ε6:
 /// printed alike, the first would do nothing. Lines 20 and 21 stop a small upward *linear* motion,
@@ -69,7 +69,7 @@ struct DampingReport {
 /// **Kept.** Each component is tested by itself, in the axes of the world. For a body whose moments
 /// differ, a component of L that vanishes can raise its energy
 /// \f$\tfrac12 L\cdot I_w^{-1}L\f$, by up to \f$(I_a+I_b)^2/(4 I_a I_b)\f$; cubes are safe. A heap
-/// in free fall is braked. What is put back keeps its momentum. The box is turned about its centre,
+/// in free fall is braked. A body that is put back keeps its momentum. The box is turned about its centre,
 /// so that a corner rises or sinks.
 /// \algorithm{DAMPENOBJECTS: section 5.3 and appendix A.2}
 /// \deviation{Small means small in size; line 14 has a threshold of its own; lines 20 and 21 stop small upward motion; factors belong to 1/60 s; thresholds are in units of the box.}

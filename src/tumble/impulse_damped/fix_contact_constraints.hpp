@@ -36,13 +36,13 @@ struct FixReport {
 /// \verified{A box in the ground is lifted by whole pushes and left with a gap below one}
 class FixContactConstraints {
  public:
-  /// Pushes at one contact point, at most. Reason: a tenth of an edge; what is deeper gets the rest
+  /// Pushes at one contact point, at most. Reason: a tenth of an edge; a deeper overlap gets the rest
   /// in the next step.
   static constexpr int kMostPushes = 100;
 
   /// Pushes bodies apart.
   /// \param world     positions in and out
-  /// \param contacts  who overlaps where: all points of each contact area
+  /// \param contacts  the overlaps: all points of each contact area
   /// \param numbers   ε1
   /// \param dt        [s] above 0
   /// \return what it did

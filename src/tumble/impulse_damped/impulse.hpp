@@ -19,7 +19,7 @@ namespace tumble {
 
 /// What ends approaches that the contact passes have left.
 enum class ImpulseShock : std::uint8_t {
-  velocity,  ///< shock propagation: level by level, what is below being infinitely heavy
+  velocity,  ///< shock propagation: level by level, all that lies below being infinitely heavy
   position,  ///< bodies that overlap after the step are moved apart: the thesis's choice (4.4)
   off        ///< nothing
 };
@@ -79,7 +79,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 ///
 /// 1. *Collisions*. Pairs that overlap at the predicted poses \f$x' = x + h(v + h g)\f$ and
 ///    approach with the velocities of the step's start collide, deepest first. A body at rest has
-///    the velocity 0, and so does not bounce: no threshold tells rest from flight, the order of
+///    the velocity 0, and so does not bounce: no threshold separates rest from flight, the order of
 ///    the stages does.
 /// 2. *Velocities*. Gravity is added.
 /// 3. *Contacts*. With these velocities all supports are approached. The approach is taken away in
@@ -87,7 +87,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 ///    an early pass only slows down, so that no pair has the whole load before the others have
 ///    spoken.
 /// 4. *Shock propagation*. One more pass with ε = 0 by levels of the ContactGraph; once a level is
-///    done its bodies are as heavy as the ground, so that what is above cannot press them down
+///    done its bodies are as heavy as the ground, so that bodies above cannot press them down
 ///    again.
 /// 5. *Positions*. Bodies move to where they were predicted to be.
 ///
@@ -100,7 +100,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// **What holds.** Newton's approach speed is that of the event, once for each pair and step
 /// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept
 /// by each, and angular momentum with the predicted centres, so that it is off by the impulse
-/// times how far the pair moves in the step against each other. Impulses end what is decided at
+/// times how far the pair moves in the step against each other. Impulses end the motion that is decided at
 /// the predicted pose: bodies end touching, not with J v = 0 where the step began; and a body that
 /// falls is stopped above the support it would have met, to close the rest of the gap, below h² g,
 /// or never.
@@ -115,7 +115,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// \par Energy
 /// Collisions are booked at the velocities that they change, contacts at velocities of half a step
 /// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
-/// collisions and \f$v'\f$ at the end of the step, what is not booked is for each body
+/// collisions and \f$v'\f$ at the end of the step, the part that is not booked is for each body
 /// \f$\tfrac12 m h\,g\cdot(v_c - v')\f$: nothing for what rests or slides along, and the error of
 /// the semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$, for what flies.
 /// \par Cost
@@ -127,7 +127,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// point.
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", SIGGRAPH 2003.
 /// \algorithm{Impulses with contact levels and shock propagation: section 2.5.2}
-/// \deviation{All points of a contact area are solved together, and the graph of who holds up whom is told from normals, where the authors take one point after the other and let each body fall alone.}
+/// \deviation{All points of a contact area are solved together, and the graph of support follows from the normals, where the authors take one point after the other and let each body fall alone.}
 /// \verified{A stack of ten rests under shock propagation}
 class Impulse : public Technique {
  public:

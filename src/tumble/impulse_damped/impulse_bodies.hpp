@@ -22,7 +22,7 @@ namespace tumble {
 /// the start, adding gravity to the velocities moves no prediction.
 ///
 /// **Carried bodies** (PivotUpdate, with RigidAt::end, as impulses make velocities agree where bodies
-/// will be): a body is predicted about the point on which it stands. Whom it carries follows when carry()
+/// will be): a body is predicted about the point on which it stands. Bodies that it carries follow when carry()
 /// is called, at the beginning of each pass and before the move, so that in between others are predicted
 /// with what carried them when the pass began.
 ///
@@ -33,7 +33,7 @@ class ImpulseBodies {
   /// \param world  the bodies at the start of the step
   /// \param dt     [s] h, above 0
   /// \param rule   how bodies turn
-  /// \param pushed  who pushed whom when the step before ended; empty: nobody is carried
+  /// \param pushed  the pushes when the step before ended; empty: no body is carried
   void begin(const World& world, double dt, RotationRule rule,
              std::span<const PushedPair> pushed = {});
 
@@ -42,7 +42,7 @@ class ImpulseBodies {
   /// \param body   its index
   void predict(const World& world, int body);
 
-  /// Predicts all that are carried anew, as far as those who carry them have changed.
+  /// Predicts all that are carried anew, as far as the bodies below them have changed.
   /// \param world  as for begin()
   void carry(const World& world);
 
@@ -65,7 +65,7 @@ class ImpulseBodies {
   int move(World& world, double& energy);
 
   /// How bodies move, the predicted centre as position.
-  /// \return one for each body index; whoever changes a velocity calls predict()
+  /// \return one for each body index; call predict() after a change of velocity
   [[nodiscard]] std::span<MovingBody> moving() { return moving_; }
   /// Where bodies will be.
   /// \return one for each body index

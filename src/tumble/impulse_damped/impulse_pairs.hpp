@@ -57,15 +57,15 @@ class ImpulsePairs {
   void begin(double margin);
 
   /// Finds all pairs that overlap or touch at the predicted poses.
-  /// \param world     who the bodies are
+  /// \param world     the bodies
   /// \param bodies    their predicted poses
-  /// \param sleeping  whom to leave out (SleepingRule::needs_test()); nullptr: nobody
+  /// \param sleeping  pairs to leave out (SleepingRule::needs_test()); nullptr: none
   /// \return their numbers, ascending by the indices of the bodies; valid until the next call
   std::span<int> find(const World& world, const ImpulseBodies& bodies,
                       const SleepingRule* sleeping);
 
   /// Looks at one pair again, if a body of it has got another predicted pose.
-  /// \param world   who the bodies are
+  /// \param world   the bodies
   /// \param bodies  their predicted poses
   /// \param number  of the pair
   /// \return the pair as it is now
@@ -82,7 +82,7 @@ class ImpulsePairs {
   /// \param out is overwritten; sorted by id
   void list_near(ContactList& out) const;
 
-  /// All pairs of this step, for telling about them.
+  /// All pairs of this step, for reports.
   /// \return numbers, ascending by the indices of the bodies
   [[nodiscard]] std::span<const int> all() const { return sorted_; }
 

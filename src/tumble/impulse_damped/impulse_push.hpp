@@ -69,7 +69,7 @@ class ImpulsePush {
   /// \param share   [-] 1 + ε, above 0 and at most 1, which ends the approach
   /// \param dt      [s] of the step
   /// \param ahead_w [m/s] how far the velocities are ahead of those at which the work of the
-  ///                impulse is told: half of what gravity gave in this step
+  ///                impulse is reported: half of what gravity gave in this step
   /// \return what it did
   PushResult hold(ImpulsePair& pair, std::span<MovingBody> bodies, double share, double dt,
                   const Vec3& ahead_w = Vec3::Zero());

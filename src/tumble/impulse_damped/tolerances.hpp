@@ -47,7 +47,7 @@ inline constexpr double damped_still_spin = 2e-3;
 /// speed ends within half a step. (5.3)
 inline constexpr double damped_rising = 0.02;
 
-/// [-] ε10: a move in a step that is undone, as a share of L. Reason: 3 cm/s for 1 m; a box let go
+/// [-] ε10: a move in a step that is undone, as a share of L. Reason: 3 cm/s for 1 m; a released box
 /// falls five times as far in its first step. (5.3)
 inline constexpr double damped_frozen = 5e-4;
 
@@ -67,7 +67,7 @@ inline constexpr double damped_spin_factor = 0.92;
 inline constexpr double damped_settled_spin_factor = 0.5;
 
 /// [-] k5: ditto of slow components of momentum. Reason: the more is left in each step, the longer a pile
-/// shakes; less than half ends what is not slow any more within a step or two. (5.3)
+/// shakes; less than half ends motion that is not slow any more within a step or two. (5.3)
 inline constexpr double damped_slow_factor = 0.5;
 
 /// [-] k7: ditto of slow components of angular momentum. Reason: as for k5. (5.3)

@@ -22,7 +22,7 @@ MovingBody as_impulse_sees_it(const PrintedObject& o, const DampedErrata& repair
   return body;
 }
 
-// Applies the impulse at the point that was found, and tells of it.
+// Applies the impulse at the point that was found, and reports it.
 void apply_newtonian_impulse(PrintedObject& first, PrintedObject& second, const Contact& collision,
                              double restitution, const DampedErrata& repaired,
                              PrintedCollision& report) {

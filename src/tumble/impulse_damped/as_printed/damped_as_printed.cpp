@@ -86,7 +86,7 @@ StepReport DampedAsPrinted::step(World& world, double dt) {
     dampen_objects(world, dt, report);
     // [DAMPEDINTEGRATION:4]
     // [DAMPEDINTEGRATION:5-6]
-    // Push apart what still overlaps; find out who stands firm.
+    // Push apart what still overlaps; find out which bodies stand firm.
     fix_contact_constraints(world, report);
     set_geometrically_stable(world, report);
     // [DAMPEDINTEGRATION:5-6]
@@ -198,7 +198,7 @@ void DampedAsPrinted::fix_contact_constraints(World& world, StepReport& report) 
   gather_again(world, 0.0, fresh, report);
   if (options_.repaired.has("D4")) collisions_ = fresh;
   const double push = thresholds(world, 1.0 / kDampedStepsPerSecond).push;
-  if (!(push > 0.0)) return;  // nobody can be moved
+  if (!(push > 0.0)) return;  // neither can be moved
   const PrintedFixReport done = fix_contact_constraints_as_printed(
       world, collisions_, push, options_.push_cap, options_.repaired);
   if (!done.ended) report.status = StepStatus::event_cap;
@@ -238,7 +238,7 @@ void DampedAsPrinted::gather_again(const World& world, double margin, ContactLis
   report.deepest_overlap = std::max(report.deepest_overlap, found.deepest_overlap);
 }
 
-// Tells about an impulse: a collision at once, contacts summed up over the passes.
+// Reports an impulse: a collision at once, contacts summed up over the passes.
 void DampedAsPrinted::record(const World& world, double dt, const Contact& contact,
                              const PrintedCollision& done, bool contacts) {
   const Vec3 impulse_w = done.impulse * contact.normal_w;

@@ -36,7 +36,7 @@ struct DampedAsPrintedOptions {
 /// every misprint of the print, or without some of them.
 ///
 /// It is there to be compared with the reading as meant: a run with all errata mended but one shows
-/// what that one does. What the listings do not say is taken in the simplest way, and told where it
+/// what that one does. What the listings do not say is taken in the simplest way, and stated where it
 /// is done. Friction is not in the listings; the damping stands for it.
 ///
 /// | errata      | listing                            | where                                 |

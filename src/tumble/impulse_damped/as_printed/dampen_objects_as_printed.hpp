@@ -18,7 +18,7 @@ struct PrintedNumbers {
   DampedFactors k;       ///< of a step, however long it is (DM8)
 };
 
-/// What DAMPENOBJECTS did to the energy and to whom.
+/// Changes of DAMPENOBJECTS: its energy and its bodies.
 struct DampenReport {
   double damping = 0.0;  ///< [J] change of kinetic energy in lines 4 to 21
   double repair = 0.0;   ///< [J] change of potential energy in lines 26 to 28
@@ -30,9 +30,9 @@ struct DampenReport {
 /// DAMPENOBJECTS, one statement for each printed line.
 ///
 /// Momenta of bodies in contact are scaled, small components are set to 0, boxes that lie nearly flat
-/// are turned upright, then all bodies move, and who has hardly moved is put back.
+/// are turned upright, then all bodies move, and each that has hardly moved is put back.
 ///
-/// What is not said is taken as follows. Index 0 is x, as in COLLIDE, so that a loop from 1 to 3 comes
+/// The listing leaves some points open; they are taken as follows. Index 0 is x, as in COLLIDE, so that a loop from 1 to 3 comes
 /// by y, by z, and by a component that does not exist (DM2). `isSmall(x, ε)` is x < ε (DM4). An
 /// alignment without tolerance is exact (DM16). Of two orientations the four numbers are subtracted
 /// (DM13). STANDARD_GRAVITY adds g Δt to the velocity that bodies move with, although line 3 of

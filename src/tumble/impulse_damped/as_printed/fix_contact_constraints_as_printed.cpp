@@ -26,7 +26,7 @@ bool movable(const World& world, int body) {
 }
 
 // What the mended readings make of a contact: X1, the direction in which the bodies part now, and
-// the upper one as it tells; X2, the body that moves is one that can be moved.
+// the upper one, as printed; X2, the body that moves is one that can be moved.
 PrintedContact mended(const World& world, PrintedContact c, const DampedErrata& repaired) {
   if (repaired.has("X1")) {
     c.lower_to_upper_w = gap_of(world, c.lower, c.upper).normal_w;

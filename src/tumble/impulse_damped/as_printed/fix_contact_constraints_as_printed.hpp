@@ -24,12 +24,12 @@ struct PrintedFixReport {
 /// Contact points are visited from the lowest to the highest; the upper body of each is pushed
 /// along the contact's normal, bit by bit, until it is out of the lower one.
 ///
-/// What is not said is taken as follows. The upper body is the one with the higher centre (the ground
+/// The listing leaves some points open; they are taken as follows. The upper body is the one with the higher centre (the ground
 /// has it at height 0); of equals, the second. The list and its normals are those handed in, however
 /// old they are (D4). Nothing is said about bodies that cannot be moved (X2), and nothing
 /// about an end (X1).
 /// \param world     the bodies; changes positions only
-/// \param contacts  who touched whom when they were gathered
+/// \param contacts  the contacts, as they were gathered
 /// \param eps1      [m] how far a push goes, above 0
 /// \param cap       pushes for one contact point after which it is given up, at least 1
 /// \param repaired  the errata that are mended: X1 (normal of now, upper body by its direction), X2

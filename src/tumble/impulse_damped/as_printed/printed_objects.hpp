@@ -47,7 +47,7 @@ struct PrintedObject {
   /// \param angular_velocity_w  [rad/s] ditto
   void change(const Vec3& velocity_w, const Vec3& angular_velocity_w);
 
-  /// Kinetic energy as the momenta tell it.
+  /// Kinetic energy of the momenta.
   /// \param boost_w  [m/s] added to the velocity before
   /// \return [J] 0 for an immovable body
   [[nodiscard]] double kinetic_energy(const Vec3& boost_w) const;

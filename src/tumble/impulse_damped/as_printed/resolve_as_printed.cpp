@@ -21,7 +21,7 @@ void gather_collisions(PrintedStage& stage) {
                                                  nullptr, 0.0, stage.collisions);
   stage.report.pair_tests += found.pair_tests;
   if (!stage.collide.repaired.has("C5")) return;
-  // Erratum C5 mended: who is touched from another side than above or below is not stable.
+  // Erratum C5 repaired: a body that is touched from another side than above or below is not stable.
   for (const Contact& c : stage.collisions) {
     const double sine = Vec3(c.normal_w.x(), 0.0, c.normal_w.z()).norm();
     if (sine <= tolerance::vertical_normal) continue;
@@ -68,7 +68,7 @@ void resolve_collisions_as_printed(PrintedStage& stage) {
   for (int i = first; i < first + stage.passes; ++i) {
     // [RESOLVECOLLISIONS:1]
     // [RESOLVECOLLISIONS:2-3]
-    // move all bodies as if nothing were in their way, and see who overlaps;
+    // move all bodies as if nothing were in their way, and see which overlap;
     integrate_object_positions(stage, PrintedGravity::velocity_plus_gravity);
     gather_collisions(stage);
     // [RESOLVECOLLISIONS:2-3]
@@ -95,7 +95,7 @@ void resolve_contacts_as_printed(PrintedStage& stage) {
   for (int i = first; i < first + stage.passes; ++i) {
     // [RESOLVECONTACTS:1]
     // [RESOLVECONTACTS:2-3]
-    // move all bodies as if nothing were in their way, and see who overlaps;
+    // move all bodies as if nothing were in their way, and see which overlap;
     integrate_object_positions(stage, PrintedGravity::velocity_plus_gravity);
     gather_collisions(stage);
     // [RESOLVECONTACTS:2-3]

@@ -27,7 +27,7 @@ struct PrintedStage {
   bool elastic = false;     ///< contacts with e = 1, as the prose of 5.2 has it (RK3)
   ContactList& collisions;  ///< what was gathered last
   StepReport& report;       ///< is added to
-  /// Told about each impulse, if there is anybody to tell.
+  /// Called with each impulse, if it is set.
   std::function<void(const Contact&, const PrintedCollision&)> told = {};
 };
 
@@ -37,7 +37,7 @@ struct PrintedStage {
 /// RC2: what was gathered at the beginning of a pass stays in the list, even if an impulse has
 /// meanwhile turned the bodies away; mended, a pair is looked at again before its turn. RC3: pairs
 /// come in the order of their ids. RC4: see PrintedObjects::revert_to_original_positions().
-/// \param stage what is needed; poses are as before when it returns, up to RC4
+/// \param stage all that it needs; poses are as before when it returns, up to RC4
 /// \algorithm{RESOLVECOLLISIONS as printed: appendix A.2}
 void resolve_collisions_as_printed(PrintedStage& stage);
 
@@ -46,7 +46,7 @@ void resolve_collisions_as_printed(PrintedStage& stage);
 ///
 /// RK1: pass number and number of passes are integers, and so is their quotient: the restitution is
 /// -1, which is no impulse at all, in all passes but the last; mended, the quotient is real.
-/// \param stage what is needed; poses are as before when it returns, up to RC4
+/// \param stage all that it needs; poses are as before when it returns, up to RC4
 /// \algorithm{RESOLVECONTACTS as printed: appendix A.2}
 void resolve_contacts_as_printed(PrintedStage& stage);
 
