@@ -34,7 +34,7 @@ std::string picture(const DrawnFigure& figure, const std::string& folder, const 
          shown + "\" alt=\"" + head_html(figure, "title") + "\"></a>\n";
 }
 
-// Its film, if it has one; readers who want no motion get the picture.
+// Its film, if it has one; readers that want no motion get the picture.
 std::string film(const DrawnFigure& figure, const std::string& folder) {
   if (figure.head.count("film") == 0) return "";
   const std::string file = folder + figure.name;

@@ -28,7 +28,8 @@ std::string refusal(Check check) {
 
 }  // namespace
 
-TEST_CASE("A refused number is told with its name, its value and what is right", "[unit][error]") {
+TEST_CASE("A refused number is reported with its name, its value and the expected one",
+          "[unit][error]") {
   CHECK(refusal([] { require::finite(not_a_number, "mass"); }) ==
         "tumble: mass = nan: expected a finite number");
   CHECK(refusal([] { require::positive(-0.5, "mass"); }) ==
@@ -49,7 +50,8 @@ TEST_CASE("A refused number is told with its name, its value and what is right",
         "tumble: rows = -1: give at least 1");
 }
 
-TEST_CASE("A refused vector, matrix or quaternion is told with all components", "[unit][error]") {
+TEST_CASE("A refused vector, matrix or quaternion is reported with all components",
+          "[unit][error]") {
   CHECK(refusal([] { require::finite(Vec3(1.0, not_a_number, -2.5), "position"); }) ==
         "tumble: position = (1, nan, -2.5): expected three finite numbers");
   CHECK(refusal([] {

@@ -116,7 +116,7 @@ TEST_CASE("The same impact sticks from a friction of 0.206043956 on", "[exact][c
 
 TEST_CASE("A rod for which Newton's law with friction would gain 15.17 % of energy gains none",
           "[exact][collision_law]") {
-  // Not clamped, sticking and parting at 0.9 m/s: the gain of Kane and Levinson.
+  // Not clamped, sticking and separating at 0.9 m/s: the gain of Kane and Levinson.
   const PointImpact p = rod(1.0, 0.9);
   const double before = contact_energy(p, p.velocity_w);
   CHECK(before == near(0.285714285714).epsilon(1e-11));

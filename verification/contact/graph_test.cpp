@@ -1,5 +1,5 @@
 /// \file
-/// \brief Tests of who rests on whom.
+/// \brief Tests of the support graph.
 #include "tumble/contact/graph.hpp"
 
 #include "tumble/base/random.hpp"
@@ -52,7 +52,7 @@ void shuffle(std::vector<SupportEdge>& edges, Random& random) {
     std::swap(edges[i - 1], edges[random.below(static_cast<std::uint32_t>(i))]);
 }
 
-// The same answer by brute force: who can be reached from whom, then levels by relaxation.
+// The same answer by brute force: which can be reached from which, then levels by relaxation.
 struct Oracle {
   std::vector<int> component;
   std::vector<int> level;

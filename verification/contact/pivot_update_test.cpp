@@ -379,7 +379,7 @@ TEST_CASE("With accelerations carried bodies follow their circle exactly",
   for (const double share : {0.1, 0.5, 1.0}) CHECK(error(0.1, share * 0.1) < 1e-15);
 }
 
-TEST_CASE("Nobody is carried without a push, and what does not turn goes as it would",
+TEST_CASE("No body is carried without a push, and one that does not turn goes as it would",
           "[unit][exterior_rotation]") {
   Scene scene;
   scene.add_fixed(Vec3::Zero());

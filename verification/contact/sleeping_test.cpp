@@ -275,7 +275,7 @@ TEST_CASE("Taking away or moving a fixed support wakes what stands on it", "[uni
   }
 }
 
-TEST_CASE("A lost support is noticed whatever its age and whoever fell asleep last",
+TEST_CASE("A lost support is noticed whatever its age and whichever fell asleep last",
           "[unit][sleeping]") {
   Rig rig;
   std::vector<BodyId> cups;
@@ -340,7 +340,7 @@ TEST_CASE("A box that falls on a sleeping heap wakes it in the step in which it 
   CHECK(heaps.sleepers() == 5);
 }
 
-TEST_CASE("A body that passes by without touching wakes nobody", "[unit][sleeping]") {
+TEST_CASE("A body that passes by without touching wakes no other", "[unit][sleeping]") {
   Heaps heaps;
   const BodyId passing = heaps.box(2.0, 0.5);
   heaps.world.set_velocity(passing, Vec3(0.2, 0.0, 0.0), Vec3::Zero());

@@ -248,7 +248,7 @@ TEST_CASE("A box that lands flat on two boxes is one event with two pairs, in an
   }
 }
 
-TEST_CASE("Pairs that overlap at the start are told apart and never found by bisection",
+TEST_CASE("Pairs that overlap at the start are listed apart and never found by bisection",
           "[exact][search]") {
   for (const SearchMethod method : kMethods) {
     Scene scene;

@@ -79,7 +79,7 @@ TEST_CASE("Flight in two parts is flight in one: translation always, rotation wh
 TEST_CASE("For unequal moments flight in two parts is off by the error of the rule",
           "[exact][integrate]") {
   // A step of 1/60 s split at a third, box of 1 x 2 x 3 m, ω = (3, 4, 2) rad/s.
-  // Measured 5.7e-4, 1.4e-5, 2.7e-8 and 2.4e-6 rad: the bounds tell the sizes apart.
+  // Measured 5.7e-4, 1.4e-5, 2.7e-8 and 2.4e-6 rad: the bounds distinguish the sizes.
   const BodyProperties body = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
   const BodyState start =
       make_state(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3(3.0, 4.0, 2.0));

@@ -15,7 +15,7 @@ using namespace tumble;
 namespace {
 
 // A technique that is no more than flight, with a memory: it counts its steps and turns the wind
-// by them. It tells its observer one event per step.
+// by them. It reports one event per step to its observer.
 class Drift : public Technique {
  public:
   [[nodiscard]] std::string_view name() const override { return "drift"; }

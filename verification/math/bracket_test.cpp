@@ -65,7 +65,7 @@ TEST_CASE("Bisection stops at its cap with the shortest bracket so far", "[unit]
   CHECK(bisect(gap, Bracket{0.0, 1.0}, 0.25, 2).status == SearchStatus::found);
 }
 
-TEST_CASE("Bisection tells a bracket that is none", "[unit][bracket]") {
+TEST_CASE("Bisection detects a bracket that is none", "[unit][bracket]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto gap = [](double t) { return 0.3 - t; };
   CHECK(bisect(gap, Bracket{1.0, 0.0}, 1e-6, 10).status == SearchStatus::no_bracket);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who may include whom.
+/// \brief The direction of includes.
 #include "structure/includes.hpp"
 
 #include <map>

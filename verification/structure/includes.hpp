@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who may include whom: layers, licences, the form of headers.
+/// \brief The direction of includes: layers, licences, the form of headers.
 #pragma once
 
 #include "structure/source_tree.hpp"

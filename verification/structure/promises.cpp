@@ -1,5 +1,5 @@
 /// \file
-/// \brief What docstrings, tests and README promise, compared with what there is.
+/// \brief Promises of docstrings, tests and README, compared with the project.
 #include "structure/promises.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 namespace tumble::structure {
 namespace {
 
-// An entry of site/references.md: who wrote it, when, and what of the library uses it.
+// An entry of site/references.md: authors, year, and the parts of the library that use it.
 struct Reference {
   std::string head;                  // "Baraff 1994"
   std::vector<std::string> authors;  // surnames

@@ -18,7 +18,7 @@ bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }
 
-// What the project keeps at its top; anything else there is somebody's own. So is what npm installs.
+// What the project keeps at its top; anything else there belongs to the user. So is what npm installs.
 bool belongs(const std::string& path) {
   static constexpr std::array folders{"src/",          "apps/",  "chapters/", "figures/",
                                       "verification/", "bench/", "examples/", "site/",

@@ -14,7 +14,7 @@ struct SourceFile {
   std::string text;  ///< all of it
 };
 
-/// What a check has to say: one sentence for each fault, "path:line: what is wrong". A rule holds
+/// What a check has to say: one sentence for each fault, "path:line: fault". A rule holds
 /// if there are none.
 using Complaints = std::vector<std::string>;
 

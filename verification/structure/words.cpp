@@ -1,5 +1,5 @@
 /// \file
-/// \brief What may not stand in the sources.
+/// \brief Words that may not stand in the sources.
 #include "structure/words.hpp"
 
 #include <algorithm>

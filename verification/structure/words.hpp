@@ -1,5 +1,5 @@
 /// \file
-/// \brief What may not stand in the sources: functions whose bits differ between machines, tabs,
+/// \brief Words that may not stand in the sources: functions whose bits differ between machines, tabs,
 ///        paths of one machine, files too long to read.
 #pragma once
 
@@ -27,7 +27,7 @@ Complaints long_files(const std::vector<SourceFile>& files, std::size_t limit);
 /// \return a complaint for the first place in each file
 Complaints untidy_text(const std::vector<SourceFile>& files);
 
-/// Words that only make sense on the machine or in the notes of whoever wrote them.
+/// Words that only make sense on the machine or in the notes of their authors.
 /// \param files any
 /// \return a complaint for each
 Complaints private_words(const std::vector<SourceFile>& files);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What may not stand in the sources, first on bad examples, then on the project.
+/// \brief Words that may not stand in the sources, first on bad examples, then on the project.
 #include "structure/words.hpp"
 
 #include "support/catch.hpp"
@@ -119,7 +119,7 @@ TEST_CASE("No source file is longer than 300 lines", "[structure]") {
   INFO(joined(complaints));
   CHECK(complaints.empty());
 
-  // Tests may be long, but somebody should know.
+  // Tests may be long, but their length should be known.
   const Complaints long_tests = long_files(code_in(files, "verification/"), 300);
   if (!long_tests.empty()) WARN("long tests:" << joined(long_tests));
 }

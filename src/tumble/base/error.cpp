@@ -1,5 +1,5 @@
 /// \file
-/// \brief How a caller's mistake is refused.
+/// \brief Refusal of a caller's mistake.
 #include "tumble/base/error.hpp"
 
 #include "tumble/base/number_text.hpp"

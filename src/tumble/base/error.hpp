@@ -1,5 +1,5 @@
 /// \file
-/// \brief How a caller's mistake is refused: with the value, and with what would be right.
+/// \brief Refusal of a caller's mistake: with the value, and with the expected one.
 #pragma once
 
 #include "tumble/base/types.hpp"

@@ -48,7 +48,7 @@ inline constexpr double dependent_sinking = 1e-9;
 /// units of 2.2e-16. (3.3.1)
 inline constexpr double rounding = 0x1p-46;
 
-/// [-] A generator of least squares depends on others if what is left of its length without
+/// [-] A generator of least squares depends on others if the rest of its length without
 /// their directions is below this share. Reason: exact dependence leaves 1e-15 of rounding in an
 /// orthogonal factor, and factors above 1e10 would carry few digits. (3.3.1)
 inline constexpr double dependent_length = 1e-10;
@@ -81,7 +81,7 @@ inline constexpr double face_preference_length = 1e-4;
 inline constexpr double face_tie = 1e-9;
 
 /// [-] Sine of the angle below which two edges are parallel and their cross product has no
-/// direction. Reason: above rounding (1e-16); what is lost is this part of a half edge. (3.2)
+/// direction. Reason: above rounding (1e-16); the loss is this part of a half edge. (3.2)
 inline constexpr double parallel_edges = 1e-12;
 
 /// [-] By which part of all lengths in it (half sizes, centre distance) a quick separation along an
@@ -134,7 +134,7 @@ inline constexpr double least_event_resolution = 1e-15;
 
 /// [-] Overlap that counts as rounding, as a share of the longest edge of the two bodies. Reason: places
 /// of boxes a few metres away are rounded to 1e-15 of their size, and a step adds a few roundings;
-/// what is seen begins a thousand million times above. (2.1)
+/// visible sizes begin a thousand million times above. (2.1)
 inline constexpr double rounding_overlap = 1e-12;
 
 // --- scenes -------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What an impact at one point does: restitution, friction and the guard of energy.
+/// \brief An impact at one point: restitution, friction and the guard of energy.
 #include "tumble/contact/collision_law.hpp"
 
 #include "tumble/base/error.hpp"
@@ -68,7 +68,7 @@ Candidate newton(const Local& p, double w) {
   return {rise / yield * d, ImpactMode::slip};
 }
 
-// The impulse of approach and the one of parting, e times as large along the normal (Poisson's
+// The impulse of approach and the one of separation, e times as large along the normal (Poisson's
 // law).
 Candidate poisson(const Local& p, double e) {
   const Candidate approach = newton(p, 0.0);

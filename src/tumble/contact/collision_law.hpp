@@ -1,5 +1,5 @@
 /// \file
-/// \brief What an impact at one point does: restitution and friction (thesis 2.5.1, 5.2).
+/// \brief An impact at one point: restitution and friction (thesis 2.5.1, 5.2).
 #pragma once
 
 #include "tumble/contact/effective_mass.hpp"
@@ -12,7 +12,7 @@ namespace tumble {
 /// What restitution means. Without friction both are the same.
 enum class RestitutionLaw : std::uint8_t {
   newton,  ///< separation speed = e times speed of approach
-  poisson  ///< normal impulse while parting = e times normal impulse while approaching
+  poisson  ///< normal impulse while separating = e times normal impulse while approaching
 };
 
 /// What the surfaces do across the normal during an impact.
@@ -38,7 +38,7 @@ struct PointImpact {
   double friction = 0.0;               ///< [-] at least 0
   double restitution = 0.0;            ///< [-] 0 to 1
   /// [m/s] n·u when the event began; below 0 the bodies approached. Newton's law asks for a
-  /// parting speed of e times this, so that several impulses within one event do not bounce
+  /// separation speed of e times this, so that several impulses within one event do not bounce
   /// several times. Poisson's law does not use it.
   double approach_speed = 0.0;
 };
@@ -82,8 +82,8 @@ void check(const PointImpact& impact);
 /// friction turns round), the way starts at the frictionless impulse for e = 0, whose energy is
 /// \f$-\tfrac12 (n\cdot u)^2/(n^{\mathsf T} K n)\f$, below 0 without doubt.
 ///
-/// The energy is that of the two bodies, as seen by whoever moves with a body of infinite mass.
-/// It is split by who does the work: \f$j_n\,n\cdot(u + u^+)/2\f$ and \f$j_t\cdot(u + u^+)/2\f$.
+/// The energy is that of the two bodies, in the frame of a body of infinite mass.
+/// It is split by the impulse that does the work: \f$j_n\,n\cdot(u + u^+)/2\f$ and \f$j_t\cdot(u + u^+)/2\f$.
 /// \param impact  the impact, valid in the sense of check(), which is not called
 /// \param law     what restitution means
 /// \return the impulse and its account

@@ -55,7 +55,7 @@ struct NoisyCollision {
 /// Whether a collision is one that is left to chance.
 /// \param contact  its point
 /// \param bodies   how the bodies move; sizes are in `world`
-/// \param world    who they are
+/// \param world    the bodies
 /// \param options  which
 /// \return false for bodies that part
 [[nodiscard]] bool left_to_chance(const Contact& contact, std::span<const MovingBody> bodies,

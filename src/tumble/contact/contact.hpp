@@ -14,13 +14,13 @@
 
 namespace tumble {
 
-/// One point of a contact, with what is kept of it from step to step.
+/// One point of a contact, with the data that are kept from step to step.
 struct ContactPoint {
   Vec3 position_w = Vec3::Zero();  ///< [m] world frame, halfway between the two surfaces
   double distance = 0.0;           ///< [m] along the normal; below 0 the surfaces overlap
   FeatureId feature = 0;           ///< its name over time
   /// [m/s] n·(v_second - v_first) when the contact was gathered; below 0 the bodies approach.
-  /// Newton's restitution uses this one for the whole event, not what is left after other
+  /// Newton's restitution uses this one for the whole event, not the one that is left after other
   /// impulses.
   double approach_speed = 0.0;
   double normal_impulse = 0.0;             ///< [N s] accumulated, at least 0, on the second body
@@ -45,7 +45,7 @@ struct Contact {
 /// used again.
 using ContactList = std::vector<Contact>;
 
-/// What a contact point does, told from its impulses.
+/// State of a contact point, by its impulses.
 /// \param contact  the contact
 /// \param point    which of its points
 /// \return open without a normal impulse; slip if friction has reached its limit; else stick

@@ -1,5 +1,5 @@
 /// \file
-/// \brief How a pair of bodies yields to an impulse at a point (thesis 2.5.1, 5.2).
+/// \brief Yielding of a pair of bodies to an impulse at a point (thesis 2.5.1, 5.2).
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who rests on whom: components by Tarjan's search, levels by the longest way.
+/// \brief Support between bodies: components by Tarjan's search, levels by the longest way.
 #include "tumble/contact/graph.hpp"
 
 #include "tumble/base/error.hpp"

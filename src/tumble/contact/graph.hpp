@@ -1,5 +1,5 @@
 /// \file
-/// \brief Who rests on whom: the order in which things are held up (thesis 4.4).
+/// \brief Support between bodies: the order in which they are held up (thesis 4.4).
 #pragma once
 
 #include "tumble/contact/contact.hpp"
@@ -17,20 +17,20 @@ struct SupportEdge {
   int supported = 0;  ///< index of the body that rests on it
 };
 
-/// Who holds up whom, told from where a contact's normal points.
+/// Which body holds up which, by the direction of a contact's normal.
 ///
 /// A contact pushes its second body along the normal. If that push points upwards (against
 /// gravity), the second body rests on the first; if it points downwards, the other way round. A
 /// contact whose normal is within tolerance::side_contact of the horizontal holds nothing up and
 /// gives no edge: books that stand side by side are not in each other's order, and a box that
-/// friction holds between two walls rests on nobody. Without gravity there is no up and no edge.
+/// friction holds between two walls rests on nothing. Without gravity there is no up and no edge.
 /// \param contacts   bodies that touch
 /// \param gravity_w  [m/s²] world frame
 /// \param edges      out: at most one edge for each contact, in the order of the contacts; what
 ///                   was in it is discarded
 /// \throws std::invalid_argument if gravity is not finite
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 8.1.
-///      They move each body alone for one step and see whom it falls on; that costs a search for
+///      They move each body alone for one step and see on which it falls; that costs a search for
 ///      contacts for each body, and differs where a body slides off another one.
 void support_edges(std::span<const Contact> contacts, const Vec3& gravity_w,
                    std::vector<SupportEdge>& edges);
@@ -65,8 +65,8 @@ void support_edges(std::span<const Contact> contacts, const Vec3& gravity_w,
 class ContactGraph {
  public:
   /// Finds components and levels.
-  /// \param bodies  the constant parts, for who is immovable
-  /// \param edges   who holds up whom
+  /// \param bodies  the constant parts: which are immovable
+  /// \param edges   which body holds up which
   /// \throws std::invalid_argument for an edge with an index out of range or from a body to itself
   void build(std::span<const BodyProperties> bodies, std::span<const SupportEdge> edges);
 

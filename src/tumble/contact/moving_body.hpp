@@ -20,7 +20,7 @@ struct MovingBody {
   Vec3 position_w = Vec3::Zero();          ///< [m] centre of mass, world frame
   Vec3 inverse_mass = Vec3::Zero();        ///< [1/kg] along the world's axes; 0 is immovable
   Mat3 inverse_inertia_w = Mat3::Zero();   ///< [1/(kg m²)] world frame; 0 cannot turn
-  /// Whether a velocity was changed since it was loaded. Whoever changes one sets this
+  /// Whether a velocity was changed since it was loaded. Code that changes one sets this
   /// (apply_impulse() does); bodies without it keep the bits of their momenta.
   bool changed = false;
 };

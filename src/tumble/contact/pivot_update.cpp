@@ -57,7 +57,7 @@ void PivotUpdate::find(std::span<const BodyProperties> bodies, std::span<const M
   sort_pairs(bodies, moving, pairs);
 
   // [S6.2:standing]
-  // Who stands: breadth first from what is immovable. Then the others,
+  // Bodies that stand: breadth first from the immovable ones. Then the others,
   // each group from its first body.
   queue_.clear();
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -87,7 +87,7 @@ void PivotUpdate::find(std::span<const BodyProperties> bodies, std::span<const M
   weigh_groups();
 }
 
-// Which pairs stick, the places of each body's among them, and who slides on something immovable.
+// Which pairs stick, the places of each body's among them, and which bodies slide on something immovable.
 void PivotUpdate::sort_pairs(std::span<const BodyProperties> bodies,
                              std::span<const MovingBody> moving,
                              std::span<const PushedPair> pairs) {
@@ -208,7 +208,7 @@ void PivotUpdate::weigh_groups() {
   }
 }
 
-// By how much the end of an arm leaves the way that its velocity tells.
+// By how much the end of an arm leaves the way that its velocity predicts.
 Vec3 PivotUpdate::bend(const Node& node, const Turn& turn, double time, const Vec3& arm_w) const {
   const Vec3 across_w = turn.vector_w.cross(arm_w);
   const Vec3 inwards_w = turn.cosine * turn.vector_w.cross(across_w);

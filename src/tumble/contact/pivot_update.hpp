@@ -15,7 +15,7 @@
 
 namespace tumble {
 
-/// What is known about the motion of two bodies that push each other, besides their velocities.
+/// Knowledge about the motion of two bodies that push each other, besides their velocities.
 enum class PushedState : std::uint8_t {
   unknown,  ///< nothing
   held,     ///< forces hold them together: what velocity is left is an error, and no motion
@@ -28,10 +28,10 @@ struct PushedPair {
   int second = 0;                 ///< index of another one
   Vec3 point_w = Vec3::Zero();    ///< [m] where: the mean of the points, by normal impulse
   Vec3 normal_w = Vec3::UnitY();  ///< [-] world frame, length 1
-  PushedState state = PushedState::unknown;  ///< what its impulses tell
+  PushedState state = PushedState::unknown;  ///< by its impulses
 };
 
-/// What a contact says about who pushes whom.
+/// A contact's push from one body on another.
 /// \param contact  with its impulses
 /// \return nothing if no point is pushed
 std::optional<PushedPair> pushed_pair(const Contact& contact);
@@ -50,7 +50,7 @@ enum class RigidAt : std::uint8_t {
 /// distance from p. Force and torque over a step cannot be blamed: v and ω name the right motion, and
 /// only the point about which it is carried out is wrong.
 ///
-/// **Who stands on whom.** A pair that pushes *sticks* if its two material points at p move alike
+/// **Which body stands on which.** A pair that pushes *sticks* if its two material points at p move alike
 /// (tolerance::carried_slip). Along pairs that stick, breadth first from the immovable bodies, each
 /// body b gets one parent a and one pivot p. With the material velocity
 /// \f$v_b(p) = v_b + \omega_b\times(p - x_b)\f$ at any time t of the move
@@ -61,9 +61,9 @@ enum class RigidAt : std::uint8_t {
 /// \f$A_b(t) = Q_b(t) - 1 - t[\omega_b]_\times\f$, by which an arc leaves its tangent, this is
 /// the straight way and an *offset*,
 /// \f[ x_b(t) = x_b + t\,v_b + e_b, \qquad e_b = e_a + A_a\,(p - x_a) + A_b\,(x_b - p), \f]
-/// which is what is computed: it is 0 to the last bit for what does not turn.
+/// which is computed in this form: it is 0 to the last bit for a body that does not turn.
 ///
-/// **Who stands on nothing immovable.** Bodies that stick to each other have the one with the smallest
+/// **Bodies that stand on nothing immovable.** Bodies that stick to each other have the one with the smallest
 /// index as their root; then all get the same shift, so that their centre of mass goes straight. If one
 /// of them *slides* on an immovable body with the normal n, the group is shifted along n so that its
 /// material point does not leave the plane that it moves in. A body by itself that does neither is not
@@ -76,12 +76,12 @@ enum class RigidAt : std::uint8_t {
 /// **Velocities that agree at the end** of the move (RigidAt::end): the same with
 /// \f$A = Q - 1 - t[\omega]_\times Q\f$, which takes v(p) at the point's place in the end.
 ///
-/// **What is exact.** What turns as one keeps all its distances, at any step; so do bodies with spins
+/// **Exactness.** Bodies that turn as one keep all its distances, at any step; so do bodies with spins
 /// of their own, as long as pairs that stick make a tree. Moving each by the exponential of its twist
 /// about the origin, which is right for a group that turns as one, leaves
 /// \f$h^2|\Delta\omega||v_p|/2\f$ at a joint that moves.
 ///
-/// **What is left.** A body that stands on two others with different motions follows one of them, and the
+/// **Remaining error.** A body that stands on two others with different motions follows one of them, and the
 /// other contact opens or closes by a length of second order. So do bodies that slide on movable ones,
 /// and a plank that turns while it slides over an edge, as n is taken for fixed.
 ///
@@ -99,11 +99,11 @@ enum class RigidAt : std::uint8_t {
 /// \verified{A column that turns about an edge keeps its shape at any step}
 class PivotUpdate {
  public:
-  /// Finds who is carried.
+  /// Finds the bodies that are carried.
   /// \param bodies    the constant parts
-  /// \param moving    where bodies are, their velocities in the move, and who is immovable in it (inverse
+  /// \param moving    where bodies are, their velocities in the move, and which are immovable in it (inverse
   ///                  masses of 0), by index
-  /// \param pairs     who pushes whom; an earlier one of a body with two parents is taken
+  /// \param pairs     the pushes; an earlier one of a body with two parents is taken
   /// \param rigid_at  where velocities agree
   /// \throws std::invalid_argument if there is not one of `moving` for each body, or a pair names a body
   ///         that there is not
@@ -114,7 +114,7 @@ class PivotUpdate {
   /// \param rates  accelerations by body index, for all of the move
   void accelerate(std::span<const Acceleration> rates);
 
-  /// Gives carried bodies other velocities; who is carried and by whom stays.
+  /// Gives carried bodies other velocities; the bodies that carry them stay the same.
   /// \param moving  by body index; velocities are read
   void set_velocities(std::span<const MovingBody> moving);
 
@@ -123,11 +123,11 @@ class PivotUpdate {
   /// \param moving  velocities are read
   void set_velocity(int body, const MovingBody& moving);
 
-  /// Who is carried.
-  /// \return body indices, whoever carries before those that he carries
+  /// The carried bodies.
+  /// \return body indices, a body before those that it carries
   [[nodiscard]] std::span<const int> bodies() const { return carried_; }
 
-  /// Carries nobody.
+  /// Carries no body.
   void clear();
 
   /// Whether a body is carried.

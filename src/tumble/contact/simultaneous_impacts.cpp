@@ -197,7 +197,7 @@ bool SimultaneousImpacts::solve_normals(double share, Answer& answer, Simultaneo
   return true;
 }
 
-// An answer for a share of the parting speeds: normal impulses and friction in turn.
+// An answer for a share of the separation speeds: normal impulses and friction in turn.
 bool SimultaneousImpacts::attempt(double share, bool with_friction, Answer& answer,
                                   SimultaneousResult& result) {
   answer = points_;
@@ -219,7 +219,7 @@ bool SimultaneousImpacts::attempt(double share, bool with_friction, Answer& answ
   return true;
 }
 
-// Who does which work: each part of the impulse, times the mean of the velocities before and after.
+// The work of each part of the impulse: times the mean of the velocities before and after.
 void SimultaneousImpacts::account(const Answer& answer, SimultaneousResult& result) {
   apply(answer, true);
   result.impulses = 0;

@@ -36,7 +36,7 @@ struct SimultaneousResult {
 /// Resolves the points of some contacts together: those of one contact area, or all there are.
 ///
 /// **Normal impulses.** With A the inverse mass between the points' normals, \f$v^-\f$ their
-/// present normal velocities and \f$w_i = \max(0, -e\,a_i)\f$ the parting speed that Newton's
+/// present normal velocities and \f$w_i = \max(0, -e\,a_i)\f$ the separation speed that Newton's
 /// restitution asks for at approach speed \f$a_i\f$,
 /// \f[ v^+ = A j + v^-, \qquad v^+ - w \ge 0, \quad j \ge 0, \quad j\cdot(v^+ - w) = 0. \f]
 /// A is singular when points are redundant; the net impulse on each contact area is used, spread by
@@ -53,9 +53,9 @@ struct SimultaneousResult {
 /// convex, and e = 0 without friction has \f$E = -\tfrac12 j A j\f$. (4) \f$v^+ \ge 0\f$, up to
 /// what friction did in its last step: nothing to speak of, unless the status is `unsettled`.
 ///
-/// If no impulse can give all points the parting speeds asked for (a body between two others,
+/// If no impulse can give all points the separation speeds asked for (a body between two others,
 /// unequal e), all of them get the smallest e of the block, and if that fails, e = 0.
-/// `restitution_share` tells.
+/// `restitution_share` shows.
 /// \par Cost and determinism
 /// Dense: one complementarity problem of n points for each round. No allocation once warm. Contacts
 /// and points in another order give the same velocities to rounding if there is no friction, and

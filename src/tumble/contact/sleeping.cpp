@@ -56,7 +56,7 @@ void SleepingRule::compare(const World& world, int body, const Seen* before) {
   // An unknown sleeper is a group of its own.
   group_[idx(body)] = was_asleep ? before->group : world.ids()[idx(body)];
   role_[idx(body)] = Role::asleep;
-  // First what nearly all bodies of a world at rest do; who has slept can move.
+  // First what nearly all bodies of a world at rest do; a body that has slept can move.
   if (was_asleep && asleep && still && !moves) return;
   if (!world.bodies()[idx(body)].movable()) {
     role_[idx(body)] = still ? Role::fixed : Role::changed;

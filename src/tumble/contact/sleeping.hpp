@@ -47,7 +47,7 @@ struct SleepReport {
 /// - gravity changed.
 ///
 /// Nothing else wakes a group: waking goes along contacts, not by distance. A body that was put to
-/// sleep by somebody else (a rule whose memory is lost) is woken, since its contacts are not known.
+/// sleep by another rule (one whose memory is lost) is woken, since its contacts are not known.
 /// \par Use
 /// \code
 /// rule.wake_disturbed(world);                      // first in the step

@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// How a collision is told to be slow.
+/// Criterion by which a collision counts as slow.
 enum class StickyRule : std::uint8_t {
   off,       ///< never: a bouncing body makes infinitely many collisions in finite time
   speed,     ///< the bodies approach slower than a share of sqrt(g L): independent of the step
@@ -17,7 +17,7 @@ enum class StickyRule : std::uint8_t {
 
 /// When a collision sticks.
 struct StickyOptions {
-  StickyRule rule = StickyRule::speed;  ///< how it is told to be slow
+  StickyRule rule = StickyRule::speed;  ///< by which it counts as slow
   /// [-] speed: approaches slower than this share of sqrt(g L) stick
   double threshold = tolerance::sticky_speed;
   /// [-] the same where there is no gravity, as a share of L / dt
@@ -36,7 +36,7 @@ struct StickyScale {
 /// A body that comes to rest by bouncing with restitution e makes infinitely many collisions in the
 /// finite time \f$\sqrt{2h/g}\,(1+e)/(1-e)\f$, and each costs a step of its own. A collision below
 /// a speed where it is still seen, but small, is therefore made perfectly *inelastic*: the bodies
-/// stick, and what is left is a resting contact. (The thesis says that such a collision is treated
+/// stick, and a resting contact is left. (The thesis says that such a collision is treated
 /// as elastic, in 4.3 and again in 5.2. That is a misprint: an elastic one never ends, and
 /// the same sentence has the bodies stick.)
 ///

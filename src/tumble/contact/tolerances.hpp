@@ -12,7 +12,7 @@ namespace tumble::tolerance {
 inline constexpr double side_contact = 0.1;
 
 /// [-] Overlap that repair leaves, as a share of the shortest edge of the two bodies. Reason: a
-/// gap would let go of the contact and the body would fall into it on the next step; a thousandth
+/// gap would lose the contact and the body would fall into it on the next step; a thousandth
 /// of an edge is below what a picture shows. (4.4)
 inline constexpr double repair_slop = 1e-3;
 
@@ -69,7 +69,7 @@ inline constexpr double sticky_speed_weightless = 1e-4;
 inline constexpr double thin_patch = 1e-5;
 
 /// [-] Friction has settled when a step changes it by less than this share of the normal impulses.
-/// Reason: what is left of an approach is of that order, a nanometre per second for one of 1 m/s;
+/// Reason: the rest of an approach is of that order, a nanometre per second for one of 1 m/s;
 /// each digit more costs a fifth more steps. (5.2)
 inline constexpr double friction_settled = 1e-9;
 
@@ -79,7 +79,7 @@ inline constexpr double friction_settled = 1e-9;
 inline constexpr double impact_settled = 1e-6;
 
 /// [-] How close to Coulomb's limit a friction impulse has to be to be called slipping. Reason: it
-/// decides what is reported, never what is computed, so it only has to be above rounding. (3.3.2)
+/// decides the report, never the computation, so it only has to be above rounding. (3.3.2)
 inline constexpr double friction_limit = 1e-9;
 
 /// [-] Two bodies stick where they push each other if their materials there part by less than this
@@ -111,7 +111,7 @@ inline constexpr double stability_margin = 2e-3;
 inline constexpr double vertical_normal = 3e-3;
 
 /// [-] Largest sine between a contact normal and the vertical at which the contact counts as vertical
-/// where boxes leave the system of exact forces. Reason: what is pushed aside then is a tenth of
+/// where boxes leave the system of exact forces. Reason: the bodies pushed aside then are a tenth of
 /// what the forces may miss (tolerance::force_residual). (5.4)
 inline constexpr double exact_vertical = 1e-6;
 

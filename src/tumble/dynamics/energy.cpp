@@ -1,5 +1,5 @@
 /// \file
-/// \brief What a closed system keeps: energy and momenta of a whole world.
+/// \brief Conserved quantities of a closed system: energy and momenta of a whole world.
 #include "tumble/dynamics/energy.hpp"
 
 namespace tumble {

@@ -19,7 +19,7 @@ struct StartOverlap {
 
 /// The first collision of an interval, and what it took to find it.
 struct FirstEvent {
-  /// none, found or cap_reached; pairs that overlap at the start are told apart, below.
+  /// none, found or cap_reached; pairs that overlap at the start are listed apart, below.
   CollisionStatus status = CollisionStatus::none;
   /// [s] found: the last time at which all searched pairs are known to be apart; none: the end;
   /// cap_reached: a time at which they are apart and up to which no collision is known

@@ -1,5 +1,5 @@
 /// \file
-/// \brief When two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
+/// \brief The time at which two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "tumble/base/error.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief When two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
+/// \brief The time at which two bodies in flight begin to overlap (thesis 3.2, 3.3.1, 5.1).
 #pragma once
 
 #include "tumble/base/tolerances.hpp"

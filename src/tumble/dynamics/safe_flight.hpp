@@ -24,7 +24,7 @@ namespace tumble {
 /// Newton's method, from the safe side.
 /// \param flight  how bodies move
 /// \param pair    the two
-/// \param gap     their separation at the time, not below 0, as gap_at() tells it
+/// \param gap     their separation at the time, not below 0, as gap_at() gives it
 /// \param time    [s] from which on, not before the valid times
 /// \param end     [s] until when
 /// \return [s] the longer of this and of the time that closing_bound() allows; infinite: for ever

@@ -12,7 +12,7 @@ namespace tumble {
 /// A world and a technique with its memory; a copy is a deep one.
 ///
 /// Going on from a copy gives the same bits as going on from the original. The technique's observer
-/// is not part of the state: a copy tells the same one, see Technique::observe().
+/// is not part of the state: a copy calls the same one, see Technique::observe().
 class Snapshot {
  public:
   /// Keeps a copy of both.

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What every technique looks like from outside.
+/// \brief The interface of every technique.
 #pragma once
 
 #include "tumble/dynamics/event_log.hpp"
@@ -25,7 +25,7 @@ enum class StepStatus : std::uint8_t {
 
 /// Energy that a step added (above 0) or removed (below 0), by cause.
 ///
-/// What is not booked here is the technique's energy error.
+/// The part that is not booked here is the technique's energy error.
 struct BookedEnergy {
   double restitution = 0.0;  ///< [J] normal impulses of collisions and contacts
   double friction = 0.0;     ///< [J] tangential impulses
@@ -104,8 +104,8 @@ class Technique {
     return {};
   }
 
-  /// Whom to tell about events during a step.
-  /// \param observer  told during every step until changed; nullptr: nobody. Not owned
+  /// Sets the observer of events during a step.
+  /// \param observer  called during every step until changed; nullptr: none. Not owned
   void observe(Observer* observer) { observer_ = observer; }
 
   /// Makes bodies count as slow when the technique's sleeping rule decides about them, whatever their
@@ -124,8 +124,8 @@ class Technique {
   /// \return this
   Technique& operator=(const Technique& other) = default;
 
-  /// Who watches.
-  /// \return nullptr: nobody
+  /// The observer.
+  /// \return nullptr: none
   [[nodiscard]] Observer* observer() const { return observer_; }
 
   /// See count_as_slow().

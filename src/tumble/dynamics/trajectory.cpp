@@ -1,5 +1,5 @@
 /// \file
-/// \brief What happened in a run: recorded states.
+/// \brief The record of a run: its states.
 #include "tumble/dynamics/trajectory.hpp"
 
 #include "tumble/base/error.hpp"

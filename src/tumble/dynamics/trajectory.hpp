@@ -1,5 +1,5 @@
 /// \file
-/// \brief What happened in a run: recorded states and recorded collisions.
+/// \brief The record of a run: its states and collisions.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"

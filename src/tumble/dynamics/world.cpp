@@ -15,7 +15,7 @@
 namespace tumble {
 namespace {
 
-// Properties are an aggregate that anybody can fill in: what the rest of the library relies on.
+// Properties are an aggregate that any code can fill in: the rest of the library relies on these checks.
 void require_valid(const BodyProperties& body) {
   require::that(body.shape == Shape::box, "body.shape is ground: expected add_ground()");
   for (int k = 0; k < 3; ++k) require::positive(body.size[k], "body.size");
@@ -78,7 +78,7 @@ BodyId World::add(const BodyProperties& body, const BodyState& state, std::strin
   require_valid(body, state);
   std::uint32_t number = boxes_added_ + 1;
   if (name.empty()) {
-    // The number of this box, counted from 1, unless somebody has called another body so.
+    // The number of this box, counted from 1, unless another body is called so.
     while (find(std::string_view("box" + std::to_string(number)))) ++number;
     name = "box" + std::to_string(number);
   }

@@ -129,10 +129,10 @@ class World {
   /// The states, by index, for techniques.
   /// \return one for each body
   [[nodiscard]] std::span<BodyState> states() { return states_; }
-  /// Who sleeps, by index.
+  /// Which bodies sleep, by index.
   /// \return one for each body
   [[nodiscard]] std::span<const SleepState> sleep_states() const { return sleep_states_; }
-  /// Who sleeps, by index, for techniques.
+  /// Which bodies sleep, by index, for techniques.
   /// \return one for each body
   [[nodiscard]] std::span<SleepState> sleep_states() { return sleep_states_; }
   /// The name of a body.

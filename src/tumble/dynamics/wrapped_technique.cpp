@@ -1,5 +1,5 @@
 /// \file
-/// \brief What techniques have in common that go around another one.
+/// \brief Common parts of techniques that wrap another one.
 #include "tumble/dynamics/wrapped_technique.hpp"
 
 #include "tumble/base/error.hpp"

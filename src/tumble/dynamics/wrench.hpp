@@ -1,5 +1,5 @@
 /// \file
-/// \brief What acts on a body, and what that does to its motion.
+/// \brief Force and moment on a body, and their effect on its motion.
 #pragma once
 
 #include "tumble/base/types.hpp"

@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-/// A binary tree: the leaves are the bodies, and every node bounds what is below it.
+/// A binary tree: the leaves are the bodies, and every node bounds all below it.
 ///
 /// Leaves are a little wider than their bodies, so that a body which moves slowly stays in its leaf
 /// for many steps; when it leaves, the leaf is taken out and inserted anew. A leaf is inserted

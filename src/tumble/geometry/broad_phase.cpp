@@ -1,5 +1,5 @@
 /// \file
-/// \brief What all broad phases share: the check of their input and the order of their output.
+/// \brief Common parts of all broad phases: the check of their input and the order of their output.
 #include "tumble/geometry/broad_phase.hpp"
 
 #include "tumble/base/error.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where a box touches the ground, the half-space y <= 0 (thesis 3.2).
+/// \brief Contact of a box with the ground, the half-space y <= 0 (thesis 3.2).
 #pragma once
 
 #include "tumble/geometry/manifold.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where two bodies touch: all points of the contact area (thesis 3.2).
+/// \brief Contact of two bodies: all points of the contact area (thesis 3.2).
 #pragma once
 
 #include "tumble/base/types.hpp"
@@ -40,7 +40,7 @@ struct Manifold {
 /// Finds where two boxes touch, once it is known along which direction.
 ///
 /// Along a face axis: the face of the other box that looks back most is clipped to that face, and
-/// what is left, at most an octagon, is the contact area (thesis 3.2). Along an edge axis: the one
+/// the rest, at most an octagon, is the contact area (thesis 3.2). Along an edge axis: the one
 /// point where the two edges pass each other. Points with distance <= margin are kept, so boxes
 /// that exactly touch do so with margin 0. Where the clipped area shrinks to a line or a point,
 /// two points or one are left.

@@ -70,7 +70,7 @@ struct PaintersOrder {
 
 /// Sorts disjoint boxes so that each is painted after all that it covers.
 ///
-/// Whatever separates two boxes in space tells which one may cover the other: of a plane in the
+/// Whatever separates two boxes in space shows which one may cover the other: of a plane in the
 /// middle of the gap along the separating axis of largest gap, a line of sight first passes the side
 /// of the viewer, so the box there is in front. The relation holds for pairs whose views overlap.
 /// The rest is sorting: of the boxes that cover none which is still to be painted, the farthest is

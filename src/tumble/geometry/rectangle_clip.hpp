@@ -35,7 +35,7 @@ struct ClipArea {
 /// \param scratch  space to work in
 /// \param half_x   [m] half size of the rectangle
 /// \param half_y   [m] half size of the rectangle
-/// \return what is left, in the same sense of rotation: one of the two arguments
+/// \return the rest, in the same sense of rotation: one of the two arguments
 const ClipArea& clip_to_rectangle(ClipArea& area, ClipArea& scratch, double half_x, double half_y);
 
 }  // namespace tumble

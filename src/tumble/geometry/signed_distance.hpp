@@ -1,5 +1,5 @@
 /// \file
-/// \brief How far a point is from a box, and in which direction (thesis 3.3.2, footnote).
+/// \brief Distance and direction of a point from a box (thesis 3.3.2, footnote).
 #pragma once
 
 #include "tumble/geometry/box.hpp"

@@ -31,7 +31,7 @@ struct BisectionResult {
 /// Halves a bracket until it is short enough.
 ///
 /// `bracket.low` of the result is the last time known to be separated: bodies put there do not
-/// overlap. The ends are not evaluated, for whoever has a bracket knows them: a bracket of length
+/// overlap. The ends are not evaluated, since a caller with a bracket knows them: a bracket of length
 /// dt costs \f$\lceil\log_2(dt/\text{resolution})\rceil\f$ evaluations. When the gap changes sign
 /// more than once, one of the changes to overlap is found, not always the first.
 /// \tparam Gap        callable: double(double time)

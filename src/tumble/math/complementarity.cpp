@@ -159,9 +159,9 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
   const int n = static_cast<int>(place_.size());
   const int cap = 50 * n + 50;
   const std::vector<int>& pushing = factor_.indices();
-  int newest = -1;  // who began to push in the last step, if anybody did
+  int newest = -1;  // the one that began to push in the last step, if any did
   while (result.pivots < cap) {
-    // A unit force at d, and the forces of C that keep C neither sinking nor parting:
+    // A unit force at d, and the forces of C that keep C neither sinking nor separating:
     // df_d = 1, df_C = -A_CC^{-1} A_Cd, da = A df. At d itself da_d is the Schur complement, and if
     // that is 0, so is all of da.
     const Answer answer = answer_to(A, d);
@@ -208,7 +208,7 @@ bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int 
       result.f[idx(i)] += step.length * df_[idx(i)];
       result.a[idx(i)] += step.length * da_[idx(i)];
     }
-    // Whoever ended the step stands at f = 0 = a exactly, or at a = 0 if it is d.
+    // The one that ended the step stands at f = 0 = a exactly, or at a = 0 if it is d.
     const int j = step.contact;
     result.a[idx(j)] = 0.0;
     if (place_[idx(j)] == Place::pushing) result.f[idx(j)] = 0.0;

@@ -31,7 +31,7 @@ struct ComplementarityResult {
   std::int64_t multiplications = 0;  ///< [-] the work done, whatever the machine
 };
 
-/// The number that judges any answer, whoever computed it.
+/// The number that judges any answer, however it was computed.
 /// \param A (n×n) the matrix
 /// \param b (n) the constant part
 /// \param f (n) the answer
@@ -52,8 +52,8 @@ double complementarity_residual(const MatRef& A, const VecRef& b, const VecRef& 
 /// Cholesky factor is all the linear algebra there is.
 /// \par Digits
 /// With \f$\varepsilon\f$ the rounding and \f$\lambda\f$ the smallest eigenvalue of that matrix in units of
-/// its diagonal, a is good to about \f$\varepsilon/\sqrt\lambda\f$ of max |b|, `residual` tells. In piles of
-/// bodies with a dozen contacts each in any direction that can be 1e-5 and worse. Whoever has J and W has
+/// its diagonal, a is good to about \f$\varepsilon/\sqrt\lambda\f$ of max |b|, `residual` shows it. In piles of
+/// bodies with a dozen contacts each in any direction that can be 1e-5 and worse. A caller with J and W has
 /// more digits than A: the solvers of the chapter on linear complementarity use them.
 /// \par Cost and determinism
 /// About n pivots of O(n²), more where contacts cease to push; no allocation for a problem no larger

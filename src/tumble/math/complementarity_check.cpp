@@ -1,5 +1,5 @@
 /// \file
-/// \brief What is wrong with a complementarity problem, and with an answer to one.
+/// \brief Mistakes in a complementarity problem, and in an answer to one.
 #include "tumble/math/complementarity_check.hpp"
 
 #include "tumble/base/error.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What is wrong with a complementarity problem, as far as it shows before it is solved.
+/// \brief Mistakes in a complementarity problem, as far as they show before it is solved.
 #pragma once
 
 #include "tumble/math/dense.hpp"

@@ -27,7 +27,7 @@ inline Eigen::Map<const VecX> view(const std::vector<double>& v) {
 /// \param s       the factor
 /// \param A       (m×n) the matrix
 /// \param column  which column
-/// \param y       (m) what is added to
+/// \param y       (m) to be added to
 void add_column(double s, const MatRef& A, int column, std::span<double> y);
 
 /// y = A x.

@@ -19,7 +19,7 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// The number high + low, where low is about a rounding error of high.
 struct Pair {
   double high = 0.0;  ///< the number rounded to a double, or nearly
-  double low = 0.0;   ///< what is missing
+  double low = 0.0;   ///< the remainder
 };
 
 /// a + b exactly, for |a| >= |b| or a = 0.
