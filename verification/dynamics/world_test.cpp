@@ -95,6 +95,20 @@ TEST_CASE("Names are unique, and unnamed boxes are counted from 1", "[unit][worl
   CHECK(world.count() == 6);
 }
 
+TEST_CASE("A world of thirty thousand bodies is built in linear time and finds them by name",
+          "[unit][world]") {
+  World world;
+  const BodyState state = make_state(cube(), Vec3::Zero());
+  for (int k = 0; k < 30000; ++k)
+    world.add(cube(), state);  // seconds, if each add looked at all names
+  CHECK(world.index_of("box30000") == 29999);
+  CHECK_FALSE(world.find("box30001").has_value());
+  world.remove(*world.find("box100"));
+  CHECK(world.index_of("box101") == 99);
+  CHECK_FALSE(world.find("box100").has_value());
+  CHECK(world.body(world.add(cube(), state, "box100")).name() == "box100");
+}
+
 TEST_CASE("There is at most one ground, and it stays where it is", "[unit][world]") {
   World world;
   const BodyId ground = world.add_ground(0.25, 0.5);

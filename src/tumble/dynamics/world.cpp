@@ -62,8 +62,30 @@ BodyId World::append(const BodyProperties& body, const BodyState& state, std::st
   states_.push_back(state);
   sleep_states_.emplace_back();
   names_.push_back(std::move(name));
+  if (2 * names_.size() > places_.size()) {
+    places_.resize(std::max<std::size_t>(16, 2 * places_.size()));
+    fill_places();
+  } else {
+    places_[place_of(names_.back())] = static_cast<std::int32_t>(names_.size()) - 1;
+  }
   ++next_id_;
   return id;
+}
+
+// Where a name is in the hash table, or the empty place where it would be.
+std::size_t World::place_of(std::string_view name) const {
+  std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  std::size_t place = (hash ^ (hash >> 32U)) & (places_.size() - 1);
+  while (places_[place] >= 0 && names_[static_cast<std::size_t>(places_[place])] != name)
+    place = (place + 1) & (places_.size() - 1);
+  return place;
+}
+
+void World::fill_places() {
+  std::fill(places_.begin(), places_.end(), -1);
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    places_[place_of(names_[i])] = static_cast<std::int32_t>(i);
 }
 
 BodyId World::add_ground(double friction, double restitution) {
@@ -94,6 +116,7 @@ void World::remove(BodyId id) {
   states_.erase(states_.begin() + i);
   sleep_states_.erase(sleep_states_.begin() + i);
   names_.erase(names_.begin() + i);
+  fill_places();
 }
 
 int World::index_of_movable(BodyId id) const {
@@ -144,21 +167,22 @@ int World::index_of(BodyId id) const {
 }
 
 std::optional<BodyId> World::find(std::string_view name) const {
-  const auto place = std::find(names_.begin(), names_.end(), name);
-  if (place == names_.end()) return std::nullopt;
-  return ids_[static_cast<std::size_t>(place - names_.begin())];
+  if (places_.empty()) return std::nullopt;
+  const std::int32_t index = places_[place_of(name)];
+  if (index < 0) return std::nullopt;
+  return ids_[static_cast<std::size_t>(index)];
 }
 
 int World::index_of(std::string_view name) const {
-  const auto place = std::find(names_.begin(), names_.end(), name);
-  if (place == names_.end()) {
+  const std::int32_t index = places_.empty() ? -1 : places_[place_of(name)];
+  if (index < 0) {
     const std::vector<std::string_view> known(names_.begin(), names_.end());
     const std::string_view close = closest_name(name, known);
     std::string message = "there is no body called " + std::string(name);
     if (!close.empty()) message.append(": did you mean ").append(close).append("?");
     require::that(false, message);
   }
-  return static_cast<int>(place - names_.begin());
+  return index;
 }
 
 BodyView World::body(std::string_view name) const { return {*this, index_of(name)}; }

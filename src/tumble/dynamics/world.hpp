@@ -100,13 +100,13 @@ class World {
 
   /// The place in the arrays of the body called like this.
   /// \param name its name
-  /// \return its index. O(n)
+  /// \return its index. O(1)
   /// \throws std::invalid_argument if there is no such body, with the closest name
   [[nodiscard]] int index_of(std::string_view name) const;
 
   /// The body called like this, to be read.
   /// \param name its name
-  /// \return see there. O(n)
+  /// \return see there. O(1)
   /// \throws std::invalid_argument if there is no such body, with the closest name
   /// \verified{A body is read by its name, and a name that is missing is answered with the closest one}
   [[nodiscard]] BodyView body(std::string_view name) const;
@@ -162,12 +162,17 @@ class World {
  private:
   BodyId append(const BodyProperties& body, const BodyState& state, std::string name);
   [[nodiscard]] int index_of_movable(BodyId id) const;
+  [[nodiscard]] std::size_t place_of(std::string_view name) const;
+  void fill_places();
 
   std::vector<BodyId> ids_;
   std::vector<BodyProperties> bodies_;
   std::vector<BodyState> states_;
   std::vector<SleepState> sleep_states_;
   std::vector<std::string> names_;
+  // A hash table of the names: an index, or -1 for an empty place. A power of two, at most half of it in use. It decides
+  // nothing but where a name is found.
+  std::vector<std::int32_t> places_;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::uint32_t next_id_ = 0;

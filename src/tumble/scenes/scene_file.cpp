@@ -248,9 +248,51 @@ Scene read_table(const toml::table& root, std::string_view file) {
   return scene;
 }
 
+// Looks through a text for two things that the TOML library does not survive: keys with very many dots, whose tables it
+// walks through by recursion, and letters beyond ASCII outside of quotes, about which it makes wrong assumptions. All
+// else is its own business. Unfinished strings end with the text.
+void require_readable(std::string_view text, std::string_view file) {
+  constexpr int most_dots = 64;
+  int line = 1;
+  int dots = 0;  // in the present key or number
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(std::string(file) + ":" + std::to_string(line) +
+                                ": not TOML: " + why);
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') ++line;
+    if (c == '#') {  // a comment
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (c == '"' || c == '\'') {  // a string, of one line or with three quotes of several
+      const bool several = text.substr(i, 3) == std::string(3, c);
+      for (i += several ? 3 : 1; i < text.size(); ++i) {
+        if (text[i] == '\n') {
+          ++line;
+          if (!several) break;
+        }
+        if (c == '"' && text[i] == '\\') {
+          ++i;
+        } else if (text[i] == c && (!several || text.substr(i, 3) == std::string(3, c))) {
+          i += several ? 2 : 0;
+          break;
+        }
+      }
+    } else if (static_cast<unsigned char>(c) >= 0x80U &&
+               !(i < 3 && text.substr(0, 3) == "\xEF\xBB\xBF")) {
+      refuse("a letter that is not ASCII stands outside of quotes");
+    } else if (c == '.') {
+      if (++dots > most_dots) refuse("a key has more than " + std::to_string(most_dots) + " dots");
+    } else if (c == '\n' || c == '=' || c == ',' || c == '{') {
+      dots = 0;
+    }
+  }
+}
+
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file) {
+  require_readable(text, file);
   toml::table root;
   try {
     root = toml::parse(text, file);
