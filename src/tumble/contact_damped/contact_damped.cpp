@@ -56,7 +56,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   // 5. Fast impacts bounce from there.
   bounce(world, dt, report);
   account(world, report);
-  // 6. Overlap is corrected, and no velocity changes.
+  // 6. Overlap is corrected; no body gains kinetic energy.
   correct_overlaps(world, dt, report);
   // [S6.3.1:step]
   // 7. Bodies at rest fall asleep.

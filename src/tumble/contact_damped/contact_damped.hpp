@@ -56,12 +56,13 @@ struct ContactDampedOptions {
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
 ///    sweep. If that changes something, plan_island() chooses: more sweeps where the island moves fast, slides
-///    or is nearly done; all patches at once (IslandSolver) elsewhere.
+///    or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps leave bodies that do not move
+///    fast without support.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola.
 ///    With PoseUpdate::exponential, bodies that turn together are moved together (PivotUpdate).
 /// 5. Fast impacts bounce: Newton's restitution, by more sweeps.
-/// 6. Overlap beyond a slop is corrected by displacements that change no velocity.
-/// 7. The work of all impulses is booked, and islands at rest are put to sleep if that is on.
+/// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
+/// 7. Islands at rest are put to sleep if that is on.
 ///
 /// **Why it is stiff, quiet and fast.** A patch sticks as a whole, by one product with a 6×6
 /// inverse. The impulses of the step before solve the next one as long as nothing changes, and nothing
