@@ -6,13 +6,10 @@
 
 namespace tumble::chapters {
 
-/// T5: only the end of a step is tested, and bodies pass through one another.
-/// \param result  gets tables "pass_literal" and "pass_mended" and two numbers
+// T5: only the end of a step is tested, and bodies pass through one another.
 void add_pass_erratum(Result& result);
 
-/// T6 and T7: nothing says that a search gets any further than the one before.
-/// \param cap     impacts in a step at which the literal reading is stopped
-/// \param result  gets tables "flights_..." and "side_...", literal and mended, and their numbers
+// T6 and T7: nothing says that a search gets any further than the one before.
 void add_progress_errata(int cap, Result& result);
 
 }  // namespace tumble::chapters

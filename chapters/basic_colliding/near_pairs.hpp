@@ -11,16 +11,14 @@
 
 namespace tumble::chapters {
 
-/// Looks for pairs of bodies that can meet within a step of free flight.
+// Looks for pairs of bodies that can meet within a step of free flight.
 class NearPairs {
  public:
-  /// Makes the storage.
+  // Makes the storage.
   NearPairs() : broad_phase_(make_broad_phase("bounding_tree")) {}
 
-  /// Finds the pairs whose ways through the step, as wide as half a diagonal, overlap.
-  /// \param world  the bodies at the start of the step
-  /// \param dt     [s] the step
-  /// \return every pair that may meet, and others; valid until the next call
+  // Finds the pairs whose ways through the step, as wide as half a diagonal, overlap.
+  // dt: [s] the step
   std::span<const IndexPair> find(const World& world, double dt);
 
  private:

@@ -6,16 +6,11 @@
 
 namespace tumble::chapters {
 
-/// The work of a step, the mean over a few.
-/// \param scene   where they begin
-/// \param played  the technique
-/// \param steps   how many, of 1/60 s
-/// \return [-] work_of() a step; kNoNumber if the technique does not take the scene
+// The work of a step, the mean over a few.
+// Returns [-] work_of() a step; kNoNumber if the technique does not take the scene
 double step_cost(const Scene& scene, const PlayedTechnique& played, int steps);
 
-/// Stacks of five cubes that do not touch each other.
-/// \param boxes  in all, a multiple of five
-/// \return stacks on a square grid, with friction 0.5
+// Stacks of five cubes that do not touch each other.
 Scene separate_stacks(int boxes);
 
 }  // namespace tumble::chapters

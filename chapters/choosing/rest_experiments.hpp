@@ -6,28 +6,23 @@
 
 namespace tumble::chapters {
 
-/// What became of a pile. One that does not stand has no other numbers but the overlap.
+// What became of a pile. One that does not stand has no other numbers but the overlap.
 struct PileRun {
-  bool stands = false;         ///< no box ends half an edge from its start, or at 1 m/s or more
-  double speed = kNoNumber;    ///< [m/s] fastest centre in the last half second
-  double overlap = 0.0;        ///< [m] deepest during the run
-  double chatter = kNoNumber;  ///< [m] amplitude at the end; none if nothing rests or it fell
+  bool stands = false;         // no box ends half an edge from its start, or at 1 m/s or more
+  double speed = kNoNumber;    // [m/s] fastest centre in the last half second
+  double overlap = 0.0;        // [m] deepest during the run
+  double chatter = kNoNumber;  // [m] amplitude at the end; none if nothing rests or it fell
 };
 
-/// Runs a pile of boxes.
-/// \param scene     boxes at rest, of edges of 1 m
-/// \param played    the technique
-/// \param duration  [s] at least half a second
-/// \return what became of it; one that does not stand if a step was not solved
+// Runs a pile of boxes.
+// duration: [s] at least half a second
 PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double duration);
 
-/// At which slope a box tips over its lower edge, by bisection.
-///
-/// A box twice as high as wide should tip from \f$\arctan \tfrac12\f$ on. Its coefficient of friction is 2, so
-/// that it does not slide.
-/// \param played  the technique
-/// \param halves  how often the interval from 2 to 60 degrees is halved
-/// \return [deg] the middle of the last interval; 0 if it tips at 2 degrees, infinity if it does not at 60
+// At which slope a box tips over its lower edge, by bisection.
+//
+// A box twice as high as wide should tip from \f$\arctan \tfrac12\f$ on. Its coefficient of friction is 2, so
+// that it does not slide.
+// Returns [deg] the middle of the last interval; 0 if it tips at 2 degrees, infinity if it does not at 60
 double tipping_angle(const PlayedTechnique& played, int halves);
 
 }  // namespace tumble::chapters

@@ -11,83 +11,71 @@
 
 namespace tumble::chapters {
 
-/// Something that had to be chosen.
+// Something that had to be chosen.
 struct Choice {
-  std::string id;          ///< a few words
-  std::string section;     ///< of the thesis
-  std::string chapter;     ///< the folder of the chapter
-  std::string what;        ///< what the thesis does not give
-  std::string value;       ///< ours, in words; may be empty if `from` is not
-  std::string from;        ///< where ours is defined, see chosen_values(); may be empty
-  std::string why;         ///< why it is that
-  std::string unmeasured;  ///< why it was not varied; empty exactly if it was
-  std::string place;       ///< how messages about it begin
+  std::string id;          // a few words
+  std::string section;     // of the thesis
+  std::string chapter;     // the folder of the chapter
+  std::string what;        // what the thesis does not give
+  std::string value;       // ours, in words; may be empty if `from` is not
+  std::string from;        // where ours is defined, see chosen_values(); may be empty
+  std::string why;         // why it is that
+  std::string unmeasured;  // why it was not varied; empty exactly if it was
+  std::string place;       // how messages about it begin
 };
 
-/// A number of a figure, measured with other values of a choice too.
+// A number of a figure, measured with other values of a choice too.
 struct Variation {
-  std::string choice;   ///< its id
-  std::string figure;   ///< which computes all the numbers
-  std::string chosen;   ///< the quantity as it is
-  std::string half;     ///< the quantity with half the value; may be empty
-  std::string doubled;  ///< the quantity with twice the value; may be empty
-  std::string other;    ///< the quantity with yet another value; may be empty
-  std::string change;   ///< which value that is, in words
-  std::string place;    ///< how messages about it begin
+  std::string choice;   // its id
+  std::string figure;   // which computes all the numbers
+  std::string chosen;   // the quantity as it is
+  std::string half;     // the quantity with half the value; may be empty
+  std::string doubled;  // the quantity with twice the value; may be empty
+  std::string other;    // the quantity with yet another value; may be empty
+  std::string change;   // which value that is, in words
+  std::string place;    // how messages about it begin
 };
 
-/// What a file of choices has.
+// What a file of choices has.
 struct Choices {
-  std::vector<Choice> choices;        ///< tables `[[choice]]`
-  std::vector<Variation> variations;  ///< tables `[[varied]]`
+  std::vector<Choice> choices;        // tables `[[choice]]`
+  std::vector<Variation> variations;  // tables `[[varied]]`
 };
 
-/// Reads a chapter's `choices.toml`.
-///
-/// `[[choice]]` has `id`, `section`, `what`, `why`, `value` or `from` or both, and `unmeasured` unless a
-/// `[[varied]]` names it. `[[varied]]` has an `id` of its own, `choice`, `figure`, `chosen`, and at least
-/// one of `half`, `double` and `other`, the last with `change`.
-/// \param path  the file; the chapter is the folder it lies in
-/// \return all its tables, in the order of the file
-/// \throws FileError, or std::invalid_argument naming file, line and id: see read_records(); also for a
-///         choice without a value and a variation without another number
+// Reads a chapter's `choices.toml`.
+//
+// `[[choice]]` has `id`, `section`, `what`, `why`, `value` or `from` or both, and `unmeasured` unless a
+// `[[varied]]` names it. `[[varied]]` has an `id` of its own, `choice`, `figure`, `chosen`, and at least
+// one of `half`, `double` and `other`, the last with `change`.
 Choices read_choices(const std::filesystem::path& path);
 
-/// A number with another value of a choice.
+// A number with another value of a choice.
 struct VariedNumber {
-  std::string change;                       ///< "half", "double", or in other words
-  CheckedNumber number;                     ///< the number; its value is NaN if it is not measured
-  Verdict verdict = Verdict::not_measured;  ///< what the claim's rule says of it
+  std::string change;                       // "half", "double", or in other words
+  CheckedNumber number;                     // the number; its value is NaN if it is not measured
+  Verdict verdict = Verdict::not_measured;  // what the claim's rule says of it
 };
 
-/// One number as it is and as it is otherwise.
+// One number as it is and as it is otherwise.
 struct VariedEntry {
-  std::string figure;                 ///< which computes it
-  std::string claim;                  ///< that it decides; empty if none
-  VariedNumber chosen;                ///< as it is
-  std::vector<VariedNumber> changed;  ///< with other values
-  /// Whether the verdict is another one with one of the values.
-  /// \return false if the number decides no claim or was not computed
+  std::string figure;                 // which computes it
+  std::string claim;                  // that it decides; empty if none
+  VariedNumber chosen;                // as it is
+  std::vector<VariedNumber> changed;  // with other values
+  // Whether the verdict is another one with one of the values.
   [[nodiscard]] bool changes_verdict() const;
 };
 
-/// A choice with the numbers that were tried.
+// A choice with the numbers that were tried.
 struct ChoiceEntry {
-  Choice choice;                     ///< what was chosen
-  std::vector<VariedEntry> numbers;  ///< empty if nothing was varied
+  Choice choice;                     // what was chosen
+  std::vector<VariedEntry> numbers;  // empty if nothing was varied
 };
 
-/// Finds the numbers of each choice, and what they would decide.
-///
-/// A number decides a claim if the claim names it and its figure. One that decides nothing by a rule
-/// has the verdict not comparable.
-/// \param all      of all chapters
-/// \param figures  from check_figures()
-/// \param ledger   from judge()
-/// \return an entry for each choice, in the given order
-/// \throws std::invalid_argument for an id that stands twice, a choice, figure or quantity that does not
-///         exist, a number in another unit, and a choice that was varied and says why it was not, or
-///         was not and does not
+// Finds the numbers of each choice, and what they would decide.
+//
+// A number decides a claim if the claim names it and its figure. One that decides nothing by a rule
+// has the verdict not comparable.
 std::vector<ChoiceEntry> find_choices(const Choices& all, const std::vector<DrawnFigure>& figures,
                                       const std::vector<LedgerEntry>& ledger);
 

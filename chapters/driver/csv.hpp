@@ -11,54 +11,34 @@
 
 namespace tumble::chapters {
 
-/// A file could not be read or written; commands answer with exit code 4.
+// A file could not be read or written; commands answer with exit code 4.
 struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A number as printf writes it.
-/// \param format  of one double, for example "%.4g"
-/// \param value   any number
-/// \return at most 39 characters
+// A number as printf writes it.
 std::string formatted(const char* format, double value);
 
-/// A number with 17 significant digits: it reads back to the same bits.
-/// \param value any number; NaN gives an empty cell
-/// \return for example `0.10000000000000001`
+// A number with 17 significant digits: it reads back to the same bits.
 std::string full_text(double value);
 
-/// A number for reading, with at most 10 significant digits.
-/// \param value any number
-/// \return for example `0.1`
+// A number for reading, with at most 10 significant digits.
 std::string short_text(double value);
 
-/// Reads a number.
-/// \param text a decimal number and nothing else
-/// \return the number; NaN if it is none or not finite
+// Reads a number.
 double read_number(const std::string& text);
 
-/// Writes a file whole or not at all: under another name first, then renamed.
-/// \param path  where
-/// \param text  all its bytes
-/// \throws FileError naming the path
+// Writes a file whole or not at all: under another name first, then renamed.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Reads a whole file.
-/// \param path which
-/// \return all its bytes
-/// \throws FileError naming the path
+// Reads a whole file.
 std::string read_file(const std::filesystem::path& path);
 
-/// Splits a CSV file into cells. Lines that begin with # and empty lines are left out; a cell
-/// with commas stands in double quotes.
-/// \param text the bytes of the file
-/// \return one vector of cells for each line, the header line first
+// Splits a CSV file into cells. Lines that begin with # and empty lines are left out; a cell
+// with commas stands in double quotes.
 std::vector<std::vector<std::string>> split_csv(const std::string& text);
 
-/// A table as CSV.
-/// \param head   comment lines that come first, each beginning with "# "
-/// \param table  the numbers
-/// \return the bytes of the file: head, a comment line for each column, names, rows
+// A table as CSV.
 std::string csv_of(const std::string& head, const Table& table);
 
 }  // namespace tumble::chapters

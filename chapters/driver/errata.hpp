@@ -10,43 +10,34 @@
 
 namespace tumble::chapters {
 
-/// One erratum, as a chapter's `errata.toml` describes it.
+// One erratum, as a chapter's `errata.toml` describes it.
 struct Erratum {
-  std::string id;  ///< short name, as `repaired=` takes it where a technique can read as printed
-  std::string section;  ///< of the thesis
-  std::string chapter;  ///< the folder of the chapter
-  std::string kind;  ///< "misprint": contradicts the thesis itself; "choice": the author meant it
-  std::string printed;  ///< what the thesis says, retold
-  std::string reading;  ///< what we do instead
-  std::string scene;    ///< where it shows
-  std::string figure;   ///< the figure that computes both numbers
-  std::string failure;  ///< the number with the erratum in place, one of the figure's
-  std::string mended;   ///< the same number under our reading
-  std::string test;     ///< the test that holds them
-  std::string command;  ///< shows it
-  std::string place;    ///< how messages about it begin
+  std::string id;       // short name, as `repaired=` takes it where a technique can read as printed
+  std::string section;  // of the thesis
+  std::string chapter;  // the folder of the chapter
+  std::string kind;     // "misprint": contradicts the thesis itself; "choice": the author meant it
+  std::string printed;  // what the thesis says, retold
+  std::string reading;  // what we do instead
+  std::string scene;    // where it shows
+  std::string figure;   // the figure that computes both numbers
+  std::string failure;  // the number with the erratum in place, one of the figure's
+  std::string mended;   // the same number under our reading
+  std::string test;     // the test that holds them
+  std::string command;  // shows it
+  std::string place;    // how messages about it begin
 };
 
-/// Reads a chapter's errata.
-/// \param path  the `errata.toml`; the chapter is the folder it lies in
-/// \return the errata in the order of the file
-/// \throws FileError, or std::invalid_argument naming file, line and id: see read_records(); also
-///         for a kind other than misprint and choice
+// Reads a chapter's errata.
 std::vector<Erratum> read_errata(const std::filesystem::path& path);
 
-/// An erratum with its numbers; a value is NaN if it is not measured.
+// An erratum with its numbers; a value is NaN if it is not measured.
 struct ErratumEntry {
-  Erratum erratum;        ///< the mistake
-  CheckedNumber failure;  ///< the number with the erratum in place
-  CheckedNumber mended;   ///< the number under our reading
+  Erratum erratum;        // the mistake
+  CheckedNumber failure;  // the number with the erratum in place
+  CheckedNumber mended;   // the number under our reading
 };
 
-/// Finds the two numbers of each erratum.
-/// \param errata   from all chapters
-/// \param figures  from check_figures()
-/// \return an entry for each erratum, in the order of the thesis
-/// \throws std::invalid_argument for an id that stands twice, and for a figure or quantity that
-///         does not exist
+// Finds the two numbers of each erratum.
 std::vector<ErratumEntry> find_errata(const std::vector<Erratum>& errata,
                                       const std::vector<DrawnFigure>& figures);
 

@@ -7,12 +7,8 @@
 #include <cstdio>
 #include <exception>
 
-/// Checks `DIR/*_numbers.csv` against the expected values, judges the claims and writes
-/// `DIR/index.html` and `DIR/claims.csv`.
-/// \param argc  at least 3
-/// \param argv  the program, DIR, and the `expected.csv`, `claims.toml`, `errata.toml`,
-///              `choices.toml`, `figures.toml`, `page.md` of each chapter, `open_claims.toml`, and films that README shows
-/// \return exit code: 0 all agree, 2 bad input, 3 a number differs, 4 cannot read or write
+// Checks `DIR/*_numbers.csv` against the expected values, judges the claims and writes
+// `DIR/index.html` and `DIR/claims.csv`.
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 3) {

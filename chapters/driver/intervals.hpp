@@ -9,18 +9,12 @@
 
 namespace tumble::chapters {
 
-/// A quantity as three cells of a row.
-/// \param quantity  over seeds
-/// \return its value and the ends of its interval
+// A quantity as three cells of a row.
 inline std::array<double, 3> with_interval(const Quantity& quantity) {
   return {quantity.value, quantity.low, quantity.high};
 }
 
-/// The columns of with_interval(): the name, and with "_low" and "_high".
-/// \param name     of the first
-/// \param unit     of all
-/// \param meaning  of all
-/// \param table    gets them
+// The columns of with_interval(): the name, and with "_low" and "_high".
 inline void add_interval_columns(const std::string& name, const std::string& unit,
                                  const std::string& meaning, Table& table) {
   for (const char* end : {"", "_low", "_high"})

@@ -11,71 +11,52 @@
 
 namespace tumble::chapters {
 
-/// One claim of the thesis, as a file of claims describes it.
+// One claim of the thesis, as a file of claims describes it.
 struct Claim {
-  std::string id;          ///< thesis section and a letter, for example "3.3.1c"
-  std::string section;     ///< of the thesis
-  std::string chapter;     ///< the chapter that measures it, or will
-  std::string statement;   ///< retold
-  std::string experiment;  ///< the run and its counts
-  bool open = false;       ///< no chapter measures it yet: of what follows it has at most a rule
-  std::string technique;   ///< under test
-  std::string reading;     ///< of the technique: "as_printed", "as_meant", "ours" or "-"
-  std::string quantity;    ///< the number that decides, one of its figure's
-  std::string unit;        ///< of the number
-  bool comparable = true;  ///< false: there is no rule, and `reason` says why
-  std::string confirmed;   ///< the comparison that confirms
-  std::string refuted;     ///< the comparison that refutes
-  std::string reason;      ///< why the lines are where they are
-  std::string figure;      ///< the figure that computes the number
-  std::string test;        ///< the test that holds it
-  std::string place;       ///< how messages about it begin
+  std::string id;          // thesis section and a letter, for example "3.3.1c"
+  std::string section;     // of the thesis
+  std::string chapter;     // the chapter that measures it, or will
+  std::string statement;   // retold
+  std::string experiment;  // the run and its counts
+  bool open = false;       // no chapter measures it yet: of what follows it has at most a rule
+  std::string technique;   // under test
+  std::string reading;     // of the technique: "as_printed", "as_meant", "ours" or "-"
+  std::string quantity;    // the number that decides, one of its figure's
+  std::string unit;        // of the number
+  bool comparable = true;  // false: there is no rule, and `reason` says why
+  std::string confirmed;   // the comparison that confirms
+  std::string refuted;     // the comparison that refutes
+  std::string reason;      // why the lines are where they are
+  std::string figure;      // the figure that computes the number
+  std::string test;        // the test that holds it
+  std::string place;       // how messages about it begin
 };
 
-/// Reads a file of claims: a chapter's `claims.toml`, or `open_claims.toml` with those that no
-/// chapter measures yet. The chapter of the former is the folder it lies in.
-/// \param path  the file
-/// \return the claims in the order of the file
-/// \throws FileError, or std::invalid_argument naming file, line and id: see read_records(); also
-///         for an id that is not its section and a letter, a reading that does not exist, a
-///         rule that is none
+// Reads a file of claims: a chapter's `claims.toml`, or `open_claims.toml` with those that no
+// chapter measures yet. The chapter of the former is the folder it lies in.
 std::vector<Claim> read_claims(const std::filesystem::path& path);
 
-/// A claim with the number that was found.
+// A claim with the number that was found.
 struct LedgerEntry {
-  Claim claim;                              ///< the sentence
-  Verdict verdict = Verdict::not_measured;  ///< what the rule says of the number
-  CheckedNumber number;                     ///< the number; its value is NaN if it is not measured
-  std::string note;                         ///< why there is no verdict; empty if there is one
+  Claim claim;                              // the sentence
+  Verdict verdict = Verdict::not_measured;  // what the rule says of the number
+  CheckedNumber number;                     // the number; its value is NaN if it is not measured
+  std::string note;                         // why there is no verdict; empty if there is one
 };
 
-/// Finds the number of each claim and applies its rule.
-///
-/// A figure that was not drawn, or drawn with other settings than its defaults, measures nothing.
-/// \param claims   from all files of claims
-/// \param figures  from check_figures()
-/// \return an entry for each claim, in the order of the thesis
-/// \throws std::invalid_argument for an id that stands twice, a figure or quantity that does not
-///         exist, a unit that is not the number's, a number from fewer than 20 random scenes or
-///         without an interval over them
+// Finds the number of each claim and applies its rule.
+//
+// A figure that was not drawn, or drawn with other settings than its defaults, measures nothing.
 std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
                                const std::vector<DrawnFigure>& figures);
 
-/// The rule of a claim in words.
-/// \param claim  the claim
-/// \return for example "confirmed if <= 5, refuted if > 100, qualified in between"; empty without
-///         a rule
+// The rule of a claim in words.
 std::string rule_text(const Claim& claim);
 
-/// The ledger as a table.
-/// \param ledger  from judge()
-/// \return the bytes of `claims.csv`; cells that do not apply are empty
+// The ledger as a table.
 std::string ledger_csv(const std::vector<LedgerEntry>& ledger);
 
-/// Whether one claim comes before another in the thesis.
-/// \param a  an id or section
-/// \param b  an id or section
-/// \return true if a's section is earlier, or its letter if it is the same section
+// Whether one claim comes before another in the thesis.
 bool earlier_in_thesis(const std::string& a, const std::string& b);
 
 }  // namespace tumble::chapters

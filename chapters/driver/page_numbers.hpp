@@ -9,18 +9,13 @@
 
 namespace tumble::chapters {
 
-/// Compares the numbers in a page or in captions with those of the figures.
-///
-/// A number that was computed is followed by a comment that says from where:
-/// `15.3 <!-- cradle: quantity in words -->`, or `15.3 per cent <!-- ... -->` or `15.3 % <!-- ... -->`
-/// for a share. It must be the
-/// computed one, rounded to the digits that are written. Figures that were drawn with other
-/// settings are not compared.
-/// \param page     the text
-/// \param name     of the page, for the messages
-/// \param figures  from check_figures()
-/// \return a message for each number that differs, for each comment that names a figure or quantity that does
-///         not exist or follows no number, and for each number that Markdown would show as an item of a list
+// Compares the numbers in a page or in captions with those of the figures.
+//
+// A number that was computed is followed by a comment that says from where:
+// `15.3 <!-- cradle: quantity in words -->`, or `15.3 per cent <!-- ... -->` or `15.3 % <!-- ... -->`
+// for a share. It must be the
+// computed one, rounded to the digits that are written. Figures that were drawn with other
+// settings are not compared.
 std::vector<std::string> stale_numbers(const std::string& page, const std::string& name,
                                        const std::vector<DrawnFigure>& figures);
 

@@ -13,35 +13,25 @@
 
 namespace tumble::chapters {
 
-/// How many claims got which verdict, and how many errata there are: for the first page.
-/// \param findings  from read_findings()
-/// \return a sentence, the bytes of `counts.md`
+// How many claims got which verdict, and how many errata there are: for the first page.
 std::string counts_text(const Findings& findings);
 
-/// Every claim with verdict, number, rule, figure and test: first the measured ones.
-///
-/// Other pages refer to it by `\ref ledger`, to a claim by `\ref claim_2_1a "2.1a"`.
-/// \param findings  from read_findings()
-/// \return the bytes of `ledger.md`
+// Every claim with verdict, number, rule, figure and test: first the measured ones.
+//
+// Other pages refer to it by `\ref ledger`, to a claim by `\ref claim_2_1a "2.1a"`.
 std::string ledger_page(const Findings& findings);
 
-/// Every erratum: the printed text, our reading, the numbers of both, test, command.
-///
-/// Other pages refer to it by `\ref errata`, to an erratum by `\ref erratum_C1 "C1"`.
-/// \param findings  from read_findings()
-/// \return the bytes of `errata.md`
+// Every erratum: the printed text, our reading, the numbers of both, test, command.
+//
+// Other pages refer to it by `\ref errata`, to an erratum by `\ref erratum_C1 "C1"`.
 std::string errata_page(const Findings& findings);
 
-/// Every small number of the library: value, unit, reason, section of the thesis.
-/// \param tolerances  from read_tolerances()
-/// \return the bytes of `tolerances.md`
+// Every small number of the library: value, unit, reason, section of the thesis.
 std::string tolerances_page(const std::vector<Tolerance>& tolerances);
 
-/// The pictures of the gallery, then every figure by chapter.
-///
-/// A figure is at `gallery.html#NAME`.
-/// \param findings  from read_findings()
-/// \return the bytes of `gallery.md`
+// The pictures of the gallery, then every figure by chapter.
+//
+// A figure is at `gallery.html#NAME`.
 std::string gallery_page(const Findings& findings);
 
 }  // namespace tumble::chapters

@@ -12,10 +12,7 @@
 
 namespace tumble::chapters {
 
-/// Computes a figure with its quick settings.
-/// \param figure  which
-/// \param set     further settings, each as key=value
-/// \return all that it computed
+// Computes a figure with its quick settings.
 inline Result run_quickly(const Figure& figure, const std::vector<std::string>& set = {}) {
   Parameters settings = figure.parameters;
   set_all(settings, figure.quick);
@@ -23,34 +20,26 @@ inline Result run_quickly(const Figure& figure, const std::vector<std::string>& 
   return figure.experiment(settings);
 }
 
-/// One number of a figure.
-/// \param result  what the figure computed
-/// \param name    of the number
-/// \return the number
-/// \throws std::invalid_argument if there is no such number
+// One number of a figure.
 inline const Quantity& quantity_of(const Result& result, std::string_view name) {
   for (const Quantity& quantity : result.quantities)
     if (quantity.name == name) return quantity;
   throw std::invalid_argument("no quantity " + std::string(name));
 }
 
-/// Runs a figure's experiment as --quick does.
+// Runs a figure's experiment as --quick does.
 class FigureUnderTest {
  public:
-  /// Computes a figure of the program.
-  /// \param name  of the figure
-  /// \param set   further settings, each as key=value
+  // Computes a figure of the program.
   explicit FigureUnderTest(std::string_view name, const std::vector<std::string>& set = {})
       : result(run_quickly(registered_figure(name), set)) {}
 
-  /// A number of the figure.
-  /// \param quantity  its name
-  /// \return its value
+  // A number of the figure.
   [[nodiscard]] double number(std::string_view quantity) const {
     return quantity_of(result, quantity).value;
   }
 
-  Result result;  ///< all that was computed
+  Result result;  // all that was computed
 };
 
 }  // namespace tumble::chapters

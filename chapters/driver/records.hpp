@@ -9,36 +9,27 @@
 
 namespace tumble::chapters {
 
-/// Which keys the records of a file have.
+// Which keys the records of a file have.
 struct RecordForm {
-  std::string name;                        ///< of the tables, for example "claim" for [[claim]]
-  std::vector<std::string> required;       ///< texts that each record must have
-  std::vector<std::string> optional = {};  ///< texts that it may have
-  std::vector<std::string> flags = {};     ///< keys with true or false that it may have
-  std::string beside = {};                 ///< another kind of table that the file may have
+  std::string name;                        // of the tables, for example "claim" for [[claim]]
+  std::vector<std::string> required;       // texts that each record must have
+  std::vector<std::string> optional = {};  // texts that it may have
+  std::vector<std::string> flags = {};     // keys with true or false that it may have
+  std::string beside = {};                 // another kind of table that the file may have
 };
 
-/// One table of such a file.
+// One table of such a file.
 struct Record {
-  std::string place;  ///< how messages about it begin: "file:line: claim 2.1a: "
-  std::map<std::string, std::string>
-      texts;                          ///< every key of the form; "" for one that is not there
-  std::map<std::string, bool> flags;  ///< those that the file has
+  std::string place;  // how messages about it begin: "file:line: claim 2.1a: "
+  std::map<std::string, std::string> texts;  // every key of the form; "" for one that is not there
+  std::map<std::string, bool> flags;         // those that the file has
 };
 
-/// Reads all records of a file.
-/// \param path  the file: [[name]] tables, those of the form's `beside`, which are passed over, and
-///              nothing else
-/// \param form  the keys; "id" must be among the required ones
-/// \return the records in the order of the file
-/// \throws FileError for a file that cannot be read, std::invalid_argument naming file, line and id
-///         for one that is not TOML, a missing or empty text, a key that is not part of the form, a
-///         value of another kind, an id that stands twice
+// Reads all records of a file.
+// path: the file: [[name]] tables, those of the form's `beside`, which are passed over, and nothing else
 std::vector<Record> read_records(const std::filesystem::path& path, const RecordForm& form);
 
-/// A text that is a list.
-/// \param text  words with blanks between them
-/// \return the words
+// A text that is a list.
 std::vector<std::string> words_of(const std::string& text);
 
 }  // namespace tumble::chapters

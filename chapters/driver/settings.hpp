@@ -10,10 +10,7 @@
 
 namespace tumble::chapters {
 
-/// Changes several parameters.
-/// \param parameters  in and out
-/// \param settings    each as key=value
-/// \throws std::invalid_argument as Parameters::set()
+// Changes several parameters.
 inline void set_all(Parameters& parameters, const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) parameters.assign(setting);
 }

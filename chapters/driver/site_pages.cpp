@@ -10,12 +10,8 @@
 #include <cstdio>
 #include <exception>
 
-/// Writes `counts.md`, `thesis_map.md`, `ledger.md`, `errata.md`, `tolerances.md`, `gallery.md`, `left_open.md` and `appendix_a.md`.
-/// \param argc  at least 5
-/// \param argv  the program, the folder to write into, the folder of the figures (which need not
-///              exist), the folder of the library, that of the chapters, and the files that
-///              figures_index takes
-/// \return exit code: 0 done, 2 bad input, 4 cannot read or write
+// Writes `counts.md`, `thesis_map.md`, `ledger.md`, `errata.md`, `tolerances.md`, `gallery.md`,
+// `left_open.md` and `appendix_a.md`.
 int main(int argc, char** argv) {
   using namespace tumble::chapters;
   if (argc < 5) {

@@ -10,34 +10,24 @@
 
 namespace tumble::chapters {
 
-/// A section of the thesis, as `thesis_map.toml` describes it.
+// A section of the thesis, as `thesis_map.toml` describes it.
 struct ThesisSection {
-  std::string id;                    ///< "3.2", "A.1"
-  std::string title;                 ///< what it is called there
-  std::string state;                 ///< "here", "not yet" or "out of scope"
-  std::string about;                 ///< what this book has of it
-  std::string because;               ///< why it is out of scope
-  std::vector<std::string> pages;    ///< labels of the pages and sections that treat it
-  std::vector<std::string> figures;  ///< names of the figures that have a number in the thesis
-  std::string place;                 ///< how messages about it begin
+  std::string id;                    // "3.2", "A.1"
+  std::string title;                 // what it is called there
+  std::string state;                 // "here", "not yet" or "out of scope"
+  std::string about;                 // what this book has of it
+  std::string because;               // why it is out of scope
+  std::vector<std::string> pages;    // labels of the pages and sections that treat it
+  std::vector<std::string> figures;  // names of the figures that have a number in the thesis
+  std::string place;                 // how messages about it begin
 };
 
-/// Reads the map.
-/// \param path  the `thesis_map.toml`
-/// \return the sections in the order of the file
-/// \throws FileError, or std::invalid_argument naming file, line and id: see read_records(); also
-///         for an unknown state, for a section that is here without pages, for one that is out of
-///         scope without a reason or with a reason and in scope, and for sections out of order
+// Reads the map.
 std::vector<ThesisSection> read_thesis_map(const std::filesystem::path& path);
 
-/// The map as a page: each section beside its pages, figures, claims and tests.
-///
-/// Other pages refer to it by `\ref thesis_map`, to a section by `\ref map_3_2 "3.2"`.
-/// \param sections  from read_thesis_map()
-/// \param findings  from read_findings(): the claims of a section and their tests
-/// \return the bytes of `thesis_map.md`
-/// \throws std::invalid_argument for a figure that does not exist, and for a claim about a section
-///         that the map does not have
+// The map as a page: each section beside its pages, figures, claims and tests.
+//
+// Other pages refer to it by `\ref thesis_map`, to a section by `\ref map_3_2 "3.2"`.
 std::string thesis_map_page(const std::vector<ThesisSection>& sections, const Findings& findings);
 
 }  // namespace tumble::chapters

@@ -6,54 +6,41 @@
 
 namespace tumble::chapters {
 
-/// What became of a claim.
+// What became of a claim.
 enum class Verdict {
-  confirmed,       ///< the number fulfils the comparison that confirms
-  qualified,       ///< neither comparison holds
-  refuted,         ///< the number fulfils the comparison that refutes
-  not_comparable,  ///< there is a number, but no line that could be drawn
-  not_measured     ///< there is no number
+  confirmed,       // the number fulfils the comparison that confirms
+  qualified,       // neither comparison holds
+  refuted,         // the number fulfils the comparison that refutes
+  not_comparable,  // there is a number, but no line that could be drawn
+  not_measured     // there is no number
 };
 
-/// A verdict in words.
-/// \param verdict  which
-/// \return for example "not comparable"
+// A verdict in words.
 std::string verdict_text(Verdict verdict);
 
-/// A comparison with a limit, such as `<= 5`.
+// A comparison with a limit, such as `<= 5`.
 struct Comparison {
-  bool below = true;      ///< holds for numbers below the limit; otherwise for those above it
-  bool inclusive = true;  ///< and for the limit itself
-  double limit = 0.0;     ///< [unit of the number]
+  bool below = true;      // holds for numbers below the limit; otherwise for those above it
+  bool inclusive = true;  // and for the limit itself
+  double limit = 0.0;     // [unit of the number]
 
-  /// Whether a number fulfils it.
-  /// \param value  the number; NaN fulfils nothing
-  /// \return true if it does
+  // Whether a number fulfils it.
   [[nodiscard]] bool holds(double value) const;
 };
 
-/// Reads a comparison.
-/// \param text  one of < <= > >=, blanks, a finite number
-/// \return the comparison
-/// \throws std::invalid_argument naming the text
+// Reads a comparison.
 Comparison read_comparison(const std::string& text);
 
-/// What confirms a claim and what refutes it; in between it is qualified.
+// What confirms a claim and what refutes it; in between it is qualified.
 struct Rule {
-  Comparison confirmed;  ///< one half of the line of numbers
-  Comparison refuted;    ///< the other half, apart from the first
+  Comparison confirmed;  // one half of the line of numbers
+  Comparison refuted;    // the other half, apart from the first
 
-  /// Applies it.
-  /// \param value  the number that decides
-  /// \return confirmed, qualified or refuted; not measured for NaN
+  // Applies it.
   [[nodiscard]] Verdict verdict(double value) const;
 };
 
-/// Reads the two comparisons of a rule.
-/// \param confirmed  what confirms
-/// \param refuted    what refutes
-/// \return the rule
-/// \throws std::invalid_argument for a text that is no comparison and for two that can both hold
+// Reads the two comparisons of a rule.
 Rule read_rule(const std::string& confirmed, const std::string& refuted);
 
 }  // namespace tumble::chapters

@@ -6,33 +6,26 @@
 
 namespace tumble::chapters {
 
-/// A frame and what it leaves.
+// A frame and what it leaves.
 struct BestFrame {
-  GroupFrame frame;   ///< the one with the smallest largest mismatch
-  double left = 0.0;  ///< [m] that mismatch, after one step
+  GroupFrame frame;   // the one with the smallest largest mismatch
+  double left = 0.0;  // [m] that mismatch, after one step
 };
 
-/// The best single rotation in the plane z = 0 for a box that stands on a box that stands on something
-/// immovable.
-///
-/// Where the centre c is matters to the lower joint only: the two boxes' places differ by an amount in
-/// which c cancels. For any rate Omega but 0 there is one c that closes the lower joint. So the best frame
-/// closes it, and the rest is the upper joint's mismatch, a function of Omega alone. Its smallest value
-/// is looked for on a grid and between its points by Brent's method.
-/// \param world   at the start of the step
-/// \param joints  the lower one, which has an immovable body, and the upper one
-/// \param dt      [s] of the step
-/// \param widest  [rad/s] rates of the frame up to this one are tried, both ways round
-/// \return the frame
+// The best single rotation in the plane z = 0 for a box that stands on a box that stands on something
+// immovable.
+//
+// Where the centre c is matters to the lower joint only: the two boxes' places differ by an amount in
+// which c cancels. For any rate Omega but 0 there is one c that closes the lower joint. So the best frame
+// closes it, and the rest is the upper joint's mismatch, a function of Omega alone. Its smallest value
+// is looked for on a grid and between its points by Brent's method.
+// dt: [s] of the step
+// widest: [rad/s] rates of the frame up to this one are tried, both ways round
 BestFrame best_frame(const World& world, std::span<const Joint> joints, double dt, double widest);
 
-/// The same without that argument, as a check: GSL's simplex in the three unknowns, from one start, taken
-/// up again until it gains nothing.
-/// \param world   at the start of the step
-/// \param joints  any
-/// \param dt      [s] of the step
-/// \param start   where it begins
-/// \return the frame that it came to
+// The same without that argument, as a check: GSL's simplex in the three unknowns, from one start, taken
+// up again until it gains nothing.
+// dt: [s] of the step
 BestFrame best_frame_by_simplex(const World& world, std::span<const Joint> joints, double dt,
                                 const GroupFrame& start);
 

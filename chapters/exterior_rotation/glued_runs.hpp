@@ -9,63 +9,47 @@
 
 namespace tumble::chapters {
 
-/// Options of the technique `glued`.
-/// \param scheme    how the motion is integrated
-/// \param pose      how bodies are moved
-/// \param accuracy  [-] of dormand_prince, error allowed in a step
-/// \return all others are the defaults
+// Options of the technique `glued`.
+// accuracy: [-] of dormand_prince, error allowed in a step
 GluedOptions glued_options(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate,
                            double accuracy = GluedOptions{}.accuracy);
 
-/// Numbers that are evenly spread in the logarithm.
-/// \param first  the first one, above 0
-/// \param last   the last one, above 0
-/// \param count  how many, 2 or more
-/// \return them
+// Numbers that are evenly spread in the logarithm.
 std::vector<double> log_spaced(double first, double last, int count);
 
-/// The result of a run of the technique `glued`.
+// The result of a run of the technique `glued`.
 struct GluedRun {
-  World world;         ///< at the end
-  double gap = 0.0;    ///< [m] largest opening or overlap of any joint after any step
-  double apart = 0.0;  ///< [m] largest distance of a held corner from itself after any step
-  int solves = 0;      ///< systems of joint forces solved
+  World world;         // at the end
+  double gap = 0.0;    // [m] largest opening or overlap of any joint after any step
+  double apart = 0.0;  // [m] largest distance of a held corner from itself after any step
+  int solves = 0;      // systems of joint forces solved
 };
 
-/// Runs a group that sticks.
-/// \param world    at the start
-/// \param options  of the technique
-/// \param dt       [s] of a step
-/// \param steps    how many
-/// \param after    called after each step with the world and its joints' gap, unless empty
-/// \return the end and the largest gaps
+// Runs a group that sticks.
+// dt: [s] of a step
 GluedRun run_glued(World world, const GluedOptions& options, double dt, int steps,
                    const std::function<void(const World&, const JointGap&)>& after = {});
 
-/// Four cubes that stick, as a column that stands on one corner: a ball joint on top of a larger box,
-/// near the corner of it beyond which the column falls.
-/// \param angle  [rad] of the column's centre, as seen from the pivot, from the vertical
-/// \param spin   [rad/s] of the column about its long axis
-/// \return it, at rest but for the spin; gravity along -y
+// Four cubes that stick, as a column that stands on one corner: a ball joint on top of a larger box,
+// near the corner of it beyond which the column falls.
+// angle: [rad] of the column's centre, as seen from the pivot, from the vertical
+// spin: [rad/s] of the column about its long axis
 World column_on_corner(double angle, double spin);
 
-/// The same four cubes in the air, thrown.
-/// \param velocity_w  [m/s] of the column's centre
-/// \param spin_w      [rad/s] of the column, about its centre
-/// \return nothing but the cubes; gravity along -y
+// The same four cubes in the air, thrown.
+// velocity_w: [m/s] of the column's centre
+// spin_w: [rad/s] of the column, about its centre
 World column_in_flight(const Vec3& velocity_w, const Vec3& spin_w);
 
-/// The sums over all movable bodies.
+// The sums over all movable bodies.
 struct GroupMotion {
-  double mass = 0.0;                    ///< [kg]
-  Vec3 centre_w = Vec3::Zero();         ///< [m] of mass
-  Vec3 momentum_w = Vec3::Zero();       ///< [N s]
-  Vec3 angular_about_w = Vec3::Zero();  ///< [N m s] about the centre
+  double mass = 0.0;                    // [kg]
+  Vec3 centre_w = Vec3::Zero();         // [m] of mass
+  Vec3 momentum_w = Vec3::Zero();       // [N s]
+  Vec3 angular_about_w = Vec3::Zero();  // [N m s] about the centre
 };
 
-/// Adds the bodies of a group up.
-/// \param world  with at least one movable body
-/// \return sums
+// Adds the bodies of a group up.
 GroupMotion motion_of(const World& world);
 
 }  // namespace tumble::chapters

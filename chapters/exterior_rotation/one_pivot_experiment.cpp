@@ -43,7 +43,6 @@ struct NestedInstant {
   double spin_apart = 0.0;   // [rad/s] |Δω|
   double joint_speed = 0.0;  // [m/s] |v_p| of the upper joint
 
-  /// \param scene  figure 6.3
   explicit NestedInstant(const Scene& scene) : world(build_world(scene)) {
     Glued glued;
     glued.find(world);

@@ -10,58 +10,45 @@
 
 namespace tumble::chapters {
 
-/// A moment of a fall.
+// A moment of a fall.
 struct JointMoment {
-  World world;                ///< the bodies
-  std::vector<Joint> joints;  ///< and their holds
+  World world;                // the bodies
+  std::vector<Joint> joints;  // and their holds
 };
 
-/// A change of a joint.
+// A change of a joint.
 struct JointEvent {
-  double time = 0.0;  ///< [s] since the start
-  int joint = 0;      ///< its place; of a column 0 is the pivot, 1 the lowest area
-  JointHold hold = JointHold::nothing;  ///< the hold from now on
-  double angle = 0.0;                   ///< [rad] centre_angle() of all that moves, then
-  JointMoment after;                    ///< just after it
+  double time = 0.0;                    // [s] since the start
+  int joint = 0;                        // its place; of a column 0 is the pivot, 1 the lowest area
+  JointHold hold = JointHold::nothing;  // the hold from now on
+  double angle = 0.0;                   // [rad] centre_angle() of all that moves, then
+  JointMoment after;                    // just after it
 };
 
-/// A fall with joints that push only.
+// A fall with joints that push only.
 struct UnilateralRun {
-  World world;                     ///< at the end
-  std::vector<Joint> joints;       ///< at the end
-  std::vector<JointEvent> events;  ///< in the order of time
-  int solves = 0;                  ///< systems of joint forces that were solved
+  World world;                     // at the end
+  std::vector<Joint> joints;       // at the end
+  std::vector<JointEvent> events;  // in the order of time
+  int solves = 0;                  // systems of joint forces that were solved
 };
 
-/// Options of a fall without glue.
-/// \param scheme    how the motion is integrated
-/// \param events    when an opening is noticed
-/// \param accuracy  [-] of dormand_prince
-/// \return bodies are moved by centre and orientation apart
+// Options of a fall without glue.
+// accuracy: [-] of dormand_prince
 GluedOptions unilateral(GluedScheme scheme, GluedEvents events, double accuracy = 1e-12);
 
-/// Lets a world fall.
-/// \param world    at the start
-/// \param options  of the technique
-/// \param end      [s] length of the fall
-/// \param steps    into which it is divided
-/// \param after    called at the start, with the joints found, and after each step
-/// \return how it went
+// Lets a world fall.
+// end: [s] length of the fall
 UnilateralRun run_unilateral(World world, const GluedOptions& options, double end, int steps,
                              const std::function<void(const World&, const Glued&)>& after = {});
 
-/// Distance of two worlds with the same bodies.
-/// \param world  the one
-/// \param other  the other one
-/// \return [m] largest distance of a corner of a movable box in the one from itself in the other
+// Distance of two worlds with the same bodies.
+// Returns [m] largest distance of a corner of a movable box in the one from itself in the other
 double farthest_corner(const World& world, const World& other);
 
-/// Where an area is pressed.
-/// \param joint   with an area that holds, of cubes of a column, the lower one first
-/// \param push    on the second body, about held_point(): JointForces::on_second()
-/// \param states  of all bodies, by index
-/// \return [m] centre of pressure across the column, from the edge on the pivot's side: 0 to 1 while
-///         no part has to pull
+// Where an area is pressed.
+// Returns [m] centre of pressure across the column, from the edge on the pivot's side: 0 to 1 while no part
+// has to pull
 double pressed_at(const Joint& joint, const Wrench& push, std::span<const BodyState> states);
 
 }  // namespace tumble::chapters

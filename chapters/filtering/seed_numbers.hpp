@@ -13,10 +13,7 @@
 
 namespace tumble::chapters {
 
-/// A number of each seed.
-/// \param seeds   what each seed gave
-/// \param number  of one of them: a function or a member
-/// \return in the order of the seeds
+// A number of each seed.
 template <class Seed, class Number>
 std::vector<double> numbers_of(const std::vector<Seed>& seeds, const Number& number) {
   std::vector<double> values;
@@ -24,25 +21,14 @@ std::vector<double> numbers_of(const std::vector<Seed>& seeds, const Number& num
   return values;
 }
 
-/// The mean over the seeds.
-/// \param name    of the quantity
-/// \param unit    of the quantity
-/// \param seeds   what each seed gave
-/// \param number  of one of them
-/// \return with its interval
+// The mean over the seeds.
 template <class Seed, class Number>
 Quantity mean_of(std::string name, std::string unit, const std::vector<Seed>& seeds,
                  const Number& number) {
   return mean_over_seeds(std::move(name), std::move(unit), numbers_of(seeds, number));
 }
 
-/// The ratio of two sums over the seeds.
-/// \param name   of the quantity
-/// \param unit   of the quantity
-/// \param above  by seed
-/// \param below  by seed, as many
-/// \return with its interval
-/// \throws std::runtime_error if the sum below is not above 0
+// The ratio of two sums over the seeds.
 inline Quantity ratio_of_sums(std::string name, std::string unit, const std::vector<double>& above,
                               const std::vector<double>& below) {
   if (!(sum_without(below, -1) > 0.0)) throw std::runtime_error("nothing to compare: " + name);

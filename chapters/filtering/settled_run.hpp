@@ -14,103 +14,70 @@
 
 namespace tumble::chapters {
 
-/// A run that was recorded at 60 frames a second, the start included.
+// A run that was recorded at 60 frames a second, the start included.
 struct SettledRun {
-  World world;                             ///< in the end
-  Trajectory frames;                       ///< all of them
-  std::vector<std::vector<char>> touches;  ///< by frame and index: whether the body is in contact
-  int first = 0;                           ///< the first frame in which bodies should rest
+  World world;                             // in the end
+  Trajectory frames;                       // all of them
+  std::vector<std::vector<char>> touches;  // by frame and index: whether the body is in contact
+  int first = 0;                           // the first frame in which bodies should rest
 };
 
-/// Marks the bodies in contact, by index.
+// Marks the bodies in contact, by index.
 using MarkTouches = std::function<void(const World& world, std::vector<char>& touches)>;
 
-/// Plays a scene on and records it.
-/// \param played    the scene, at its start
-/// \param settling  [s] before bodies should rest
-/// \param watched   [s] after that
-/// \param touches   asked for each frame
-/// \param after     called after each step, if given
-/// \return the run
+// Plays a scene on and records it.
+// settling: [s] before bodies should rest
+// watched: [s] after that
 SettledRun record_run(PlayedScene& played, double settling, double watched,
                       const MarkTouches& touches,
                       const std::function<void(const StepReport&)>& after = {});
 
-/// Plays a scene of 60 steps a second and records it.
-/// \param scene     where it starts
-/// \param played    the technique
-/// \param settling  [s] before bodies should rest
-/// \param watched   [s] after that, a multiple of half a second
-/// \param seed      of chance in the technique
-/// \return the run
+// Plays a scene of 60 steps a second and records it.
+// settling: [s] before bodies should rest
+// watched: [s] after that, a multiple of half a second
 SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
                         double watched, std::uint64_t seed = 1);
 
-/// The cubes of figure 6.7 at their start.
-/// \param per_edge  cubes along each edge of the grid
-/// \param seed      of their orientations
-/// \return the scene
+// The cubes of figure 6.7 at their start.
 Scene clump_scene(int per_edge, std::uint64_t seed = 1);
 
-/// Lets the cubes of figure 6.7 fly together and settle, and records them.
-/// \param settings    per_edge, settling, watched
-/// \param seed        of their orientations, and of chance in the technique
-/// \param technique   the thesis's, as meant, if not another
-/// \param afterwards  [s] for which the run goes on
-/// \return the run
+// Lets the cubes of figure 6.7 fly together and settle, and records them.
+// afterwards: [s] for which the run goes on
 SettledRun settle_clump(const Parameters& settings, int seed,
                         const PlayedTechnique& technique = {"damped", {}}, double afterwards = 0.0);
 
-/// Finds the one body that moves, of worlds with one.
-/// \param world  with a movable body
-/// \return the index of the first
+// Finds the one body that moves, of worlds with one.
 std::size_t first_movable(const World& world);
 
-/// The corners of a body in the part of a run in which it should rest.
-/// \param run     for its bodies, and which part it is
-/// \param frames  as computed or as shown
-/// \param index   the body
-/// \return one for each frame from run.first on
+// The corners of a body in the part of a run in which it should rest.
 std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
                                   std::size_t index);
 
-/// How a body shakes that rests: means over the half seconds of a path, and its squirm.
+// How a body shakes that rests: means over the half seconds of a path, and its squirm.
 struct Shake {
-  double amplitude = 0.0;     ///< [m] largest distance between two places of a corner
-  double acceleration = 0.0;  ///< [-] root mean square second difference, over g Δt²
-  double squirm = 0.0;        ///< [m/s] see squirm()
+  double amplitude = 0.0;     // [m] largest distance between two places of a corner
+  double acceleration = 0.0;  // [-] root mean square second difference, over g Δt²
+  double squirm = 0.0;        // [m/s] see squirm()
 };
 
-/// Measures a path, half second by half second (ChatterMeter::kWindow frames, ends shared).
-/// \param path     at least one half second
-/// \param gravity  [m/s²] that accelerations are divided by
-/// \return means over the half seconds; the squirm of all of it
+// Measures a path, half second by half second (ChatterMeter::kWindow frames, ends shared).
+// gravity: [m/s²] that accelerations are divided by
 Shake shake_of(const std::vector<Corners>& path, double gravity);
 
-/// Measures how a body shakes, as computed, in the part of a run in which it should rest.
-/// \param run    the run
-/// \param index  the body
-/// \return see shake_of()
+// Measures how a body shakes, as computed, in the part of a run in which it should rest.
 Shake settled_shake(const SettledRun& run, std::size_t index);
 
-/// Whether two poses are the same, bit by bit.
-/// \param a  one
-/// \param b  the other
-/// \return false for a quaternion and its negative too
+// Whether two poses are the same, bit by bit.
 bool same_pose(const BodyState& a, const BodyState& b);
 
-/// Bodies that rest in the watched part, as ChatterMeter says: in every frame in contact, and in each
-/// half second with less than a hundredth of the shortest edge as net movement of every corner.
-/// \param run the run
-/// \return their indices, ascending
+// Bodies that rest in the watched part, as ChatterMeter says: in every frame in contact, and in each
+// half second with less than a hundredth of the shortest edge as net movement of every corner.
 std::vector<std::size_t> resting_bodies(const SettledRun& run);
 
-/// [-] Amplitude over the shortest edge from which on a body that rests chatters; claim 6.1b.
+// [-] Amplitude over the shortest edge from which on a body that rests chatters; claim 6.1b.
 inline constexpr double kChatters = 1e-3;
 
-/// Of these, the ones whose amplitude is kChatters of the shortest edge or more.
-/// \param run the run
-/// \return their indices, ascending
+// Of these, the ones whose amplitude is kChatters of the shortest edge or more.
 std::vector<std::size_t> chattering_bodies(const SettledRun& run);
 
 }  // namespace tumble::chapters

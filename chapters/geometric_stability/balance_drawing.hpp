@@ -11,29 +11,21 @@
 
 namespace tumble::chapters {
 
-/// A table of boxes seen along z.
-/// \return named "boxes", without rows
+// A table of boxes seen along z.
 Table boxes_table();
 
-/// Adds the boxes of a world.
-/// \param world   upright boxes
-/// \param view    the first column: in which drawing they stand
-/// \param motion  how they start to move, by body index; empty: not at all
-/// \param table   from boxes_table(); gets a row for each box
+// Adds the boxes of a world.
 void add_boxes(const World& world, double view, std::span<const Acceleration> motion, Table& table);
 
-/// Start of a motion of boxes, seen along z.
+// Start of a motion of boxes, seen along z.
 struct StartOfMotion {
-  Table outlines;     ///< "outlines": edges of the boxes a moment later, as vectors
-  Table arrows;       ///< "arrows": from each centre that moves, along its way, longer
-  double time = 0.0;  ///< [s] that moment: the way of a point is a t²/2
+  Table outlines;     // "outlines": edges of the boxes a moment later, as vectors
+  Table arrows;       // "arrows": from each centre that moves, along its way, longer
+  double time = 0.0;  // [s] that moment: the way of a point is a t²/2
 };
 
-/// Draws the start of a motion from rest.
-/// \param world   upright boxes
-/// \param motion  accelerations, by body index
-/// \param way     [m] of the fastest corner until the moment that is drawn
-/// \return outlines and arrows of the boxes that move
+// Draws the start of a motion from rest.
+// way: [m] of the fastest corner until the moment that is drawn
 StartOfMotion start_of_motion(const World& world, std::span<const Acceleration> motion, double way);
 
 }  // namespace tumble::chapters

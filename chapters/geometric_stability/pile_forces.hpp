@@ -12,42 +12,32 @@
 
 namespace tumble::chapters {
 
-/// A bound of the acceleration of all points of a body: of its centre, and of its rim as it turns.
-/// \param body          its size
-/// \param acceleration  of it
-/// \return [m/s²] at least 0
+// A bound of the acceleration of all points of a body: of its centre, and of its rim as it turns.
+// Returns [m/s²] at least 0
 double fastest_of(const BodyProperties& body, const Acceleration& acceleration);
 
-/// A force straight down at a point of a body.
-/// \param state    where the body is
-/// \param point_w  [m] where the force acts, world frame
-/// \param force    [N] downwards
-/// \return its force and torque at the centre of mass
+// A force straight down at a point of a body.
+// point_w: [m] where the force acts, world frame
+// force: [N] downwards
 Wrench weight_at(const BodyState& state, const Vec3& point_w, double force);
 
-/// Accelerations of bodies at rest, by the complementarity problem with all contacts and no friction.
-///
-/// No body is left out and no rule is asked, so that rules can be judged by it. Island by island; loads
-/// come in as accelerations without contacts.
+// Accelerations of bodies at rest, by the complementarity problem with all contacts and no friction.
+//
+// No body is left out and no rule is asked, so that rules can be judged by it. Island by island; loads
+// come in as accelerations without contacts.
 class PileForces {
  public:
-  /// \param solver  of the problems, by name
   explicit PileForces(std::string_view solver = "augmented_lagrangian");
 
-  /// Solves the problem.
-  /// \param world     bodies at rest
-  /// \param contacts  what touches
-  /// \param loads     beside the weights, one for each body index; may be empty
-  /// \return whether each island has an answer with a residual below tolerance::force_residual
+  // Solves the problem.
   bool solve(const World& world, std::span<const Contact> contacts,
              std::span<const Wrench> loads = {});
 
-  /// Accelerations under weights, loads and contact forces.
-  /// \return one for each body index
+  // Accelerations under weights, loads and contact forces.
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return accelerations_; }
 
-  /// The largest residual of an island's answer.
-  /// \return [-] see lcp_residual()
+  // The largest residual of an island's answer.
+  // Returns [-] see lcp_residual()
   [[nodiscard]] double residual() const { return residual_; }
 
  private:

@@ -15,67 +15,47 @@
 
 namespace tumble::chapters {
 
-/// A way to classify boxes as stable. All with exact supports.
+// A way to classify boxes as stable. All with exact supports.
 enum class StabilityLevel : std::uint8_t {
-  corners,     ///< four corners on stable bodies: GeometricStability
-  hull,        ///< the hull of the supports covers the outline: GeometricStability
-  towers,      ///< hull, and towers on stable boxes: Towers
-  load_proof,  ///< every load on top can be balanced: LoadProof
-  balance,     ///< whole islands in balance as they are: StaticEquilibrium
-  hierarchy    ///< hull, towers and balance of the rest: StableBoxes
+  corners,     // four corners on stable bodies: GeometricStability
+  hull,        // the hull of the supports covers the outline: GeometricStability
+  towers,      // hull, and towers on stable boxes: Towers
+  load_proof,  // every load on top can be balanced: LoadProof
+  balance,     // whole islands in balance as they are: StaticEquilibrium
+  hierarchy    // hull, towers and balance of the rest: StableBoxes
 };
 
-/// All of them.
+// All of them.
 inline constexpr std::array<StabilityLevel, 6> kStabilityLevels{
     StabilityLevel::corners,    StabilityLevel::hull,    StabilityLevel::towers,
     StabilityLevel::load_proof, StabilityLevel::balance, StabilityLevel::hierarchy};
 
-/// A level in words.
-/// \param level  which
-/// \return for example "towers on top"
+// A level in words.
 std::string name_of(StabilityLevel level);
 
-/// The verdict of a rule on one body.
+// The verdict of a rule on one body.
 struct RuleVerdict {
-  bool stable = false;    ///< whether it is geometrically stable
-  std::string reason;     ///< in words
-  std::vector<char> all;  ///< by body index: whether that body is stable
+  bool stable = false;    // whether it is geometrically stable
+  std::string reason;     // in words
+  std::vector<char> all;  // by body index: whether that body is stable
 };
 
-/// Asks a rule, with exact supports.
-/// \param rule      `corners` or `hull`
-/// \param world     bodies at rest
-/// \param contacts  what touches, in any order
-/// \param body      index of the body
-/// \return its verdict
+// Asks a rule, with exact supports.
 RuleVerdict verdict_of(StableRule rule, const World& world, std::span<const Contact> contacts,
                        int body);
 
-/// The bodies that a way calls stable.
-/// \param level     by which way
-/// \param world     bodies at rest
-/// \param contacts  what touches, in any order
-/// \return one for each body index, not 0 if it is called stable; immovable bodies are
+// The bodies that a way calls stable.
 std::vector<char> called_stable(StabilityLevel level, const World& world,
                                 std::span<const Contact> contacts);
 
-/// The bodies that the listing SETGEOMETRICALLYSTABLE calls stable as it is printed.
-///
-/// Its comparisons get the tolerances of `damped`, without which boxes that are turned have no corner
-/// anywhere.
-/// \param world     bodies at rest
-/// \param contacts  what touches; their order matters
-/// \param vetoes    whether a reason against a body counts for both bodies of a contact, never for
-///                  immovable ones, and cannot be overruled later: errata G2, G3 and G4 mended
-/// \return one for each body index
+// The bodies that the listing SETGEOMETRICALLYSTABLE calls stable as it is printed.
+//
+// Its comparisons get the tolerances of `damped`, without which boxes that are turned have no corner
+// anywhere.
 std::vector<char> called_stable_as_printed(const World& world, std::span<const Contact> contacts,
                                            bool vetoes = false);
 
-/// A share of cases that are counted in each pile, with its interval over the piles.
-/// \param name    of the quantity
-/// \param hits    by pile
-/// \param trials  by pile
-/// \return the sum of hits over that of trials
+// A share of cases that are counted in each pile, with its interval over the piles.
 Quantity share_over_piles(std::string name, const std::vector<double>& hits,
                           const std::vector<double>& trials);
 

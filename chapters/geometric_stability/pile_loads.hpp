@@ -13,37 +13,24 @@
 
 namespace tumble::chapters {
 
-/// The corners of the face of a body that looks up most.
-/// \param world  the bodies
-/// \param body   index of a box
-/// \return [m] world frame, in order around the face
+// The corners of the face of a body that looks up most.
+// Returns [m] world frame, in order around the face
 std::array<Vec3, 4> top_of(const World& world, int body);
 
-/// A load on every movable body: straight down, at any point of its top, from a tenth of its weight
-/// to a hundred times as much, each power of ten as likely.
-/// \param world   the bodies
-/// \param random  of points and sizes
-/// \return what acts, one for each body index
+// A load on every movable body: straight down, at any point of its top, from a tenth of its weight
+// to a hundred times as much, each power of ten as likely.
 std::vector<Wrench> random_loads(const World& world, Random& random);
 
-/// Acceleration by a load of a body without contacts, its weight left out.
-/// \param world  the bodies
-/// \param body   index of a movable body
-/// \param load   on it
-/// \return [m/s²] see fastest_of()
+// Acceleration by a load of a body without contacts, its weight left out.
+// Returns [m/s²] see fastest_of()
 double alone(const World& world, int body, const Wrench& load);
 
-/// The bodies that move under some load, by the whole complementarity problem.
-///
-/// Tried are the weights alone; a load of 10^4 weights on each corner of each top, one at a
-/// time; and loads on a random half of all corners.
-/// \param world     bodies at rest, the ground first
-/// \param contacts  what touches
-/// \param outlines  by body index, corners [m] in x and z to load instead of those of a box; may be
-///                  empty, as a whole or for a body
-/// \return one for each body index, not 0 if it accelerates by more than a millionth of g, under loads a
-///         hundred-millionth of load per mass
-/// \throws std::runtime_error if a problem has no answer
+// The bodies that move under some load, by the whole complementarity problem.
+//
+// Tried are the weights alone; a load of 10^4 weights on each corner of each top, one at a
+// time; and loads on a random half of all corners.
+// outlines: by body index, corners [m] in x and z to load instead of those of a box; may be empty, as a
+// whole or for a body
 std::vector<char> moves_under_loads(const World& world, std::span<const Contact> contacts,
                                     std::span<const std::vector<Vec2>> outlines = {});
 

@@ -15,14 +15,13 @@
 
 namespace tumble::chapters {
 
-/// Damped integration with other constants.
+// Damped integration with other constants.
 struct DampedVariant {
-  std::string words;          ///< for the names of quantities; empty: as it is
-  PlayedTechnique technique;  ///< `damped` with its scales
+  std::string words;          // for the names of quantities; empty: as it is
+  PlayedTechnique technique;  // `damped` with its scales
 };
 
-/// Damped integration as it is, then with half and twice its thresholds and its factors.
-/// \return with eps_scale 0.5 and 2, and with k_scale 0.5 and 2
+// Damped integration as it is, then with half and twice its thresholds and its factors.
 inline std::vector<DampedVariant> damped_variants() {
   return {{"", {"damped"}},
           {"half the epsilons", {"damped", {"eps_scale=0.5"}}},
@@ -31,24 +30,20 @@ inline std::vector<DampedVariant> damped_variants() {
           {"twice the damping", {"damped", {"k_scale=2"}}}};
 }
 
-/// What all thresholds and all factors of damped integration are scaled by.
+// What all thresholds and all factors of damped integration are scaled by.
 struct DampedScales {
-  const char* words = "";  ///< for the names of quantities; empty: as it is
-  double eps = 1.0;        ///< [-] see DampedNumbers
-  double k = 1.0;          ///< [-] ditto
+  const char* words = "";  // for the names of quantities; empty: as it is
+  double eps = 1.0;        // [-] see DampedNumbers
+  double k = 1.0;          // [-] ditto
 };
 
-/// The same variants, for experiments that make the technique themselves.
+// The same variants, for experiments that make the technique themselves.
 inline constexpr std::array<DampedScales, 4> other_scales{{{"thresholds halved", 0.5, 1.0},
                                                            {"thresholds doubled", 2.0, 1.0},
                                                            {"damping half as fast", 1.0, 0.5},
                                                            {"damping twice as fast", 1.0, 2.0}}};
 
-/// Options of damped integration.
-/// \param parts   of the damping, as the option `damping` has them
-/// \param scales  of its constants
-/// \param seed    of chance
-/// \return all others as they are
+// Options of damped integration.
 inline DampedOptions damped_options(const std::string& parts, const DampedScales& scales,
                                     int seed) {
   DampedOptions options;
@@ -59,8 +54,7 @@ inline DampedOptions damped_options(const std::string& parts, const DampedScales
   return options;
 }
 
-/// The technique with Coulomb's friction that damped integration is compared with.
-/// \return the default technique of the library
+// The technique with Coulomb's friction that damped integration is compared with.
 inline PlayedTechnique coulomb_technique() { return {"contact_damped"}; }
 
 }  // namespace tumble::chapters
