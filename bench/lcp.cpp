@@ -132,10 +132,7 @@ void compare(int n, double noise) {
 
 }  // namespace
 
-/// Runs all sizes.
-/// \param argc  1 or 2
-/// \param argv  largest n, 1024 if not given
-/// \return 0
+// Runs all sizes.
 int main(int argc, char** argv) {
   const int largest = argc > 1 ? std::atoi(argv[1]) : 1024;
   for (const int n : {16, 40, 64, 256, 512, 1024})

@@ -30,13 +30,12 @@
 #include <vector>
 
 #ifdef TUMBLE_HAVE_ODE
-/// ODE's scratch memory, as its solver reads it: the library exports the solver, no header does.
+// ODE's scratch memory, as its solver reads it: the library exports the solver, no header does.
 class dxWorldProcessMemArena {
  public:
-  /// Provides memory.
-  /// \param bytes how much
+  // Provides memory.
   explicit dxWorldProcessMemArena(std::size_t bytes) : storage_(bytes) { rewind(); }
-  /// Gives all of it back.
+  // Gives all of it back.
   void rewind() {
     current_ = begin_ = storage_.data();
     end_ = storage_.data() + storage_.size();
@@ -50,16 +49,15 @@ class dxWorldProcessMemArena {
   const void* manager_ = nullptr;
   std::vector<char> storage_;
 };
-/// ODE 0.16's Dantzig solver, A x = b + w with lo <= x <= hi. All arrays are overwritten.
+// ODE 0.16's Dantzig solver, A x = b + w with lo <= x <= hi. All arrays are overwritten.
 void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, dReal* A, dReal* b_and_x, dReal* w,
                 unsigned unbounded, dReal* lo_and_hi, int* friction_index);
-/// \return how much scratch memory it asks for
 std::size_t dxEstimateSolveLCPMemoryReq(unsigned n, bool outer_w_available);
 #endif
 
 #ifdef TUMBLE_HAVE_DART
 namespace dart::external::ode {
-/// DART's form of ODE's solver, declared here because its header and ODE's do not go together.
+// DART's form of ODE's solver, declared here because its header and ODE's do not go together.
 bool dSolveLCP(int n, double* A, double* x, double* b, double* w, int unbounded, double* low,
                double* high, int* friction_index, bool early_termination);
 }  // namespace dart::external::ode
@@ -67,18 +65,17 @@ bool dSolveLCP(int n, double* A, double* x, double* b, double* w, int unbounded,
 
 namespace lcp_bench {
 
-/// A solver of another engine.
+// A solver of another engine.
 struct Peer {
-  std::string name;                                     ///< as printed
-  bool pivots;                                          ///< and so needs a definite matrix
-  std::function<void(const tumble::LcpProblem&)> take;  ///< copies the problem; not timed
-  std::function<void()> solve;                          ///< solves the copy, and may spoil it
-  std::function<std::vector<double>()> forces;          ///< what came out
+  std::string name;                                     // as printed
+  bool pivots;                                          // and so needs a definite matrix
+  std::function<void(const tumble::LcpProblem&)> take;  // copies the problem; not timed
+  std::function<void()> solve;                          // solves the copy, and may spoil it
+  std::function<std::vector<double>()> forces;          // what came out
 };
 
 #ifdef TUMBLE_HAVE_ODE
-/// ODE's dxSolveLCP.
-/// \return the solver, its messages switched off
+// ODE's dxSolveLCP.
 inline Peer ode() {
   struct State {
     unsigned n = 0;
@@ -120,11 +117,7 @@ inline Peer ode() {
 }
 #endif
 
-/// A descendant of ODE's earlier dSolveLCP, with plain arrays.
-/// \tparam Number  what it computes with
-/// \param name     as printed
-/// \param call     solves A x = b + w: call(n, A, x, b, w, low, high, friction_index)
-/// \return the solver
+// A descendant of ODE's earlier dSolveLCP, with plain arrays.
 template <class Number, class Call>
 Peer descendant(std::string name, Call call) {
   struct State {
@@ -158,8 +151,7 @@ Peer descendant(std::string name, Call call) {
 }
 
 #ifdef TUMBLE_HAVE_BULLET
-/// Bullet's btSolveDantzigLCP, in the precision that Bullet was built with.
-/// \return the solver
+// Bullet's btSolveDantzigLCP, in the precision that Bullet was built with.
 inline Peer bullet() {
   const auto scratch = std::make_shared<btDantzigScratchMemory>();
   const char* name = sizeof(btScalar) == 8 ? "Bullet Dantzig (double)" : "Bullet Dantzig (float)";
@@ -172,8 +164,7 @@ inline Peer bullet() {
 #endif
 
 #ifdef TUMBLE_HAVE_DART
-/// DART's dSolveLCP.
-/// \return the solver
+// DART's dSolveLCP.
 inline Peer dart() {
   return descendant<double>("DART dSolveLCP", [](int n, double* A, double* x, double* b, double* w,
                                                  double* low, double* high, int* friction) {
@@ -183,8 +174,7 @@ inline Peer dart() {
 #endif
 
 #ifdef TUMBLE_HAVE_SICONOS
-/// Siconos' sweeps, the only one of its solvers that ends on the larger singular problems.
-/// \return LCP_PGS with a tolerance of 1e-8 and at most 10 000 sweeps
+// Siconos' sweeps, the only one of its solvers that ends on the larger singular problems.
 inline Peer siconos() {
   struct State {
     std::vector<double> A, b, f, w;
@@ -216,8 +206,7 @@ inline Peer siconos() {
 }
 #endif
 
-/// The solvers that were found at build time.
-/// \return ODE's first
+// The solvers that were found at build time.
 inline std::vector<Peer> peers() {
   std::vector<Peer> out;
 #ifdef TUMBLE_HAVE_ODE

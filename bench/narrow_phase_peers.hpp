@@ -21,30 +21,27 @@
 
 namespace narrow_phase {
 
-/// Two boxes to be tested against each other.
+// Two boxes to be tested against each other.
 struct Pair {
-  tumble::Box first;   ///< the one
-  tumble::Box second;  ///< the other
+  tumble::Box first;   // the one
+  tumble::Box second;  // the other
 };
 
-/// What a routine says about one pair.
+// What a routine says about one pair.
 struct Answer {
-  int points = 0;      ///< how many contact points
-  double depth = 0.0;  ///< [m] of the deepest one; meaningless without points
+  int points = 0;      // how many contact points
+  double depth = 0.0;  // [m] of the deepest one; meaningless without points
 };
 
-/// A routine under test.
+// A routine under test.
 struct Routine {
-  std::string name;                          ///< as printed
-  std::function<double()> run;               ///< over all pairs; a sum that depends on each
-  std::function<Answer(std::size_t k)> ask;  ///< about pair k, for the quality; not timed
-  std::vector<double> ns;                    ///< [ns] per pair, one for each round
+  std::string name;                          // as printed
+  std::function<double()> run;               // over all pairs; a sum that depends on each
+  std::function<Answer(std::size_t k)> ask;  // about pair k, for the quality; not timed
+  std::vector<double> ns;                    // [ns] per pair, one for each round
 };
 
-/// Makes a run over all pairs of a call on one pair.
-/// \param count  how many pairs
-/// \param call   takes the pair's number and returns a number that depends on its result
-/// \return calls it for each pair and adds up
+// Makes a run over all pairs of a call on one pair.
 template <typename Call>
 std::function<double()> over_all(std::size_t count, Call call) {
   return [count, call]() mutable {
@@ -55,7 +52,7 @@ std::function<double()> over_all(std::size_t count, Call call) {
 }
 
 #ifdef TUMBLE_HAVE_ODE
-/// A box as ODE wants it.
+// A box as ODE wants it.
 struct OdeBox {
   dVector3 center{};
   dMatrix3 axes{};
@@ -70,14 +67,12 @@ struct OdeBox {
   }
 };
 
-/// A pair as ODE wants it.
+// A pair as ODE wants it.
 struct OdePair {
   OdeBox first, second;
 };
 
-/// ODE's dBoxBox.
-/// \param pairs the pairs
-/// \return the routine; it owns its copy of the pairs
+// ODE's dBoxBox.
 inline Routine ode(const std::vector<Pair>& pairs) {
   const auto boxes = std::make_shared<std::vector<OdePair>>();
   for (const Pair& pair : pairs) boxes->push_back({OdeBox(pair.first), OdeBox(pair.second)});
@@ -98,7 +93,7 @@ inline Routine ode(const std::vector<Pair>& pairs) {
 #endif
 
 #ifdef TUMBLE_HAVE_BULLET
-/// A pair as Bullet wants it.
+// A pair as Bullet wants it.
 struct BulletPair {
   btBoxShape first, second;
   btDiscreteCollisionDetectorInterface::ClosestPointInput input;
@@ -119,7 +114,7 @@ struct BulletPair {
   }
 };
 
-/// Counts the points that Bullet finds.
+// Counts the points that Bullet finds.
 struct BulletPoints : btDiscreteCollisionDetectorInterface::Result {
   Answer answer;
   void setShapeIdentifiersA(int /*part*/, int /*index*/) override {}
@@ -131,9 +126,7 @@ struct BulletPoints : btDiscreteCollisionDetectorInterface::Result {
   }
 };
 
-/// Bullet's btBoxBoxDetector, in the precision that Bullet was built with.
-/// \param pairs the pairs
-/// \return the routine; it owns its copy of the pairs
+// Bullet's btBoxBoxDetector, in the precision that Bullet was built with.
 inline Routine bullet(const std::vector<Pair>& pairs) {
   const auto boxes = std::make_shared<std::vector<BulletPair>>();
   boxes->reserve(pairs.size());
@@ -151,9 +144,7 @@ inline Routine bullet(const std::vector<Pair>& pairs) {
 }
 #endif
 
-/// The box-box routines of the engines that were found at build time.
-/// \param pairs the pairs, converted here to what each engine wants, so that this is not timed
-/// \return a routine for each engine; they own their copies of the pairs
+// The box-box routines of the engines that were found at build time.
 inline std::vector<Routine> peers([[maybe_unused]] const std::vector<Pair>& pairs) {
   std::vector<Routine> out;
 #ifdef TUMBLE_HAVE_ODE

@@ -11,22 +11,21 @@
 
 namespace scene_bench {
 
-/// A body's pose and velocities as an engine has them.
+// A body's pose and velocities as an engine has them.
 struct Motion {
-  tumble::Vec3 position_w = tumble::Vec3::Zero();          ///< [m] centre
-  tumble::Quat orientation_wb = tumble::Quat::Identity();  ///< [-] body to world
-  tumble::Vec3 velocity_w = tumble::Vec3::Zero();          ///< [m/s] of the centre
-  tumble::Vec3 angular_velocity_w = tumble::Vec3::Zero();  ///< [rad/s] world frame
+  tumble::Vec3 position_w = tumble::Vec3::Zero();          // [m] centre
+  tumble::Quat orientation_wb = tumble::Quat::Identity();  // [-] body to world
+  tumble::Vec3 velocity_w = tumble::Vec3::Zero();          // [m/s] of the centre
+  tumble::Vec3 angular_velocity_w = tumble::Vec3::Zero();  // [rad/s] world frame
 
-  /// Whether it can be worked with.
-  /// \return false for infinite numbers, NaN or no orientation
+  // Whether it can be worked with.
   [[nodiscard]] bool finite() const {
     return position_w.allFinite() && orientation_wb.coeffs().allFinite() &&
            velocity_w.allFinite() && angular_velocity_w.allFinite() && orientation_wb.norm() > 0.5;
   }
 };
 
-/// Common part of every engine beside ours: bodies in the world's order, read one by one.
+// Common part of every engine beside ours: bodies in the world's order, read one by one.
 class Peer : public Engine {
  public:
   void take_in(const tumble::World& world) override {
@@ -60,45 +59,28 @@ class Peer : public Engine {
   }
 
  protected:
-  /// Adds the next body.
-  /// \param body   its constant part, movable or not
-  /// \param state  where it is and how it moves
+  // Adds the next body.
   virtual void add(const tumble::BodyProperties& body, const tumble::BodyState& state) = 0;
-  /// Reads a body.
-  /// \param i its index in the world; it is movable
-  /// \return where it is and how it moves
+  // Reads a body.
   [[nodiscard]] virtual Motion motion(int i) const = 0;
-  /// Whether a body sleeps.
-  /// \param i its index in the world; it is movable
-  /// \return true if the engine has put it to sleep
+  // Whether a body sleeps.
   [[nodiscard]] virtual bool sleeps(int i) const = 0;
 
  private:
   int taken_ = 0;
 };
 
-/// ODE: dWorldQuickStep (scene_ode.cpp; only where ODE was found).
-/// \param start       gravity is taken from it
-/// \param sleeping    whether bodies may fall asleep
-/// \param iterations  of the solver; 20 is ODE's default
-/// \return the engine, without bodies
+// ODE: dWorldQuickStep (scene_ode.cpp; only where ODE was found).
 std::unique_ptr<Engine> make_ode(const tumble::World& start, bool sleeping, int iterations);
 
-/// ODE's version and precision.
-/// \return for example "ODE 0.16.2 in double precision"
+// ODE's version and precision.
 std::string ode_version();
 
-/// Bullet: sequential impulses (scene_bullet.cpp; only where Bullet was found).
-/// \param start           gravity is taken from it
-/// \param sleeping        whether bodies may fall asleep
-/// \param iterations      of the solver; 10 is Bullet's default
-/// \param two_directions  of friction instead of Bullet's default, one along the sliding
-/// \return the engine, without bodies
+// Bullet: sequential impulses (scene_bullet.cpp; only where Bullet was found).
 std::unique_ptr<Engine> make_bullet(const tumble::World& start, bool sleeping, int iterations,
                                     bool two_directions);
 
-/// Bullet's version and precision.
-/// \return for example "Bullet 3.24 in single precision"
+// Bullet's version and precision.
 std::string bullet_version();
 
 }  // namespace scene_bench

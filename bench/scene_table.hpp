@@ -11,25 +11,17 @@
 
 namespace scene_bench {
 
-/// What the columns of the tables mean.
-/// \return lines of at most 100 characters
+// What the columns of the tables mean.
 std::string legend();
 
-/// Prints a scene's table, at most 100 characters wide.
-/// \param scene      the scene
-/// \param runs       one for each engine
-/// \param reference  name of the engine that ratios are to; may not be among the runs
+// Prints a scene's table, at most 100 characters wide.
 void print_table(const SceneChoice& scene, const std::vector<Outcome>& runs,
                  const std::string& reference);
 
-/// Writes the names of the columns of write_csv().
-/// \param file an open file
+// Writes the names of the columns of write_csv().
 void write_csv_head(std::FILE* file);
 
-/// Writes a line for each run, with all digits.
-/// \param file   an open file
-/// \param scene  the scene
-/// \param runs   one for each engine
+// Writes a line for each run, with all digits.
 void write_csv(std::FILE* file, const SceneChoice& scene, const std::vector<Outcome>& runs);
 
 }  // namespace scene_bench

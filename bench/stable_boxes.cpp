@@ -88,10 +88,7 @@ void measure(const Pile& pile, const char* solver, const tumble::Word<tumble::St
 
 }  // namespace
 
-/// Runs all sizes.
-/// \param argc  1 or 2
-/// \param argv  largest number of rows, 13 if not given
-/// \return 0
+// Runs all sizes.
 int main(int argc, char** argv) {
   const int largest = argc > 1 ? std::atoi(argv[1]) : 13;
   for (int rows = 5; rows <= largest; rows += 2) {

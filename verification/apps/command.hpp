@@ -21,15 +21,13 @@
 
 namespace tumble::test {
 
-/// How a command ended.
+// How a command ended.
 struct Outcome {
-  int code = -1;     ///< exit code; 128 + signal if it was killed
-  std::string text;  ///< both streams
+  int code = -1;     // exit code; 128 + signal if it was killed
+  std::string text;  // both streams
 };
 
-/// Runs a line of a shell.
-/// \param line what to run
-/// \return how it ended
+// Runs a line of a shell.
 inline Outcome shell(const std::string& line) {
   const std::string command = "(" + line + ") 2>&1";
   Outcome out;
@@ -42,21 +40,18 @@ inline Outcome shell(const std::string& line) {
   return out;
 }
 
-/// Runs the command.
-/// \param arguments as typed after its name
-/// \return how it ended
+// Runs the command.
 inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
 }
 
-/// A command line that is wrong, and what its answer has to contain.
+// A command line that is wrong, and what its answer has to contain.
 struct Refusal {
-  std::string arguments;  ///< as typed after the command's name
-  std::string message;    ///< a part of the answer
+  std::string arguments;  // as typed after the command's name
+  std::string message;    // a part of the answer
 };
 
-/// Checks that each command line is refused with one line and exit code 2.
-/// \param refusals  the command lines
+// Checks that each command line is refused with one line and exit code 2.
 inline void check_refused(const std::vector<Refusal>& refusals) {
   for (const Refusal& refusal : refusals) {
     const Outcome outcome = run_tumble(refusal.arguments);
@@ -67,18 +62,14 @@ inline void check_refused(const std::vector<Refusal>& refusals) {
   }
 }
 
-/// The hash in a run's summary.
-/// \param folder of the run
-/// \return 16 digits, or "none"
+// The hash in a run's summary.
 inline std::string hash_of(const std::filesystem::path& folder) {
   const std::string text = content(folder / "summary.json");
   const std::size_t at = text.find("\"state_hash\": \"");
   return at == std::string::npos ? "none" : text.substr(at + 15, 16);
 }
 
-/// Whether a table is whole: it ends with a line, and all lines have as many commas as the first.
-/// \param path a table without quoted cells
-/// \return false for a table that is cut
+// Whether a table is whole: it ends with a line, and all lines have as many commas as the first.
 inline bool whole_lines(const std::filesystem::path& path) {
   const std::string text = content(path);
   if (text.empty() || text.back() != '\n') return false;

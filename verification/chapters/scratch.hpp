@@ -9,18 +9,17 @@
 
 namespace tumble::chapters {
 
-/// A folder of one test, removed when the test ends.
+// A folder of one test, removed when the test ends.
 class Scratch {
  public:
-  /// Makes an empty folder.
-  /// \param name  unlike that of any other test
+  // Makes an empty folder.
   explicit Scratch(const std::string& name)
       : folder_(std::filesystem::temp_directory_path() /
                 ("tumble_" + name + '_' + std::to_string(getpid()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
-  /// Removes it.
+  // Removes it.
   ~Scratch() {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
@@ -28,10 +27,7 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
-  /// Writes a file.
-  /// \param name  of the file; folders in it are made
-  /// \param text  its bytes
-  /// \return its path
+  // Writes a file.
   [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& text) const {
     const std::filesystem::path path = folder_ / name;
     std::filesystem::create_directories(path.parent_path());
@@ -39,11 +35,7 @@ class Scratch {
     return path;
   }
 
-  /// Writes what a figure computed: `NAME_numbers.csv`, in folder `figures`.
-  /// \param name      the figure's name
-  /// \param rows      lines `quantity,unit,value,low,high,seeds`
-  /// \param settings  "default" or "changed"
-  /// \return the folder of the figures
+  // Writes what a figure computed: `NAME_numbers.csv`, in folder `figures`.
   [[nodiscard]] std::filesystem::path figure(const std::string& name, const std::string& rows,
                                              const std::string& settings = "default") const {
     return file("figures/" + name + "_numbers.csv",
@@ -58,9 +50,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// One claim, as a chapter's claims.toml has it: a speed of at least 1 m/s confirms it.
-/// \param statement  as it stands between quotes in TOML
-/// \return the bytes of the file
+// One claim, as a chapter's claims.toml has it: a speed of at least 1 m/s confirms it.
 inline std::string claim_on_speed(const std::string& statement) {
   return "[[claim]]\nid = \"2.1a\"\nsection = \"2.1\"\nstatement = \"" + statement + R"("
 experiment = "A box is dropped."

@@ -10,14 +10,14 @@
 
 namespace tumble::impact_cases {
 
-/// A body with its mass and inertia, which a MovingBody has only as inverses.
+// A body with its mass and inertia, which a MovingBody has only as inverses.
 struct Heavy {
   MovingBody moving;
-  double mass = 0.0;              ///< [kg] 0 for an immovable body
-  Mat3 inertia_w = Mat3::Zero();  ///< [kg m²]
+  double mass = 0.0;              // [kg] 0 for an immovable body
+  Mat3 inertia_w = Mat3::Zero();  // [kg m²]
 };
 
-/// A movable box.
+// A movable box.
 inline Heavy box(const Vec3& position_w, const Vec3& size, double mass, const Vec3& velocity_w,
                  const Vec3& omega_w = Vec3::Zero(),
                  const Quat& orientation_wb = Quat::Identity()) {
@@ -34,29 +34,29 @@ inline Heavy box(const Vec3& position_w, const Vec3& size, double mass, const Ve
   return h;
 }
 
-/// An immovable body.
+// An immovable body.
 inline Heavy fixed() { return {}; }
 
-/// [J]
+// [J]
 inline double kinetic_energy(const Heavy& h) {
   const Vec3& omega = h.moving.angular_velocity_w;
   return 0.5 * h.mass * h.moving.velocity_w.squaredNorm() + 0.5 * omega.dot(h.inertia_w * omega);
 }
 
-/// [kg m/s]
+// [kg m/s]
 inline Vec3 momentum(const Heavy& h) { return h.mass * h.moving.velocity_w; }
 
-/// [kg m²/s] about the origin
+// [kg m²/s] about the origin
 inline Vec3 angular_momentum(const Heavy& h) {
   return h.moving.position_w.cross(momentum(h)) + h.inertia_w * h.moving.angular_velocity_w;
 }
 
-/// 10 to the power of a number between -reach and reach.
+// 10 to the power of a number between -reach and reach.
 inline double magnitude(Random& random, double reach) {
   return std::pow(10.0, random.uniform(-reach, reach));
 }
 
-/// A box of random size (edges 0.3 to 3 m), mass (1 g to 1 t), orientation and motion.
+// A box of random size (edges 0.3 to 3 m), mass (1 g to 1 t), orientation and motion.
 inline Heavy random_box(Random& random) {
   const double w = magnitude(random, 0.5);
   const double h = magnitude(random, 0.5);

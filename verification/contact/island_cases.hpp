@@ -10,9 +10,7 @@
 
 namespace tumble::test {
 
-/// One body for each letter.
-/// \param letters  f: fixed; any other one: movable
-/// \return as many
+// One body for each letter.
 inline std::vector<BodyProperties> bodies_from(std::string_view letters) {
   std::vector<BodyProperties> bodies;
   for (const char letter : letters)
@@ -21,10 +19,7 @@ inline std::vector<BodyProperties> bodies_from(std::string_view letters) {
   return bodies;
 }
 
-/// A contact of two bodies, wherever it is.
-/// \param first   index of a body
-/// \param second  index of the other one
-/// \return without points
+// A contact of two bodies, wherever it is.
 inline Contact touching(int first, int second) {
   Contact contact;
   contact.first = first;
@@ -32,9 +27,7 @@ inline Contact touching(int first, int second) {
   return contact;
 }
 
-/// Numbers that can be compared.
-/// \param numbers  some
-/// \return a copy
+// Numbers that can be compared.
 inline std::vector<int> list(std::span<const int> numbers) {
   return {numbers.begin(), numbers.end()};
 }

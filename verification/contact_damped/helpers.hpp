@@ -12,17 +12,13 @@
 
 namespace tumble::test {
 
-/// [rad] One degree.
+// [rad] One degree.
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// A number as a setting.
-/// \param value  the number
-/// \return six decimals
+// A number as a setting.
 inline std::string text(double value) { return std::to_string(value); }
 
-/// The technique, with all bodies awake unless set otherwise.
-/// \param set  options to change
-/// \return a new one
+// The technique, with all bodies awake unless set otherwise.
 inline std::unique_ptr<Technique> contact_damped(const Settings& set = {}) {
   return awake("contact_damped", set);
 }

@@ -20,42 +20,42 @@
 
 namespace tumble::test {
 
-/// Where the cube was at one instant, y up, the table at y = 0.
+// Where the cube was at one instant, y up, the table at y = 0.
 struct TossSample {
-  Vec3 position_w = Vec3::Zero();          ///< [m] centre
-  Quat orientation_wb = Quat::Identity();  ///< [-] body to world
-  Vec3 velocity_w = Vec3::Zero();          ///< [m/s] of the centre
-  Vec3 angular_velocity_w = Vec3::Zero();  ///< [rad/s] world frame
+  Vec3 position_w = Vec3::Zero();          // [m] centre
+  Quat orientation_wb = Quat::Identity();  // [-] body to world
+  Vec3 velocity_w = Vec3::Zero();          // [m/s] of the centre
+  Vec3 angular_velocity_w = Vec3::Zero();  // [rad/s] world frame
 };
 
-/// One toss, from the hand to rest.
+// One toss, from the hand to rest.
 struct MeasuredToss {
-  std::string name;                 ///< of the file, for example "toss_007"
-  std::vector<TossSample> samples;  ///< one every `toss_interval`
+  std::string name;                 // of the file, for example "toss_007"
+  std::vector<TossSample> samples;  // one every `toss_interval`
 };
 
-/// How a toss ended.
+// How a toss ended.
 struct TossOutcome {
-  int face = 0;         ///< which face is up: 2 i for the one at -axis i of the cube, 2 i + 1 at +
-  double tilt = 0.0;    ///< [rad] between that face's normal and the vertical
-  double travel = 0.0;  ///< [m] from start to end, along the table
-  double time_to_rest = 0.0;  ///< [s] from the start until it moves no more, see `toss_still`
-  bool rests = false;         ///< whether it moved no more at the end
+  int face = 0;         // which face is up: 2 i for the one at -axis i of the cube, 2 i + 1 at +
+  double tilt = 0.0;    // [rad] between that face's normal and the vertical
+  double travel = 0.0;  // [m] from start to end, along the table
+  double time_to_rest = 0.0;  // [s] from the start until it moves no more, see `toss_still`
+  bool rests = false;         // whether it moved no more at the end
 };
 
-/// The outcomes of many tosses, one number each.
+// The outcomes of many tosses, one number each.
 struct TossNumbers {
-  std::vector<double> travel;        ///< [m] of each
-  std::vector<double> time_to_rest;  ///< [s] of each
-  std::vector<int> face;             ///< of each
-  int resting = 0;                   ///< how many rest at the end
-  int flat = 0;                      ///< how many end with a face up, within two degrees
+  std::vector<double> travel;        // [m] of each
+  std::vector<double> time_to_rest;  // [s] of each
+  std::vector<int> face;             // of each
+  int resting = 0;                   // how many rest at the end
+  int flat = 0;                      // how many end with a face up, within two degrees
 };
 
-/// [s] between two samples: the camera took 148 a second.
+// [s] between two samples: the camera took 148 a second.
 inline constexpr double toss_interval = 1.0 / 148.0;
 
-/// [m] edge of the cube.
+// [m] edge of the cube.
 inline constexpr double toss_edge = 0.1048;
 
 inline constexpr std::size_t kTossColumns = 13;
@@ -118,15 +118,11 @@ inline void find_face(const Quat& orientation_wb, TossOutcome& outcome) {
   outcome.tilt = std::acos(std::min(std::abs(up_b[axis]), 1.0));
 }
 
-/// Reads the tosses of a folder, z up as they were measured, and turns them y up.
-///
-/// The data are ContactNets' (Pfrommer, Halm, Posa, CoRL 2020), one CSV file for each toss, with a
-/// header and position, quaternion w x y z, velocity, and angular velocity in the cube's frame. At
-/// rest the measured centre is 1 mm below half an edge; each toss is lifted until it is not.
-/// \param folder  with files toss_*.csv
-/// \return in the order of their names
-/// \throws std::runtime_error naming the file with a row that has not 13 numbers, or the folder if
-///         it has none
+// Reads the tosses of a folder, z up as they were measured, and turns them y up.
+//
+// The data are ContactNets' (Pfrommer, Halm, Posa, CoRL 2020), one CSV file for each toss, with a
+// header and position, quaternion w x y z, velocity, and angular velocity in the cube's frame. At
+// rest the measured centre is 1 mm below half an edge; each toss is lifted until it is not.
 inline std::vector<MeasuredToss> read_tosses(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -140,9 +136,7 @@ inline std::vector<MeasuredToss> read_tosses(const std::filesystem::path& folder
   return tosses;
 }
 
-/// How a measured toss ended.
-/// \param toss  from read_tosses()
-/// \return its last sample says
+// How a measured toss ended.
 inline TossOutcome measured_outcome(const MeasuredToss& toss) {
   TossOutcome outcome;
   const TossSample& last = toss.samples.back();
@@ -157,13 +151,11 @@ inline TossOutcome measured_outcome(const MeasuredToss& toss) {
   return outcome;
 }
 
-/// The cube and the table at the start of a toss.
-///
-/// Position and velocity are the least-squares free flight through the first eight samples, in
-/// which no corner is at the table yet; the angular velocity is their mean. Mass 0.37 kg, moment of
-/// inertia 0.00081 kg m², friction 0.18 and restitution 0.125 are those that go with the data.
-/// \param toss  from read_tosses()
-/// \return the table as the ground, and the cube
+// The cube and the table at the start of a toss.
+//
+// Position and velocity are the least-squares free flight through the first eight samples, in
+// which no corner is at the table yet; the angular velocity is their mean. Mass 0.37 kg, moment of
+// inertia 0.00081 kg m², friction 0.18 and restitution 0.125 are those that go with the data.
 inline World toss_world(const MeasuredToss& toss) {
   // x(t) + g t²/2 is a straight line in free flight: its least-squares value and slope at t = 0.
   Vec3 sum = Vec3::Zero();
@@ -195,11 +187,8 @@ inline World toss_world(const MeasuredToss& toss) {
   return world;
 }
 
-/// Simulates a toss for two seconds.
-/// \param toss       where it starts
-/// \param technique  fresh: one that has seen no step
-/// \param dt         [s] length of a step
-/// \return how it ended
+// Simulates a toss for two seconds.
+// dt: [s] length of a step
 inline TossOutcome simulated_outcome(const MeasuredToss& toss, Technique& technique, double dt) {
   World world = toss_world(toss);
   const Vec3 start = world.states()[1].position_w;
@@ -217,9 +206,7 @@ inline TossOutcome simulated_outcome(const MeasuredToss& toss, Technique& techni
   return outcome;
 }
 
-/// Adds an outcome to others.
-/// \param outcome  one more
-/// \param numbers  gets it
+// Adds an outcome to others.
 inline void add(const TossOutcome& outcome, TossNumbers& numbers) {
   numbers.travel.push_back(outcome.travel);
   numbers.time_to_rest.push_back(outcome.time_to_rest);
@@ -228,11 +215,9 @@ inline void add(const TossOutcome& outcome, TossNumbers& numbers) {
   if (outcome.tilt < 0.035) ++numbers.flat;  // two degrees
 }
 
-/// The distance of Kolmogorov and Smirnov, \f$\max_x |F_1(x) - F_2(x)|\f$ of the shares of numbers
-/// up to x.
-/// \param first   at least one number
-/// \param second  at least one number
-/// \return [-] 0 to 1
+// The distance of Kolmogorov and Smirnov, \f$\max_x |F_1(x) - F_2(x)|\f$ of the shares of numbers
+// up to x.
+// Returns [-] 0 to 1
 inline double distribution_distance(std::vector<double> first, std::vector<double> second) {
   std::sort(first.begin(), first.end());
   std::sort(second.begin(), second.end());

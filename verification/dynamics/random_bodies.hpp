@@ -7,22 +7,17 @@
 
 namespace tumble {
 
-/// A movable box with edges of 0.2 to 2 m and a mass of 0.5 to 10 kg.
-/// \param random where the numbers come from
-/// \return its properties
+// A movable box with edges of 0.2 to 2 m and a mass of 0.5 to 10 kg.
 inline BodyProperties random_box(Random& random) {
   const Vec3 size = Vec3::Constant(1.1) + random.in_cube(0.9);
   const double mass = random.uniform(0.5, 10.0);
   return box_properties(size, mass);
 }
 
-/// A state anywhere in a cube, at any orientation.
-/// \param random  where the numbers come from
-/// \param body    the body
-/// \param extent  [m] half the edge of the cube for the position
-/// \param speed   [m/s] largest component of the velocity
-/// \param spin    [rad/s] largest component of the angular velocity
-/// \return its state
+// A state anywhere in a cube, at any orientation.
+// extent: [m] half the edge of the cube for the position
+// speed: [m/s] largest component of the velocity
+// spin: [rad/s] largest component of the angular velocity
 inline BodyState random_state(Random& random, const BodyProperties& body, double extent,
                               double speed, double spin) {
   const Vec3 position = random.in_cube(extent);
@@ -32,10 +27,7 @@ inline BodyState random_state(Random& random, const BodyProperties& body, double
   return make_state(body, position, orientation, velocity_w, omega_w);
 }
 
-/// Whether two states are equal to the last bit, +0 and -0 counted as equal.
-/// \param a  the one
-/// \param b  the other
-/// \return true if all 13 numbers agree
+// Whether two states are equal to the last bit, +0 and -0 counted as equal.
 inline bool same_state(const BodyState& a, const BodyState& b) {
   return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs() &&
          a.linear_momentum_w == b.linear_momentum_w && a.angular_momentum_w == b.angular_momentum_w;

@@ -17,10 +17,7 @@
 
 namespace tumble::test {
 
-/// Options of the technique.
-/// \param scheme  time integration
-/// \param pose    pose update
-/// \return otherwise the defaults
+// Options of the technique.
 inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
   GluedOptions options;
   options.scheme = scheme;
@@ -28,10 +25,7 @@ inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separa
   return options;
 }
 
-/// Options of the technique with joints that push and do not pull.
-/// \param scheme  time integration
-/// \param events  where a step ends when a joint opens
-/// \return with an accuracy of 1e-12
+// Options of the technique with joints that push and do not pull.
 inline GluedOptions pressing(GluedScheme scheme, GluedEvents events = GluedEvents::located) {
   GluedOptions options;
   options.scheme = scheme;
@@ -41,10 +35,8 @@ inline GluedOptions pressing(GluedScheme scheme, GluedEvents events = GluedEvent
   return options;
 }
 
-/// Difference of the states of two worlds.
-/// \param one    a world
-/// \param other  with as many bodies
-/// \return [m, -] the largest distance of two centres, or difference of two orientations
+// Difference of the states of two worlds.
+// Returns [m, -] the largest distance of two centres, or difference of two orientations
 inline double apart(const World& one, const World& other) {
   double worst = 0.0;
   for (std::size_t k = 0; k < one.states().size(); ++k) {
@@ -57,17 +49,13 @@ inline double apart(const World& one, const World& other) {
   return worst;
 }
 
-/// Whether two worlds have the same states to the last bit.
-/// \param one    a world
-/// \param other  another one
-/// \return false also for different numbers of bodies
+// Whether two worlds have the same states to the last bit.
 inline bool same_states(const World& one, const World& other) {
   return std::equal(one.states().begin(), one.states().end(), other.states().begin(),
                     other.states().end());
 }
 
-/// All schemes, and each that allows it also with the exponential.
-/// \return options, bilateral
+// All schemes, and each that allows it also with the exponential.
 inline std::vector<GluedOptions> all_ways() {
   std::vector<GluedOptions> ways;
   for (const GluedScheme scheme : glued_schemes()) {
@@ -83,16 +71,13 @@ inline std::vector<GluedOptions> all_ways() {
   return ways;
 }
 
-/// Text for failed checks.
-/// \param options a way to integrate
-/// \return for example "leapfrog, exponential"
+// Text for failed checks.
 inline std::string text_of(const GluedOptions& options) {
   return std::string(name_of(options.scheme)) + ", " + std::string(name_of(options.pose));
 }
 
-/// Three boxes of different sizes and masses, glued to each other in free flight and tumbling as one.
-/// \param gravity_w [m/s²]
-/// \return the world
+// Three boxes of different sizes and masses, glued to each other in free flight and tumbling as one.
+// gravity_w: [m/s²]
 inline World flying_group(const Vec3& gravity_w) {
   World world;
   world.gravity_w = gravity_w;

@@ -13,20 +13,15 @@
 
 namespace tumble::adaptive_cases {
 
-constexpr double kStep = 1.0 / 60.0;  ///< [s] a whole step
+constexpr double kStep = 1.0 / 60.0;  // [s] a whole step
 
-/// A technique with its default options.
-/// \param name  in the library
-/// \return the technique
+// A technique with its default options.
 inline std::unique_ptr<Technique> make(const char* name) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   return recipe.make(recipe.options(), 1);
 }
 
-/// Options with default tolerances.
-/// \param most    most halvings of a step
-/// \param fewest  least halvings
-/// \return the options
+// Options with default tolerances.
 inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
   AdaptiveStepOptions options;
   options.halvings = most;
@@ -34,17 +29,14 @@ inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
   return options;
 }
 
-/// Cubes that fly together, fall and chatter.
-/// \param per_edge  cubes along an edge of the grid on which they start
-/// \return the clump of figure 6.7, smaller
+// Cubes that fly together, fall and chatter.
 inline World clump(int per_edge) {
   return test::world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}});
 }
 
-/// A cube of 0.2 m and 1 kg, 5 m above the origin.
-/// \param velocity_w  [m/s]
-/// \param spin_w      [rad/s]
-/// \return a world without ground
+// A cube of 0.2 m and 1 kg, 5 m above the origin.
+// velocity_w: [m/s]
+// spin_w: [rad/s]
 inline World one_cube(const Vec3& velocity_w, const Vec3& spin_w = Vec3::Zero()) {
   World world;
   const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0);

@@ -9,17 +9,14 @@
 #include <functional>
 #include <vector>
 
-/// Helpers for the tests of filters that treat each body on its own.
+// Helpers for the tests of filters that treat each body on its own.
 namespace one_body {
 
-/// Interval of two frames [s].
+// Interval of two frames [s].
 inline constexpr double kFrameTime = 1.0 / 60.0;
 
-/// A run of one body.
-/// \param count     frames
-/// \param state     of the body in frame n
-/// \param interval  [s] between frames
-/// \return the run
+// A run of one body.
+// interval: [s] between frames
 inline tumble::Trajectory run_of(int count, const std::function<tumble::BodyState(int)>& state,
                                  double interval = kFrameTime) {
   tumble::Trajectory run;
@@ -32,43 +29,33 @@ inline tumble::Trajectory run_of(int count, const std::function<tumble::BodyStat
   return run;
 }
 
-/// A body at rest on the x axis.
-/// \param x [m] its position
-/// \return its state
+// A body at rest on the x axis.
+// x: [m] its position
 inline tumble::BodyState at(double x) {
   tumble::BodyState state;
   state.position_w.x() = x;
   return state;
 }
 
-/// A body at the origin, rotated about the z axis.
-/// \param angle [rad] its rotation
-/// \return its state
+// A body at the origin, rotated about the z axis.
+// angle: [rad] its rotation
 inline tumble::BodyState turned_by(double angle) {
   tumble::BodyState state;
   state.orientation_wb = tumble::rotation_from_vector(tumble::Vec3(0.0, 0.0, angle));
   return state;
 }
 
-/// The body in a frame of run_of().
-/// \param run    the run
-/// \param frame  its index
-/// \return its state
+// The body in a frame of run_of().
 inline const tumble::BodyState& body_in(const tumble::Trajectory& run, int frame) {
   return run.frame(frame).states[0];
 }
 
-/// Whether two poses have the same bits.
-/// \param a  first
-/// \param b  second
-/// \return true if positions and quaternions agree
+// Whether two poses have the same bits.
 inline bool same_pose(const tumble::BodyState& a, const tumble::BodyState& b) {
   return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
 }
 
-/// Counts the frames in which the body's displayed position changes.
-/// \param run displayed frames
-/// \return their number
+// Counts the frames in which the body's displayed position changes.
 inline int changes_in(const tumble::Trajectory& run) {
   int changes = 0;
   for (int n = 1; n < run.count(); ++n)
@@ -76,12 +63,9 @@ inline int changes_in(const tumble::Trajectory& run) {
   return changes;
 }
 
-/// A random walk of a body, with rotations; steps have all lengths up to a bound.
-/// \param count  frames
-/// \param way    [m] longest move of the centre in a frame
-/// \param turn   [rad] largest turn in a frame
-/// \param seed   random seed
-/// \return the run
+// A random walk of a body, with rotations; steps have all lengths up to a bound.
+// way: [m] longest move of the centre in a frame
+// turn: [rad] largest turn in a frame
 inline tumble::Trajectory random_walk(int count, double way, double turn, std::uint64_t seed) {
   tumble::Random chance(seed);
   tumble::BodyState now;

@@ -11,50 +11,42 @@
 
 namespace tumble::fuzz {
 
-/// The range from which a random world is drawn.
+// The range from which a random world is drawn.
 struct WorldRange {
-  int least_boxes = 2;       ///< boxes, at least
-  int most_boxes = 8;        ///< boxes, at most
-  double mass_ratio = 1e6;   ///< [-] largest mass over smallest mass, at most
-  double edge_ratio = 25.0;  ///< [-] longest edge over shortest edge, at most
-  double most_turn = 0.3;    ///< [rad] turn of a body in a step at the start, at most
+  int least_boxes = 2;       // boxes, at least
+  int most_boxes = 8;        // boxes, at most
+  double mass_ratio = 1e6;   // [-] largest mass over smallest mass, at most
+  double edge_ratio = 25.0;  // [-] longest edge over shortest edge, at most
+  double most_turn = 0.3;    // [rad] turn of a body in a step at the start, at most
   double most_travel =
-      0.3;  ///< [-] way of a body in a step at the start, as a share of its shortest edge
-  double restitution = 1.0;  ///< [-] largest coefficient
+      0.3;  // [-] way of a body in a step at the start, as a share of its shortest edge
+  double restitution = 1.0;  // [-] largest coefficient
 };
 
-/// A scene and the step with which it is run.
+// A scene and the step with which it is run.
 struct RandomWorld {
-  Scene scene;             ///< boxes that do not overlap
-  double dt = 1.0 / 60.0;  ///< [s]
+  Scene scene;             // boxes that do not overlap
+  double dt = 1.0 / 60.0;  // [s]
 };
 
-/// Draws a world: boxes that are stacked or fly, with or without ground and gravity.
-/// \param seed   equal seeds give equal worlds
-/// \param range  what to draw from
-/// \return the world
+// Draws a world: boxes that are stacked or fly, with or without ground and gravity.
 RandomWorld random_world(std::uint64_t seed, const WorldRange& range = {});
 
-/// The outcome of a run.
+// The outcome of a run.
 struct WorldVerdict {
-  StepStatus status = StepStatus::done;  ///< of the worst step
-  bool finite = true;                    ///< all states, after each step
-  /// [-] largest rise of the energy above the start, as a share of its scale: kinetic energy plus the sum of m g L
+  StepStatus status = StepStatus::done;  // of the worst step
+  bool finite = true;                    // all states, after each step
+  // [-] largest rise of the energy above the start, as a share of its scale: kinetic energy plus the sum of
+  // m g L
   double energy_rise = 0.0;
-  double unbooked_rise = 0.0;  ///< [-] the same of the energy less what the technique has booked
+  double unbooked_rise = 0.0;  // [-] the same of the energy less what the technique has booked
   double momentum_change =
-      0.0;  ///< [-] of a world without ground or gravity, over the sum of |m v| at the start
-  double overlap =
-      0.0;  ///< [-] deepest one of two boxes at the end, as a share of the shortest edge
-  std::string thrown = {};  ///< message of an exception; empty if there was none
+      0.0;  // [-] of a world without ground or gravity, over the sum of |m v| at the start
+  double overlap = 0.0;  // [-] deepest one of two boxes at the end, as a share of the shortest edge
+  std::string thrown = {};  // message of an exception; empty if there was none
 };
 
-/// Runs a world and judges every step.
-/// \param world      the world
-/// \param technique  its name
-/// \param settings   changes of its options, each as key=value
-/// \param steps      how many
-/// \return what was found
+// Runs a world and judges every step.
 WorldVerdict judge(const RandomWorld& world, std::string_view technique,
                    const std::vector<std::string>& settings = {}, int steps = 60);
 

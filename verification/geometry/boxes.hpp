@@ -12,36 +12,32 @@
 
 namespace tumble::test {
 
-/// A rotation.
-/// \param axis   [any] of any length
-/// \param angle  [rad]
-/// \return [-] length 1
+// A rotation.
+// axis: [any] of any length
+// angle: [rad]
+// Returns [-] length 1
 inline Quat about(const Vec3& axis, double angle) {
   return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
-/// A cube of 1 m.
-/// \param center_w        [m]
-/// \param orientation_wb  [-]
-/// \return it
+// A cube of 1 m.
+// center_w: [m]
+// orientation_wb: [-]
 inline Box cube_at(const Vec3& center_w, const Quat& orientation_wb = Quat::Identity()) {
   return make_box(center_w, orientation_wb, Vec3::Ones());
 }
 
-/// A box along the axes of the world.
-/// \param center_w  [m]
-/// \param size      [m] full edges
-/// \return it
+// A box along the axes of the world.
+// center_w: [m]
+// size: [m] full edges
 inline Box upright(const Vec3& center_w, const Vec3& size) {
   return make_box(center_w, Quat::Identity(), size);
 }
 
-/// A box anywhere in a cube, at any orientation.
-/// \param random  where the numbers come from
-/// \param spread  [m] half the edge of the cube
-/// \param most    [m] by how much an edge may be longer than the shortest
-/// \param least   [m] the shortest edge
-/// \return it
+// A box anywhere in a cube, at any orientation.
+// spread: [m] half the edge of the cube
+// most: [m] by how much an edge may be longer than the shortest
+// least: [m] the shortest edge
 inline Box random_box(Random& random, double spread, double most, double least) {
   const Vec3 center = random.in_cube(spread);
   const Quat orientation = random.orientation();
@@ -49,20 +45,17 @@ inline Box random_box(Random& random, double spread, double most, double least) 
   return make_box(center, orientation, size);
 }
 
-/// Where a ray is inside a box.
+// Where a ray is inside a box.
 struct Stretch {
-  double enter = -std::numeric_limits<double>::infinity();  ///< [-] in lengths of the direction
-  double leave = std::numeric_limits<double>::infinity();   ///< [-] ditto
-  /// Whether the ray misses the box.
-  /// \return also for a box behind the eye
+  double enter = -std::numeric_limits<double>::infinity();  // [-] in lengths of the direction
+  double leave = std::numeric_limits<double>::infinity();   // [-] ditto
+  // Whether the ray misses the box.
   [[nodiscard]] bool empty() const { return enter > leave || leave < 0.0; }
 };
 
-/// Cuts a ray with the three slabs of a box.
-/// \param box        the box
-/// \param origin     [m] where the ray begins
-/// \param direction  [m] of any length
-/// \return where it is inside
+// Cuts a ray with the three slabs of a box.
+// origin: [m] where the ray begins
+// direction: [m] of any length
 inline Stretch stretch_in(const Box& box, const Vec3& origin, const Vec3& direction) {
   const Vec3 o = box.axes_w.transpose() * (origin - box.center_w);
   const Vec3 d = box.axes_w.transpose() * direction;
@@ -75,9 +68,8 @@ inline Stretch stretch_in(const Box& box, const Vec3& origin, const Vec3& direct
   return out;
 }
 
-/// Three sticks in the plane across the view, each over the next one at one end: they lean on each
-/// other like the flaps of a closed box.
-/// \return none of them is behind the two others
+// Three sticks in the plane across the view, each over the next one at one end: they lean on each
+// other like the flaps of a closed box.
 inline std::vector<Box> ring_of_sticks() {
   std::vector<Box> sticks;
   for (int k = 0; k < 3; ++k) {

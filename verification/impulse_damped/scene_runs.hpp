@@ -22,10 +22,7 @@
 
 namespace tumble::test {
 
-/// A technique with its defaults, but for sleeping: what stands has to stand without it.
-/// \param name  its name
-/// \param set   options to change
-/// \return the technique, sleeping off if it knows sleep, with the pose update of the test
+// A technique with its defaults, but for sleeping: what stands has to stand without it.
 inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& set = {}) {
   const TechniqueRecipe& recipe = technique_recipe(name);
   Parameters options = recipe.options();
@@ -35,20 +32,19 @@ inline std::unique_ptr<Technique> awake(std::string_view name, const Settings& s
   return recipe.make(options, 1);
 }
 
-/// What happened in a stretch of a run.
+// What happened in a stretch of a run.
 struct Course {
-  int failed = 0;         ///< steps that did not end as done
-  double moved = 0.0;     ///< [m] largest distance of a body from its place at the start
-  double overlap = 0.0;   ///< [m] deepest
-  double booked = 0.0;    ///< [J] sum of what the reports say was added
-  double unbooked = 0.0;  ///< [J] largest change of the energy since the start that is not booked
-  double fastest = 0.0;   ///< [m/s] largest speed of a centre at the end of a step
-  int not_finite = 0;     ///< steps after which a position was no number
+  int failed = 0;         // steps that did not end as done
+  double moved = 0.0;     // [m] largest distance of a body from its place at the start
+  double overlap = 0.0;   // [m] deepest
+  double booked = 0.0;    // [J] sum of what the reports say was added
+  double unbooked = 0.0;  // [J] largest change of the energy since the start that is not booked
+  double fastest = 0.0;   // [m/s] largest speed of a centre at the end of a step
+  int not_finite = 0;     // steps after which a position was no number
 };
 
-/// How fast the fastest centre is.
-/// \param world the bodies
-/// \return [m/s]
+// How fast the fastest centre is.
+// Returns [m/s]
 inline double fastest_of(const World& world) {
   double speed = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
@@ -56,10 +52,8 @@ inline double fastest_of(const World& world) {
   return speed;
 }
 
-/// The largest distance between the places of the same body in two worlds.
-/// \param a  the one
-/// \param b  the other, with the same bodies
-/// \return [m] infinite if a place is no number
+// The largest distance between the places of the same body in two worlds.
+// Returns [m] infinite if a place is no number
 inline double distance_of(const World& a, const World& b) {
   double worst = 0.0;
   for (std::size_t k = 0; k < a.states().size(); ++k) {
@@ -69,10 +63,8 @@ inline double distance_of(const World& a, const World& b) {
   return worst;
 }
 
-/// The largest angle between the orientations of the same body in two worlds.
-/// \param a  the one
-/// \param b  the other, with the same bodies
-/// \return [rad]
+// The largest angle between the orientations of the same body in two worlds.
+// Returns [rad]
 inline double turned_most_of(const World& a, const World& b) {
   double worst = 0.0;
   for (std::size_t k = 0; k < a.states().size(); ++k)
@@ -81,12 +73,9 @@ inline double turned_most_of(const World& a, const World& b) {
   return worst;
 }
 
-/// Steps a world and measures.
-/// \param world      the bodies
-/// \param technique  steps them
-/// \param seconds    [s] how long; whole steps
-/// \param dt         [s] length of a step
-/// \return what happened
+// Steps a world and measures.
+// seconds: [s] how long; whole steps
+// dt: [s] length of a step
 inline Course run(World& world, Technique& technique, double seconds, double dt = kFrame) {
   Course course;
   const World start = world;

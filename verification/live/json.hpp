@@ -11,29 +11,23 @@
 
 namespace tumble::test {
 
-/// A value that was read.
+// A value that was read.
 struct JsonValue {
-  /// What it is: `{` an object, `[` a list, `"` a text, `0` a number, `n` null, true or false.
+  // What it is: `{` an object, `[` a list, `"` a text, `0` a number, `n` null, true or false.
   char kind = 'n';
-  std::string text;                         ///< of a text
-  double number = 0.0;                      ///< of a number
-  std::vector<JsonValue> items;             ///< of a list
-  std::map<std::string, JsonValue> fields;  ///< of an object
+  std::string text;                         // of a text
+  double number = 0.0;                      // of a number
+  std::vector<JsonValue> items;             // of a list
+  std::map<std::string, JsonValue> fields;  // of an object
 
-  /// A field of an object.
-  /// \param name of the field
-  /// \return its value
-  /// \throws std::out_of_range if there is none
+  // A field of an object.
   [[nodiscard]] const JsonValue& at(const std::string& name) const { return fields.at(name); }
 };
 
-/// Reads JSON strictly: nothing before it, a line break at most after it, no field twice.
+// Reads JSON strictly: nothing before it, a line break at most after it, no field twice.
 class JsonReader {
  public:
-  /// Reads a whole text.
-  /// \param text JSON
-  /// \return its value
-  /// \throws std::runtime_error with the place of the first fault
+  // Reads a whole text.
   static JsonValue read(const std::string& text) {
     JsonReader reader(text);
     JsonValue value = reader.value();

@@ -12,12 +12,12 @@
 
 namespace tumble::live {
 
-/// [s] Steps of the tests; sums of it are not rounded.
+// [s] Steps of the tests; sums of it are not rounded.
 inline constexpr double kDt = 1.0 / 64.0;
-/// All bits of Look.
+// All bits of Look.
 inline constexpr unsigned kEverything = 63U;
 
-/// Two on a fixed table, and one that comes in later.
+// Two on a fixed table, and one that comes in later.
 inline const std::string kTable = R"(toml
 [ground]
 [[box]]
@@ -45,45 +45,39 @@ angular_velocity = [0, 1, 0]
 appears = 0.0625
 )";
 
-/// One body of a look.
+// One body of a look.
 struct SeenBody {
-  std::uint32_t id = 0;  ///< of the world
-  Vec3 position_w;       ///< [m] now
-  Quat orientation_wb;   ///< [-] now
-  Vec3 size;             ///< [m]
-  Vec3 before_w;         ///< [m] before the last step
-  Quat before_wb;        ///< [-] ditto
-  unsigned kind = 0;     ///< bits of Kind
-  int island = 0;        ///< -1: none
-  double overlap = 0.0;  ///< [m]
-  Vec3 pivot_w;          ///< [m] NaN: none
+  std::uint32_t id = 0;  // of the world
+  Vec3 position_w;       // [m] now
+  Quat orientation_wb;   // [-] now
+  Vec3 size;             // [m]
+  Vec3 before_w;         // [m] before the last step
+  Quat before_wb;        // [-] ditto
+  unsigned kind = 0;     // bits of Kind
+  int island = 0;        // -1: none
+  double overlap = 0.0;  // [m]
+  Vec3 pivot_w;          // [m] NaN: none
 };
 
-/// One contact point or collision of a look.
+// One contact point or collision of a look.
 struct SeenContact {
-  double time = 0.0;        ///< [s]
-  int first = 0;            ///< index of a body
-  int second = 0;           ///< index of another one
-  Vec3 point_w;             ///< [m]
-  Vec3 normal_w;            ///< [-]
-  Vec3 push_w;              ///< [N s] or [N]
-  bool is_impulse = false;  ///< [N s]
-  int state = 0;            ///< ContactState, or 3: a collision
+  double time = 0.0;        // [s]
+  int first = 0;            // index of a body
+  int second = 0;           // index of another one
+  Vec3 point_w;             // [m]
+  Vec3 normal_w;            // [-]
+  Vec3 push_w;              // [N s] or [N]
+  bool is_impulse = false;  // [N s]
+  int state = 0;            // ContactState, or 3: a collision
 };
 
-/// Reads three numbers.
-/// \param at the first of them
-/// \return the vector
+// Reads three numbers.
 inline Vec3 vector_at(const double* at) { return {at[0], at[1], at[2]}; }
 
-/// Reads four numbers, x y z w.
-/// \param at the first of them
-/// \return the quaternion
+// Reads four numbers, x y z w.
 inline Quat turn_at(const double* at) { return {at[3], at[0], at[1], at[2]}; }
 
-/// The bodies of a session's last look.
-/// \param session the session
-/// \return in their order
+// The bodies of a session's last look.
 inline std::vector<SeenBody> bodies_of(const Session& session) {
   const std::vector<double>& all = session.bodies();
   REQUIRE(all.size() % kBodyNumbers == 0);
@@ -98,9 +92,7 @@ inline std::vector<SeenBody> bodies_of(const Session& session) {
   return bodies;
 }
 
-/// The contact points and collisions of a session's last look.
-/// \param session the session
-/// \return in their order
+// The contact points and collisions of a session's last look.
 inline std::vector<SeenContact> contacts_of(const Session& session) {
   const std::vector<double>& all = session.contacts();
   REQUIRE(all.size() % kContactNumbers == 0);
@@ -114,10 +106,7 @@ inline std::vector<SeenContact> contacts_of(const Session& session) {
   return contacts;
 }
 
-/// A number of a session's last look.
-/// \param session  the session
-/// \param name     one of Session::number_names()
-/// \return its value
+// A number of a session's last look.
 inline double number(const Session& session, std::string_view name) {
   const auto& names = Session::number_names();
   const auto place = std::find(names.begin(), names.end(), name);
@@ -125,25 +114,19 @@ inline double number(const Session& session, std::string_view name) {
   return session.numbers().at(static_cast<std::size_t>(place - names.begin()));
 }
 
-/// Does steps that have to end well.
-/// \param session  the session
-/// \param count    how many
+// Does steps that have to end well.
 inline void step(Session& session, int count) {
   for (int k = 0; k < count; ++k) REQUIRE(session.step(kDt) < StepStatus::unsolved);
 }
 
-/// A cube of 1 m and 1 kg to throw.
-/// \param position_w  [m] its centre
-/// \param velocity_w  [m/s] of it
-/// \return without a name
+// A cube of 1 m and 1 kg to throw.
+// position_w: [m] its centre
+// velocity_w: [m/s] of it
 inline SceneBox cube(const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero()) {
   return SceneBox{.name = "", .position_w = position_w, .velocity_w = velocity_w};
 }
 
-/// The id of a body that is there.
-/// \param session  the session
-/// \param name     of the body
-/// \return its id
+// The id of a body that is there.
 inline BodyId id_of(const Session& session, std::string_view name) {
   return session.run().world().find(name).value();
 }

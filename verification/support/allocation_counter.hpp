@@ -6,19 +6,18 @@
 
 namespace tumble {
 
-/// Counts requests for memory since its construction: every form of the global `operator new`, and
-/// the calls of `malloc`, `calloc` and `realloc` in the program's own objects, where Eigen's
-/// matrices of run-time size take theirs.
-///
-/// A program that uses it links allocation_counter.cpp, which replaces `operator new`; CMake also
-/// lets the linker redirect the C functions. Only calls from within shared libraries are not seen.
+// Counts requests for memory since its construction: every form of the global `operator new`, and
+// the calls of `malloc`, `calloc` and `realloc` in the program's own objects, where Eigen's
+// matrices of run-time size take theirs.
+//
+// A program that uses it links allocation_counter.cpp, which replaces `operator new`; CMake also
+// lets the linker redirect the C functions. Only calls from within shared libraries are not seen.
 class AllocationCount {
  public:
-  /// Starts counting.
+  // Starts counting.
   AllocationCount();
 
-  /// How often memory has been asked for, by all threads, since this object was made.
-  /// \return 0 if never
+  // How often memory has been asked for, by all threads, since this object was made.
   [[nodiscard]] std::int64_t value() const;
 
  private:

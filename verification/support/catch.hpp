@@ -9,10 +9,8 @@ using Catch::Approx;
 #include <catch2/catch.hpp>
 #endif
 
-/// A number to compare with that allows for what its margin says and nothing else.
-///
-/// Catch2's own Approx accepts 1.2e-5 of the value on top of every margin. Write
-/// `CHECK(x == near(1.0).margin(1e-12))`.
-/// \param value the number
-/// \return equal to itself only, until a margin is given
+// A number to compare with that allows for what its margin says and nothing else.
+//
+// Catch2's own Approx accepts 1.2e-5 of the value on top of every margin. Write
+// `CHECK(x == near(1.0).margin(1e-12))`.
 inline Approx near(double value) { return Approx(value).epsilon(0.0); }

@@ -6,10 +6,7 @@
 
 namespace tumble::test {
 
-/// A world whose boxes are those of another one, each changed; grounds stay.
-/// \param world   the other one
-/// \param change  gets properties and state of a box, and changes them
-/// \return the new one, with the same gravity and names
+// A world whose boxes are those of another one, each changed; grounds stay.
 template <typename Change>
 World changed(const World& world, const Change& change) {
   World out;
@@ -27,10 +24,7 @@ World changed(const World& world, const Change& change) {
   return out;
 }
 
-/// The same world with four times the length and twice the time, so that gravity stays.
-/// \param world  the other one
-/// \param mass   times which masses are
-/// \return the new one: exact, if the factor is a power of two
+// The same world with four times the length and twice the time, so that gravity stays.
 inline World in_other_units(const World& world, double mass) {
   return changed(world, [&](BodyProperties& body, BodyState& state) {
     body.size *= 4.0;
@@ -46,9 +40,7 @@ inline World in_other_units(const World& world, double mass) {
   });
 }
 
-/// The image in a mirror: x to -x; spins are the other way about y and z.
-/// \param world  the other one
-/// \return the new one
+// The image in a mirror: x to -x; spins are the other way about y and z.
 inline World mirrored(const World& world) {
   return changed(world, [](BodyProperties&, BodyState& state) {
     state.position_w.x() *= -1.0;

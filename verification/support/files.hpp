@@ -10,9 +10,7 @@
 
 namespace tumble::test {
 
-/// Reads a whole file.
-/// \param path the file
-/// \return its bytes; empty if there is none
+// Reads a whole file.
 inline std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream out;
@@ -20,9 +18,7 @@ inline std::string content(const std::filesystem::path& path) {
   return out.str();
 }
 
-/// Reads the lines of a file.
-/// \param path the file
-/// \return them without their ends
+// Reads the lines of a file.
 inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   std::ifstream in(path);
   std::vector<std::string> lines;
@@ -30,10 +26,9 @@ inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-/// A folder of its own for a test: not there at its start, and gone at its end.
+// A folder of its own for a test: not there at its start, and gone at its end.
 struct Folder {
-  /// Makes sure that it is not there.
-  /// \param name no other test's
+  // Makes sure that it is not there.
   explicit Folder(const std::string& name)
       : path(std::filesystem::temp_directory_path() / ("tumble_test_" + name)) {
     std::filesystem::remove_all(path);
@@ -41,10 +36,9 @@ struct Folder {
   ~Folder() { std::filesystem::remove_all(path); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
-  /// Names the folder.
-  /// \return as the command line takes it
+  // Names the folder.
   [[nodiscard]] std::string text() const { return path.string(); }
-  std::filesystem::path path;  ///< where it is
+  std::filesystem::path path;  // where it is
 };
 
 }  // namespace tumble::test

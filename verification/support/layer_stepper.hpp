@@ -13,10 +13,10 @@
 
 namespace tumble::test {
 
-/// Steps bodies with every layer once: broad phase, contacts, impacts, flight, repair, sleep.
-///
-/// It is no technique of the thesis and none that a user should want: speeds first, then contacts
-/// as collisions one after the other, then positions, then whatever overlaps is pushed apart.
+// Steps bodies with every layer once: broad phase, contacts, impacts, flight, repair, sleep.
+//
+// It is no technique of the thesis and none that a user should want: speeds first, then contacts
+// as collisions one after the other, then positions, then whatever overlaps is pushed apart.
 class LayerStepper : public Technique {
  public:
   explicit LayerStepper(std::string_view broad_phase = "bounding_tree");
@@ -45,8 +45,7 @@ class LayerStepper : public Technique {
   std::vector<IndexPair> candidates_;
 };
 
-/// A clump of tumbling, bouncing boxes of several sizes over the ground.
-/// \param per_edge boxes along each edge of the grid that they start on
+// A clump of tumbling, bouncing boxes of several sizes over the ground.
 World bouncing_clump(int per_edge);
 
 }  // namespace tumble::test

@@ -11,30 +11,26 @@
 
 namespace tumble::test {
 
-/// The pose update of the techniques that a test makes by posed(), or by name.
+// The pose update of the techniques that a test makes by posed(), or by name.
 inline PoseUpdate pose_under_test = PoseUpdate::separate;
 
-/// Sets the pose update for the rest of a scope.
+// Sets the pose update for the rest of a scope.
 class PoseScope {
  public:
-  /// \param update for all techniques that are made from now on
   explicit PoseScope(PoseUpdate update) { pose_under_test = update; }
   ~PoseScope() { pose_under_test = PoseUpdate::separate; }
   PoseScope(const PoseScope&) = delete;
   PoseScope& operator=(const PoseScope&) = delete;
 };
 
-/// Options with the pose update of the test.
-/// \param options of a technique that has one
-/// \return the same with it
+// Options with the pose update of the test.
 template <class Options>
 Options posed(Options options = {}) {
   options.pose = pose_under_test;
   return options;
 }
 
-/// A cube on its corner: turns the diagonal (1, 1, 1) upright, about the axis that lies level.
-/// \return body to world
+// A cube on its corner: turns the diagonal (1, 1, 1) upright, about the axis that lies level.
 inline Quat on_corner() {
   const double half = 0.5 * std::acos(std::sqrt(1.0 / 3.0));
   const double part = std::sin(half) * std::sqrt(0.5);
@@ -43,7 +39,7 @@ inline Quat on_corner() {
 
 }  // namespace tumble::test
 
-/// Runs the rest of a test case with each pose update.
+// Runs the rest of a test case with each pose update.
 #define BOTH_POSES                                                              \
   const tumble::test::PoseScope pose_scope(                                     \
       GENERATE(tumble::PoseUpdate::separate, tumble::PoseUpdate::exponential)); \

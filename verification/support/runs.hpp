@@ -10,19 +10,15 @@
 
 namespace tumble::test {
 
-/// Stores all collisions.
+// Stores all collisions.
 class Listener final : public Observer {
  public:
   void on_event(const Event& event) override { events.push_back(event); }
-  EventLog events;  ///< in the order of their reports
+  EventLog events;  // in the order of their reports
 };
 
-/// Does steps of one length.
-/// \param world      in and out
-/// \param technique  steps it
-/// \param steps      how many
-/// \param dt         [s] of each
-/// \return how many of them did not end as done
+// Does steps of one length.
+// dt: [s] of each
 inline int run(World& world, Technique& technique, int steps, double dt = 1.0 / 60.0) {
   int failed = 0;
   for (int k = 0; k < steps; ++k)
@@ -30,9 +26,8 @@ inline int run(World& world, Technique& technique, int steps, double dt = 1.0 / 
   return failed;
 }
 
-/// The largest speed in a world.
-/// \param world the bodies
-/// \return [m/s] of a centre, or [rad/s] of a spin
+// The largest speed in a world.
+// Returns [m/s] of a centre, or [rad/s] of a spin
 inline double fastest(const World& world) {
   double speed = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
@@ -41,11 +36,9 @@ inline double fastest(const World& world) {
   return speed;
 }
 
-/// Cubes of 1 m and 1 kg on top of each other on the ground.
-/// \param count        how many
-/// \param friction     [-] of all, the ground too
-/// \param restitution  [-] ditto
-/// \return at rest
+// Cubes of 1 m and 1 kg on top of each other on the ground.
+// friction: [-] of all, the ground too
+// restitution: [-] ditto
 inline World stack_of(int count, double friction = 0.5, double restitution = 0.0) {
   World world;
   world.add_ground(friction, restitution);
@@ -54,12 +47,10 @@ inline World stack_of(int count, double friction = 0.5, double restitution = 0.0
   return world;
 }
 
-/// A flat box on a plane that is tilted by an angle, seen from a camera that is tilted with it:
-/// gravity has a part along x. A sliding box of this shape stays flat.
-/// \param degrees   of the tilt
-/// \param friction  [-] of box and plane
-/// \param speed     [m/s] downhill
-/// \return the two
+// A flat box on a plane that is tilted by an angle, seen from a camera that is tilted with it:
+// gravity has a part along x. A sliding box of this shape stays flat.
+// friction: [-] of box and plane
+// speed: [m/s] downhill
 inline World tilted_plane(double degrees, double friction, double speed = 0.0) {
   World world;
   world.add_ground(friction);

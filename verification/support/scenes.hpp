@@ -12,20 +12,16 @@
 
 namespace tumble::test {
 
-/// [s] The step that the techniques are meant for.
+// [s] The step that the techniques are meant for.
 inline constexpr double kFrame = 1.0 / 60.0;
 
-/// [m/s²] Of every scene with gravity.
+// [m/s²] Of every scene with gravity.
 inline constexpr double kGravity = 9.81;
 
-/// Settings of a scene or a technique, as a user writes them.
+// Settings of a scene or a technique, as a user writes them.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// A built-in scene.
-/// \param name  its name
-/// \param set   settings to change
-/// \param seed  of its chance
-/// \return the scene
+// A built-in scene.
 inline Scene built(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
   const SceneRecipe& recipe = scene_recipe(name);
   Parameters p = recipe.parameters();
@@ -33,18 +29,12 @@ inline Scene built(std::string_view name, const Settings& set = {}, std::uint64_
   return checked(recipe.build(p, Random(seed)));
 }
 
-/// A built-in scene as a world.
-/// \param name  its name
-/// \param set   settings to change
-/// \param seed  of its chance
-/// \return the world at its start
+// A built-in scene as a world.
 inline World world_of(std::string_view name, const Settings& set = {}, std::uint64_t seed = 1) {
   return build_world(built(name, set, seed));
 }
 
-/// The shape of a box of a scene.
-/// \param box the box
-/// \return where it is at the start
+// The shape of a box of a scene.
 inline Box shape_of(const SceneBox& box) {
   return make_box(box.position_w, box.orientation_wb, box.size);
 }

@@ -16,9 +16,7 @@
 
 namespace tumble {
 
-/// Looks for a folder of published data; a test that needs one that is missing returns at once.
-/// \param folder its name, for example "scpeters-boxes"
-/// \return its path; nothing, after a warning that says what to do, if it is not there
+// Looks for a folder of published data; a test that needs one that is missing returns at once.
 inline std::optional<std::filesystem::path> shared_data(std::string_view folder) {
   const std::string root = TUMBLE_SHARED_DATA;
   const std::filesystem::path path = std::filesystem::path(root) / folder;

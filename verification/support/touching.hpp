@@ -8,9 +8,7 @@
 
 namespace tumble::test {
 
-/// All pairs of bodies.
-/// \param world the bodies
-/// \return by index, sorted
+// All pairs of bodies.
 inline std::vector<IndexPair> all_pairs(const World& world) {
   std::vector<IndexPair> pairs;
   for (int a = 0; a < world.count(); ++a)
@@ -18,10 +16,8 @@ inline std::vector<IndexPair> all_pairs(const World& world) {
   return pairs;
 }
 
-/// The contacts of all pairs of bodies.
-/// \param world   the bodies
-/// \param margin  [m] surfaces up to this far apart count as touching
-/// \return as gather_contacts() finds them
+// The contacts of all pairs of bodies.
+// margin: [m] surfaces up to this far apart count as touching
 inline ContactList contacts_within(const World& world, double margin) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
@@ -30,13 +26,10 @@ inline ContactList contacts_within(const World& world, double margin) {
   return contacts;
 }
 
-/// A contact of one point, put down by hand.
-/// \param first       index of a body
-/// \param second      index of the other one
-/// \param position_w  [m]
-/// \param normal_w    [-] from the first to the second
-/// \param friction    [-]
-/// \return it
+// A contact of one point, put down by hand.
+// position_w: [m]
+// normal_w: [-] from the first to the second
+// friction: [-]
 inline Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w,
                           double friction = 0.0) {
   Contact contact;
@@ -49,40 +42,36 @@ inline Contact contact_at(int first, int second, const Vec3& position_w, const V
   return contact;
 }
 
-/// Boxes at rest that touch.
+// Boxes at rest that touch.
 struct Pile {
-  World world;           ///< the bodies
-  ContactList contacts;  ///< where they touch; empty: not gathered yet
-  double margin = 1e-9;  ///< [m] surfaces up to this far apart count as touching
+  World world;           // the bodies
+  ContactList contacts;  // where they touch; empty: not gathered yet
+  double margin = 1e-9;  // [m] surfaces up to this far apart count as touching
 
-  /// Adds a movable box.
-  /// \param position_w      [m]
-  /// \param size            [m] full edges
-  /// \param mass            [kg]
-  /// \param friction        [-]
-  /// \param orientation_wb  [-]
-  /// \return its index
+  // Adds a movable box.
+  // position_w: [m]
+  // size: [m] full edges
+  // mass: [kg]
+  // friction: [-]
+  // orientation_wb: [-]
   int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0,
           double friction = 0.0, const Quat& orientation_wb = Quat::Identity()) {
     return put(box_properties(size, mass, friction), position_w, orientation_wb);
   }
 
-  /// Adds an immovable box.
-  /// \param position_w      [m]
-  /// \param size            [m] full edges
-  /// \param friction        [-]
-  /// \param orientation_wb  [-]
-  /// \return its index
+  // Adds an immovable box.
+  // position_w: [m]
+  // size: [m] full edges
+  // friction: [-]
+  // orientation_wb: [-]
   int add_fixed(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double friction = 0.0,
                 const Quat& orientation_wb = Quat::Identity()) {
     return put(fixed_box_properties(size, friction), position_w, orientation_wb);
   }
 
-  /// Adds a body; what was gathered is forgotten.
-  /// \param body            its constant part
-  /// \param position_w      [m]
-  /// \param orientation_wb  [-]
-  /// \return its index
+  // Adds a body; what was gathered is forgotten.
+  // position_w: [m]
+  // orientation_wb: [-]
   int put(const BodyProperties& body, const Vec3& position_w,
           const Quat& orientation_wb = Quat::Identity()) {
     world.add(body, make_state(body, position_w, orientation_wb));
@@ -90,7 +79,7 @@ struct Pile {
     return world.count() - 1;
   }
 
-  /// Finds the contacts.
+  // Finds the contacts.
   void gather() { contacts = contacts_within(world, margin); }
 };
 

@@ -19,18 +19,15 @@
 
 namespace tumble::test {
 
-/// The techniques whose bodies are synchronised at the end of a frame, by name.
+// The techniques whose bodies are synchronised at the end of a frame, by name.
 inline constexpr std::initializer_list<const char*> kSynchronised = {
     "timewarp_simple", "timewarp_safer", "timewarp_swept"};
 
-/// All timewarps, by name.
+// All timewarps, by name.
 inline constexpr std::initializer_list<const char*> kTimewarps = {
     "timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"};
 
-/// Makes a timewarp.
-/// \param name     its name
-/// \param options  common options; all others are the defaults
-/// \return the technique
+// Makes a timewarp.
 inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
                                                 const TimewarpOptions& options = {}) {
   if (name == "timewarp_simple") return std::make_unique<TimewarpSimple>(options);
@@ -45,18 +42,12 @@ inline std::unique_ptr<Technique> make_timewarp(std::string_view name,
   return std::make_unique<TimewarpSwept>(swept);
 }
 
-/// A world of cubes of 1 m on a line.
-/// \param boxes        places and velocities, as x:v,x:v
-/// \param restitution  of all of them
-/// \return the world
+// A world of cubes of 1 m on a line.
 inline World line_of(const char* boxes, const char* restitution = "1") {
   return world_of("line", {{"boxes", boxes}, {"restitution", restitution}});
 }
 
-/// The two bodies of a collision, by name, as in "a-b".
-/// \param world  their world
-/// \param event  the collision
-/// \return their names joined by a hyphen
+// The two bodies of a collision, by name, as in "a-b".
 inline std::string names_of(const World& world, const Event& event) {
   return world.name(world.index_of(event.first)) + "-" + world.name(world.index_of(event.second));
 }
