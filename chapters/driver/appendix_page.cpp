@@ -141,7 +141,7 @@ std::string appendix_page(const std::vector<AppendixListing>& listings,
       std::to_string(listings.size()) + " listings, " + std::to_string(lines) +
       R"( numbered lines in all. Here each line is retold beside the source that does it, twice: as
 printed, mistakes included, and as meant, which is what the technique does (\ref how_to_read_readings). Where
-the two differ, the erratum below the line tells why; its entry in \ref errata has the numbers that show it. A line
+the two differ, the erratum below the line gives the reason; its entry in \ref errata has the numbers that show it. A line
 number above code leads to that line of the file.
 
 )";

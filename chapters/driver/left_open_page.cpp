@@ -105,7 +105,7 @@ std::string left_open_page(const Findings& findings, const std::vector<Tolerance
 
 The thesis names thresholds without their values, and shows scenes without their sizes. Whatever it does give is used as
 it is. Here is what had to be chosen: our value, as the program has it, the reason, and what half and twice the value
-would do to the numbers that lean on it; now and then those are means over fewer random cases, which the figure tells.
+would do to the numbers that lean on it; now and then those are means over fewer random cases, as the figure says.
 Every small number of the library is in \ref tolerances.
 
 )";

@@ -29,9 +29,11 @@ ChatterRun on_pyramid(const PlayedTechnique& technique, std::uint64_t seed = 1) 
   return chatter_of(scene, technique, 2.0, 1.0, seed);
 }
 
-ChatterRun on_clump(const PlayedTechnique& technique, int per_edge, std::uint64_t seed = 1) {
+// The clump lies by five seconds or, with Coulomb's friction, seven: one of its cubes topples late.
+ChatterRun on_clump(const PlayedTechnique& technique, int per_edge, std::uint64_t seed = 1,
+                    double seconds = 5.0) {
   const Scene scene = scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
-  return chatter_of(scene, technique, 5.0, 1.0, seed);
+  return chatter_of(scene, technique, seconds, 1.0, seed);
 }
 
 // All rest where they should, and the one that shakes most does so by no more than a bound [m].
@@ -94,9 +96,9 @@ TEST_CASE("The printed listings of damped integration, repaired, chatter by as m
 TEST_CASE("Stiff contact areas hold a stack, a pyramid and a clump within micrometres",
           "[reference][chatter][filtering]") {
   const PlayedTechnique areas = {"contact_damped"};
-  SECTION("stack") { check_pile(on_stack(areas), 1e-7); }      // measured: 3.4e-9 m
-  SECTION("pyramid") { check_pile(on_pyramid(areas), 1e-8); }  // measured: 2.7e-11 m
-  SECTION("clump") { check_clump(on_clump(areas, 3), 1e-5); }  // measured: 2.8e-6 m
+  SECTION("stack") { check_pile(on_stack(areas), 1e-7); }              // measured: 3.4e-9 m
+  SECTION("pyramid") { check_pile(on_pyramid(areas), 1e-8); }          // measured: 2.7e-11 m
+  SECTION("clump") { check_clump(on_clump(areas, 3, 1, 7.0), 1e-5); }  // measured: 1.3e-7 m
 }
 
 TEST_CASE("Exact contact forces with damping for friction do not shake a stack or a pyramid",

@@ -7,6 +7,7 @@
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/scenes/readable_toml.hpp"
 
 // Some bad files, such as "[[[", break what toml++ takes for granted: it would end the process, or with
 // NDEBUG and clang do anything at all. Without checks of its own it goes on to where it reports the mistake.
@@ -246,47 +247,6 @@ Scene read_table(const toml::table& root, std::string_view file) {
     scene.boxes.push_back(read_box(Place(*table, file, "box[" + std::to_string(i + 1) + "].")));
   }
   return scene;
-}
-
-// Looks through a text for two things that the TOML library does not survive: keys with very many dots, whose tables it
-// walks through by recursion, and letters beyond ASCII outside of quotes, about which it makes wrong assumptions. All
-// else is its own business. Unfinished strings end with the text.
-void require_readable(std::string_view text, std::string_view file) {
-  constexpr int most_dots = 64;
-  int line = 1;
-  int dots = 0;  // in the present key or number
-  const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument(std::string(file) + ":" + std::to_string(line) +
-                                ": not TOML: " + why);
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') ++line;
-    if (c == '#') {  // a comment
-      i = std::min(text.find('\n', i), text.size()) - 1;
-    } else if (c == '"' || c == '\'') {  // a string, of one line or with three quotes of several
-      const bool several = text.substr(i, 3) == std::string(3, c);
-      for (i += several ? 3 : 1; i < text.size(); ++i) {
-        if (text[i] == '\n') {
-          ++line;
-          if (!several) break;
-        }
-        if (c == '"' && text[i] == '\\') {
-          ++i;
-        } else if (text[i] == c && (!several || text.substr(i, 3) == std::string(3, c))) {
-          i += several ? 2 : 0;
-          break;
-        }
-      }
-    } else if (static_cast<unsigned char>(c) >= 0x80U &&
-               !(i < 3 && text.substr(0, 3) == "\xEF\xBB\xBF")) {
-      refuse("a letter that is not ASCII stands outside of quotes");
-    } else if (c == '.') {
-      if (++dots > most_dots) refuse("a key has more than " + std::to_string(most_dots) + " dots");
-    } else if (c == '\n' || c == '=' || c == ',' || c == '{') {
-      dots = 0;
-    }
-  }
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+/// \file
+/// \brief A check of a TOML text before it is parsed.
+#pragma once
+
+#include <string_view>
+
+namespace tumble {
+
+/// Refuses texts that the TOML library does not survive: keys of more than 64 dots, whose tables it walks through by
+/// recursion, and letters that are not ASCII outside of quotes and comments, about which it makes wrong assumptions.
+/// All other mistakes are left to the library. A string without an end lasts to the end of its line or of the text.
+/// \param text  the TOML text
+/// \param file  its name, for the message
+/// \throws std::invalid_argument with file, line and reason
+/// \par Cost
+/// One pass over the text.
+void require_readable(std::string_view text, std::string_view file);
+
+}  // namespace tumble
