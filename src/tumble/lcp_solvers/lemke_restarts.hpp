@@ -21,6 +21,7 @@ namespace tumble {
 /// \see Cottle, Pang, Stone, "The linear complementarity problem", 1992, 2.3 and 4.4.
 class LemkeRestarts {
  public:
+  /// With solvers that differ in their slack.
   LemkeRestarts();
 
   /// Tries until an answer passes holds().

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace tumble {
 namespace {
@@ -13,12 +12,25 @@ constexpr int most_dots = 64;
 
 }  // namespace
 
+std::string one_line(std::string text) {
+  constexpr std::size_t most = 60;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20U) c = ' ';
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // UTF-8
+  return text.substr(0, end) + "...";
+}
+
+std::string not_toml(std::string_view file, std::size_t line, const std::string& why) {
+  return std::string(file) + ":" + std::to_string(line) + ": not TOML: " + why;
+}
+
 void require_readable(std::string_view text, std::string_view file) {
-  int line = 1;
+  std::size_t line = 1;
   int dots = 0;  // in the present key or number
   const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument(std::string(file) + ":" + std::to_string(line) +
-                                ": not TOML: " + why);
+    throw std::invalid_argument(not_toml(file, line, why));
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];

@@ -2,9 +2,23 @@
 /// \brief A check of a TOML text before it is parsed.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace tumble {
+
+/// A text for a message.
+/// \param text  any length, with line ends
+/// \return one line of at most 60 bytes, and three dots if it was longer
+std::string one_line(std::string text);
+
+/// The message about a text that is not TOML.
+/// \param file  its name
+/// \param line  from 1
+/// \param why   the reason
+/// \return one line
+std::string not_toml(std::string_view file, std::size_t line, const std::string& why);
 
 /// Refuses texts that the TOML library does not survive: keys of more than 64 dots, whose tables it walks through by
 /// recursion, and letters that are not ASCII outside of quotes and comments, about which it makes wrong assumptions.

@@ -46,20 +46,9 @@ to_chars_result to_chars(char* /*first*/, char* last, Float /*value*/, Form... /
 namespace tumble {
 namespace {
 
-// Text for a message: one line, not too long.
-std::string shortened(std::string text) {
-  constexpr std::size_t most = 60;
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20U) c = ' ';
-  if (text.size() <= most) return text;
-  std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // UTF-8
-  return text.substr(0, end) + "...";
-}
-
 std::string shown(const toml::node& node) {
   std::string out(1, '"');
-  if (const auto* text = node.as_string()) return shortened(out.append(text->get()).append(1, '"'));
+  if (const auto* text = node.as_string()) return one_line(out.append(text->get()).append(1, '"'));
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
   if (const auto* number = node.as_floating_point()) return shortest_text(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
@@ -71,7 +60,7 @@ std::string shown(const toml::node& node) {
     if (out.size() > 1) out.append(", ");
     out.append(shown(element));
   }
-  return shortened(out.append(1, ']'));
+  return one_line(out.append(1, ']'));
 }
 
 // A table of the file, with what a message needs to point at a place in it.
@@ -83,7 +72,7 @@ class Place {
   [[noreturn]] void refuse(std::string_view key, const toml::node* node,
                            const std::string& wanted) const {
     std::string out = place_of(node);
-    out.append(prefix_).append(shortened(std::string(key)));
+    out.append(prefix_).append(one_line(std::string(key)));
     if (node != nullptr) out.append(" = ").append(shown(*node));
     throw std::invalid_argument(out + ": " + wanted);
   }
@@ -257,9 +246,8 @@ Scene parse_scene(std::string_view text, std::string_view file) {
   try {
     root = toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    std::string out(file);
-    out.append(":").append(std::to_string(error.source().begin.line)).append(": not TOML: ");
-    throw std::invalid_argument(out + shortened(std::string(error.description())));
+    throw std::invalid_argument(
+        not_toml(file, error.source().begin.line, one_line(std::string(error.description()))));
   }
   Scene scene = read_table(root, file);
   try {
