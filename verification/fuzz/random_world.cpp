@@ -62,13 +62,6 @@ void scatter(Random& chance, bool ground, std::vector<SceneBox>& boxes) {
   }
 }
 
-bool is_finite(const World& world) {
-  return std::all_of(world.states().begin(), world.states().end(), [](const BodyState& s) {
-    return s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite() &&
-           s.linear_momentum_w.allFinite() && s.angular_momentum_w.allFinite();
-  });
-}
-
 double deepest_overlap(const World& world) {
   double deepest = 0.0;
   for (int i = 0; i < world.count(); ++i) {
@@ -153,7 +146,7 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
         verdict.status = report.status;
         break;
       }
-      verdict.finite = is_finite(world);
+      verdict.finite = all_finite(world);
       if (!verdict.finite) break;
       booked += report.energy.total();
       const double rise = energy_of(world).total() - start.total();
