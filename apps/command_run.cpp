@@ -84,10 +84,8 @@ int run(const Request& request) {
                  r.folder.c_str());
     return kMathematical;
   }
-  if (!result.energy_gained.empty()) {
-    std::fprintf(
-        stderr,
-        "the energy of this run is wrong, see above: try a smaller --dt or another technique\n");
+  if (result.worst == StepStatus::energy_gained || result.worst == StepStatus::passed_through) {
+    std::fprintf(stderr, "this run is wrong, see above: try a smaller --dt or another technique\n");
     return kMathematical;
   }
   if (result.worst != StepStatus::done) {

@@ -39,9 +39,8 @@ void ProgressLine::on_step(const World& world, const Technique&, const StepRepor
                static_cast<long long>(report.contacts), left);
 }
 
-void ProgressLine::on_mistake(const std::string& message) {
-  std::fprintf(stderr, "%s%s is wrong from %s\n", shown_ ? "\r\x1b[K" : "", label_.c_str(),
-               message.c_str());
+void ProgressLine::on_finding(const std::string& message) {
+  std::fprintf(stderr, "%s%s, %s\n", shown_ ? "\r\x1b[K" : "", label_.c_str(), message.c_str());
 }
 
 TimingFile::TimingFile(const std::filesystem::path& folder)

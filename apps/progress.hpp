@@ -21,7 +21,7 @@ class ProgressLine : public RunObserver {
 
   void on_step(const World& world, const Technique& technique, const StepReport& report,
                const Metrics& metrics) override;
-  void on_mistake(const std::string& message) override;
+  void on_finding(const std::string& message) override;
 
  private:
   std::string label_;

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/dynamics/flight.hpp"
+#include "tumble/geometry/swept.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -38,7 +39,18 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   double before = 0.0;
   double after = task.end;
   involve_all(world);
-  result.found = look(flight, task, after, world, result) && narrow(flight, task, world, result);
+  // A pair that meets and parts before the end is looked at in the middle of its passage, too.
+  list_passages(flight, task, world);
+  for (const double time : passages_) {
+    const bool met = look(flight, task, time, world, result);
+    result.found = met && !far_met_.empty();
+    if (!met) before = time;
+    if (!result.found) continue;
+    after = time;
+    break;
+  }
+  result.found = (result.found || look(flight, task, after, world, result)) &&
+                 narrow(flight, task, world, result);
   while (result.found && after - before > task.resolution) {
     const double middle = 0.5 * (before + after);
     if (middle == before || middle == after) break;  // no number in between
@@ -50,6 +62,33 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   result.time = after;
   std::copy(flight.start().begin(), flight.start().end(), world.states().begin());
   return result;
+}
+
+// Ascending times at which pairs that are apart at the start would be in the middle of their passage, by their
+// straight ways without turning.
+void ImpactSearch::list_passages(const ForcedFlight& flight, const ImpactSearchTask& task,
+                                 World& world) {
+  passages_.clear();
+  way_w_.resize(idx(world.count()));
+  bool fast = false;
+  for (int b = 0; b < world.count(); ++b) {
+    flight.put(world, b, task.end, task.rule);
+    way_w_[idx(b)] = world.states()[idx(b)].position_w - flight.start()[idx(b)].position_w;
+    fast = fast || way_w_[idx(b)].norm() > 0.5 * world.bodies()[idx(b)].size.minCoeff();
+  }
+  if (!fast) return;
+  for (const IndexPair& pair : far_) {
+    const std::size_t i = idx(pair.first);
+    const std::size_t j = idx(pair.second);
+    const BodyProperties& a = world.bodies()[i];
+    const BodyProperties& b = world.bodies()[j];
+    if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
+    const SweepResult way =
+        sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
+    if (way.status == SweepStatus::hit && way.leave < 1.0)
+      passages_.push_back(0.5 * (way.enter + way.leave) * task.end);
+  }
+  std::sort(passages_.begin(), passages_.end());
 }
 
 void ImpactSearch::involve_all(const World& world) {

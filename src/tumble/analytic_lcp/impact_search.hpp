@@ -42,10 +42,12 @@ struct FirstImpact {
 ///
 /// As in the thesis the end of the interval is looked at, and if pairs have met by then the time is
 /// found by halving. All of them are looked at each time, so a third body that collides earlier is not
-/// missed, and there is nothing to begin again for it. What meets and parts within the interval is.
+/// missed, and there is nothing to begin again for it. Pairs that meet and part within the interval are looked
+/// at in the middle of their passage too, by their straight ways without turning; only a passage that turning
+/// makes is missed.
 /// \par Cost and determinism
-/// One look at all pairs if nothing has met at the end; else one more for each halving, at pairs that
-/// may still be the first and their bodies only. No allocation once warm.
+/// One look at all pairs if nothing has met at the end, and one for each passage; else one more for each
+/// halving, at pairs that may still be the first and their bodies only. No allocation once warm.
 class ImpactSearch {
  public:
   /// Searches.
@@ -58,6 +60,7 @@ class ImpactSearch {
 
  private:
   void involve_all(const World& world);
+  void list_passages(const ForcedFlight& flight, const ImpactSearchTask& task, World& world);
   bool look(const ForcedFlight& flight, const ImpactSearchTask& task, double time, World& world,
             FirstImpact& result);
   void keep_those_that_met();
@@ -68,7 +71,9 @@ class ImpactSearch {
   std::vector<IndexPair> far_;   // the others
   std::vector<IndexPair> near_met_;
   std::vector<IndexPair> far_met_;
-  std::vector<int> involved_;  // bodies of these pairs
+  std::vector<int> involved_;     // bodies of these pairs
+  std::vector<Vec3> way_w_;       // [m] of each body until the end
+  std::vector<double> passages_;  // [s]
   std::vector<MovingBody> moving_;
   ContactList overlaps_;
 };

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace tumble {
@@ -127,6 +128,13 @@ double kinetic_energy(const BodyProperties& body, const BodyState& state) {
   const double spin =
       body.inverse_inertia_b.dot(angular_momentum_b.cwiseProduct(angular_momentum_b));
   return 0.5 * (body.inverse_mass * state.linear_momentum_w.squaredNorm() + spin);
+}
+
+double shortest_edge(const BodyProperties& a, const BodyProperties& b) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const BodyProperties* body : {&a, &b})
+    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
+  return edge;
 }
 
 }  // namespace tumble

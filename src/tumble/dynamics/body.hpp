@@ -138,6 +138,12 @@ Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
 /// \return [1/(kg m²)] symmetric; 0 for an immovable body
 Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
 
+/// The shortest edge of two bodies, of which the ground has none.
+/// \param a  one body
+/// \param b  the other
+/// \return [m] infinite for two grounds
+double shortest_edge(const BodyProperties& a, const BodyProperties& b);
+
 /// The body as geometry sees it.
 /// \param body   the body's constant part, a box
 /// \param state  its state

@@ -16,11 +16,12 @@ namespace tumble {
 
 /// How a step ended.
 enum class StepStatus : std::uint8_t {
-  done,           ///< the whole step was simulated
-  event_cap,      ///< more events than the cap allows: the rest of the step ignored them
-  energy_gained,  ///< the total energy is above that of the start: seen by a run, see EnergyCheck
-  unsolved,       ///< a solver found no solution; the report names it
-  not_finite      ///< a state became infinite or NaN
+  done,            ///< the whole step was simulated
+  event_cap,       ///< more events than the cap allows: the rest of the step ignored them
+  energy_gained,   ///< the total energy is above that of the start: seen by a run, see EnergyCheck
+  passed_through,  ///< a body went through another one: seen by a run, see PassageCheck
+  unsolved,        ///< a solver found no solution; the report names it
+  not_finite       ///< a state became infinite or NaN
 };
 
 /// Energy that a step added (above 0) or removed (below 0), by cause.

@@ -4,6 +4,7 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
 
@@ -75,9 +76,7 @@ void ImpulsePairs::add_new(const World& world, const SleepingRule* sleeping) {
     sorted_.push_back(static_cast<int>(pairs_.size()));
     ImpulsePair& added = pairs_.emplace_back();
     added.bodies = pair;
-    added.size = a.shape == Shape::ground   ? b.size.minCoeff()
-                 : b.shape == Shape::ground ? a.size.minCoeff()
-                                            : std::min(a.size.minCoeff(), b.size.minCoeff());
+    added.size = shortest_edge(a, b);
     added.contact = contact_of(world, pair);
   }
   std::sort(sorted_.begin(), sorted_.end(), before);
@@ -101,15 +100,17 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
   now.normal_w = manifold.normal_w;
   now.axis = manifold.axis;
   now.count = 0;
+  // A face that lands flat lands with all its corners, wherever rounding has put each.
+  const double flat = tolerance::impulse_even * pair.size;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& from = manifold.points[idx(i)];
-    if (from.distance > 0.0) continue;
+    if (from.distance > flat) continue;
     now.points[idx(now.count++)] =
         ContactPoint{from.position_w, from.distance, from.feature, 0.0, 0.0, Vec3::Zero()};
     pair.depth = std::max(pair.depth, -from.distance);
+    pair.overlaps = pair.overlaps || from.distance <= 0.0;
   }
-  if (now.count == 0) return pair;  // the contact stays as it was last seen
-  pair.overlaps = true;
+  if (!pair.overlaps) return pair;  // the contact stays as it was last seen
   hand_on(pair.contact, now);
   pair.contact = now;
   return pair;

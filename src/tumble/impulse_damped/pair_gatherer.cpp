@@ -7,6 +7,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometry/overlap_normals.hpp"
+#include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,8 @@
 namespace tumble {
 namespace {
 
-// The centre of the points that overlap, each weighted by its depth.
-void reduce_to_one(Contact& contact) {
+// The centre of the points that overlap, each weighted by its depth; of all, if they only touch.
+void reduce_to_one(double size, Contact& contact) {
   double weight = 0.0;
   double deepest = std::numeric_limits<double>::infinity();
   Vec3 sum_w = Vec3::Zero();
@@ -36,7 +37,8 @@ void reduce_to_one(Contact& contact) {
     }
   }
   ContactPoint centre;
-  centre.position_w = weight > 0.0 ? Vec3(sum_w / weight) : Vec3(plain_w / contact.count);
+  const bool overlap = weight > tolerance::impulse_even * size;
+  centre.position_w = overlap ? Vec3(sum_w / weight) : Vec3(plain_w / contact.count);
   centre.distance = deepest;
   centre.feature = feature;
   contact.points[0] = centre;
@@ -85,7 +87,7 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
                   manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
-    if (points_ == PointRule::one) reduce_to_one(contact);
+    if (points_ == PointRule::one) reduce_to_one(shortest_edge(a, b), contact);
     out.push_back(contact);
   }
   return report;

@@ -78,9 +78,10 @@ inline constexpr double damped_slow_spin_factor = 0.5;
 /// centimetres in a thousand years. (2.5.2)
 inline constexpr double impulse_approach = 1e-16;
 
-/// [-] What each point of a contact area weighs in its centre besides its depth, as a share of the
-/// pair's shortest edge. Reason: an area that just touches has the plain centre, whatever rounding makes
-/// of its depths; against a depth that is seen it counts for nothing. (2.5.2)
+/// [-] What each point of a contact area weighs in its centre besides its depth, and how far apart a point of
+/// bodies that overlap may be, as a share of the pair's shortest edge. Reason: an area that just touches has all its
+/// points and the plain centre, whatever rounding makes of its depths; against a depth that is seen it counts for
+/// nothing. (2.5.2)
 inline constexpr double impulse_even = 1e-9;
 
 }  // namespace tumble::tolerance

@@ -6,15 +6,11 @@
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace tumble {
 
 double touching_distance(const BodyProperties& a, const BodyProperties& b) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const BodyProperties* body : {&a, &b})
-    if (body->shape == Shape::box) edge = std::min(edge, body->size.minCoeff());
-  return tolerance::touching * edge;
+  return tolerance::touching * shortest_edge(a, b);
 }
 
 OverlapMeter::OverlapMeter() : broad_phase_(make_broad_phase("bounding_tree")) {}

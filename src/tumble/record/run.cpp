@@ -5,7 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
-#include "tumble/record/energy_check.hpp"
+#include "tumble/record/run_checks.hpp"
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
@@ -46,6 +46,36 @@ class Observation {
  private:
   Simulation& simulation_;
   Observer& observer_;
+};
+
+// All checks of a run.
+class RunChecks {
+ public:
+  explicit RunChecks(Simulation& simulation)
+      : observed_{Observation(simulation, energy_), Observation(simulation, passage_),
+                  Observation(simulation, turn_)} {}
+
+  [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
+
+  // Findings that are new since the last step.
+  void hand_on(std::span<RunObserver* const> observers, RunResult& result) {
+    for (const RunCheck* check :
+         {static_cast<const RunCheck*>(&energy_), static_cast<const RunCheck*>(&passage_),
+          static_cast<const RunCheck*>(&turn_)}) {
+      const std::string& message = check->message();
+      std::vector<std::string>& findings = result.findings;
+      if (message.empty() || std::find(findings.begin(), findings.end(), message) != findings.end())
+        continue;
+      findings.push_back(message);
+      for (RunObserver* observer : observers) observer->on_finding(message);
+    }
+  }
+
+ private:
+  EnergyCheck energy_;
+  PassageCheck passage_;
+  TurnCheck turn_;
+  Observation observed_[3];
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.
@@ -106,8 +136,7 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
   const World& world = simulation.world();
   MetricsMeter meter;
   const Observation measured(simulation, meter);
-  EnergyCheck energy;
-  const Observation checked(simulation, energy);
+  RunChecks checks(simulation);
   EventForwarder events(world, observers);
   const Observation forwarded(simulation, events);
   RunResult result;
@@ -135,11 +164,8 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     }
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
-    if (energy.failed()) report.status = std::max(report.status, StepStatus::energy_gained);
-    if (energy.failed() && result.energy_gained.empty()) {
-      result.energy_gained = energy.message();
-      for (RunObserver* observer : observers) observer->on_mistake(energy.message());
-    }
+    report.status = std::max(report.status, checks.status());
+    checks.hand_on(observers, result);
     add_up(report, result.totals, result.worst_report);
     result.last_report = report;
     result.last = meter.metrics();
@@ -172,6 +198,8 @@ std::string_view name_of(StepStatus status) {
       return "event_cap";
     case StepStatus::energy_gained:
       return "energy_gained";
+    case StepStatus::passed_through:
+      return "passed_through";
     case StepStatus::unsolved:
       return "unsolved";
     case StepStatus::not_finite:

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tumble {
 
@@ -52,8 +53,8 @@ struct RunResult {
   /// Why a later step than the first refused the world, for example because a state overflowed; empty
   /// if none did. The numbers above are of the step before, the hash of where that step stopped.
   std::string refusal;
-  std::string
-      energy_gained;  ///< the first step after which the energy was too high, see EnergyCheck; or empty
+  std::vector<std::string>
+      findings;  ///< of the checks of every step, see RunCheck: the first of each
 };
 
 /// Follows a run as it goes: files, progress lines, experiments.
@@ -76,9 +77,9 @@ class RunObserver {
     (void)report;
     (void)metrics;
   }
-  /// The run has gone wrong, and goes on.
-  /// \param message  what, where and when
-  virtual void on_mistake(const std::string& message) { (void)message; }
+  /// A check has found something, and the run goes on.
+  /// \param message  step, time and body, and what is wrong
+  virtual void on_finding(const std::string& message) { (void)message; }
   /// A collision was resolved.
   /// \param world  the bodies during the step, for their names
   /// \param event  what happened
@@ -90,8 +91,8 @@ class RunObserver {
 
 /// Runs a simulation from its start to its end.
 ///
-/// An EnergyCheck watches every step; after one that fails it, its status is at least StepStatus::energy_gained, and
-/// the run goes on. A step that leaves something unsolved or not finite is the last one, and so is one, after the first, that
+/// The checks of run_checks.hpp watch every step; one that fails has a status of at least StepStatus::energy_gained,
+/// and the run goes on. A step that leaves something unsolved or not finite is the last one, and so is one, after the first, that
 /// the technique refuses: the result has what was simulated before it.
 /// \param simulation  no step done yet
 /// \param settings    step, duration; valid, see require_valid()

@@ -19,4 +19,12 @@ inline constexpr double step_remainder = 1e-9;
 /// what the default technique gains in all but one of a thousand random worlds. (3.3.2)
 inline constexpr double energy_gain = 0.05;
 
+/// [rad] A body that turns by more in a step is reported. Reason: above it the energy of free bodies changes by
+/// percents and their contacts are found where they no longer are. (3.1)
+inline constexpr double most_turn = 1.0;
+
+/// [-] Share of a body's edges that counts when it is asked whether one body went through another. Reason: two
+/// that slide along each other, or touch, do not. (2.1)
+inline constexpr double core_share = 0.9;
+
 }  // namespace tumble::tolerance

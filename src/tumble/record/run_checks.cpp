@@ -1,0 +1,166 @@
+/// \file
+/// \brief Checks of a run that know no technique: what no scene can do.
+#include "tumble/record/run_checks.hpp"
+
+#include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/geometry/swept.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/record/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+double energy_of_body(const World& world, std::size_t k) {
+  return energy_of(world.bodies()[k], world.states()[k], world.gravity_w).total();
+}
+
+// The part of a body that stays inside it while it turns by an angle; its size is not positive if nothing does.
+// A corner at |h| from the centre moves by at most angle · |h|.
+Box core_of(const BodyProperties& body, const BodyState& state, double angle) {
+  Box core = box_of(body, state);
+  core.half = tolerance::core_share * core.half - Vec3::Constant(angle * core.half.norm());
+  return core;
+}
+
+Bounds widened(Bounds bounds, const Vec3& way_w) {
+  bounds.low += way_w.cwiseMin(0.0);
+  bounds.high += way_w.cwiseMax(0.0);
+  return bounds;
+}
+
+}  // namespace
+
+void RunCheck::find(const World& world, const std::string& what) {
+  if (!message_.empty()) return;
+  message_ = "step " + std::to_string(world.steps()) + " at " + rounded_text(world.time(), 6) +
+             " s: " + what;
+}
+
+// --- energy -----------------------------------------------------------------------------------------
+
+void EnergyCheck::begin(const World& world) {
+  double scale = 0.0;  // [J]
+  energies_.resize(idx(world.count()));
+  for (std::size_t k = 0; k < energies_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    energies_[k] = energy_of_body(world, k);
+    if (!body.movable()) continue;
+    scale += kinetic_energy(body, world.states()[k]) +
+             body.mass * world.gravity_w.norm() * body.size.maxCoeff();
+  }
+  allowed_ = std::max(allowed_, tolerance::energy_gain * scale);
+}
+
+void EnergyCheck::on_begin(const World& world) {
+  begin(world);
+  start_ = energy_of(world).total();
+}
+
+void EnergyCheck::on_change(const World& world, double energy_added) {
+  start_ += energy_added;
+  begin(world);
+}
+
+void EnergyCheck::on_step(const World& world, const StepReport& /*report*/) {
+  double total = 0.0;
+  double most = 0.0;
+  std::size_t gainer = 0;
+  for (std::size_t k = 0; k < energies_.size(); ++k) {
+    const double now = energy_of_body(world, k);
+    total += now;
+    if (now - energies_[k] > most) {
+      most = now - energies_[k];
+      gainer = k;
+    }
+    energies_[k] = now;
+  }
+  const bool failed = std::isfinite(total) && total - start_ > allowed_;
+  status_ = failed ? StepStatus::energy_gained : StepStatus::done;
+  if (!failed) return;
+  find(world, "the total energy is " + rounded_text(total, 6) + " J, " +
+                  rounded_text(total - start_, 6) +
+                  " J above the start, which nothing in the scene can add; " +
+                  world.name(static_cast<int>(gainer)) + " gained " + rounded_text(most, 6) +
+                  " J in this step");
+}
+
+// --- passages ---------------------------------------------------------------------------------------
+
+PassageCheck::PassageCheck() : near_(make_broad_phase("bounding_tree")) {}
+
+void PassageCheck::on_begin(const World& world) {
+  before_.assign(world.states().begin(), world.states().end());
+}
+
+void PassageCheck::on_change(const World& world, double /*energy_added*/) { on_begin(world); }
+
+void PassageCheck::on_step(const World& world, const StepReport& /*report*/) {
+  status_ = StepStatus::done;
+  fast_.assign(before_.size(), 0);
+  bool any = false;
+  for (std::size_t k = 0; k < before_.size(); ++k) {
+    const double way = (world.states()[k].position_w - before_[k].position_w).norm();
+    fast_[k] = way > 0.5 * world.bodies()[k].size.minCoeff() && std::isfinite(way) ? 1 : 0;
+    any = any || fast_[k] != 0;
+  }
+  if (any) look_for_passages(world);
+  on_begin(world);
+}
+
+void PassageCheck::look_for_passages(const World& world) {
+  const auto way = [&](std::size_t k) -> Vec3 {
+    return world.states()[k].position_w - before_[k].position_w;
+  };
+  cores_.resize(before_.size());
+  swept_.resize(before_.size());
+  for (std::size_t k = 0; k < before_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    const double angle = angle_between(before_[k].orientation_wb, world.states()[k].orientation_wb);
+    cores_[k] = core_of(body, before_[k], angle);
+    // A body without a core, such as the ground, is put where nothing is.
+    constexpr double nowhere = std::numeric_limits<double>::max();
+    const bool has_core = body.shape != Shape::ground && cores_[k].half.minCoeff() > 0.0;
+    swept_[k] = has_core ? widened(bounds_of(cores_[k]), way(k))
+                         : Bounds{Vec3::Constant(nowhere), Vec3::Constant(nowhere)};
+  }
+  near_->find_pairs(swept_, pairs_);
+  for (const IndexPair& pair : pairs_) {
+    const std::size_t a = idx(pair.first);
+    const std::size_t b = idx(pair.second);
+    if (fast_[a] == 0 && fast_[b] == 0) continue;
+    if (cores_[a].half.minCoeff() <= 0.0 || cores_[b].half.minCoeff() <= 0.0) continue;
+    const SweepResult swept = sweep(cores_[a], way(a), cores_[b], way(b));
+    if (swept.status != SweepStatus::hit || swept.leave >= 1.0) continue;
+    status_ = StepStatus::passed_through;
+    find(world, world.name(pair.first) + " went through " + world.name(pair.second) +
+                    " within the step: a smaller --dt or a technique that catches it is needed");
+    return;
+  }
+}
+
+// --- turning ----------------------------------------------------------------------------------------
+
+void TurnCheck::on_begin(const World& world) { time_ = world.time(); }
+
+void TurnCheck::on_step(const World& world, const StepReport& /*report*/) {
+  const double dt = world.time() - time_;
+  time_ = world.time();
+  if (!message().empty()) return;
+  for (std::size_t k = 0; k < idx(world.count()); ++k) {
+    const double turn = dt * angular_velocity(world.bodies()[k], world.states()[k]).norm();
+    if (!(turn > tolerance::most_turn)) continue;
+    find(world, world.name(static_cast<int>(k)) + " turns by " + rounded_text(turn, 3) +
+                    " rad in a step, and above 1 rad its contacts and its energy are not reliable: "
+                    "--dt " +
+                    rounded_text(0.5 * dt / turn, 2) + " is small enough");
+    return;
+  }
+}
+
+}  // namespace tumble

@@ -1,0 +1,93 @@
+/// \file
+/// \brief Checks of a run that know no technique: what no scene can do.
+#pragma once
+
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/broad_phase.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tumble {
+
+/// A check of every step of a run.
+class RunCheck : public Observer {
+ public:
+  /// The verdict on the last step.
+  /// \return StepStatus::done, or the fault that was found
+  [[nodiscard]] StepStatus status() const { return status_; }
+
+  /// The first finding in words: step, time, body, value, and a remedy if there is one.
+  /// \return empty if there was none
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ protected:
+  /// Keeps the first finding.
+  /// \param world  the bodies after the step
+  /// \param what   the finding
+  void find(const World& world, const std::string& what);
+
+  StepStatus status_ = StepStatus::done;  ///< the verdict on the last step
+
+ private:
+  std::string message_;
+};
+
+/// The total energy of a run, kinetic and potential, does not rise. Nothing in a scene adds any: contacts,
+/// friction and impacts can only take it away.
+///
+/// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start and the
+/// sum of m g L over the movable bodies, L a body's longest edge.
+class EnergyCheck : public RunCheck {
+ public:
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+ private:
+  void begin(const World& world);
+
+  double start_ = 0.0;            // [J] energy at the start, with what was added from outside
+  double allowed_ = 0.0;          // [J] above it
+  std::vector<double> energies_;  // [J] of each body, before the step
+};
+
+/// No body goes through another one in a step.
+///
+/// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
+/// on the straight way between. The core of a body is a box within it, so much smaller that it stays inside
+/// however the body turned in the step. So what is found is certain; a passage near an edge or with much
+/// turning is not found.
+/// \par Cost
+/// A comparison for each body, as long as none moves by half its shortest edge in a step.
+class PassageCheck : public RunCheck {
+ public:
+  PassageCheck();
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+ private:
+  void look_for_passages(const World& world);
+
+  std::vector<BodyState> before_;  // at the start of the step
+  std::unique_ptr<BroadPhase> near_;
+  std::vector<char> fast_;  // not 0: moved by half its shortest edge or more
+  std::vector<Box> cores_;  // where the step began
+  std::vector<Bounds> swept_;
+  std::vector<IndexPair> pairs_;
+};
+
+/// A body that turns by more than a radian in a step is named, once, with a step that would do. Its contacts and
+/// its energy are not reliable; the step counts as done all the same.
+class TurnCheck : public RunCheck {
+ public:
+  void on_begin(const World& world) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+ private:
+  double time_ = 0.0;  // [s] when the step began
+};
+
+}  // namespace tumble

@@ -1,0 +1,101 @@
+/// \file
+/// \brief Checks of a run: energy that comes from nowhere, bodies that pass through others, large turns.
+#include "tumble/record/run_checks.hpp"
+
+#include "tumble/record/run.hpp"
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace tumble;
+
+// Moves all bodies as if there were no contacts.
+class Ghosts : public Technique {
+ public:
+  double gain = 1.0;  // [-] of momentum, in each step
+
+  [[nodiscard]] std::string_view name() const override { return "ghosts"; }
+  StepReport step(World& world, double dt) override {
+    for (std::size_t k = 0; k < world.states().size(); ++k) {
+      world.states()[k].linear_momentum_w *= gain;
+      advance_pose(world.bodies()[k], world.states()[k], dt, RotationRule::splitting);
+    }
+    world.finish_step(dt);
+    return {};
+  }
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
+    return std::make_unique<Ghosts>(*this);
+  }
+};
+
+SceneBox cube(const std::string& name, const Vec3& position_w, const Vec3& velocity_w) {
+  SceneBox box;
+  box.name = name;
+  box.position_w = position_w;
+  box.velocity_w = velocity_w;
+  return box;
+}
+
+RunResult ran(const Scene& scene, double gain = 1.0) {
+  Ghosts ghosts;
+  ghosts.gain = gain;
+  RunSettings settings;
+  settings.dt = 0.1;
+  settings.duration = 1.0;
+  return run_scene(scene, ghosts, settings, {});
+}
+
+Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second_velocity_w) {
+  Scene scene;
+  scene.gravity_w.setZero();
+  scene.boxes = {cube("left", Vec3(-2.2, 0.0, 0.0), first_velocity_w),
+                 cube("right", second_w, second_velocity_w)};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("A body that goes through another one within a step is found", "[unit][record][run]") {
+  // 4 m in a step: from 2.2 m left of the middle to 1.8 m right of it.
+  const Vec3 fast(40.0, 0.0, 0.0);
+  const RunResult through = ran(two(Vec3(0.0, 0.5, 0.3), fast, Vec3::Zero()));
+  CHECK(through.worst == StepStatus::passed_through);
+  REQUIRE(through.findings.size() == 1);
+  CHECK(through.findings[0].find("step 1 at 0.1 s: left went through right") == 0);
+
+  const RunResult meeting = ran(two(Vec3(1.8, 0.5, 0.0), 0.5 * fast, -0.5 * fast));
+  CHECK(meeting.worst == StepStatus::passed_through);
+
+  SECTION("the same ways beside each other are no passage") {
+    CHECK(ran(two(Vec3(0.0, 1.0, 0.0), fast, Vec3::Zero())).worst == StepStatus::done);
+    CHECK(ran(two(Vec3(0.0, 0.95, 0.0), fast, fast)).worst == StepStatus::done);
+  }
+  SECTION("a body that turns so far that it may have passed is none") {
+    Scene scene = two(Vec3(0.0, 0.5, 0.3), fast, Vec3::Zero());
+    scene.boxes[0].angular_velocity_w = Vec3(0.0, 9.0, 0.0);
+    CHECK(ran(scene).worst == StepStatus::done);
+  }
+}
+
+TEST_CASE("Energy that nothing in the scene can add is found", "[unit][record][run]") {
+  const Scene scene = two(Vec3(0.0, 5.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3::Zero());
+  CHECK(ran(scene, 1.001).worst == StepStatus::done);  // 2 % in ten steps
+  const RunResult gained = ran(scene, 1.01);
+  CHECK(gained.worst == StepStatus::energy_gained);
+  REQUIRE(gained.findings.size() == 1);
+  CHECK(gained.findings[0].find("left gained") != std::string::npos);
+}
+
+TEST_CASE("A turn of more than a radian in a step is named with a step that would do",
+          "[unit][record][run]") {
+  Scene scene = two(Vec3(0.0, 5.0, 0.0), Vec3::Zero(), Vec3::Zero());
+  scene.boxes[1].angular_velocity_w = Vec3(0.0, 20.0, 0.0);
+  const RunResult turned = ran(scene);
+  CHECK(turned.worst == StepStatus::done);
+  REQUIRE(turned.findings.size() == 1);
+  CHECK(turned.findings[0].find("right turns by 2 rad") != std::string::npos);
+  CHECK(turned.findings[0].find("--dt 0.025") != std::string::npos);
+  scene.boxes[1].angular_velocity_w = Vec3(0.0, 9.9, 0.0);
+  CHECK(ran(scene).findings.empty());
+}
