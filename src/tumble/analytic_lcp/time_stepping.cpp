@@ -60,6 +60,7 @@ StepReport TimeStepping::step(World& world, double dt) {
     return report;
   }
   record(world);
+  report.energy.repair += moved_against_gravity(world, dt);
   store_moving_bodies(moving_, world);
 
   // Then all bodies move with these.
@@ -75,6 +76,18 @@ StepReport TimeStepping::step(World& world, double dt) {
   report.energy.friction = result.friction_energy;
   world.finish_step(dt);
   return report;
+}
+
+// [J] Bodies move with the velocity of the step's end instead of the mean of both: what this lifts them by.
+double TimeStepping::moved_against_gravity(const World& world, double dt) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable()) continue;
+    const Vec3 gained_w = body.mass * moving_[k].velocity_w - world.states()[k].linear_momentum_w;
+    work -= 0.5 * dt * world.gravity_w.dot(gained_w);
+  }
+  return work;
 }
 
 // Each by itself, or about what it stands on.

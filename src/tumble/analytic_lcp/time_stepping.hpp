@@ -105,6 +105,7 @@ class TimeStepping : public Technique {
   void gather(const World& world, double dt, StepReport& report);
   void find_pairs(const World& world, double margin);
   void record(const World& world);
+  [[nodiscard]] double moved_against_gravity(const World& world, double dt) const;
   void move(World& world, double dt, StepReport& report);
 
   TimeSteppingOptions options_;

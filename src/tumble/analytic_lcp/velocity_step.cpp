@@ -48,7 +48,7 @@ VelocityStepResult VelocityStep::solve(const World& world, std::span<const Accel
   ended_ = free_;
 
   VelocityStepResult result;
-  const Task task{&world, contacts, dt, options};
+  const Task task{&world, bodies, contacts, dt, options};
   for (int island = 0; island < islands_.count(); ++island) {
     if (islands_.contacts(island).empty()) continue;
     if (solve_island(task, island, result)) continue;
@@ -71,19 +71,30 @@ bool VelocityStep::solve_island(const Task& task, int island, VelocityStepResult
   double bounce_work = 0.0;
   if (bounces) {
     bounced = find_pushes(task, island, true, result);
-    bounce_work = work(task.contacts);
+    bounce_work = work(task);
     if (bounced && bounce_work <= 0.0) return true;
     ++result.fallbacks;
     for (Candidate& candidate : candidates()) candidate.bounce_w = candidate.push_w;
   }
   if (!find_pushes(task, island, false, result)) return false;
   if (bounced) {
-    go_towards_bounce(task.contacts, bounce_work);
+    go_towards_bounce(task, bounce_work);
     apply_pushes(task, island);
   }
   return true;
 }
 // [S2.6.3]
+
+// [m] the smallest gap that a contact would have at the end if nothing pushed.
+double VelocityStep::least_gap(const Task& task, const Contact& contact) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < contact.count; ++k) {
+    const ContactPoint& point = contact.points[idx(k)];
+    const double speed = contact.normal_w.dot(motion(free_, contact, point.position_w));
+    least = std::min(least, std::max(point.distance, 0.0) + task.dt * speed);
+  }
+  return least;
+}
 
 // All points of an island, and what each asks for. Returns whether any of them bounces.
 bool VelocityStep::list_candidates(const Task& task, std::span<const int> contacts) {
@@ -93,13 +104,17 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
     const Contact& contact = task.contacts[idx(c)];
     const double near =
         tolerance::repair_slop * pair_size(*task.world, contact.first, contact.second);
+    // Corners that arrive together do so though rounding leaves some of them short of it: a face that
+    // bounced at two of its four corners would turn.
+    const double deepest = least_gap(task, contact);
+    const double arrival = deepest < 0.0 ? std::max(0.0, deepest + near) : 0.0;
     for (int k = 0; k < contact.count; ++k) {
       const ContactPoint& point = contact.points[idx(k)];
       const bool touches = point.distance <= near;
       if (!touches && task.options.form == SteppingForm::anitescu_potra) continue;
       const Vec3 u_free = motion(free_, contact, point.position_w);
       const double gap = std::max(point.distance, 0.0);
-      const bool arrives = gap + task.dt * contact.normal_w.dot(u_free) < 0.0;
+      const bool arrives = gap + task.dt * contact.normal_w.dot(u_free) < arrival;
       Candidate candidate;
       candidate.contact = c;
       candidate.point = k;
@@ -227,28 +242,32 @@ bool VelocityStep::take_up_missed(std::span<const Contact> contacts, bool bounce
   return any;
 }
 
-// [J] what the impulses do to the energy after the accelerations have acted, p·(u_free + u+)/2.
-double VelocityStep::work(std::span<const Contact> contacts) const {
+// [J] what the impulses do to the energy, p·(u- + u+)/2 with the velocities before gravity of the step:
+// what gravity adds on the way to an impact is not there to bounce with.
+double VelocityStep::work(const Task& task) const {
   double sum = 0.0;
   double terms = 0.0;
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = contacts[idx(candidate.contact)];
+    const Contact& contact = task.contacts[idx(candidate.contact)];
     const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
-    const Vec3 u = 0.5 * (motion(free_, contact, place_w) + motion(ended_, contact, place_w));
-    sum += candidate.push_w.dot(u);
-    terms += std::abs(candidate.push_w.dot(u));
+    const double before = candidate.push_w.dot(motion(task.start, contact, place_w));
+    const double after = candidate.push_w.dot(motion(ended_, contact, place_w));
+    sum += 0.5 * (before + after);
+    terms += 0.5 * (std::abs(before) + std::abs(after));
   }
   return std::abs(sum) > tolerance::rounding * terms ? sum : 0.0;
 }
 
 // On the way from the answer without restitution, the present one, to that with it the work is a
-// parabola E0 + b t + a t², with b = dp·u+ at its start, and E1 at its end.
-void VelocityStep::go_towards_bounce(std::span<const Contact> contacts, double bounce_work) {
-  const double start = std::min(work(contacts), 0.0);
+// parabola E0 + b t + a t², with b = dp·(u+ + (u- - u_free)/2) at its start, and E1 at its end.
+void VelocityStep::go_towards_bounce(const Task& task, double bounce_work) {
+  const double start = std::min(work(task), 0.0);
   double slope = 0.0;
   for (const Candidate& candidate : candidates()) {
-    const Contact& contact = contacts[idx(candidate.contact)];
-    const Vec3 u = motion(ended_, contact, contact.points[idx(candidate.point)].position_w);
+    const Contact& contact = task.contacts[idx(candidate.contact)];
+    const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
+    const Vec3 u = motion(ended_, contact, place_w) +
+                   0.5 * (motion(task.start, contact, place_w) - motion(free_, contact, place_w));
     slope += (candidate.bounce_w - candidate.push_w).dot(u);
   }
   const double curvature = std::max(bounce_work - start - slope, 0.0);

@@ -126,6 +126,7 @@ class VelocityStep {
   // One call's arguments.
   struct Task {
     const World* world = nullptr;
+    std::span<const MovingBody> start;
     std::span<Contact> contacts;
     double dt = 0.0;
     VelocityStepOptions options;
@@ -140,8 +141,9 @@ class VelocityStep {
   void apply_pushes(const Task& task, int island);
   bool take_up_friction(std::span<const Contact> contacts);
   bool take_up_missed(std::span<const Contact> contacts, bool bounce);
-  void go_towards_bounce(std::span<const Contact> contacts, double bounce_work);
-  [[nodiscard]] double work(std::span<const Contact> contacts) const;
+  void go_towards_bounce(const Task& task, double bounce_work);
+  [[nodiscard]] double work(const Task& task) const;
+  [[nodiscard]] double least_gap(const Task& task, const Contact& contact) const;
   void store(std::span<Contact> contacts, std::span<MovingBody> bodies,
              VelocityStepResult& result) const;
 

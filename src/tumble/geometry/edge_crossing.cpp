@@ -23,6 +23,7 @@ struct EdgePair {
 struct Crossing {
   double x, y;  // [m] along the first and the second edge, from their middles
   bool within;  // whether neither had to be held to its edge
+  double half;  // [m] of the stretch that they share, if they are parallel
 };
 
 // The middle of the stretch in which two parallel edges lie beside each other, or the ends that are
@@ -32,7 +33,8 @@ Crossing beside(const EdgePair& e) {
   const double from = std::max(-e.a, e.along_first - reach);
   const double to = std::min(e.a, e.along_first + reach);
   const double x = std::clamp(0.5 * (from + to), -e.a, e.a);
-  return {x, std::clamp(e.cosine * x - e.along_second, -e.b, e.b), from <= to + slack};
+  return {x, std::clamp(e.cosine * x - e.along_second, -e.b, e.b), from <= to + slack,
+          std::max(0.0, 0.5 * (to - from))};
 }
 
 // The closest points of the two lines if both lie on the edges. Otherwise one is held to its edge,
@@ -49,7 +51,7 @@ Crossing closest_points(const EdgePair& e) {
     y = std::clamp(e.cosine * x - e.along_second, -e.b, e.b);
     x = std::clamp(e.along_first + e.cosine * y, -e.a, e.a);
   }
-  return {x, y, within};
+  return {x, y, within, 0.0};
 }
 
 // The edge of a box that reaches farthest along a direction, among those parallel to an axis: its
@@ -94,13 +96,13 @@ EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j)
   // The squared sine from its components, to lose nothing for small angles.
   const double sine_k = pair.c[kCycle[idx(i) + 1]][idx(j)],
                sine_l = pair.c[kCycle[idx(i) + 2]][idx(j)];
-  const auto [x, y, within] = closest_points(
+  const auto [x, y, within, half] = closest_points(
       {pair.a[idx(i)], pair.b[idx(j)], gap_w.dot(axis_first_w), gap_w.dot(axis_second_w),
        pair.c[idx(i)][idx(j)], sine_k * sine_k + sine_l * sine_l});
   const Vec3 between_w = gap_w + y * axis_second_w - x * axis_first_w;
   return {pair.first.center_w + edge_first.middle_w + x * axis_first_w + 0.5 * between_w,
           name_of(edge_first.number, kEdgesOfSecond + edge_second.number), between_w.squaredNorm(),
-          within};
+          within, half * axis_first_w};
 }
 
 }  // namespace tumble

@@ -30,6 +30,8 @@ struct EdgeContact {
   FeatureId feature;  ///< the name of the point
   double apart2;      ///< [m²] squared distance of the closest points
   bool within;        ///< whether neither passes beyond an end
+  Vec3
+      stretch_w;  ///< [m] from the position to one end of the stretch that parallel edges share; else 0
 };
 
 /// Where the edges of two boxes that reach farthest along a direction touch.

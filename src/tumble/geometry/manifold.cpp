@@ -18,6 +18,9 @@ namespace {
 
 using Three = std::array<double, 3>;
 
+// Names the second point of two edges that lie side by side.
+constexpr FeatureId kOtherEnd = 1U << 16U;
+
 // Takes out points that fall together with the one before them, or the last with the first.
 void merge_repeated(double near, Manifold& out) {
   const auto same = [near](const ManifoldPoint& p, const ManifoldPoint& q) {
@@ -171,14 +174,24 @@ void write_point(const EdgeContact& contact, const Separation& found, Manifold& 
 
 // Where no two edges pass each other along the best axis, boxes that are apart by less than the
 // margin are closest at two edges that lie beside each other, or at corners. Those are found among
-// the edges that reach farthest along the normal.
+// the edges that reach farthest along the normal. Edges side by side are as close at both ends of the
+// stretch that they share: with one point there the boxes would be pushed aside as if at a corner.
 void nearest_edges(const BoxPair& pair, const Separation& found, Manifold& out) {
   EdgeContact nearest = cross_edges(pair, found.normal_w, 0, 0);
   for (int k = 1; k < 9; ++k) {
     const EdgeContact other = cross_edges(pair, found.normal_w, k / 3, k % 3);
-    if (other.apart2 < nearest.apart2) nearest = other;
+    const bool longer = other.stretch_w.squaredNorm() > nearest.stretch_w.squaredNorm();
+    const double near = tolerance::same_point * other.stretch_w.norm();
+    const bool as_near = std::sqrt(other.apart2) <= std::sqrt(nearest.apart2) + near;
+    if (longer ? as_near : other.apart2 < nearest.apart2) nearest = other;
   }
   write_point(nearest, found, out);
+  if (nearest.stretch_w.isZero(0.0)) return;
+  out.points[1] = out.points[0];
+  out.points[1].feature |= kOtherEnd;
+  out.points[0].position_w -= nearest.stretch_w;
+  out.points[1].position_w += nearest.stretch_w;
+  out.count = 2;
 }
 
 // Says whether the axis leads to a contact, or the boxes are too far apart along it to have one.

@@ -49,7 +49,7 @@ struct Manifold {
 /// they are. Along another one (preferred or remembered) and for boxes that are apart the contact may
 /// be missed: faces that do not lie over each other give no point, edges that pass beyond their ends
 /// give one between their closest points. Edges that are parallel but for 1e-7 rad give the middle
-/// of the stretch that they share.
+/// of the stretch that they share or, from collide() for boxes that are apart, both ends of it.
 /// \param first   the box that the normal leaves
 /// \param second  the box that the normal enters
 /// \param found   what separation() said about the same two boxes
