@@ -37,7 +37,7 @@ std::span<const ComparedTechnique> techniques_with_pose() {
   static const std::array<ComparedTechnique, 6> list{{
       {"contact_damped", {"contact_damped"}},
       {"analytic", {"analytic"}},
-      {"time_stepping", {"time_stepping"}},
+      {"time_stepping", {"time_stepping", {"directions=4"}}},
       {"impulse", {"impulse"}},
       {"impulse with 100 passes", {"impulse", {"contact_passes=100"}}},
       {"glued with impulses", {"glued", {"scheme=impulse"}}},

@@ -43,7 +43,7 @@ std::vector<Rested> techniques_at_rest() {
       {"contact_damped", {"contact_damped"}},
       {"analytic with damping", {"analytic", {"friction=damping"}}},
       {"analytic", {"analytic"}, {true, false, false, false}},
-      {"time_stepping", {"time_stepping"}, {true, true, true, false}},
+      {"time_stepping", {"time_stepping", {"directions=4"}}, {true, true, true, false}},
   };
 }
 

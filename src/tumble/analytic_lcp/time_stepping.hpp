@@ -32,7 +32,7 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
          {{"stewart_trinkle", SteppingForm::stewart_trinkle},
           {"anitescu_potra", SteppingForm::anitescu_potra}},
          "contacts may close their gaps, or only touching points count");
-  v.word("directions", o.velocities.directions, {{"4", 4}, {"8", 8}},
+  v.word("directions", o.velocities.directions, {{"8", 8}, {"4", 4}},
          "directions of the friction pyramid");
   v.word("sticky", o.velocities.sticky.rule,
          {{"speed", StickyRule::speed},
@@ -61,11 +61,15 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// noticed, and may pass a thin one. Their proof that there is always a solution holds for both, since
 /// only positive gaps are used.
 ///
-/// **The pyramid.** 4 directions are the default. They are along the axes of the world for level or
-/// upright faces, where friction is exact; half way between them it is weaker by up to 29 %, with 8
-/// directions by 8 %, for about three times the work.
+/// **The pyramid.** 8 directions are the default: half way between them friction is weaker by up to 8 %.
+/// With 4, along the axes of the world for level or upright faces, it is exact along them, weaker by up
+/// to 29 % between them, and takes about a third of the work.
 ///
 /// **Restitution** is Newton's, see VelocityStep: bodies turn back up to a step before they touch.
+///
+/// **Energy.** Positions follow the new velocities, not the mean of old and new ones. What this lifts
+/// bodies by, \f$-\tfrac h2 m\,g\cdot(v^+ - v^-)\f$, is booked with the repair: a bounce adds it, and the
+/// flight after it takes it away again.
 ///
 /// **How far it looks.** Points count up to the distance that the two fastest bodies can close in a step.
 /// A body that is sent off faster than that by an impact in this very step, or whose contact area is

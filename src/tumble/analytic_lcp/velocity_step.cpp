@@ -62,8 +62,7 @@ VelocityStepResult VelocityStep::solve(const World& world, std::span<const Accel
 
 // [S2.6.3]
 // Impacts and resting contact alike: impulses that keep the points apart at the end of the step.
-// Restitution is added to the method; where it asks too much the step is done without, and then as
-// much of it is put back as the energy allows.
+// Restitution is added to the method; where it asks too much, as much of it as the energy allows.
 bool VelocityStep::solve_island(const Task& task, int island, VelocityStepResult& result) {
   first_ = candidates_.size();
   const bool bounces = list_candidates(task, islands_.contacts(island));
@@ -90,8 +89,8 @@ double VelocityStep::least_gap(const Task& task, const Contact& contact) const {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < contact.count; ++k) {
     const ContactPoint& point = contact.points[idx(k)];
-    const double speed = contact.normal_w.dot(motion(free_, contact, point.position_w));
-    least = std::min(least, std::max(point.distance, 0.0) + task.dt * speed);
+    const double u_n = contact.normal_w.dot(motion(free_, contact, point.position_w));
+    least = std::min(least, std::max(point.distance, 0.0) + task.dt * u_n);
   }
   return least;
 }
@@ -104,8 +103,7 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
     const Contact& contact = task.contacts[idx(c)];
     const double near =
         tolerance::repair_slop * pair_size(*task.world, contact.first, contact.second);
-    // Corners that arrive together do so though rounding leaves some of them short of it: a face that
-    // bounced at two of its four corners would turn.
+    // Corners of a face arrive together, whatever rounding leaves: at two of four it would turn.
     const double deepest = least_gap(task, contact);
     const double arrival = deepest < 0.0 ? std::max(0.0, deepest + near) : 0.0;
     for (int k = 0; k < contact.count; ++k) {
@@ -242,20 +240,18 @@ bool VelocityStep::take_up_missed(std::span<const Contact> contacts, bool bounce
   return any;
 }
 
-// [J] what the impulses do to the energy, p·(u- + u+)/2 with the velocities before gravity of the step:
-// what gravity adds on the way to an impact is not there to bounce with.
+// [J] what the impulses do to the energy, p·(u- + u+)/2: gravity's share of the step is not to bounce with.
 double VelocityStep::work(const Task& task) const {
-  double sum = 0.0;
-  double terms = 0.0;
+  double sum = 0.0, terms = 0.0;
   for (const Candidate& candidate : candidates()) {
     const Contact& contact = task.contacts[idx(candidate.contact)];
     const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
     const double before = candidate.push_w.dot(motion(task.start, contact, place_w));
     const double after = candidate.push_w.dot(motion(ended_, contact, place_w));
-    sum += 0.5 * (before + after);
-    terms += 0.5 * (std::abs(before) + std::abs(after));
+    sum += before + after;
+    terms += std::abs(before) + std::abs(after);
   }
-  return std::abs(sum) > tolerance::rounding * terms ? sum : 0.0;
+  return std::abs(sum) > tolerance::rounding * terms ? 0.5 * sum : 0.0;
 }
 
 // On the way from the answer without restitution, the present one, to that with it the work is a

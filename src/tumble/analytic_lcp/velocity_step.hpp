@@ -29,7 +29,7 @@ enum class SteppingForm : std::uint8_t {
 
 /// How a step is made.
 struct VelocityStepOptions {
-  int directions = 4;                                 ///< of the pyramid of friction: 4 or 8
+  int directions = 8;                                 ///< of the pyramid of friction: 4 or 8
   SteppingForm form = SteppingForm::stewart_trinkle;  ///< what keeps points apart
   StickyOptions sticky;                               ///< which impacts do not bounce
 };
@@ -68,7 +68,9 @@ struct VelocityStepResult {
 /// **Restitution** is not part of the method. Newton's is added: a point that approaches with
 /// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge -e\,u_n^-\f$ instead,
 /// unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
-/// collide together can ask for what no motion gives, and friction with Newton's law may add energy.
+/// collide together can ask for what no motion gives, and restitution at several points or with friction
+/// may add energy, \f$p\cdot(u^- + u^+)/2 > 0\f$: gravity's share h a is no energy to bounce with.
+/// Corners of a face that arrive together but for a slop bounce together.
 /// Then (`fallbacks`) the group of bodies is solved with e = 0 as well, and the answer is the
 /// point of the straight line from there to the other solution that is closest to the latter among
 /// those whose work is not above 0, or the solution for e = 0 if there is no other. Every convex combination of two answers holds points apart and friction in its pyramid.
@@ -126,7 +128,7 @@ class VelocityStep {
   // One call's arguments.
   struct Task {
     const World* world = nullptr;
-    std::span<const MovingBody> start;
+    std::span<const MovingBody> start;  // without gravity of the step
     std::span<Contact> contacts;
     double dt = 0.0;
     VelocityStepOptions options;
