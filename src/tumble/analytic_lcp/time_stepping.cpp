@@ -127,6 +127,8 @@ void TimeStepping::gather(const World& world, double dt, StepReport& report) {
   const GatherReport gathered = gather_contacts(world, moving_, pairs_, margin, {}, contacts_);
   report.pair_tests += gathered.pair_tests;
   report.deepest_overlap = gathered.deepest_overlap;
+  if (options_.velocities.form == SteppingForm::stewart_trinkle)
+    passing_.add(world, moving_, pairs_, dt, options_.rotation, contacts_, report);
 }
 
 // Pairs of bodies up to a margin apart.

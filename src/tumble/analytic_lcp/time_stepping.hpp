@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/analytic_lcp/passing_contacts.hpp"
 #include "tumble/analytic_lcp/velocity_step.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/pivot_update.hpp"
@@ -72,8 +73,9 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// flight after it takes it away again.
 ///
 /// **How far it looks.** Points count up to the distance that the two fastest bodies can close in a step.
-/// A body that is sent off faster than that by an impact in this very step, or whose contact area is
-/// empty as long as it is apart (corner to corner), may overlap for a step and be repaired.
+/// Bodies without a contact area as long as they are apart (corner to corner) touch where they would
+/// overlap at the end (PassingContacts). A body that is sent off faster than all by an impact in this very
+/// step may overlap for a step and be repaired.
 /// \par Cost
 /// O(N³) for a group with N unknowns, (2 + d) for each point that rubs; a group in which nothing rubs
 /// is solved without friction. Meant for groups of up to some sixty points.
@@ -116,6 +118,7 @@ class TimeStepping : public Technique {
   std::unique_ptr<BroadPhase> broad_phase_;
   VelocityStep velocity_step_;
   VelocityStepResult velocities_;
+  PassingContacts passing_;
   OverlapRepair repair_;
   PivotUpdate carried_;
 
