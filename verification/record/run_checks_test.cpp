@@ -64,7 +64,7 @@ TEST_CASE("A body that goes through another one within a step is found", "[unit]
   REQUIRE(through.findings.size() == 1);
   CHECK(through.findings[0].find("step 1 at 0.1 s: left went through right") == 0);
 
-  const RunResult meeting = ran(two(Vec3(1.8, 0.5, 0.0), 0.5 * fast, -0.5 * fast));
+  const RunResult meeting = ran(two(Vec3(0.5, 0.5, 0.0), 0.5 * fast, -0.5 * fast));
   CHECK(meeting.worst == StepStatus::passed_through);
 
   SECTION("the same ways beside each other are no passage") {

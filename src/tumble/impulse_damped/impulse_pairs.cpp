@@ -91,7 +91,10 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
   pair.second_version = second;
   ++tests_;
   Manifold manifold;
-  pair.near = touch_pair(world, bodies.predicted(), pair.bodies, margin_, kNoAxis, manifold);
+  // A face that lands flat lands with all its corners, wherever rounding has put each.
+  const double flat = tolerance::impulse_even * pair.size;
+  pair.near = touch_pair(world, bodies.predicted(), pair.bodies, std::max(margin_, flat), kNoAxis,
+                         manifold);
   pair.overlaps = false;
   pair.depth = 0.0;
   if (!pair.near) return pair;
@@ -100,8 +103,6 @@ ImpulsePair& ImpulsePairs::look(const World& world, const ImpulseBodies& bodies,
   now.normal_w = manifold.normal_w;
   now.axis = manifold.axis;
   now.count = 0;
-  // A face that lands flat lands with all its corners, wherever rounding has put each.
-  const double flat = tolerance::impulse_even * pair.size;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& from = manifold.points[idx(i)];
     if (from.distance > flat) continue;
