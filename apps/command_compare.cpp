@@ -145,18 +145,20 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
       request.out.empty() ? std::filesystem::path("runs") /
                                 (std::filesystem::path(request.scene).stem().string() + "-compare")
                           : std::filesystem::path(request.out);
-  const OutputFolder folder(path, kFiles.front(), kFiles);
-  write_file(path / "scene.toml", to_toml(resolved.front().simulation.scene()));
+  require_not_in(path, request.scene);
+  OutputFolder folder(path, "comparison", kFiles);
+  write_file(folder.path() / "scene.toml", to_toml(resolved.front().simulation.scene()));
   if (names.size() == 1)
     std::fprintf(stderr, "note: one technique only (%s), so there is nothing to compare it with\n",
                  names.front().c_str());
-  TableFile series(path / "series.csv",
+  TableFile series(folder.path() / "series.csv",
                    "technique,time_s,total_J,energy_error_J,deepest_overlap_m,chatter_amplitude_m");
   std::vector<Outcome> outcomes;
   for (std::size_t i = 0; i < names.size() && stop_signal() == 0; ++i)
     outcomes.push_back(run_one(request, resolved[i], limit, series));
   series.flush();
-  write_tables(path, outcomes);
+  write_tables(folder.path(), outcomes);
+  folder.publish();
   try {
     draw_with_gnuplot(path, "compare.gp", commands(outcomes), "compare.svg");
   } catch (const CannotWrite& error) {

@@ -7,6 +7,8 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <sys/time.h>
+#include <unistd.h>
 
 namespace tumble::app {
 namespace {
@@ -15,12 +17,29 @@ namespace {
 volatile std::sig_atomic_t g_signal = 0;
 volatile std::sig_atomic_t g_asked = 0;  // how often
 
-// A third signal kills, without waiting for the step to end. The second may be the first one again:
-// timeout(1) signals its child, and then the group of the child.
+// Lets so many microseconds pass until end_at_once() is called; 0: for ever.
+void set_alarm(int microseconds) {
+  itimerval timer{};
+  timer.it_value.tv_usec = microseconds;
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+// The signal was not heard in time: within a long step, or while a file is waited for.
+extern "C" void end_at_once(int) {
+  constexpr char message[] =
+      "interrupted within a step: tables hold whole lines up to a step before\n";
+  if (write(STDERR_FILENO, message, sizeof message - 1) < 0) _exit(kCannotWrite);
+  _exit(128 + static_cast<int>(g_signal));
+}
+
+// A third signal kills at once. The second may be the first one again: timeout(1) signals its child, and then the
+// group of the child.
 extern "C" void remember_signal(int number) {
   g_signal = number;
   g_asked = g_asked + 1;
   if (g_asked >= 2) std::signal(number, SIG_DFL);
+  constexpr int half_a_second = 500000;
+  set_alarm(half_a_second);
 }
 
 void print_summary(const ResolvedRequest& r, const RunResult& result) {
@@ -35,9 +54,13 @@ void print_summary(const ResolvedRequest& r, const RunResult& result) {
 
 }  // namespace
 
-int stop_signal() { return g_signal; }
+int stop_signal() {
+  if (g_signal != 0) set_alarm(0);  // heard: there is time for an orderly end
+  return g_signal;
+}
 
 void catch_stop_signals() {
+  std::signal(SIGALRM, end_at_once);
   std::signal(SIGINT, remember_signal);
   std::signal(SIGTERM, remember_signal);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -48,7 +71,7 @@ int run(const Request& request) {
   RunFiles files(r.folder, r.description, r.simulation.scene());
   RunResult result;
   try {
-    TimingFile timing(r.folder);
+    TimingFile timing(files.folder(), request.run.every);
     for (const std::string& what : r.description.ignored)
       std::fprintf(stderr, "note: %s ignores %s\n", r.description.technique.c_str(), what.c_str());
     ProgressLine progress(r.description.scene + ", " + r.description.technique,
@@ -65,9 +88,6 @@ int run(const Request& request) {
       std::fprintf(stderr, "see %s: %s\n", (r.folder / diagnostic.file).c_str(),
                    std::string(diagnostic.comment).c_str());
     }
-  } catch (const std::invalid_argument&) {
-    files.discard();  // a scene that the technique refuses: the user's mistake leaves nothing
-    throw;
   } catch (const CannotWrite& error) {
     throw CannotWrite(std::string(error.what()) + "; the tables in " + r.folder.string() +
                       " hold whole lines up to there, and there is no summary.json");

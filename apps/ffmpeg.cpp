@@ -30,6 +30,7 @@ void write_video(const std::filesystem::path& path, int frames, double rate,
       "-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags",
       "+bitexact", "-flags:v", "+bitexact", "-f", "mp4", part};
   std::error_code failed;
+  std::filesystem::remove(folder / part, failed);  // a link there would be followed
   int code = 0;
   try {
     code = run_program(words, folder, [&](const Feeder& feed) {

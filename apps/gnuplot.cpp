@@ -11,8 +11,9 @@ void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& s
                        const std::string& commands, const std::string& picture) {
   const std::string part = picture + ".part";
   write_file(folder / script, "set output '" + part + "'\n" + commands);
-  const int code = run_program({"gnuplot", script}, folder);
   std::error_code failed;
+  std::filesystem::remove(folder / part, failed);  // a link there would be followed
+  const int code = run_program({"gnuplot", script}, folder);
   if (code == 0) std::filesystem::rename(folder / part, folder / picture, failed);
   if (code == 0 && !failed) return;
   std::filesystem::remove(folder / part, failed);

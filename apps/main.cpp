@@ -52,7 +52,8 @@ void add_recording_options(CLI::App& run, Request& request) {
                  "halve a step up to N times if bodies are fast, overlap or chatter")
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
-  run.add_option("--every", request.run.every, "steps from one recorded frame to the next")
+  run.add_option("--every", request.run.every,
+                 "steps from one recorded frame, and one row of a table, to the next")
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
   run.add_flag("--contacts", request.contacts, "write contacts.csv as well");

@@ -43,14 +43,15 @@ void ProgressLine::on_finding(const std::string& message) {
   std::fprintf(stderr, "%s%s, %s\n", shown_ ? "\r\x1b[K" : "", label_.c_str(), message.c_str());
 }
 
-TimingFile::TimingFile(const std::filesystem::path& folder)
-    : table_(folder / "timing.csv", "step,time_s,wall_ms_step_and_measurement") {}
+TimingFile::TimingFile(const std::filesystem::path& folder, int every)
+    : table_(folder / "timing.csv", "step,time_s,wall_ms_step_and_measurement"), every_(every) {}
 
 void TimingFile::on_begin(const World&) { last_ = std::chrono::steady_clock::now(); }
 
 void TimingFile::on_step(const World& world, const Technique&, const StepReport&, const Metrics&) {
   const auto now = std::chrono::steady_clock::now();
-  table_.cell(++step_).cell(world.time()).cell(1e3 * seconds(now - last_)).end_row();
+  if (++step_ % every_ == 0)
+    table_.cell(step_).cell(world.time()).cell(1e3 * seconds(now - last_)).end_row();
   last_ = std::chrono::steady_clock::now();
 }
 

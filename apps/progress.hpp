@@ -35,8 +35,9 @@ class ProgressLine : public RunObserver {
 class TimingFile : public RunObserver {
  public:
   /// Opens the file.
-  /// \param folder the run's folder
-  explicit TimingFile(const std::filesystem::path& folder);
+  /// \param folder  the run's folder
+  /// \param every   steps from one row to the next
+  TimingFile(const std::filesystem::path& folder, int every);
 
   void on_begin(const World& world) override;
   void on_step(const World& world, const Technique& technique, const StepReport& report,
@@ -46,6 +47,7 @@ class TimingFile : public RunObserver {
 
  private:
   TableFile table_;
+  int every_;
   std::int64_t step_ = 0;
   std::chrono::steady_clock::time_point last_;
 };

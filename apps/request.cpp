@@ -58,6 +58,14 @@ void apply(const std::vector<std::string>& settings, Parameters& scene, Paramete
   for (const std::string& setting : settings) apply_one(setting, scene, technique);
 }
 
+void require_not_in(const std::filesystem::path& folder, const std::string& scene) {
+  const std::filesystem::path file(scene);
+  std::error_code none;
+  require::that(!std::filesystem::equivalent(file, folder / file.filename(), none),
+                "--out " + folder.string() + " holds the scene that is read, " + scene +
+                    ": give another folder");
+}
+
 Scene resolve_scene(const Request& request) {
   const SceneRecipe* recipe = recipe_of(request.scene);
   Parameters settings = recipe != nullptr ? recipe->parameters() : Parameters();
@@ -91,6 +99,7 @@ ResolvedRequest resolve(const Request& request) {
   std::filesystem::path folder =
       request.out.empty() ? std::filesystem::path("runs") / (scene_name + "-" + d.technique)
                           : std::filesystem::path(request.out);
+  if (recipe == nullptr) require_not_in(folder, request.scene);
   return {std::move(simulation), std::move(d), std::move(folder)};
 }
 

@@ -50,11 +50,17 @@ struct ResolvedRequest {
 /// \throws std::invalid_argument for a key that neither or both have, or a value out of range
 void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique);
 
+/// Refuses a folder for output that holds the scene file that is read.
+/// \param folder  for output
+/// \param scene   a built-in name or a file
+/// \throws std::invalid_argument naming both
+void require_not_in(const std::filesystem::path& folder, const std::string& scene);
+
 /// Looks everything up.
 /// \param request what was typed
 /// \return ready to run
 /// \throws std::invalid_argument for an unknown scene, technique or key, a value out of range, or
-///         a bare key that both the scene and the technique have
+///         a bare key that both the scene and the technique have, or a folder that holds the scene
 ResolvedRequest resolve(const Request& request);
 
 /// Looks up the scene alone, for commands that run nothing.

@@ -13,6 +13,7 @@ LINKS = (
     ("scene=stack&scene.cout=3", ("cout", "count")),
     ("scene=stack&scene.count=-3", ("count=-3", "1 to ")),
     ("scene=stack&technique=damped&technique.damping=much", ("much", "tilt")),
+    ("scene=stack&technique=damped&technique.repaired=none%0Atoml", ("repaired", "one line")),
     ("scene=stack&dt=0", ("dt=0", "expected")),
     ("scene=stack&seed=x", ("seed=x", "expected")),
     ("scene=stack&colour=red", ("red", "stable")),

@@ -46,6 +46,8 @@ export function fault(setting, text) {
     return whole && value >= low && value <= high ? ''
       : `expected a ${kind === 'whole' ? 'whole ' : ''}number from ${low} to ${high}`;
   }
+  // A line end would begin a line of its own in the request to the module.
+  if (/[\u0000-\u001f\u007f]/.test(text)) return 'expected one line without control characters';
   return choices && !choices.includes(text) ? `expected one of ${choices.join(', ')}` : '';
 }
 

@@ -97,17 +97,19 @@ TEST_CASE("A scene that is printed runs as the scene itself does", "[unit][comma
 
 TEST_CASE("Short runs end well: no step, one step, every third step recorded", "[unit][command]") {
   const Folder folder("short");
-  const auto rows = [&](const std::string& options) {
+  const auto rows = [&](const std::string& options, const char* table = "trajectory.csv") {
     const Outcome outcome =
         run_tumble("run box_drop --quiet --out " + folder.text() + " " + options);
     CHECK(outcome.code == 0);
-    const std::string text = content(folder.path / "trajectory.csv");
+    const std::string text = content(folder.path / table);
     return std::count(text.begin(), text.end(), '\n') - 1;
   };
   CHECK(rows("--duration 0") == 1);  // the start
   CHECK(content(folder.path / "summary.json").find("\"potential_J\": 0,") == std::string::npos);
   CHECK(rows("--duration 0.1 --dt 1") == 2);
   CHECK(rows("--duration 0.1 --dt 0.01 --every 3") == 4);
+  CHECK(rows("--duration 0.1 --dt 0.01 --every 3", "metrics.csv") == 3);
+  CHECK(rows("--duration 0.1 --dt 0.01 --every 3", "timing.csv") == 3);
   CHECK(rows("--duration 0.1 --dt 0.01 --every 2147483647") == 1);
 }
 

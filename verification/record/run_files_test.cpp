@@ -13,6 +13,7 @@
 
 #include <array>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 namespace {
@@ -178,71 +179,81 @@ TEST_CASE("A run leaves nothing of an earlier one in its folder", "[unit][record
   CHECK(fs::exists(folder.path / "contacts.csv"));
   d.contacts = false;
   RunFiles files(folder.path, d, scene);
-  CHECK(!fs::exists(folder.path / "contacts.csv"));
-  CHECK(!fs::exists(folder.path / "summary.json"));  // not before the run is over
+  CHECK(fs::exists(folder.path / "contacts.csv"));  // not before this run has done a step
+  Basic basic;
+  int steps = 0;
+  struct Look : RunObserver {
+    std::function<void()> look;
+    void on_step(const World&, const Technique&, const StepReport&, const Metrics&) override {
+      look();
+    }
+  } look;
+  look.look = [&] {
+    ++steps;
+    CHECK(!fs::exists(folder.path / "contacts.csv"));
+    CHECK(!fs::exists(folder.path / "summary.json"));  // not before the run is over
+  };
+  const std::array<RunObserver*, 2> observers = {&files, &look};
+  files.finish(run_scene(scene, basic, d.run, observers));
+  CHECK(steps > 0);
+  CHECK(fs::exists(folder.path / "summary.json"));
 }
 
-TEST_CASE("A folder is refused if it is a file or holds other things, and taken away on request",
+TEST_CASE("A folder is refused if it is a file, holds other things or is in use",
           "[unit][record][files]") {
   const Folder folder("files_output");
-  constexpr std::array<std::string_view, 2> kFiles = {"mark.csv", "other.csv"};
+  constexpr std::array<std::string_view, 2> kFiles = {"one.csv", "other.csv"};
   const fs::path deep = folder.path / "a" / "b";
   {
-    const OutputFolder made(deep, "mark.csv", kFiles);
-    write_file(deep / "mark.csv", "x\n");
-    CHECK(fs::exists(deep / "mark.csv"));
-    made.discard();
+    const OutputFolder made(deep, "run", kFiles);
+    write_file(made.path() / "one.csv", "x\n");
+    CHECK(!fs::exists(deep / "one.csv"));
   }
   CHECK(!fs::exists(folder.path));  // all that was made is gone
   fs::create_directories(deep);
   write_file(deep / "letter.txt", "dear\n");
-  CHECK_THROWS_WITH(OutputFolder(deep, "mark.csv", kFiles), Catch::Matchers::Contains("not empty"));
-  CHECK_THROWS_WITH(OutputFolder(deep / "letter.txt", "mark.csv", kFiles),
+  write_file(deep / "one.csv", "of another program\n");
+  CHECK_THROWS_WITH(OutputFolder(deep, "run", kFiles), Catch::Matchers::Contains("not empty"));
+  CHECK_THROWS_WITH(OutputFolder(deep / "letter.txt", "run", kFiles),
                     Catch::Matchers::Contains("is a file"));
-  CHECK_THROWS_AS(OutputFolder(deep / "letter.txt" / "c", "mark.csv", kFiles), CannotWrite);
-  write_file(deep / "mark.csv", "x\n");
-  write_file(deep / "other.csv", "x\n");
-  const OutputFolder again(deep, "mark.csv", kFiles);
-  CHECK(!fs::exists(deep / "other.csv"));
-  again.discard();
-  CHECK(content(deep / "letter.txt") == "dear\n");  // not ours
+  CHECK_THROWS_AS(OutputFolder(deep / "letter.txt" / "c", "run", kFiles), CannotWrite);
+  const fs::path used = folder.path / "used";
+  {
+    OutputFolder first(used, "run", kFiles);
+    write_file(first.path() / "one.csv", "first\n");
+    write_file(first.path() / "other.csv", "first\n");
+    first.publish();
+    CHECK_THROWS_WITH(OutputFolder(used, "run", kFiles),
+                      Catch::Matchers::Contains("being written by another"));
+  }
+  write_file(used / "letter.txt", "dear\n");
+  CHECK_THROWS_WITH(OutputFolder(used, "comparison", kFiles),
+                    Catch::Matchers::Contains("not the folder of a comparison"));
+  {
+    const OutputFolder refused(used, "run", kFiles);
+    write_file(refused.path() / "one.csv", "second\n");
+  }
+  CHECK(content(used / "one.csv") == "first\n");
+  {
+    OutputFolder second(used, "run", kFiles);
+    write_file(second.path() / "one.csv", "second\n");
+    second.publish();
+  }
+  CHECK(content(used / "one.csv") == "second\n");
+  CHECK(!fs::exists(used / "other.csv"));
+  CHECK(content(used / "letter.txt") == "dear\n");  // not ours
 }
 
-TEST_CASE("A damaged trajectory is refused with its file and line", "[unit][record][files]") {
-  const Folder folder("files_damaged");
+TEST_CASE("A file is written beside a link, not through it", "[unit][record][files]") {
+  const Folder folder("files_links");
   fs::create_directories(folder.path);
-  const auto refusal = [&](const std::string& rows) {
-    write_file(folder.path / "trajectory.csv", "header\n" + rows);
-    write_file(folder.path / "scene.toml",
-               "[[box]]\nname = \"a\"\nsize = [1,1,1]\nmass = 1\nposition = [0,1,0]\n");
-    try {
-      (void)read_run(folder.path);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("not refused");
-  };
-  const std::string rest = ",1,0,0,0,0,0,0,0,0,0\n";  // orientation and velocities
-  CHECK(refusal("0,a,0,1,0" + rest) == "not refused");
-  CHECK(refusal("").find("has no frame") != std::string::npos);
-  CHECK(refusal("0,a,0,1\n").find("trajectory.csv:2: 4 cells") != std::string::npos);
-  CHECK(refusal("0,a,0,one,0" + rest).find(":2: one: expected a finite") != std::string::npos);
-  CHECK(refusal("0,a,0,nan,0" + rest).find(":2: nan: expected a finite") != std::string::npos);
-  CHECK(refusal("0,b,0,1,0" + rest).find("body b: scene.toml has no such") != std::string::npos);
-  CHECK(refusal("1,a,0,1,0" + rest + "0,a,0,1,0" + rest).find(":3: time_s = 0") !=
-        std::string::npos);
-  CHECK_THROWS_WITH(read_run(folder.path / "nowhere"),
-                    Catch::Matchers::Contains("give the folder of a run"));
-}
-
-TEST_CASE("The nearest frame is found, and a time outside the record is refused",
-          "[unit][record][files]") {
-  RecordedRun run;
-  for (const double time : {0.0, 0.5, 1.0}) run.frames.push_back(RecordedFrame{time, {}});
-  CHECK(nearest_frame(run, 0.7).time == 0.5);
-  CHECK(nearest_frame(run, 0.8).time == 1.0);
-  CHECK(nearest_frame(run, 1.2).time == 1.0);
-  CHECK(nearest_frame(run, -0.1).time == 0.0);
-  CHECK_THROWS_WITH(nearest_frame(run, 1.3), Catch::Matchers::Contains("from 0 to 1 s"));
-  CHECK_THROWS_AS(nearest_frame(run, std::nan("")), std::invalid_argument);
+  const fs::path letter = folder.path / "letter.txt";
+  write_file(letter, "dear\n");
+  for (const char* link : {"picture.gp", "film.gif.part"})
+    fs::create_symlink(letter, folder.path / link);
+  write_file(folder.path / "picture.gp", "plot\n");
+  write_file(folder.path / "film.gif", "film\n");
+  CHECK(content(letter) == "dear\n");
+  CHECK(content(folder.path / "picture.gp") == "plot\n");
+  CHECK(content(folder.path / "film.gif") == "film\n");
 }

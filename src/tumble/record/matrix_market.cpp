@@ -4,6 +4,8 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/one_line.hpp"
+#include "tumble/base/text_file.hpp"
 #include "tumble/record/table_file.hpp"
 
 #include <algorithm>
@@ -17,14 +19,6 @@ namespace tumble {
 namespace {
 
 using Words = std::vector<std::string>;
-
-// Text for a message: one line, not too long.
-std::string shortened(std::string text) {
-  constexpr std::size_t most = 60;
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) > 0x7eU) c = ' ';
-  return text.size() <= most ? text : text.substr(0, most) + "...";
-}
 
 std::string joined(const Words& words) {
   std::string out;
@@ -68,7 +62,7 @@ class Lines {
   }
 
   [[noreturn]] void refuse(const Words& words, const std::string& wanted) const {
-    const std::string found = words.empty() ? "the file ends here" : shortened(joined(words));
+    const std::string found = words.empty() ? "the file ends here" : one_line(joined(words));
     throw std::invalid_argument(std::string(file_) + ":" + std::to_string(std::max(line_, 1)) +
                                 ": " + found + ": " + wanted);
   }
@@ -96,11 +90,11 @@ Header read_header(Lines& lines) {
                  "expected the first line of a Matrix Market file, for example %%MatrixMarket "
                  "matrix array real general");
   if (words[2] != "array" && words[2] != "coordinate")
-    lines.refuse(given, "expected array or coordinate for " + shortened(words[2]));
+    lines.refuse(given, "expected array or coordinate for " + one_line(words[2]));
   if (words[3] != "real" && words[3] != "double" && words[3] != "integer")
-    lines.refuse(given, "expected real or integer for " + shortened(words[3]));
+    lines.refuse(given, "expected real or integer for " + one_line(words[3]));
   if (words[4] != "general" && words[4] != "symmetric")
-    lines.refuse(given, "expected general or symmetric for " + shortened(words[4]));
+    lines.refuse(given, "expected general or symmetric for " + one_line(words[4]));
   return {words[2] == "coordinate", words[3] == "integer", words[4] == "symmetric"};
 }
 
@@ -203,16 +197,9 @@ MatX parse_matrix_market(std::string_view text, std::string_view file) {
 }
 
 MatX read_matrix_market(const std::filesystem::path& path) {
-  std::error_code failed;
-  const auto kind = std::filesystem::status(path, failed).type();
-  require::that(kind != std::filesystem::file_type::not_found,
-                path.string() + ": cannot be read: there is no such file");
-  require::that(kind != std::filesystem::file_type::directory,
-                path.string() + ": is a folder: give a Matrix Market file, *.mtx");
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  require::that(in.good() || in.eof(), path.string() + ": cannot be read");
-  return parse_matrix_market(text, path.string());
+  constexpr std::size_t most_mib = 1024;
+  return parse_matrix_market(read_text(path, "a Matrix Market file, *.mtx,", most_mib),
+                             path.string());
 }
 
 std::string to_matrix_market(const MatRef& matrix, std::string_view comment) {

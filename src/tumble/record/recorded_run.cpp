@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/one_line.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/scenes/scene_file.hpp"
@@ -18,7 +19,9 @@
 namespace tumble {
 namespace {
 
-constexpr std::size_t kNumbers = 13;  // in a row, after time and name
+constexpr std::size_t kNumbers = 13;                         // in a row, after time and name
+constexpr std::size_t kLongestLine = std::size_t{1} << 16U;  // [bytes]
+constexpr int kMostRows = 20000000;                          // 2 GB of poses
 
 // One row of trajectory.csv. Messages name the file and the line.
 class Row {
@@ -33,7 +36,7 @@ class Row {
   double number(std::size_t column) const {
     const std::string& text = cells_[column];
     const std::optional<double> value = parse_number(text);
-    require::that(value.has_value(), where_ + ": " + text + ": expected a finite number");
+    require::that(value.has_value(), where_ + ": " + one_line(text) + ": expected a finite number");
     return *value;
   }
 
@@ -48,7 +51,7 @@ class Row {
 RecordedPose pose_of(const Row& row, const std::map<std::string, int>& boxes) {
   const auto box = boxes.find(row.name());
   require::that(box != boxes.end(),
-                row.where() + ": body " + row.name() + ": scene.toml has no such box");
+                row.where() + ": body " + one_line(row.name()) + ": scene.toml has no such box");
   std::array<double, kNumbers> v{};
   for (std::size_t k = 0; k < kNumbers; ++k) v[k] = row.number(k + 2);
   RecordedPose pose;
@@ -85,10 +88,17 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
   for (std::size_t k = 0; k < run.scene.boxes.size(); ++k)
     boxes.emplace(run.scene.boxes[k].name, static_cast<int>(k));
 
-  std::string line;
-  std::getline(in, line);  // the names of the columns
-  for (int number = 2; std::getline(in, line); ++number) {
-    const Row row(path.string() + ":" + std::to_string(number), line);
+  std::vector<char> line(kLongestLine);
+  for (int number = 1;
+       in.getline(line.data(), static_cast<std::streamsize>(line.size())) || in.gcount() > 0;
+       ++number) {
+    const std::string where = path.string() + ":" + std::to_string(number);
+    require::that(in.gcount() + 1 < static_cast<std::streamsize>(line.size()),
+                  where + ": a line of 64 KiB and more: expected a row of a trajectory");
+    require::that(number <= kMostRows,
+                  where + ": more than " + std::to_string(kMostRows) + " rows");
+    if (number == 1) continue;  // the names of the columns
+    const Row row(where, line.data());
     const double time = row.number(0);
     if (run.frames.empty() || run.frames.back().time != time) {
       require::that(run.frames.empty() || run.frames.back().time < time,

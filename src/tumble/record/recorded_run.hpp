@@ -39,7 +39,7 @@ struct RecordedRun {
 ///                showed
 /// \return what was recorded
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
-///         cannot be read
+///         cannot be read, has a line of 64 KiB, or more than 20 million rows
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
 
 /// What was to be seen at a time. Between two recorded frames positions go along straight lines and

@@ -21,7 +21,7 @@ struct RunSettings {
   double dt = 1.0 / 60.0;  ///< [s] time step; the last one is cut to end at the duration
   double duration = 10.0;  ///< [s] simulated time
   std::uint64_t seed = 1;  ///< random seed of the scene and of the technique
-  int every = 1;           ///< steps from one recorded frame to the next
+  int every = 1;  ///< steps from one recorded frame to the next, and from one row of a table
 };
 
 /// Checks settings before anything is made of them.

@@ -60,15 +60,15 @@ void write(const Parameters& settings, Json& out) {
 
 RunFiles::RunFiles(const std::filesystem::path& folder, RunDescription description,
                    const Scene& scene)
-    : folder_(folder, kFiles.front(), kFiles),
+    : folder_(folder, "run", kFiles),
       description_(std::move(description)),
-      trajectory_(folder / kTrajectoryFile),
-      metrics_(folder / "metrics.csv", metrics_header()),
-      events_(folder / "events.csv", kEventsHeader) {
-  if (description_.contacts) contacts_.emplace(folder / "contacts.csv", kContactsHeader);
+      trajectory_(folder_.path() / kTrajectoryFile),
+      metrics_(folder_.path() / "metrics.csv", metrics_header()),
+      events_(folder_.path() / "events.csv", kEventsHeader) {
+  if (description_.contacts) contacts_.emplace(folder_.path() / "contacts.csv", kContactsHeader);
   if (!description_.filter.empty())
-    filtered_.emplace(folder / kFilteredFile, *filter_of(description_.filter));
-  write_file(folder / "scene.toml", to_toml(scene));
+    filtered_.emplace(folder_.path() / kFilteredFile, *filter_of(description_.filter));
+  write_file(folder_.path() / "scene.toml", to_toml(scene));
 }
 
 void RunFiles::write_frame(const World& world) {
@@ -80,8 +80,10 @@ void RunFiles::on_begin(const World& world) { write_frame(world); }
 
 void RunFiles::on_step(const World& world, const Technique& technique, const StepReport& report,
                        const Metrics& m) {
+  folder_.publish();
   ++step_;
-  if (step_ % description_.run.every == 0) write_frame(world);
+  if (step_ % description_.run.every != 0) return;
+  write_frame(world);
   metrics_.cell(world.time()).cell(name_of(report.status));
   for (const MetricsColumn& column : metrics_columns()) {
     const double value = column.value(m, report);
@@ -115,6 +117,7 @@ std::string RunFiles::filter_refusal() const {
 }
 
 void RunFiles::finish(const RunResult& result) {
+  folder_.publish();
   trajectory_.flush();
   metrics_.flush();
   events_.flush();

@@ -28,16 +28,17 @@ struct RunDescription {
 /// filter also trajectory_filtered.csv.
 ///
 /// All of them are the same bytes for the same run. Times of the clock are not the library's
-/// business: the command writes them into timing.csv beside these. summary.json is written last: a
-/// folder without it is of a run that could not be finished.
+/// business: the command writes them into timing.csv beside these. An earlier run in the folder is replaced after
+/// the first step, or at the end of a run without steps: one that is refused before leaves it as it was.
+/// summary.json is written last: a folder without it is of a run that could not be finished.
 class RunFiles : public RunObserver {
  public:
   /// Makes the folder and opens the files.
   /// \param folder       where; made if missing. One that is not empty must be a run's
   /// \param description  how the run is made
   /// \param scene        as resolved, for scene.toml
-  /// \throws std::invalid_argument if the folder holds other things than a run, or for a filter that
-  ///         there is not
+  /// \throws std::invalid_argument if the folder holds other things than a run, if another process writes into it,
+  ///         or for a filter that there is not
   /// \throws CannotWrite if it cannot be made or written
   RunFiles(const std::filesystem::path& folder, RunDescription description, const Scene& scene);
 
@@ -62,9 +63,9 @@ class RunFiles : public RunObserver {
   /// \return what the filter said of the frame that it refused; empty if it refused none
   [[nodiscard]] std::string filter_refusal() const;
 
-  /// Takes everything away again, the folder too if it was made for this run: for a run that turns
-  /// out to be a mistake when it has begun.
-  void discard() const { folder_.discard(); }
+  /// Where to write now what goes beside these files.
+  /// \return see OutputFolder::path()
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 
  private:
   void write_frame(const World& world);

@@ -4,9 +4,12 @@
 
 #include "tumble/base/number_text.hpp"
 #include "tumble/record/csv_cells.hpp"
+#include "tumble/record/output_folder.hpp"
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace tumble {
 namespace {
@@ -14,7 +17,8 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << 16U;  // bytes handed to the system at once
 
 [[noreturn]] void fail(const std::filesystem::path& path, int reason) {
-  throw CannotWrite("tumble: cannot write " + path.string() + ": " + std::strerror(reason));
+  throw CannotWrite("tumble: cannot write " + published_path(path).string() + ": " +
+                    std::strerror(reason));
 }
 
 }  // namespace
@@ -22,16 +26,26 @@ constexpr std::size_t kBlock = std::size_t{1} << 16U;  // bytes handed to the sy
 std::string full_text(double value) { return rounded_text(value, 17); }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
+  // What is no file, such as a pipe, is written as it is. A file is made under another name and renamed, so that
+  // there is always a whole one, and so that a link is replaced and not followed.
+  std::error_code ignored;
+  const bool renamed =
+      !std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored);
+  std::filesystem::path part = path;
+  if (renamed) std::filesystem::remove(part += ".part", ignored);
   errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) fail(path, errno);
+  constexpr int all_may_write = 0666;
+  const int made =
+      renamed ? O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC : O_WRONLY | O_NOCTTY | O_CLOEXEC;
+  const int descriptor = open(part.c_str(), made, all_may_write);
+  if (descriptor < 0) fail(path, errno);
+  std::FILE* file = fdopen(descriptor, "wb");
   const bool all = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   int reason = all ? 0 : errno;
   if (std::fclose(file) != 0 && reason == 0) reason = errno;
+  if (reason == 0 && renamed && std::rename(part.c_str(), path.c_str()) != 0) reason = errno;
   if (reason == 0) return;
-  std::error_code ignored;  // the first error is reported
-  if (std::filesystem::symlink_status(path, ignored).type() == std::filesystem::file_type::regular)
-    std::filesystem::remove(path, ignored);
+  if (renamed) std::filesystem::remove(part, ignored);
   fail(path, reason);
 }
 
@@ -93,8 +107,8 @@ void TableFile::flush() {
     const std::size_t done = std::fwrite(pending_.data(), 1, row_begin_, file_.get());
     if (done != row_begin_) {
       failure_ = errno != 0 ? errno : EIO;
-      std::error_code ignored;  // the first error is reported
-      std::filesystem::resize_file(path_, written_, ignored);
+      // The file may have been renamed since. The first error is reported.
+      if (ftruncate(fileno(file_.get()), static_cast<off_t>(written_)) != 0) errno = 0;
     }
   }
   const std::size_t whole = row_begin_;

@@ -19,7 +19,8 @@ class CannotWrite : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a whole small file at once. If it cannot be written whole, none is left.
+/// Writes a whole file at once, under another name first: if it cannot be written, the one of before is left. A link
+/// is replaced, not followed.
 /// \param path  where
 /// \param text  its content
 /// \throws CannotWrite naming the path and the reason

@@ -12,16 +12,6 @@ constexpr int most_dots = 64;
 
 }  // namespace
 
-std::string one_line(std::string text) {
-  constexpr std::size_t most = 60;
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20U) c = ' ';
-  if (text.size() <= most) return text;
-  std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // UTF-8
-  return text.substr(0, end) + "...";
-}
-
 std::string not_toml(std::string_view file, std::size_t line, const std::string& why) {
   return std::string(file) + ":" + std::to_string(line) + ": not TOML: " + why;
 }

@@ -8,11 +8,6 @@
 
 namespace tumble {
 
-/// A text for a message.
-/// \param text  any length, with line ends
-/// \return one line of at most 60 bytes, and three dots if it was longer
-std::string one_line(std::string text);
-
 /// The message about a text that is not TOML.
 /// \param file  its name
 /// \param line  from 1

@@ -4,7 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
+#include "tumble/base/text_file.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/readable_toml.hpp"
@@ -72,7 +74,7 @@ class Place {
   [[noreturn]] void refuse(std::string_view key, const toml::node* node,
                            const std::string& wanted) const {
     std::string out = place_of(node);
-    out.append(prefix_).append(one_line(std::string(key)));
+    out.append(prefix_).append(one_line(key));
     if (node != nullptr) out.append(" = ").append(shown(*node));
     throw std::invalid_argument(out + ": " + wanted);
   }
@@ -247,7 +249,7 @@ Scene parse_scene(std::string_view text, std::string_view file) {
     root = toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw std::invalid_argument(
-        not_toml(file, error.source().begin.line, one_line(std::string(error.description()))));
+        not_toml(file, error.source().begin.line, one_line(error.description())));
   }
   Scene scene = read_table(root, file);
   try {
@@ -266,25 +268,8 @@ Scene parse_scene(std::string_view text, std::string_view file) {
 }
 
 Scene read_scene(const std::filesystem::path& path) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
-  std::error_code failed;
-  const auto kind = std::filesystem::status(path, failed).type();
-  require::that(std::filesystem::exists(path, failed),
-                path.string() + ": cannot be read: there is no such file");
-  require::that(kind != std::filesystem::file_type::directory,
-                path.string() + ": is a folder: give a scene file, *.toml");
-  // Read piece by piece: a pipe has no size to ask for.
-  std::ifstream in(path, std::ios::binary);
-  std::string text;
-  std::vector<char> piece(std::size_t{1} << 16U);
-  while (in && text.size() <= most_bytes) {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  require::that(in.eof() || text.size() > most_bytes, path.string() + ": cannot be read");
-  require::that(text.size() <= most_bytes,
-                path.string() + ": a scene file has at most 64 MiB, this one has more");
-  return parse_scene(text, path.string());
+  constexpr std::size_t most_mib = 64;
+  return parse_scene(read_text(path, "a scene file, *.toml", most_mib), path.string());
 }
 
 }  // namespace tumble

@@ -1,0 +1,111 @@
+/// \file
+/// \brief What the command does to files: it destroys nothing that it did not write, and ends in time.
+#include "apps/command.hpp"
+#include "support/catch.hpp"
+
+#include <chrono>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tumble::test;
+
+const std::string kTumble = TUMBLE_COMMAND;
+
+}  // namespace
+
+TEST_CASE("A run that is refused leaves the run before it, and a user's scene, as they were",
+          "[unit][command]") {
+  const Folder folder("refused_run");
+  const std::string out = " --quiet --out " + folder.text();
+  REQUIRE(run_tumble("run box_drop --duration 0.1" + out).code == 0);
+  const std::string summary = content(folder.path / "summary.json");
+  const std::string trajectory = content(folder.path / "trajectory.csv");
+  // Refused by the technique at the first step.
+  CHECK(run_tumble("run box_drop --dt 1e300 --duration 1e301" + out).code == 2);
+  CHECK(content(folder.path / "summary.json") == summary);
+  CHECK(content(folder.path / "trajectory.csv") == trajectory);
+  // The scene that is read lies in the folder.
+  std::ofstream(folder.path / "scene.toml", std::ios::app) << "# my own comment\n";
+  const Outcome own = run_tumble("run " + folder.text() + "/scene.toml" + out);
+  CHECK(own.code == 2);
+  CHECK(own.text.find("holds the scene that is read") != std::string::npos);
+  CHECK(content(folder.path / "scene.toml").find("# my own comment") != std::string::npos);
+}
+
+TEST_CASE("Of two runs into one folder the second is refused", "[unit][command]") {
+  const Folder folder("two_runs");
+  const std::string run = kTumble + " run stack --quiet --out " + folder.text();
+  const Outcome both = shell(run + " --duration 100000 & p=$!; while ! [ -e " + folder.text() +
+                             "/trajectory.csv ]; do sleep 0.02; done; " + run +
+                             " --set count=3 --duration 1; echo second $?; kill $p; wait $p");
+  INFO(both.text);
+  CHECK(both.text.find("is being written by another tumble") != std::string::npos);
+  CHECK(both.text.find("second 2") != std::string::npos);
+  CHECK(both.code == 143);
+  CHECK(run_tumble("run stack --duration 0.1 --quiet --out " + folder.text()).code == 0);
+}
+
+TEST_CASE("A folder with tables of another program is refused", "[unit][command]") {
+  const Folder folder("foreign");
+  fs::create_directories(folder.path);
+  std::ofstream(folder.path / "trajectory.csv") << "of a balloon\n";
+  const Outcome outcome = run_tumble("run box_drop --duration 0.1 --out " + folder.text());
+  CHECK(outcome.code == 2);
+  CHECK(content(folder.path / "trajectory.csv") == "of a balloon\n");
+}
+
+TEST_CASE("A signal ends the command within a second, wherever it waits", "[unit][command]") {
+  const Folder folder("waiting");
+  fs::create_directories(folder.path);
+  const std::string pipe = folder.text() + "/scene.toml";
+  const std::string out = " --out " + folder.text() + "/out";
+  for (const std::string& arguments :
+       {"run " + pipe + out, "compare " + pipe + out, "stability " + pipe,
+        // One step of it takes minutes.
+        "run wall --set rows=60 --set columns=60 --technique analytic" + out}) {
+    INFO(arguments);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    const Outcome outcome = shell("mkfifo -m 600 " + pipe + " 2>/dev/null; timeout -k 20 1 " +
+                                  kTumble + " " + arguments);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    INFO(outcome.text);
+    CHECK(outcome.code == 124);  // as timeout says it, not 137: killed
+    CHECK(seconds < 4.0);        // on a loaded machine
+  }
+}
+
+TEST_CASE("Files without an end are refused", "[unit][command]") {
+  const Outcome matrix = run_tumble("lcp --matrix /dev/zero --vector /dev/zero");
+  INFO(matrix.text);
+  CHECK(matrix.code == 2);
+  CHECK(matrix.text.find("has at most 1024 MiB") != std::string::npos);
+  const Folder folder("endless");
+  REQUIRE(run_tumble("run box_drop --duration 0.1 --quiet --out " + folder.text()).code == 0);
+  const std::string row = content(folder.path / "trajectory.csv");
+  const auto refused = [&](const std::string& rows, const char* message) {
+    std::ofstream(folder.path / "trajectory.csv") << row << rows << '\n';
+    const Outcome outcome = run_tumble("render " + folder.text() + " --as svg");
+    INFO(outcome.text);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.text.find(message) != std::string::npos);
+    CHECK(outcome.text.find('\x1b') == std::string::npos);
+    CHECK(outcome.text.size() < 500);
+  };
+  refused(std::string(100000, '1'), "a line of 64 KiB and more");
+  refused("\x1b[31m,box1,0,0,0,1,0,0,0,0,0,0,0,0,0", "expected a finite number");
+  refused("9,\x1b]0;title\x07,0,0,0,1,0,0,0,0,0,0,0,0,0", "has no such box");
+}
+
+TEST_CASE("Pictures are drawn beside links that lie in a run's folder, not through them",
+          "[unit][command]") {
+  if (shell("command -v gnuplot").code != 0) return;
+  const Folder folder("linked");
+  REQUIRE(run_tumble("run box_drop --duration 0.1 --quiet --out " + folder.text()).code == 0);
+  std::ofstream(folder.path / "letter.txt") << "dear\n";
+  for (const char* link : {"picture.gp", "picture.svg", "picture.svg.part"})
+    fs::create_symlink("letter.txt", folder.path / link);
+  CHECK(run_tumble("render " + folder.text() + " --as svg").code == 0);
+  CHECK(content(folder.path / "letter.txt") == "dear\n");
+}
