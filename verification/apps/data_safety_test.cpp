@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the command does to files: it destroys nothing that it did not write, and ends in time.
+/// \brief Safety of files: the command destroys nothing that it did not write, and ends in time.
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 

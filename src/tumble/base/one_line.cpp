@@ -19,7 +19,7 @@ std::string one_line(std::string_view text) {
   }
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto byte = static_cast<unsigned char>(out[k]);
-    // C0, DEL, and C1, which UTF-8 writes as c2 80 to c2 9f and some terminals take as single bytes.
+    // Control characters of ASCII, and those that UTF-8 writes as c2 80 to c2 9f and some terminals take as bytes.
     const bool lead = byte == 0xc2U && k + 1 < out.size() &&
                       static_cast<unsigned char>(out[k + 1]) >= 0x80U &&
                       static_cast<unsigned char>(out[k + 1]) < 0xa0U;

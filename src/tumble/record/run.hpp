@@ -78,7 +78,7 @@ class RunObserver {
     (void)metrics;
   }
   /// A check has found something, and the run goes on.
-  /// \param message  step, time and body, and what is wrong
+  /// \param message  step, time, body and the fault
   virtual void on_finding(const std::string& message) { (void)message; }
   /// A collision was resolved.
   /// \param world  the bodies during the step, for their names

@@ -57,7 +57,7 @@ class EnergyCheck : public RunCheck {
 ///
 /// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
 /// on the straight way between. The core of a body is a box within it, so much smaller that it stays inside
-/// however the body turned in the step. So what is found is certain; a passage near an edge or with much
+/// however the body turned in the step. So a finding is certain; a passage near an edge or with much
 /// turning is not found.
 /// \par Cost
 /// A comparison for each body, as long as none moves by half its shortest edge in a step.
