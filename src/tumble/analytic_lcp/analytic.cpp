@@ -73,6 +73,10 @@ StepReport Analytic::step(World& world, double dt) {
   Progress progress{dt, 0.0};
   for (int flight = 0; progress.left() > 0.0; ++flight) {
     const bool capped = flight == options_.event_cap;
+    if (capped && options_.friction == AnalyticFriction::coulomb) {
+      finish_by_velocities(world, progress, report);
+      break;
+    }
     // [S3.3.1:join]
     // Collisions of this instant first, so that afterwards no point
     // that touches approaches. Then the forces that keep it so.

@@ -9,6 +9,7 @@
 #include "tumble/analytic_lcp/forced_flight.hpp"
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
+#include "tumble/analytic_lcp/velocity_step.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/impacts.hpp"
@@ -37,7 +38,8 @@ struct AnalyticOptions {
   StickyOptions sticky;                         ///< which collisions stick
   ImpactOrder impacts = ImpactOrder::simultaneous;  ///< how several collisions at once are resolved
   double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
-  int event_cap = 1000;  ///< flights allowed in one step: collisions and ends of sliding
+  int event_cap =
+      200;  ///< flights in one step, after which its rest is one time step of velocities
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other fly
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
@@ -69,7 +71,8 @@ void describe(AnalyticOptions& o, Visitor& v) {
   v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
            "time resolution of the search for impacts");
   v.whole("event_cap", o.event_cap, 1, 1000000,
-          "collisions and ends of sliding allowed in one step");
+          "collisions and ends of sliding in a step, after which its rest is one step of "
+          "time_stepping");
   v.number("damping_velocity", o.damping.velocity, 0.0, 1.0, "-",
            "friction=damping: factor of velocities in 1/60 s (k1 of the thesis)");
   v.number("damping_spin", o.damping.spin, 0.0, 1.0, "-",
@@ -108,15 +111,21 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// **Stable boxes** (5.4) can be left out of the forces, without friction or with damping in its place:
 /// see HeldBodies. Collisions still reach them.
 ///
-/// **Painlevé.** Where friction has no solution the island takes one step at the level of velocities
-/// (VelocityStep); `fallbacks` counts them. Where no solver has an answer the step ends as
+/// **Where forces and events do not do.** `fallbacks` counts these cases, too.
+/// - Painlevé: where friction has no solution, the island takes one step at the level of velocities
+///   (VelocityStep).
+/// - Simultaneous impacts whose friction does not settle are solved as one such step of no length.
+/// - What is left of a step after `event_cap` flights is one step of TimeStepping. Without Coulomb's friction it is
+///   flown without looking for collisions, and the step ends as StepStatus::event_cap.
+///
+/// Where no solver has an answer the step ends as
 /// StepStatus::unsolved, the bodies stay as they are at that moment, and unsolved_problem() can be
 /// kept.
 /// \par Cost
 /// Per flight: two problems for each island, twice as many where something slides, and a test of all
 /// near pairs; more if there is a collision. For each moment the contacts are found again. Problems
 /// with friction are dense, O(N³) for N unknowns, ten for each point that may stick: a collapsing pile
-/// of a hundred boxes takes seconds a step, and reaches the cap on flights.
+/// of a hundred boxes takes seconds a step.
 /// \algorithm{Collisions in the order of time with analytic contact forces: section 3.3.1}
 /// \deviation{The thesis did not get its two parts to work together; this is our way to do it.}
 /// \verified{A box bounces, sticks, rests, slides and topples in one run of the joined simulator}
@@ -172,6 +181,8 @@ class Analytic : public Technique {
   bool collide(World& world, const Progress& progress, StepReport& report);
   void resolve(std::span<const int> which, const World& world, const Progress& progress,
                StepReport& report);
+  bool resolve_by_velocities(const World& world, const Progress& progress, StepReport& report);
+  void finish_by_velocities(World& world, Progress& progress, StepReport& report);
   bool find_forces(World& world, const Progress& progress, Plan& plan, StepReport& report);
   bool improve_forces(World& world, const Progress& progress, Plan& plan, StepReport& report);
   [[nodiscard]] bool hardly_moves(const World& world, double time) const;
@@ -186,6 +197,7 @@ class Analytic : public Technique {
   ContactForces forces_;
   ImpactSearch search_;
   ImpactSolver impacts_;
+  VelocityStep unsettled_;  // of impacts that ImpactSolver leaves
   DriftCorrection hold_;
   IslandDamping damping_;
   bool unsolved_ = false;
@@ -204,6 +216,7 @@ class Analytic : public Technique {
   ContactList near_;                // all points within the margin
   ContactList midway_;              // points that rest, half a flight later
   ContactList island_;              // contacts that collide together
+  std::vector<MovingBody> before_;  // how bodies moved before an impact
   Islands islands_;
   double recorded_at_ = 0.0;   // [s] of the pose for which the last forces were found
   double recorded_for_ = 0.0;  // [s] how long they were to act

@@ -164,6 +164,18 @@ bool ContactForces::needs_friction(const Task& task) const {
   return false;
 }
 
+// [-] The direction in which a point slides, along which friction acts during the flight. Where gravity, say, adds more
+// to its speed than it has, the direction of the end counts, without friction: with that of the start, a small speed across would be
+// turned round, and larger, in each flight.
+Vec3 ContactForces::slip_direction_w(const Task& task, int row) const {
+  const Vec3& n = island_[idx(problem_.rows()[idx(row)].contact)].normal_w;
+  const Vec3 slip_w = across(points_[idx(row)].velocity_w, n);
+  const double ahead = (task.aim.midway ? 0.5 : 1.0) * task.aim.duration;
+  const Vec3 gain_w = ahead * drift_w(task, row, total_);
+  const bool speeds_up = gain_w.dot(slip_w) > 0.0 && gain_w.norm() > slip_w.norm();
+  return (speeds_up ? Vec3(slip_w + gain_w) : slip_w).normalized();
+}
+
 // [S2.6.3:friction]
 bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
   friction_points_.clear();
@@ -173,9 +185,7 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
     out.point = problem_.rows()[i].point;
     out.normal_constant = problem_.lcp().b[static_cast<int>(i)];
     out.tangential_constant_w = drift_w(task, static_cast<int>(i), free_);
-    if (points_[i].slides)
-      out.sliding_w =
-          across(points_[i].velocity_w, island_[idx(out.contact)].normal_w).normalized();
+    if (points_[i].slides) out.sliding_w = slip_direction_w(task, static_cast<int>(i));
   }
   pyramid_.assemble(task.bodies, island_, friction_points_, options_.directions);
   friction_solver_.solve(pyramid_.lcp(), result_);

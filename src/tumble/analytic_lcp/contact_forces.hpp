@@ -65,7 +65,8 @@ struct ForceReport {
 /// **With friction** that solution is looked at first. Where no point that is pushed slides, and
 /// none would begin to, it is one with friction too: what stands needs no friction. Else the
 /// problem of FrictionPyramid is solved: points that slide have friction against their sliding,
-/// the others may stick.
+/// the others may stick. A point that is about to slide faster than it does has it against the way it would go without
+/// friction: the law that is implicit in time, for one point, where that of the start throws a slow slider from side to side.
 ///
 /// **Stable boxes** can be left out of problems without friction (HeldBodies): contacts among them
 /// then have no force. With friction that is refused, since a box that is dragged along drags a stable
@@ -132,6 +133,7 @@ class ContactForces {
   bool solve_friction(const Task& task, ForceReport& report);
   bool take_velocity_step(const Task& task, ForceReport& report);
   void apply_pushes(const Task& task, std::span<const int> members);
+  [[nodiscard]] Vec3 slip_direction_w(const Task& task, int row) const;
   [[nodiscard]] Vec3 drift_w(const Task& task, int row, std::span<const Acceleration> of) const;
   void find_end_of_slip(const Task& task, ForceReport& report) const;
   void store(const Task& task, std::span<Contact> contacts, std::span<const int> which);

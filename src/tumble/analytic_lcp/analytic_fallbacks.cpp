@@ -1,0 +1,48 @@
+/// \file
+/// \brief Impacts and steps of the analytic technique that its events do not finish.
+#include "tumble/analytic_lcp/analytic.hpp"
+#include "tumble/analytic_lcp/time_stepping.hpp"
+#include "tumble/dynamics/step_report.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+
+// The impact of an island whose friction does not settle, as a step of velocities in which nothing accelerates.
+bool Analytic::resolve_by_velocities(const World& world, const Progress& progress,
+                                     StepReport& report) {
+  moving_ = before_;
+  const std::vector<Acceleration> none(moving_.size());
+  VelocityStepOptions how;
+  how.directions = options_.directions;
+  how.sticky.rule = StickyRule::off;  // restitution has been decided
+  const VelocityStepResult found =
+      unsettled_.solve(world, none, island_, progress.left(), how, moving_);
+  ++report.fallbacks;
+  report.pivots += found.pivots;
+  if (!found.solved) return false;
+  report.events += static_cast<std::int64_t>(island_.size());
+  report.impulses += found.impulses;
+  report.energy.restitution += found.restitution_energy;
+  report.energy.friction += found.friction_energy;
+  return true;
+}
+
+// The rest of a step at once, with all contacts and impacts in it.
+void Analytic::finish_by_velocities(World& world, Progress& progress, StepReport& report) {
+  TimeSteppingOptions how;
+  how.velocities.directions = options_.directions;
+  how.velocities.sticky = options_.sticky;
+  how.rotation = options_.rotation;
+  how.pose = options_.pose;
+  TimeStepping rest(how);
+  World copy = world;  // its clock goes on, which is ours to do
+  add_report(rest.step(copy, progress.left()), report);
+  ++report.fallbacks;
+  std::copy(copy.states().begin(), copy.states().end(), world.states().begin());
+  records_.insert(records_.end(), rest.contacts().begin(), rest.contacts().end());
+  resting_.clear();
+  progress.passed = progress.dt;
+}
+
+}  // namespace tumble
