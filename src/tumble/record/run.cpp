@@ -9,6 +9,7 @@
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
@@ -57,17 +58,13 @@ class RunChecks {
 
   [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
 
-  // Findings that are new since the last step.
-  void hand_on(std::span<RunObserver* const> observers, RunResult& result) {
-    for (const RunCheck* check :
-         {static_cast<const RunCheck*>(&energy_), static_cast<const RunCheck*>(&passage_),
-          static_cast<const RunCheck*>(&turn_)}) {
-      const std::string& message = check->message();
-      std::vector<std::string>& findings = result.findings;
-      if (message.empty() || std::find(findings.begin(), findings.end(), message) != findings.end())
-        continue;
-      findings.push_back(message);
-      for (RunObserver* observer : observers) observer->on_finding(message);
+  // Passes on each check's finding, once.
+  void pass_on(std::span<RunObserver* const> observers, RunResult& result) {
+    for (const RunCheck*& check : unheard_) {
+      if (check == nullptr || check->message().empty()) continue;
+      result.findings.push_back(check->message());
+      for (RunObserver* observer : observers) observer->on_finding(check->message());
+      check = nullptr;
     }
   }
 
@@ -75,7 +72,8 @@ class RunChecks {
   EnergyCheck energy_;
   PassageCheck passage_;
   TurnCheck turn_;
-  Observation observed_[3];
+  std::array<const RunCheck*, 3> unheard_{&energy_, &passage_, &turn_};
+  std::array<Observation, 3> observed_;
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.
@@ -165,7 +163,7 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
     report.status = std::max(report.status, checks.status());
-    checks.hand_on(observers, result);
+    checks.pass_on(observers, result);
     add_up(report, result.totals, result.worst_report);
     result.last_report = report;
     result.last = meter.metrics();
