@@ -44,15 +44,30 @@ void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
   }
 }
 
-// The frames between the last step and this one; all of them lie on the line between the two.
+void ChatterMeter::keep(std::int64_t frame, const Corners& corners, Track& track) {
+  track.frames[place_of(frame)] = corners;
+  track.frames[place_of(frame) + kWindow] = corners;
+}
+
+// The frames between the last step and this one; all of them lie on the line between the two. One without contact is
+// not kept: no window with it is measured.
 void ChatterMeter::take_frames(const Corners& corners, bool touches, Track& track) const {
   for (std::int64_t n = frames_.first(); n < frames_.end(); ++n) {
+    track.touching[place_of(n)] = touches ? 1 : 0;
+    if (!touches) continue;
     const double share = frames_.share(n);
-    Corners& out = track.frames[place_of(n)];
+    Corners out;
     for (std::size_t c = 0; c < corners.size(); ++c)
       out[c] = track.last[c] + share * (corners[c] - track.last[c]);
-    track.frames[place_of(n) + kWindow] = out;
-    track.touching[place_of(n)] = touches ? 1 : 0;
+    if (n == track.since) {
+      track.start = out;
+      continue;
+    }
+    if (track.frames.empty()) {
+      track.frames.resize(std::size_t{2} * kWindow);
+      keep(track.since, track.start, track);
+    }
+    keep(n, out, track);
   }
   track.last = corners;
 }

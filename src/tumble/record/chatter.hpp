@@ -72,11 +72,14 @@ class ChatterMeter {
     double limit = 0.0;      // [m] net movement up to which the body rests
     std::int64_t since = 0;  // the first frame that it was seen in
     Corners last;            // [m] at the last step
-    // Frame n is at place n mod kWindow and again kWindow places on, so that any window lies in a row.
-    std::array<Corners, 2 * kWindow> frames;
+    Corners start;           // [m] in that frame
+    // Those in contact. Frame n is at place n mod kWindow and again kWindow places on, so that any window lies in a
+    // row. 12 kB; empty until there is a second frame in contact.
+    std::vector<Corners> frames;
     std::array<char, kWindow> touching{};  // whether it was in contact then
   };
 
+  static void keep(std::int64_t frame, const Corners& corners, Track& track);
   void take_frames(const Corners& corners, bool touches, Track& track) const;
   [[nodiscard]] std::span<const Corners> window(const Track& track) const;
   [[nodiscard]] bool rests(const Track& track) const;
