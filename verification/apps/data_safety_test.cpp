@@ -63,7 +63,7 @@ TEST_CASE("A signal ends the command within a second, wherever it waits", "[unit
   for (const std::string& arguments :
        {"run " + pipe + out, "compare " + pipe + out, "stability " + pipe,
         // One step of it takes minutes.
-        "run wall --set rows=60 --set columns=60 --technique analytic" + out}) {
+        "run wall --set courses=60 --set bricks=60 --technique analytic" + out}) {
     INFO(arguments);
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
