@@ -37,6 +37,7 @@ void ChatterMeter::add(const World& world, std::span<const char> in_contact) {
       track.limit = tolerance::resting_movement * body.size.minCoeff();
       track.since = begun ? frames_.end() : frames_.first();
       track.last = corners;
+      track.start = corners;
       tracks_.insert(tracks_.begin() + static_cast<std::ptrdiff_t>(place), track);
     }
     take_frames(corners, in_contact[k] != 0, tracks_[place]);
