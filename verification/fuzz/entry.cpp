@@ -1,5 +1,5 @@
 /// \file
-/// \brief What libFuzzer calls: the target that TUMBLE_FUZZ_TARGET names.
+/// \brief The entry point of libFuzzer: calls the target that TUMBLE_FUZZ_TARGET names.
 #include "fuzz/targets.hpp"
 
 #include <cstdio>

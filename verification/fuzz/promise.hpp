@@ -1,5 +1,5 @@
 /// \file
-/// \brief What the fuzz targets share: their input, and the mistake that they look for.
+/// \brief Common parts of the fuzz targets: their input, and the mistake that they look for.
 #pragma once
 
 #include <cmath>
@@ -25,16 +25,13 @@ void promise(bool holds, const std::string& text);
 // A number with enough digits for a message.
 std::string shown(double value);
 
+// Breaks the promise if a message of a refusal is empty or holds control characters.
+void require_message(const std::string& message);
+
 // Runs something that may refuse its input.
 //
 // True if it threw std::invalid_argument; the message has to say something, and must not hold control characters
 // that a terminal would obey.
-template <class Action>
-bool refuses(const Action& action);
-
-// Breaks the promise if a message of a refusal is empty or holds control characters.
-void require_message(const std::string& message);
-
 template <class Action>
 bool refuses(const Action& action) {
   try {
