@@ -11,6 +11,7 @@ FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
 SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
 # npm comes with node where node is not Debian's, so the command is looked for first.
 LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
+FUZZ_PACKAGES    := $(BUILD_PACKAGES) catch2 clang libclang-rt-dev
 BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev pkgconf libode-dev libbullet-dev
 CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) $(LIVE_PACKAGES) chromium clang libclang-rt-dev clang-format
 
@@ -25,7 +26,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command test test-long figures figure check bench live site clean
+.PHONY: help command test test-long figures figure check fuzz bench live site clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -63,6 +64,12 @@ figure:  ## one figure with other parameters: NAME=zeno SET='restitution=0.9'
 check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site, live
 	@cmake/setup $(CHECK_PACKAGES)
 	cmake/check
+
+fuzz:  ## search for inputs that break a promise, MINUTES=10; they are kept in build/fuzz/findings
+	@cmake/setup $(FUZZ_PACKAGES)
+	cmake --preset fuzz $(OPTIONS)
+	cmake --build --preset fuzz -j $(JOBS)
+	MINUTES=$(or $(MINUTES),10) cmake/fuzz
 
 bench:  ## measure against the engines that are installed
 	@cmake/setup $(BENCH_PACKAGES)

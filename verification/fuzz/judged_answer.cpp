@@ -1,0 +1,61 @@
+/// \file
+/// \brief The judge of answers to complementarity problems.
+#include "fuzz/judged_answer.hpp"
+
+#include "tumble/base/index.hpp"
+
+#include "fuzz/promise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble::fuzz {
+namespace {
+
+constexpr double kLargestResidual = 1e-6;  // [-] of what is called solved
+
+// What stands for A_ii in a row without a positive one, as lcp_residual() says.
+double scale_of(const LcpProblem& problem, int i) {
+  if (problem.A(i, i) > 0.0) return problem.A(i, i);
+  const double largest = problem.A.row(i).cwiseAbs().maxCoeff();
+  return largest > 0.0 ? largest : 1.0;
+}
+
+}  // namespace
+
+void require_solved(const LcpProblem& problem, const LcpResult& result, std::string_view solver) {
+  const int n = problem.size();
+  const std::string name(solver);
+  promise(static_cast<int>(result.f.size()) == n, name + ": solved, with another number of forces");
+  const double loads =
+      n > 0 && problem.b.cwiseAbs().maxCoeff() > 0.0 ? problem.b.cwiseAbs().maxCoeff() : 1.0;
+  for (int i = 0; i < n; ++i) {
+    const std::string row = name + ": solved, row " + std::to_string(i);
+    const double f = result.f[idx(i)];
+    promise(std::isfinite(f), row + ": f = " + shown(f));
+    double a = problem.b[i];
+    double terms = std::abs(a);
+    for (int k = 0; k < n; ++k) {
+      a += problem.A(i, k) * result.f[idx(k)];
+      terms += std::abs(problem.A(i, k) * result.f[idx(k)]);
+    }
+    const double rounding = 2.0 * n * std::numeric_limits<double>::epsilon() * terms / loads;
+    const bool equality = is_equality(problem, i);
+    const double wrong = equality ? a : std::min(scale_of(problem, i) * f, a);
+    promise(std::abs(wrong) / loads <= kLargestResidual + rounding,
+            row + ": residual = " + shown(std::abs(wrong) / loads));
+    promise(equality || f >= 0.0, row + ": f = " + shown(f));
+  }
+}
+
+void require_honest_solvers(const LcpProblem& problem) {
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    LcpResult result;
+    const bool refused = refuses([&] { make_lcp_solver(recipe.name)->solve(problem, result); });
+    if (!refused && result.status == LcpStatus::solved)
+      require_solved(problem, result, recipe.name);
+  }
+}
+
+}  // namespace tumble::fuzz

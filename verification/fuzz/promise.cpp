@@ -1,0 +1,29 @@
+/// \file
+/// \brief Mistakes that the fuzz targets look for.
+#include "fuzz/promise.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tumble::fuzz {
+
+void promise(bool holds, const std::string& text) {
+  if (!holds) throw BrokenPromise(text);
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+void require_message(const std::string& message) {
+  promise(!message.empty(), "a refusal without a message");
+  const bool clean = std::none_of(message.begin(), message.end(), [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return (code < 0x20U && c != '\n') || code == 0x7fU;
+  });
+  promise(clean, "a refusal with control characters in its message");
+}
+
+}  // namespace tumble::fuzz
