@@ -80,7 +80,7 @@ TEST_CASE("Files without an end are refused", "[unit][command]") {
   const Outcome matrix = run_tumble("lcp --matrix /dev/zero --vector /dev/zero");
   INFO(matrix.text);
   CHECK(matrix.code == 2);
-  CHECK(matrix.text.find("has at most 1024 MiB") != std::string::npos);
+  CHECK(matrix.text.find("has at most 256 MiB") != std::string::npos);
   const Folder folder("endless");
   REQUIRE(run_tumble("run box_drop --duration 0.1 --quiet --out " + folder.text()).code == 0);
   const std::string row = content(folder.path / "trajectory.csv");

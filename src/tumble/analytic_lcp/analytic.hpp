@@ -115,7 +115,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// - Painlevé: where friction has no solution, the island takes one step at the level of velocities
 ///   (VelocityStep).
 /// - Simultaneous impacts whose friction does not settle are solved as one such step of no length.
-/// - What is left of a step after `event_cap` flights is one step of TimeStepping. Without Coulomb's friction it is
+/// - The rest of a step after `event_cap` flights is one step of TimeStepping. Without Coulomb's friction it is
 ///   flown without looking for collisions, and the step ends as StepStatus::event_cap.
 ///
 /// Where no solver has an answer the step ends as

@@ -197,7 +197,7 @@ MatX parse_matrix_market(std::string_view text, std::string_view file) {
 }
 
 MatX read_matrix_market(const std::filesystem::path& path) {
-  constexpr std::size_t most_mib = 1024;
+  constexpr std::size_t most_mib = 256;
   return parse_matrix_market(read_text(path, "a Matrix Market file, *.mtx,", most_mib),
                              path.string());
 }

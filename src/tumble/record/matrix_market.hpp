@@ -31,7 +31,7 @@ inline constexpr int kMostMatrixRows = 5000;
 MatX parse_matrix_market(std::string_view text, std::string_view file);
 
 /// Reads a Matrix Market file.
-/// \param path where, at most 1 GiB; a pipe will do
+/// \param path where, at most 256 MiB; a pipe will do
 /// \return the matrix, all of it
 /// \throws std::invalid_argument as parse_matrix_market(), or if the file cannot be read
 MatX read_matrix_market(const std::filesystem::path& path);
