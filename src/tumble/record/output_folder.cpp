@@ -28,7 +28,7 @@ bool is_marked(const fs::path& folder, std::string_view kind) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path path, std::string_view kind,
+OutputFolder::OutputFolder(std::filesystem::path path, std::string_view kind,
                            std::span<const std::string_view> files)
     : path_(std::move(path)), files_(files) {
   std::error_code failed;
@@ -85,7 +85,9 @@ OutputFolder::~OutputFolder() {
   close(lock_);
 }
 
-fs::path OutputFolder::path() const { return published_ ? path_ : path_ / kUnfinished; }
+std::filesystem::path OutputFolder::path() const {
+  return published_ ? path_ : path_ / kUnfinished;
+}
 
 void OutputFolder::publish() {
   if (published_) return;
@@ -104,7 +106,7 @@ void OutputFolder::publish() {
   published_ = true;
 }
 
-fs::path published_path(const fs::path& path) {
+std::filesystem::path published_path(const std::filesystem::path& path) {
   const fs::path folder = path.parent_path();
   return folder.filename() == kUnfinished ? folder.parent_path() / path.filename() : path;
 }

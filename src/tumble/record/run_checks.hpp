@@ -63,6 +63,7 @@ class EnergyCheck : public RunCheck {
 /// A comparison for each body, as long as none moves by half its shortest edge in a step.
 class PassageCheck : public RunCheck {
  public:
+  /// Makes the check; no step has been seen.
   PassageCheck();
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
