@@ -3,6 +3,7 @@
 #include "driver/csv.hpp"
 
 #include "tumble/record/csv_cells.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -32,14 +33,13 @@ double read_number(const std::string& text) {
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::error_code error;
-  std::filesystem::create_directories(path.parent_path(), error);
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();  // a full disk is often noticed only here
-  if (!error && file) std::filesystem::rename(part, path, error);
-  if (error || !file) throw FileError("cannot write " + path.string());
+  std::error_code ignored;  // what cannot be made cannot be written into
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  try {
+    tumble::write_file(path, text);
+  } catch (const CannotWrite& error) {
+    throw FileError(error.what());
+  }
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -3,18 +3,11 @@
 #include "fuzz/promise.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace tumble::fuzz {
 
 void promise(bool holds, const std::string& text) {
   if (!holds) throw BrokenPromise(text);
-}
-
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
 }
 
 void require_message(const std::string& message) {

@@ -22,9 +22,6 @@ class BrokenPromise : public std::runtime_error {
 // Throws BrokenPromise with this text unless the condition holds.
 void promise(bool holds, const std::string& text);
 
-// A number with enough digits for a message.
-std::string shown(double value);
-
 // Breaks the promise if a message of a refusal is empty or holds control characters.
 void require_message(const std::string& message);
 

@@ -2,6 +2,7 @@
 /// \brief Fuzz targets for files: scenes, matrices, folders of runs.
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/recorded_run.hpp"
+#include "tumble/record/table_file.hpp"
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/scenes/simulation.hpp"
 
@@ -78,7 +79,8 @@ void look_at(const RecordedRun& run) {
   promise(!run.frames.empty(), "a run without frames");
   double before = -std::numeric_limits<double>::infinity();
   for (const RecordedFrame& frame : run.frames) {
-    promise(frame.time > before, "time_s = " + shown(frame.time) + " after " + shown(before));
+    promise(frame.time > before,
+            "time_s = " + full_text(frame.time) + " after " + full_text(before));
     before = frame.time;
     for (const RecordedPose& pose : frame.poses) {
       promise(pose.box >= 0 && static_cast<std::size_t>(pose.box) < run.scene.boxes.size(),

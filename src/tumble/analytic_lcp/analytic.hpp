@@ -38,8 +38,7 @@ struct AnalyticOptions {
   StickyOptions sticky;                         ///< which collisions stick
   ImpactOrder impacts = ImpactOrder::simultaneous;  ///< how several collisions at once are resolved
   double resolution = tolerance::event_resolution;  ///< [s] how exactly collisions are searched for
-  int event_cap =
-      200;  ///< flights in one step, after which its rest is one time step of velocities
+  int event_cap = 200;  ///< flights in one step, after which its rest is one step of TimeStepping
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other fly
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
@@ -216,7 +215,6 @@ class Analytic : public Technique {
   ContactList near_;                // all points within the margin
   ContactList midway_;              // points that rest, half a flight later
   ContactList island_;              // contacts that collide together
-  std::vector<MovingBody> before_;  // how bodies moved before an impact
   Islands islands_;
   double recorded_at_ = 0.0;   // [s] of the pose for which the last forces were found
   double recorded_for_ = 0.0;  // [s] how long they were to act

@@ -2,25 +2,30 @@
 /// \brief Impacts and steps of the analytic technique that its events do not finish.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/time_stepping.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
 
 namespace tumble {
 
-// The impact of an island whose friction does not settle, as a step of velocities in which nothing accelerates.
+// The impact of an island whose friction does not settle, anew as a step of velocities in which nothing accelerates.
+// Returns whether that has a solution; if not, what there was stays.
 bool Analytic::resolve_by_velocities(const World& world, const Progress& progress,
                                      StepReport& report) {
-  moving_ = before_;
-  const std::vector<Acceleration> none(moving_.size());
+  std::vector<MovingBody> trial;
+  load_moving_bodies(world, trial);  // those of this island have not been stored since the impact
+  const std::vector<Acceleration> none(trial.size());
   VelocityStepOptions how;
   how.directions = options_.directions;
   how.sticky.rule = StickyRule::off;  // restitution has been decided
   const VelocityStepResult found =
-      unsettled_.solve(world, none, island_, progress.left(), how, moving_);
+      unsettled_.solve(world, none, island_, progress.left(), how, trial);
   ++report.fallbacks;
   report.pivots += found.pivots;
   if (!found.solved) return false;
+  for (const Contact& contact : island_)
+    for (const int b : {contact.first, contact.second}) moving_[idx(b)] = trial[idx(b)];
   report.events += static_cast<std::int64_t>(island_.size());
   report.impulses += found.impulses;
   report.energy.restitution += found.restitution_energy;

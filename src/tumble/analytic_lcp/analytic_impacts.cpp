@@ -66,13 +66,12 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
   // [S4.3:sticky]
   ImpactOptions how;
   how.order = options_.impacts;
-  before_ = moving_;
   const ImpactResult impact = impacts_.resolve(island_, moving_, how);
-  if (impact.status == ImpactStatus::done) {
+  const bool settled = impact.status == ImpactStatus::done;
+  if (settled || !resolve_by_velocities(world, progress, report)) {
     report.events += impact.collisions;
     book(impact, report);
-  } else if (!resolve_by_velocities(world, progress, report)) {
-    report.status = std::max(report.status, StepStatus::event_cap);
+    if (!settled) report.status = std::max(report.status, StepStatus::event_cap);
   }
   for (const Contact& contact : island_) record_impact(contact, world.time() + progress.passed);
 }

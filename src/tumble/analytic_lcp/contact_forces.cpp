@@ -164,9 +164,9 @@ bool ContactForces::needs_friction(const Task& task) const {
   return false;
 }
 
-// [-] The direction in which a point slides, along which friction acts during the flight. Where gravity, say, adds more
-// to its speed than it has, the direction of the end counts, without friction: with that of the start, a small speed across would be
-// turned round, and larger, in each flight.
+// [-] The direction in which a point slides, along which friction acts during the flight. Where gravity,
+// say, adds more to its speed than it has, the direction of the end counts, without friction: with that of
+// the start, a small speed across would be turned round, and larger, in each flight.
 Vec3 ContactForces::slip_direction_w(const Task& task, int row) const {
   const Vec3& n = island_[idx(problem_.rows()[idx(row)].contact)].normal_w;
   const Vec3 slip_w = across(points_[idx(row)].velocity_w, n);

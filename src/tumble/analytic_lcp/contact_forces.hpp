@@ -65,8 +65,9 @@ struct ForceReport {
 /// **With friction** that solution is looked at first. Where no point that is pushed slides, and
 /// none would begin to, it is one with friction too: what stands needs no friction. Else the
 /// problem of FrictionPyramid is solved: points that slide have friction against their sliding,
-/// the others may stick. A point that is about to slide faster than it does has it against the way it would go without
-/// friction: the law that is implicit in time, for one point, where that of the start throws a slow slider from side to side.
+/// the others may stick. A point that is about to slide faster than it does has it against the way it would
+/// go without friction: for one point that is the law that is implicit in time. The direction of the start
+/// would throw a slow slider from side to side.
 ///
 /// **Stable boxes** can be left out of problems without friction (HeldBodies): contacts among them
 /// then have no force. With friction that is refused, since a box that is dragged along drags a stable

@@ -40,14 +40,15 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   double after = task.end;
   involve_all(world);
   // A pair that meets and parts before the end is looked at in the middle of its passage, too.
-  list_passages(flight, task, world);
+  list_passages(flight, task.end, world);
   for (const double time : passages_) {
-    const bool met = look(flight, task, time, world, result);
-    result.found = met && !far_met_.empty();
-    if (!met) before = time;
-    if (!result.found) continue;
-    after = time;
-    break;
+    if (!look(flight, task, time, world, result)) {
+      before = time;
+    } else if (!far_met_.empty()) {
+      after = time;
+      result.found = true;
+      break;
+    }
   }
   result.found = (result.found || look(flight, task, after, world, result)) &&
                  narrow(flight, task, world, result);
@@ -64,17 +65,18 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   return result;
 }
 
-// Ascending times at which pairs that are apart at the start would be in the middle of their passage, by their
-// straight ways without turning.
-void ImpactSearch::list_passages(const ForcedFlight& flight, const ImpactSearchTask& task,
-                                 World& world) {
+// Ascending times at which pairs that are apart at the start would be in the middle of their passage, if they
+// went straight, without turning, and only gravity acted.
+void ImpactSearch::list_passages(const ForcedFlight& flight, double end, const World& world) {
   passages_.clear();
   way_w_.resize(idx(world.count()));
   bool fast = false;
-  for (int b = 0; b < world.count(); ++b) {
-    flight.put(world, b, task.end, task.rule);
-    way_w_[idx(b)] = world.states()[idx(b)].position_w - flight.start()[idx(b)].position_w;
-    fast = fast || way_w_[idx(b)].norm() > 0.5 * world.bodies()[idx(b)].size.minCoeff();
+  for (std::size_t k = 0; k < way_w_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    way_w_[k].setZero();
+    if (!body.movable()) continue;
+    way_w_[k] = end * (velocity(body, flight.start()[k]) + 0.5 * end * world.gravity_w);
+    fast = fast || way_w_[k].norm() > 0.5 * body.size.minCoeff();
   }
   if (!fast) return;
   for (const IndexPair& pair : far_) {
@@ -86,7 +88,7 @@ void ImpactSearch::list_passages(const ForcedFlight& flight, const ImpactSearchT
     const SweepResult way =
         sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
     if (way.status == SweepStatus::hit && way.leave < 1.0)
-      passages_.push_back(0.5 * (way.enter + way.leave) * task.end);
+      passages_.push_back(0.5 * (way.enter + way.leave) * end);
   }
   std::sort(passages_.begin(), passages_.end());
 }

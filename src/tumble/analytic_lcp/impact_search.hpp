@@ -60,7 +60,7 @@ class ImpactSearch {
 
  private:
   void involve_all(const World& world);
-  void list_passages(const ForcedFlight& flight, const ImpactSearchTask& task, World& world);
+  void list_passages(const ForcedFlight& flight, double end, const World& world);
   bool look(const ForcedFlight& flight, const ImpactSearchTask& task, double time, World& world,
             FirstImpact& result);
   void keep_those_that_met();

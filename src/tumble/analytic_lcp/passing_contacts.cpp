@@ -63,10 +63,10 @@ void PassingContacts::add(const World& world, std::span<const MovingBody> bodies
     contact.axis = manifold.axis;
     set_points(manifold, contact);
     const double falls = (b.movable() ? 1.0 : 0.0) - (a.movable() ? 1.0 : 0.0);
+    const Vec3 middle_w =
+        0.5 * (travel(world.states()[i], ended_[i]) + travel(world.states()[j], ended_[j]));
     for (int p = 0; p < contact.count; ++p) {
       ContactPoint& point = contact.points[idx(p)];
-      const Vec3 middle_w =
-          0.5 * (travel(world.states()[i], ended_[i]) + travel(world.states()[j], ended_[j]));
       point.position_w -= middle_w;
       const Vec3 u_w = relative_velocity(bodies[i], bodies[j], point.position_w);
       point.approach_speed = contact.normal_w.dot(u_w);

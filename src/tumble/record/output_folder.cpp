@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kMark = ".tumble";
-constexpr std::string_view kUnfinished = ".unfinished";
 
 bool is_marked(const fs::path& folder, std::string_view kind) {
   std::string word;
@@ -47,8 +46,8 @@ OutputFolder::OutputFolder(std::filesystem::path path, std::string_view kind,
   if (std::error_code unknown; !fs::is_directory(path_, unknown))
     throw CannotWrite("tumble: cannot make the folder " + path_.string() + ": " + failed.message());
   lock(kind);
-  fs::remove_all(path_ / kUnfinished, failed);  // of a process that was killed
-  fs::create_directory(path_ / kUnfinished, failed);
+  fs::remove_all(path_ / kUnfinishedFolder, failed);  // of a process that was killed
+  fs::create_directory(path_ / kUnfinishedFolder, failed);
   if (failed)
     throw CannotWrite("tumble: cannot write into the folder " + path_.string() + ": " +
                       failed.message());
@@ -76,7 +75,7 @@ void OutputFolder::lock(std::string_view kind) {
 
 OutputFolder::~OutputFolder() {
   std::error_code failed;
-  fs::remove_all(path_ / kUnfinished, failed);
+  fs::remove_all(path_ / kUnfinishedFolder, failed);
   if (!published_ && empty_) {
     fs::remove(path_ / kMark, failed);
     for (fs::path made = path_; made != before_ && !failed; made = made.parent_path())
@@ -86,7 +85,7 @@ OutputFolder::~OutputFolder() {
 }
 
 std::filesystem::path OutputFolder::path() const {
-  return published_ ? path_ : path_ / kUnfinished;
+  return published_ ? path_ : path_ / kUnfinishedFolder;
 }
 
 void OutputFolder::publish() {
@@ -94,7 +93,7 @@ void OutputFolder::publish() {
   for (const std::string_view file : files_) {
     std::error_code failed;
     fs::remove(path_ / file, failed);
-    const fs::path made = path_ / kUnfinished / file;
+    const fs::path made = path_ / kUnfinishedFolder / file;
     if (!fs::exists(made, failed)) continue;
     fs::rename(made, path_ / file, failed);
     if (failed)
@@ -102,13 +101,8 @@ void OutputFolder::publish() {
                         failed.message());
   }
   std::error_code ignored;
-  fs::remove_all(path_ / kUnfinished, ignored);
+  fs::remove_all(path_ / kUnfinishedFolder, ignored);
   published_ = true;
-}
-
-std::filesystem::path published_path(const std::filesystem::path& path) {
-  const fs::path folder = path.parent_path();
-  return folder.filename() == kUnfinished ? folder.parent_path() / path.filename() : path;
 }
 
 }  // namespace tumble

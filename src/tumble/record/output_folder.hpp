@@ -51,9 +51,4 @@ class OutputFolder {
   int lock_ = -1;  // descriptor of the mark
 };
 
-/// A path for messages: that of the file when it will have been published.
-/// \param path  of a file
-/// \return without the folder of unfinished files
-std::filesystem::path published_path(const std::filesystem::path& path);
-
 }  // namespace tumble

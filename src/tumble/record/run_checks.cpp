@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tumble {
 namespace {
@@ -117,28 +116,30 @@ void PassageCheck::look_for_passages(const World& world) {
   const auto way = [&](std::size_t k) -> Vec3 {
     return world.states()[k].position_w - before_[k].position_w;
   };
-  cores_.resize(before_.size());
-  swept_.resize(before_.size());
+  solid_.clear();
+  cores_.clear();
+  swept_.clear();
   for (std::size_t k = 0; k < before_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
+    if (body.shape == Shape::ground) continue;
     const double angle = angle_between(before_[k].orientation_wb, world.states()[k].orientation_wb);
-    cores_[k] = core_of(body, before_[k], angle);
-    // A body without a core, such as the ground, is put where nothing is.
-    constexpr double nowhere = std::numeric_limits<double>::max();
-    const bool has_core = body.shape != Shape::ground && cores_[k].half.minCoeff() > 0.0;
-    swept_[k] = has_core ? widened(bounds_of(cores_[k]), way(k))
-                         : Bounds{Vec3::Constant(nowhere), Vec3::Constant(nowhere)};
+    const Box core = core_of(body, before_[k], angle);
+    if (!(core.half.minCoeff() > 0.0)) continue;
+    solid_.push_back(k);
+    cores_.push_back(core);
+    swept_.push_back(widened(bounds_of(core), way(k)));
   }
   near_->find_pairs(swept_, pairs_);
   for (const IndexPair& pair : pairs_) {
-    const std::size_t a = idx(pair.first);
-    const std::size_t b = idx(pair.second);
+    const std::size_t a = solid_[idx(pair.first)];
+    const std::size_t b = solid_[idx(pair.second)];
     if (fast_[a] == 0 && fast_[b] == 0) continue;
-    if (cores_[a].half.minCoeff() <= 0.0 || cores_[b].half.minCoeff() <= 0.0) continue;
-    const SweepResult swept = sweep(cores_[a], way(a), cores_[b], way(b));
+    const SweepResult swept =
+        sweep(cores_[idx(pair.first)], way(a), cores_[idx(pair.second)], way(b));
     if (swept.status != SweepStatus::hit || swept.leave >= 1.0) continue;
     status_ = StepStatus::passed_through;
-    find(world, world.name(pair.first) + " went through " + world.name(pair.second) +
+    find(world, world.name(static_cast<int>(a)) + " went through " +
+                    world.name(static_cast<int>(b)) +
                     " within the step: a smaller --dt or a technique that catches it is needed");
     return;
   }

@@ -74,8 +74,9 @@ class PassageCheck : public RunCheck {
 
   std::vector<BodyState> before_;  // at the start of the step
   std::unique_ptr<BroadPhase> near_;
-  std::vector<char> fast_;  // not 0: moved by half its shortest edge or more
-  std::vector<Box> cores_;  // where the step began
+  std::vector<char> fast_;          // not 0: moved by more than half its shortest edge
+  std::vector<std::size_t> solid_;  // bodies with a core, by index; the next two are theirs
+  std::vector<Box> cores_;          // where the step began
   std::vector<Bounds> swept_;
   std::vector<IndexPair> pairs_;
 };

@@ -4,7 +4,6 @@
 
 #include "tumble/base/number_text.hpp"
 #include "tumble/record/csv_cells.hpp"
-#include "tumble/record/output_folder.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -15,6 +14,12 @@ namespace tumble {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16U;  // bytes handed to the system at once
+
+// Where a file will be when it is published.
+std::filesystem::path published_path(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.parent_path();
+  return folder.filename() == kUnfinishedFolder ? folder.parent_path() / path.filename() : path;
+}
 
 [[noreturn]] void fail(const std::filesystem::path& path, int reason) {
   throw CannotWrite("tumble: cannot write " + published_path(path).string() + ": " +

@@ -19,11 +19,14 @@ class CannotWrite : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The folder, within that of an output, of files that are not published yet; see OutputFolder.
+inline constexpr std::string_view kUnfinishedFolder = ".unfinished";
+
 /// Writes a whole file at once, under another name first: if it cannot be written, the one of before is left. A link
 /// is replaced, not followed.
 /// \param path  where
 /// \param text  its content
-/// \throws CannotWrite naming the path and the reason
+/// \throws CannotWrite naming the path that it will have when it is published, and the reason
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// A number as all files of a run have it: 17 significant digits, which read back to the same bits.
