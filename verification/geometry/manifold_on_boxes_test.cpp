@@ -119,7 +119,8 @@ TEST_CASE("Boxes apart with two edges side by side touch at both ends of the str
   REQUIRE(collide(left, right, 0.2, kNoAxis, m));
   REQUIRE(m.count == 2);
   CHECK(m.points[0].feature != m.points[1].feature);
-  for (int k = 0; k < 2; ++k) CHECK(std::abs(m.points[k].position_w.x()) < 1e-12);
+  CHECK(std::abs(m.points[0].position_w.x()) < 1e-12);
+  CHECK(std::abs(m.points[1].position_w.x()) < 1e-12);
   CHECK(std::abs(m.points[0].position_w.z() - m.points[1].position_w.z()) ==
         near(1.25).margin(1e-12));
 }
