@@ -115,7 +115,6 @@ TEST_CASE("Each picture of the gallery shows all its boxes that are not hidden b
     REQUIRE(result.drawings.size() == 1);
     CHECK(result.drawings.front().suffix == "boxes");
     CHECK(result.drawings.front().commands.find("border lc") != std::string::npos);
-    CHECK(number_of(result, "rings of boxes drawn wrongly") == 0.0);
     const double fixed = figure.name == "gallery_cage"              ? 6.0
                          : figure.name == "gallery_crate_off_table" ? 1.0
                          : figure.name == "gallery_seesaw"          ? 1.0

@@ -234,9 +234,9 @@ TEST_CASE(
 }
 
 TEST_CASE("Bad options and steps are refused", "[unit][contact_damped]") {
-  for (const char* option : {"passes", "repair_passes"})
+  for (const char* option : {"sweeps", "correction_sweeps"})
     CHECK_THROWS_AS(contact_damped({{option, "0"}}), std::invalid_argument);
-  CHECK_THROWS_AS(contact_damped({{"rounds", "-1"}}), std::invalid_argument);
+  CHECK_THROWS_AS(contact_damped({{"admm_iterations", "-1"}}), std::invalid_argument);
   World world = two_stacks(1);
   const std::unique_ptr<Technique> technique = contact_damped();
   for (const double dt : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})

@@ -50,8 +50,8 @@ TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
 }
 
 TEST_CASE("A point without friction does not pull", "[exact][contact_damped]") {
-  CHECK(island::into_cone(Vec3(0.0, 0.0, -1.0), 0.0).isZero(0.0));
-  CHECK(island::into_cone(Vec3(0.0, 0.0, 1.0), 0.0) == Vec3(0.0, 0.0, 1.0));
+  CHECK(island_math::into_cone(Vec3(0.0, 0.0, -1.0), 0.0).isZero(0.0));
+  CHECK(island_math::into_cone(Vec3(0.0, 0.0, 1.0), 0.0) == Vec3(0.0, 0.0, 1.0));
 }
 
 TEST_CASE("A copy of the technique reports the same contacts", "[unit][contact_damped]") {

@@ -57,12 +57,12 @@ TEST_CASE("A request without a seed is made with seed 1, as tumble run does", "[
 
 TEST_CASE("Settings of a request reach the technique", "[unit][live]") {
   const Setup exponential =
-      make_setup("scene fig6_1\nset technique.pose=exponential\nset technique.passes=7");
+      make_setup("scene fig6_1\nset technique.pose=exponential\nset technique.sweeps=7");
   const TechniqueRecipe& recipe = technique_recipe("contact_damped");
   Parameters options = recipe.options();
   const auto standard = recipe.make(options, 1);
   options.set("pose", "exponential");
-  options.set("passes", "7");
+  options.set("sweeps", "7");
   const auto same = recipe.make(options, 1);
   const Scene scene = built("fig6_1");
   const std::string hash = hash_of(*exponential.technique, scene);
@@ -109,9 +109,9 @@ TEST_CASE("A mistake in a request is reported in a sentence that says what would
       {"scene dice\nset scene.count=2.5", "count = 2.5: expected a whole number from 1"},
       {"scene dice\nset scene.count=0", "count = 0: expected a whole number from 1"},
       {"scene dice\nset scene.friction=nan", "friction = nan: expected a number from 0"},
-      {"scene dice\nset technique.passs=3", "unknown setting passs: did you mean passes?"},
+      {"scene dice\nset technique.sweps=3", "unknown setting sweps: did you mean sweeps?"},
       {"scene dice\nset technique.sleeping=maybe", "sleeping = maybe: expected on or off"},
-      {"scene dice\ntechnique basic\nset technique.passes=3", "unknown setting passes: expected"},
+      {"scene dice\ntechnique basic\nset technique.sweeps=3", "unknown setting sweeps: expected"},
       {"scene cradle\nset scene.moving=5", "moving = 5: expected fewer than count = 5"},
       {"toml", "scene.toml:1: box: a scene needs at least one [[box]] table"},
       {"toml\n[[box]\n", "scene.toml:1: not TOML"},

@@ -3,9 +3,9 @@
 #include "tumble/pictures/picture.hpp"
 
 #include "tumble/base/random.hpp"
-#include "tumble/geometry/painters_order.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/pictures/lighting.hpp"
+#include "tumble/pictures/painters_order.hpp"
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/techniques.hpp"
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -68,35 +69,50 @@ int box_drawn_at(const Picture& picture, const Vec2& pixel) {
   return box;
 }
 
+// The box that the line of sight of a pixel meets first.
+int box_met_at(const std::vector<PictureBox>& boxes, const Camera& camera, const Vec2& pixel) {
+  int nearest = kNoBox;
+  double first = kInfinity;
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    const Stretch stretch = stretch_in(boxes[b].box, camera.eye_w, sight_of(camera, pixel));
+    if (stretch.empty() || stretch.enter >= first) continue;
+    nearest = static_cast<int>(b);
+    first = stretch.enter;
+  }
+  return nearest;
+}
+
+// Whether two boxes overlap so little that one may be painted as a whole after the other.
+bool overlap_slightly(const Box& a, const Box& b) {
+  const double distance = separation(a, b).distance;
+  return distance < 0.0 && distance > -0.01 * std::min(a.half.minCoeff(), b.half.minCoeff());
+}
+
 struct Judgement {
   int pixels = 0;  // that show a box
   int wrong = 0;   // that show another one than the ray meets first
 };
 
-// Tests random pixels. Where two boxes overlap on the ray, either may be shown.
+// Tests random pixels. At a seam, where boxes are cut by each other, either may be shown [px].
 void judge(const std::vector<PictureBox>& boxes, const Camera& camera, const Picture& picture,
-           int pixels, Random& random, Judgement& out) {
+           int pixels, Random& random, Judgement& out, double seam = 0.0) {
   for (int k = 0; k < pixels; ++k) {
     Vec2 pixel;
     pixel.x() = random.uniform(0.0, camera.width);
     pixel.y() = random.uniform(0.0, camera.height);
-    const Vec3 sight = sight_of(camera, pixel);
-    int nearest = kNoBox;
-    Stretch first;
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-      const Stretch stretch = stretch_in(boxes[b].box, camera.eye_w, sight);
-      if (stretch.empty() || (nearest != kNoBox && stretch.enter >= first.enter)) continue;
-      nearest = static_cast<int>(b);
-      first = stretch;
-    }
+    const int nearest = box_met_at(boxes, camera, pixel);
     const int drawn = box_drawn_at(picture, pixel);
     if (nearest != kNoBox) ++out.pixels;
     if (drawn == nearest) continue;
-    const bool both = drawn != kNoBox && nearest != kNoBox;
-    if (!both ||
-        stretch_in(boxes[static_cast<std::size_t>(drawn)].box, camera.eye_w, sight).enter >=
-            first.leave)
-      ++out.wrong;
+    bool allowed = drawn != kNoBox && nearest != kNoBox &&
+                   overlap_slightly(boxes[static_cast<std::size_t>(drawn)].box,
+                                    boxes[static_cast<std::size_t>(nearest)].box);
+    for (int turn = 0; turn < 16 && seam > 0.0; ++turn) {
+      const double angle = 2.0 * std::numbers::pi * turn / 16.0;
+      const Vec2 beside = pixel + seam * Vec2(std::cos(angle), std::sin(angle));
+      allowed = allowed || box_met_at(boxes, camera, beside) == drawn;
+    }
+    if (!allowed) ++out.wrong;
   }
 }
 
@@ -156,20 +172,15 @@ Camera random_camera(const std::vector<PictureBox>& boxes, Random& random) {
   return camera_for(boxes, direction, 300.0, 200.0, true);
 }
 
-bool disjoint(const std::vector<Box>& boxes) {
-  for (std::size_t a = 0; a < boxes.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      if (separation(boxes[a], boxes[b]).distance < 0.0) return false;
-    }
-  }
-  return true;
+bool is_cyclic(const std::vector<Box>& boxes, const Vec3& eye_w) {
+  const PaintersOrder order = painters_order(boxes, eye_w);
+  return order.size() < boxes.size();
 }
 
 // Draws and checks scenes [begin, end). Returns the number of pictures with cyclic overlaps.
 int check_scenes(int begin, int end, int pixels) {
   Judgement judgement;
   int with_rings = 0;
-  int not_mended = 0;  // of disjoint boxes
   for (int number = begin; number < end; ++number) {
     Random random = Random(7).fork(static_cast<std::uint64_t>(number));
     const std::vector<PictureBox> boxes = scene_number(number, random);
@@ -177,14 +188,12 @@ int check_scenes(int begin, int end, int pixels) {
     const Picture picture = draw_boxes(boxes, camera);
     std::vector<Box> shapes;
     for (const PictureBox& b : boxes) shapes.push_back(b.box);
-    if (painters_order(shapes, camera.eye_w).cycles > 0) ++with_rings;
-    if (picture.rings > 0 && disjoint(shapes)) ++not_mended;
+    if (is_cyclic(shapes, camera.eye_w)) ++with_rings;
     judge(boxes, camera, picture, pixels, random, judgement);
   }
   INFO(judgement.pixels << " pixels, " << judgement.wrong << " wrong, " << with_rings
                         << " pictures with rings");
   CHECK(judgement.wrong == 0);
-  CHECK(not_mended == 0);
   CHECK(judgement.pixels > (end - begin) * pixels / 10);
   return with_rings;
 }
@@ -206,9 +215,8 @@ TEST_CASE("Three sticks that overlap cyclically are drawn correctly", "[exact][p
   std::vector<PictureBox> sticks;
   for (const Box& stick : shapes) sticks.push_back({stick});
   const Camera camera = camera_for(sticks, Vec3(0.05, 0.1, 1.0), 300.0, 300.0, false);
-  REQUIRE(painters_order(shapes, camera.eye_w).cycles > 0);
+  REQUIRE(is_cyclic(shapes, camera.eye_w));
   const Picture picture = draw_boxes(sticks, camera, false);
-  CHECK(picture.rings == 0);
   Random random(1);
   Judgement judgement;
   judge(sticks, camera, picture, 20000, random, judgement);
@@ -220,6 +228,25 @@ TEST_CASE("Three sticks that overlap cyclically are drawn correctly", "[exact][p
     for (const Polygon& loop : area.loops)
       CHECK((loop.size() == 4 || std::abs(area_of(loop)) < 1e-9));  // [px²] measured 1e-13
   }
+}
+
+TEST_CASE("Boxes that overlap are drawn as the line of sight meets them", "[exact][picture]") {
+  // A heap of 54 boxes that has collapsed into itself.
+  Random random(11);
+  std::vector<PictureBox> heap;
+  for (int k = 0; k < 54; ++k) {
+    const Vec3 center = random.in_cube(0.6) + Vec3(0.0, 0.6, 0.0);
+    const Quat orientation = random.orientation();
+    const Vec3 size = random.in_cube(0.4).cwiseAbs() + Vec3::Constant(0.3);
+    heap.push_back({make_box(center, orientation, size)});
+  }
+  const Camera camera = camera_for(heap, Vec3(1.0, 0.6, 2.0), 600.0, 400.0, true);
+  const Picture picture = draw_boxes(heap, camera);
+  Judgement judgement;
+  judge(heap, camera, picture, 3000, random, judgement, 0.75);
+  CHECK(judgement.pixels > 500);
+  CHECK(judgement.wrong == 0);
+  CHECK(picture.areas.size() < 20000);  // measured 10 758: the work is bounded
 }
 
 TEST_CASE("A camera has all boxes and shadows in its picture and touches the free air on two sides",

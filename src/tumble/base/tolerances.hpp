@@ -112,11 +112,6 @@ inline constexpr double tree_margin = 0.1;
 /// narrower, yet no body keeps bounds of several times its size. (4.1)
 inline constexpr double tree_slack = 0.5;
 
-/// [-] Sine of the angle between an edge and the line of sight below which the edge is seen end on and
-/// has no line in the picture. Reason: the root of rounding (1e-16), which gives either error the
-/// same size; outlines are wrong by this part of an edge. (pictures only)
-inline constexpr double seen_end_on = 1e-8;
-
 // --- dynamics -----------------------------------------------------------------------------
 
 /// [-] How far mass times inverse mass may be from 1 in properties that a caller has filled in.

@@ -17,8 +17,9 @@ namespace tumble {
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options) : options_(options) {
   for (const auto& [count, least, name] :
-       {std::tuple{options.passes, 1, "passes"}, std::tuple{options.rounds, 0, "rounds"},
-        std::tuple{options.repair_passes, 1, "repair_passes"}})
+       {std::tuple{options.sweeps, 1, "sweeps"},
+        std::tuple{options.admm_iterations, 0, "admm_iterations"},
+        std::tuple{options.correction_sweeps, 1, "correction_sweeps"}})
     require::that(count >= least, std::string(name) + " = " + std::to_string(count) +
                                       ": expected " + std::to_string(least) + " or more");
 }
@@ -35,9 +36,12 @@ StepReport ContactDamped::step(World& world, double dt) {
   recorded_ = false;
   if (!options_.sleeping)  // wakes bodies that another technique has put to sleep
     for (SleepState& rest : world.sleep_states()) rest.asleep = false;
-  if (options_.sleeping && sleeping.wake_disturbed(world) == 0 && sleeping.nobody_awake()) {
-    world.finish_step(dt);
-    return report;
+  if (options_.sleeping) {
+    const int woken = sleeping.wake_disturbed(world);
+    if (woken == 0 && sleeping.nobody_awake()) {
+      world.finish_step(dt);
+      return report;
+    }
   }
   // [S6.3.1:step]
   // 1. Gravity.
@@ -49,7 +53,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   storage_.solved_directly.clear();
   storage_.in_flight.assign(velocities_.end.size(), 1);
   for (int k = 0; k < memory_.order.islands().count(); ++k)
-    solve_island(island(world, k, dt), report);
+    solve_island(view_of_island(world, k, dt), report);
   std::swap(memory_.solved_directly, storage_.solved_directly);
   // 4. Bodies move with these velocities.
   move(world, dt, report);
@@ -72,7 +76,7 @@ StepReport ContactDamped::step(World& world, double dt) {
 
 // Velocities before gravity, with it, and (to be changed) at the end. Sleeping bodies are immovable.
 void ContactDamped::load(const World& world, double dt) {
-  auto& [start, free, end, moved] = velocities_;
+  auto& [start, free, end, before_bounce] = velocities_;
   load_moving_bodies(world, start);
   for (std::size_t k = 0; k < start.size(); ++k) {
     if (!world.sleep_states()[k].asleep) continue;
@@ -85,7 +89,7 @@ void ContactDamped::load(const World& world, double dt) {
   for (MovingBody& body : free)
     if (body.inverse_mass.x() > 0.0) body.velocity_w += dt * world.gravity_w;
   end = free;
-  moved.reserve(free.size());  // so that a first bounce or correction allocates nothing
+  before_bounce.reserve(free.size());  // so that a first bounce or correction allocates nothing
   storage_.displacements.reserve(free.size());
 }
 
@@ -131,13 +135,12 @@ void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
     // Bodies that are touched wake up, and their neighbours have to be found as well.
     load(world, dt);
     impulse_ratio = 1.0;  // impulses have been scaled already
-    memory_.order.clear();
   }
   memory_.order.update(world, manifolds.patches(), storage_.touching);
 }
 
 // A view of one island of the step.
-Island ContactDamped::island(const World& world, int k, double dt) {
+Island ContactDamped::view_of_island(const World& world, int k, double dt) {
   const Islands& islands = memory_.order.islands();
   return {world,
           dt,
@@ -150,13 +153,13 @@ Island ContactDamped::island(const World& world, int k, double dt) {
           velocities_.end};
 }
 
-// Which bodies turn about which: patches push at their centre of pressure. Relative motion of patches that stick is
-// the residual of the solver.
+// Which bodies turn about which: patches push at their centre of pressure. A patch whose friction is below its bound
+// holds, and what it slips is the error of the solver. One at its bound stays `unknown`: whether it slips
+// the pivot update finds out by itself.
 void ContactDamped::find_pivots(const World& world) {
   storage_.pushed.clear();
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     PushedPair pair{patch.first, patch.second, Vec3::Zero(), patch.frame_w.col(2)};
-    double weight = 0.0;
     const Six all = impulse_of(patch);
     const double limit = (1.0 - tolerance::friction_limit) * patch.friction * all[six::normal];
     if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
@@ -164,10 +167,9 @@ void ContactDamped::find_pivots(const World& world) {
       if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_damped_slop * patch.size)
         pair.state = PushedState::unknown;  // it closes a gap, or there is overlap
       pair.point_w += p.impulse * position_of(patch, velocities_.start[idx(patch.first)], p);
-      weight += p.impulse;
     }
-    if (!(weight > 0.0)) continue;
-    pair.point_w /= weight;
+    if (!(all[six::normal] > 0.0)) continue;
+    pair.point_w /= all[six::normal];
     storage_.pushed.push_back(pair);
   }
   storage_.pivots.find(world.bodies(), velocities_.end, storage_.pushed);

@@ -1,17 +1,18 @@
 /// \file
 /// \brief The default technique: contact patches that stick, slide or open, solved stiffly (thesis 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 ///
 /// **Reading order.** This header and ContactDamped::step() in contact_damped.cpp; then what that uses:
 /// 1. contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
-///    patches of a step and keeps them while bodies rest; island_order.hpp groups and orders them.
+///    patches of a step and keeps them while bodies rest, without edges of no height (grazed_edges.hpp);
+///    island_order.hpp groups and orders them.
 /// 2. patch_solver.hpp: one patch by itself (bounded_friction.hpp: its friction). island.hpp: a sweep over all
 ///    patches of an island.
 /// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
 ///    (Newton steps), with the arithmetic of island_parts.hpp.
-/// 5. contact_damped_motion.cpp: restitution, overlap and the energy account.
+/// 5. bounce_and_correct.cpp: restitution, overlap and the energy account.
 ///
 /// Iteration counts and residuals are in tolerances.hpp.
 #pragma once
@@ -33,13 +34,14 @@ namespace tumble {
 
 /// Options of the technique.
 struct ContactDampedOptions {
-  /// Sweeps over the patches of an island that the direct solver does not take, at least 1; small islands, of up
-  /// to twenty bodies, get at least fifty.
-  int passes = 6;
-  /// ADMM iterations of the direct solver, three times as many for a small island; 0: it is not used.
-  int rounds = 100;
-  int repair_passes = 50;  ///< sweeps of the overlap correction, at least 1
-  bool sleeping = false;   ///< islands at rest are not simulated (thesis 4.5)
+  /// Sweeps over an island that is not settled, each in one direction, at most: at least 1, and the first two are
+  /// always made. Small islands, of up to twenty bodies, get at least fifty.
+  int sweeps = 6;
+  /// ADMM iterations of the direct solver, at most: three times as many for a small island, fewer for a large one that
+  /// hardly moves or moves fast. 0: it is not used.
+  int admm_iterations = 100;
+  int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
+  bool sleeping = false;       ///< islands at rest are not simulated (thesis 4.5)
   RotationRule rotation = RotationRule::splitting;  ///< how orientations are integrated
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
@@ -55,9 +57,9 @@ struct ContactDampedOptions {
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
-///    sweep. If that changes something, plan_island() chooses: more sweeps where the island moves fast, slides
-///    or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps leave bodies that do not move
-///    fast without support.
+///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps where
+///    the island moves fast, slides or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps
+///    were not enough.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola.
 ///    With PoseUpdate::exponential, bodies that turn together are moved together (PivotUpdate).
 /// 5. Fast impacts bounce: Newton's restitution, by more sweeps.
@@ -73,7 +75,8 @@ struct ContactDampedOptions {
 /// \par Cost
 /// At rest about 0.4 us for each pair that touches.
 /// \par Extending it
-/// Another solver for an island is one more IslandMethod: plan_island() chooses it and solve_island() runs it.
+/// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it,
+/// solve_island() runs it, and what it keeps between steps is a member of ContactDamped::Memory.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}
@@ -108,11 +111,10 @@ class ContactDamped : public Technique {
   };
   // Velocities of a step, by body index.
   struct Velocities {
-    std::vector<MovingBody> start;  // before gravity
-    std::vector<MovingBody> free;   // with gravity, without contacts
-    std::vector<MovingBody> end;    // with impulses
-    std::vector<MovingBody>
-        moved;  // those of `end` with which bodies moved, before something bounced
+    std::vector<MovingBody> start;          // before gravity
+    std::vector<MovingBody> free;           // with gravity, without contacts
+    std::vector<MovingBody> end;            // with impulses
+    std::vector<MovingBody> before_bounce;  // `end` before something bounced: bodies moved with it
   };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
@@ -131,12 +133,13 @@ class ContactDamped : public Technique {
   void load(const World& world, double dt);
   void find_patches(World& world, double dt, StepReport& report);
   void find_candidates(const World& world, double dt);
-  Island island(const World& world, int k, double dt);
+  Island view_of_island(const World& world, int k, double dt);
   void solve_island(const Island& island, StepReport& report);
   void find_pivots(const World& world);
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
   void correct_overlaps(World& world, double dt, StepReport& report);
+  void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;
   void notify_observer(const ContactPatch& patch, double time) const;
 

@@ -12,10 +12,11 @@ namespace tumble {
 /// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(ContactDampedOptions& o, Visitor& v) {
-  v.whole("passes", o.passes, 1, 1000, "sweeps down and up over the contact patches of an island");
-  v.whole("rounds", o.rounds, 0, 10000,
+  v.whole("sweeps", o.sweeps, 1, 1000,
+          "sweeps over the contact patches of an island, in one direction each");
+  v.whole("admm_iterations", o.admm_iterations, 0, 10000,
           "iterations of the direct solver, for islands that sweeps do not settle; 0: none");
-  v.whole("repair_passes", o.repair_passes, 1, 1000, "sweeps of the overlap repair");
+  v.whole("correction_sweeps", o.correction_sweeps, 1, 1000, "sweeps of the overlap correction");
   v.flag("sleeping", o.sleeping, "do not simulate islands at rest (thesis 4.5)");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
   v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);

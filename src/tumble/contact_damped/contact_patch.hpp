@@ -71,8 +71,8 @@ struct ContactPatch {
   std::array<Quat, 2> built_orientation_wb;    ///< [-] of both bodies then
   std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleeping ones
   double built_reach = 0.0;                    ///< [m] points with a larger gap were left out
-  Vec3 flat_w = Vec3::Zero();                  ///< [-] see find_meeting()
-  int count = 0;                               ///< points in use
+  Vec3 flat_w = Vec3::Zero();  ///< [-] direction in which a grazed edge has no height, else 0
+  int count = 0;               ///< points in use
   std::array<ContactPatchPoint, kMostPoints> points;  ///< the first `count`
   double along_impulse = 0.0;                         ///< [N s] friction along the first tangent
   double across_impulse = 0.0;                        ///< [N s] friction along the second tangent
@@ -113,7 +113,7 @@ Vec3 position_of(const ContactPatch& patch, const MovingBody& first,
 /// \param found   where the bodies touch, normal from the first to the second; at least one point
 /// \param first   velocity and inverse mass of the first body
 /// \param second  the same of the second one
-/// \param patch   ids, indices, coefficients stay; the rest is overwritten, impulses are 0
+/// \param patch   ids, indices, coefficients, targets and `built_*` stay; the rest is overwritten, impulses are 0
 void build_patch(const Manifold& found, const MovingBody& first, const MovingBody& second,
                  ContactPatch& patch);
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief Edges without height, which a body that slides over flush neighbours must not hit (thesis 3.2, 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
@@ -18,7 +18,7 @@ namespace tumble {
 enum class Meeting : std::uint8_t {
   overlap,  ///< they overlap if nothing stops them
   graze,    ///< they touch at an edge that has no height across the normal
-  pass      ///< they miss each other, or would only graze
+  pass      ///< no contact within the step
 };
 
 /// A meeting, and for one that grazes the direction across the normal in which it has no height.

@@ -39,7 +39,7 @@ double approach_of(const ContactPatchPoint& p, const Six& before, const Six& aft
 }
 
 // Speed of a body's fastest point, as a share of sqrt(g L).
-double relative_speed(const Island& island, int k, std::span<const MovingBody> moving) {
+double scaled_speed(const Island& island, int k, std::span<const MovingBody> moving) {
   const BodyProperties& body = island.world.bodies()[idx(k)];
   const double g = island.world.gravity_w.norm();
   const double size = body.size.minCoeff();
@@ -52,8 +52,8 @@ double relative_speed(const Island& island, int k, std::span<const MovingBody> m
 
 double shortest_edge(const Island& island) {
   double size = std::numeric_limits<double>::infinity();
-  for (const int contact : island.contacts)
-    size = std::min(size, island.patches[idx(contact)].size);
+  for (const int contact : island.patch_indices)
+    size = std::min(size, island.all_patches[idx(contact)].size);
   return size;
 }
 
@@ -67,22 +67,22 @@ double negligible_residual(const Island& island) {
 SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
   for (const int k : island.bodies) {
-    before = std::max(before, relative_speed(island, k, island.start));
-    now = std::max(now, relative_speed(island, k, island.now));
+    before = std::max(before, scaled_speed(island, k, island.start));
+    now = std::max(now, scaled_speed(island, k, island.now));
   }
   return {std::min(before, now), std::max(before, now)};
 }
 
 bool moves_fast(const Island& island, int k) {
   return island.world.bodies()[idx(k)].movable() &&
-         relative_speed(island, k, island.start) >= tolerance::calm_speed &&
-         relative_speed(island, k, island.now) >= tolerance::calm_speed;
+         scaled_speed(island, k, island.start) >= tolerance::fast_speed &&
+         scaled_speed(island, k, island.now) >= tolerance::fast_speed;
 }
 
 double approach_of_slow_bodies(const Island& island) {
   double most = 0.0;
-  for (const int contact : island.contacts) {
-    const ContactPatch& patch = island.patches[idx(contact)];
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
     if (moves_fast(island, patch.first) || moves_fast(island, patch.second)) continue;
     const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
     for (const ContactPatchPoint& p : patch.used())
@@ -91,13 +91,17 @@ double approach_of_slow_bodies(const Island& island) {
   return most;
 }
 
+bool is_large_and_fast(const Island& island) {
+  return !is_small(island) && speed_range(island).lower >= tolerance::fast_speed;
+}
+
 bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
 }
 
 void warm_start(const Island& island) {
   for (const int contact : island.upward) {
-    ContactPatch& patch = island.patches[idx(contact)];
+    ContactPatch& patch = island.all_patches[idx(contact)];
     const Six before =
         motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
     const Six after =
@@ -113,7 +117,7 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
-    ContactPatch& patch = island.patches[idx(contact)];
+    ContactPatch& patch = island.all_patches[idx(contact)];
     most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
                                       island.now[idx(patch.second)], patch_iterations, residual));
   }
@@ -123,8 +127,8 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 }
 
 void discard_impulses(const Island& island) {
-  for (const int contact : island.contacts) {
-    ContactPatch& patch = island.patches[idx(contact)];
+  for (const int contact : island.patch_indices) {
+    ContactPatch& patch = island.all_patches[idx(contact)];
     patch.along_impulse = patch.across_impulse = patch.twist_impulse = 0.0;
     for (ContactPatchPoint& p : patch.points) {
       p.impulse = 0.0;
@@ -152,7 +156,8 @@ void limit_energy(const Island& island, StepReport& report) {
   const double a = 2.0 * (before + after - 2.0 * halfway);
   const double share = std::clamp(1.0 - (after - before) / a, 0.0, 1.0);
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
-  for (const int contact : island.contacts) scale_impulses(share, island.patches[idx(contact)]);
+  for (const int contact : island.patch_indices)
+    scale_impulses(share, island.all_patches[idx(contact)]);
   ++report.fallbacks;
 }
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief One island in a step, and sweeps over it (thesis 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
@@ -15,15 +15,15 @@ namespace tumble {
 /// An island in a step: bodies that touch one another, their patches, and their velocities. A view; all
 /// velocities are of the whole world, by body index.
 struct Island {
-  const World& world;                 ///< all bodies
-  double dt = 0.0;                    ///< [s] of the step
-  std::span<const int> bodies;        ///< indices of its movable bodies, at least one
-  std::span<const int> contacts;      ///< places of its patches in `patches`, ascending
-  std::span<const int> upward;        ///< the same from the ground up, the order of sweeps
-  std::span<ContactPatch> patches;    ///< of all islands
-  std::span<const MovingBody> start;  ///< velocities before gravity
-  std::span<const MovingBody> free;   ///< with gravity, without contacts
-  std::span<MovingBody> now;          ///< with the impulses so far
+  const World& world;                   ///< all bodies
+  double dt = 0.0;                      ///< [s] of the step
+  std::span<const int> bodies;          ///< indices of its movable bodies, at least one
+  std::span<const int> patch_indices;   ///< of its patches in `all_patches`, ascending
+  std::span<const int> upward;          ///< the same from the ground up, the order of sweeps
+  std::span<ContactPatch> all_patches;  ///< of all islands
+  std::span<const MovingBody> start;    ///< velocities before gravity
+  std::span<const MovingBody> free;     ///< with gravity, without contacts
+  std::span<MovingBody> now;            ///< with the impulses so far
 };
 
 /// The shortest edge of a body in an island's patches.
@@ -56,7 +56,7 @@ struct SpeedRange {
   return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
 }
 
-/// Whether a body moves fast, both before the step and with the impulses so far: see SpeedRange.
+/// Whether a body moves fast for its size, both before the step and with the impulses so far: see SpeedRange.
 /// \param island  the island
 /// \param k       index of the body
 /// \return false for an immovable body
@@ -66,6 +66,11 @@ struct SpeedRange {
 /// \param island  the island
 /// \return see there
 [[nodiscard]] SpeedRange speed_range(const Island& island);
+
+/// Whether an island is large and moves fast: its contacts change in the next step, so nothing is solved far.
+/// \param island  the island
+/// \return true if so
+[[nodiscard]] bool is_large_and_fast(const Island& island);
 
 /// Whether an island has at most tolerance::small_island bodies.
 /// \param island  the island

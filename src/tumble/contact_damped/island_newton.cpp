@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-using island::add_push, island::into_cone, island::motion_at, island::raise;
+using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::raise;
 
 namespace {
 
@@ -35,7 +35,7 @@ void IslandSolver::evaluate_springs(std::span<const ContactPatch> patches) {
     const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[idx(i)];
-      const double rho = tolerance::island_polish / p.inverse_mass;
+      const double rho = tolerance::newton_stiffness / p.inverse_mass;
       p.motion = motion_at(p.along, p.across, motion);
       p.motion[2] += p.shift - p.target;
       const Vec3 asked = p.impulse - rho * p.motion;
@@ -123,7 +123,7 @@ double IslandSolver::slope(double share) const {
 // largest change by that [m/s].
 double IslandSolver::update_impulses(double shift_tolerance, double residual) {
   for (Point& p : points_) {
-    raise(p.inverse_mass / tolerance::island_polish * (p.spring_impulse - p.impulse).norm(),
+    raise(p.inverse_mass / tolerance::newton_stiffness * (p.spring_impulse - p.impulse).norm(),
           residual);
     p.impulse = p.spring_impulse;
     const double shift = p.friction * p.motion.head<2>().norm();

@@ -13,11 +13,11 @@ void IslandOrder::update(const World& world, std::span<const ContactPatch> patch
   new_ids_.clear();
   for (const ContactPatch& patch : patches) new_ids_.emplace_back(patch.first_id, patch.second_id);
   if (std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()) && new_ids_ == ids_ &&
-      bodies_ == world.count() && gravity_w_ == world.gravity_w)
+      body_count_ == world.count() && gravity_w_ == world.gravity_w)
     return;
   pairs_.assign(pairs.begin(), pairs.end());
   std::swap(ids_, new_ids_);
-  bodies_ = world.count();
+  body_count_ = world.count();
   gravity_w_ = world.gravity_w;
   build(world, patches);
 }

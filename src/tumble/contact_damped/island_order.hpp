@@ -1,7 +1,7 @@
 /// \file
 /// \brief The islands of a step, and the order of sweeps over their patches (thesis 4.5, 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact/graph.hpp"
@@ -28,9 +28,6 @@ class IslandOrder {
   void update(const World& world, std::span<const ContactPatch> patches,
               std::span<const IndexPair> pairs);
 
-  /// Makes the next update() find them again.
-  void clear() { bodies_ = -1; }
-
   /// The islands.
   /// \return their "contacts" are places of patches
   [[nodiscard]] const Islands& islands() const { return islands_; }
@@ -49,7 +46,7 @@ class IslandOrder {
   std::vector<int> order_;  // places of patches, island by island
   std::vector<int> start_;  // of an island in order_
   // What they were found for.
-  int bodies_ = -1;
+  int body_count_ = -1;
   Vec3 gravity_w_ = Vec3::Zero();
   std::vector<IndexPair> pairs_;
   std::vector<std::pair<BodyId, BodyId>> ids_;

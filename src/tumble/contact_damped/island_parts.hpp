@@ -9,7 +9,7 @@
 #include <cmath>
 
 /// Arithmetic of IslandSolver.
-namespace tumble::island {
+namespace tumble::island_math {
 
 /// Velocity and angular velocity in one vector.
 /// \param body  a body
@@ -109,4 +109,4 @@ struct Spring {
   }
 };
 
-}  // namespace tumble::island
+}  // namespace tumble::island_math

@@ -38,10 +38,10 @@ double speed_gained(const Island& island) {
 // Whether a patch slides so fast, before the step and with the impulses so far, that friction cannot stop it in a
 // few steps.
 bool has_sliding_patch(const Island& island, double unit_speed) {
-  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](int contact) {
-    const ContactPatch& patch = island.patches[idx(contact)];
+  return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
     if (!(impulse_of(patch)[six::normal] > 0.0 && patch.friction > 0.0)) return false;
-    const double limit = tolerance::island_slides * patch.friction * unit_speed;
+    const double limit = tolerance::slide_steps * patch.friction * unit_speed;
     const auto slides = [&](std::span<const MovingBody> bodies) {
       const Six u = motion_of(patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
       return u[0] * u[0] + u[1] * u[1] > limit * limit;
@@ -59,7 +59,7 @@ double stiffness_for_masses(const Island& island) {
     lightest = std::min(lightest, island.world.bodies()[idx(k)].mass);
     heaviest = std::max(heaviest, island.world.bodies()[idx(k)].mass);
   }
-  return std::min(tolerance::island_stiffness * (heaviest / lightest), tolerance::island_hardness);
+  return std::min(tolerance::admm_stiffness * (heaviest / lightest), tolerance::admm_max_stiffness);
 }
 
 // A small island is solved to convergence.
@@ -88,7 +88,7 @@ IslandLimits quiet_limits(const Island& island, int iterations) {
 IslandLimits fast_limits(const Island& island, int iterations) {
   IslandLimits limits;
   limits.residual = tolerance::solved_residual * negligible_residual(island);
-  limits.enough =
+  limits.early_stop_residual =
       tolerance::fast_residual * negligible_residual(island) / tolerance::contact_settled;
   limits.max_iterations = std::min(iterations, tolerance::fast_iterations);
   limits.max_newton_steps = 0;
@@ -106,7 +106,7 @@ IslandLimits large_limits(const Island& island, int iterations) {
 
 }  // namespace
 
-FirstSweeps sweep_first(const Island& island, bool solved_last_step, StepReport& report) {
+FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report) {
   const int patch_iterations = patch_iterations_of(island);
   const double skipped = skipped_residual_of(island);
   const double negligible = negligible_residual(island);
@@ -114,9 +114,9 @@ FirstSweeps sweep_first(const Island& island, bool solved_last_step, StepReport&
   first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
   // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
   // solution they may change no velocity.
-  first.rebounds = first.down < negligible && solved_last_step &&
-                   speed_gained(island) > tolerance::solved_residual * negligible;
-  first.settled = first.down < negligible && !first.rebounds;
+  first.stale_warm_start = first.down < negligible && direct_last_step &&
+                           speed_gained(island) > tolerance::solved_residual * negligible;
+  first.settled = first.down < negligible && !first.stale_warm_start;
   if (!first.settled) first.up = sweep(island, SweepOrder::up, patch_iterations, skipped, report);
   return first;
 }
@@ -128,9 +128,10 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   const double unit_speed = negligible / tolerance::contact_settled;
   const SpeedRange speed = speed_range(island);
   const bool small = is_small(island);
-  const bool fast = speed.lower >= tolerance::calm_speed;
+  const bool fast = speed.lower >= tolerance::fast_speed;
   const bool quiet = !small && speed.higher < tolerance::quiet_speed;
-  const bool converging = !first.rebounds && first.up < tolerance::sweeps_converging * first.down;
+  const bool converging =
+      !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
   // others, and for small islands in any case.
@@ -146,7 +147,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   plan.skipped_residual = skipped_residual_of(island);
   plan.residual = tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
-  plan.moves_fast = fast && !small;
+  plan.large_and_fast = fast && !small;
   plan.slow_approach = tolerance::slow_approach * unit_speed;
 
   plan.direct = small   ? small_limits(island, iterations)
@@ -154,7 +155,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
                 : quiet ? quiet_limits(island, iterations)
                         : large_limits(island, iterations);
   plan.direct.unit_speed = unit_speed;
-  plan.direct.max_work = tolerance::island_work;
+  plan.direct.max_work = tolerance::max_factor_work;
   return plan;
 }
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief The plan by which an island is solved: one of four methods, with its limits (thesis 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/island.hpp"
@@ -14,8 +14,8 @@ struct FirstSweeps {
   double down = 0.0;     ///< [m/s] largest change of a velocity in the sweep down
   double up = 0.0;       ///< [m/s] the same in the sweep up; 0 if it was not needed
   bool settled = false;  ///< the sweep down found nothing to change: the island is solved
-  bool rebounds =
-      false;  ///< it would be, but warm starting has set an island in motion that was just stopped
+  /// Nothing to change, but the impulses that stopped the island in the step before would set it moving.
+  bool stale_warm_start = false;
 };
 
 /// The method that solves an island after its first sweeps.
@@ -35,17 +35,17 @@ struct IslandPlan {
   double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
-  bool moves_fast = false;          ///< then they are also enough if `slow_approach` is met
+  bool large_and_fast = false;      ///< then they are also enough if `slow_approach` is met
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_bodies()
   IslandLimits direct;              ///< of the direct solver
 };
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up.
 /// \param island              after warm_start()
-/// \param solved_last_step  whether the direct solver was used for it in the step before
+/// \param direct_last_step    whether the direct solver was used for it in the step before
 /// \param report              counts sweeps
 /// \return what they found
-FirstSweeps sweep_first(const Island& island, bool solved_last_step, StepReport& report);
+FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
 /// Chooses how an island is solved.
 /// \param island      after sweep_first()

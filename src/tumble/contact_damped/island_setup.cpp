@@ -11,8 +11,8 @@
 
 namespace tumble {
 
-using island::add_push, island::into_cone, island::motion_at, island::motion_of, island::Spring,
-    island::velocities_of, island::wrench_of;
+using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::motion_of,
+    island_math::Spring, island_math::velocities_of, island_math::wrench_of;
 
 namespace {
 
@@ -36,19 +36,19 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 
 }  // namespace
 
-void IslandSolver::load(std::span<const int> members, std::span<const int> contacts,
+void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
                         std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-                        std::span<const MovingBody> bodies) {
-  member_of_.assign(bodies.size(), -1);
+                        std::span<const MovingBody> now) {
+  member_of_.assign(now.size(), -1);
   members_.clear();
   stamps_.clear();
-  for (const int body : members) {
+  for (const int body : bodies) {
     member_of_[idx(body)] = static_cast<int>(members_.size());
     Member& member = members_.emplace_back();
-    member.mass = 1.0 / bodies[idx(body)].inverse_mass.x();
-    member.inertia_w = bodies[idx(body)].inverse_inertia_w.inverse();
+    member.mass = 1.0 / now[idx(body)].inverse_mass.x();
+    member.inertia_w = now[idx(body)].inverse_inertia_w.inverse();
     member.free = velocities_of(free[idx(body)]);
-    member.now = velocities_of(bodies[idx(body)]);
+    member.now = velocities_of(now[idx(body)]);
   }
   double heaviest = 0.0;  // [kg]
   for (const Member& member : members_) heaviest = std::max(heaviest, member.mass);
@@ -160,7 +160,7 @@ void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, doubl
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
       p.slides =
-          law == FrictionLaw::coulomb && speed > tolerance::island_slides * p.friction * unit_speed;
+          law == FrictionLaw::coulomb && speed > tolerance::slide_steps * p.friction * unit_speed;
       stamps_.push_back(p.slides ? 1 : 0);
       if (p.slides) {
         p.slip_direction = {u[0] / speed, u[1] / speed, 0.0};

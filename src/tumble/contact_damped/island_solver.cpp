@@ -11,7 +11,7 @@
 
 namespace tumble {
 
-using island::add_push, island::into_cone, island::motion_at, island::raise;
+using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::raise;
 
 // First half of an ADMM iteration: the velocities of all bodies, with all springs on.
 void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
@@ -42,8 +42,8 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
       Vec3 u = motion_at(p.along, p.across, motion);
       if (p.slides) {
         u[2] -= p.target;
-        const double further = tolerance::island_relaxation * u[2] +
-                               (1.0 - tolerance::island_relaxation) * p.auxiliary[2];
+        const double further =
+            tolerance::admm_relaxation * u[2] + (1.0 - tolerance::admm_relaxation) * p.auxiliary[2];
         const double impulse = std::max(0.0, p.impulse[2] - rho * further);
         const double auxiliary = further + (impulse - p.impulse[2]) / rho;
         raise(std::abs(u[2] - auxiliary), primal);
@@ -57,7 +57,7 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
       u[2] += p.shift - p.target;
       // Over-relaxation saves a third of the iterations.
       const Vec3 further =
-          tolerance::island_relaxation * u + (1.0 - tolerance::island_relaxation) * p.auxiliary;
+          tolerance::admm_relaxation * u + (1.0 - tolerance::admm_relaxation) * p.auxiliary;
       const Vec3 impulse = into_cone(p.impulse - rho * further, p.friction);
       const Vec3 auxiliary = further + (impulse - p.impulse) / rho;
       raise((u - auxiliary).norm(), primal);
@@ -77,19 +77,19 @@ void IslandSolver::adjust_stiffness(double primal, double dual, double most) {
   if (!(ratio > unbalanced || ratio < 1.0 / unbalanced)) return;
   const double change =
       std::clamp(ratio, 1.0 / tolerance::stiffness_change, tolerance::stiffness_change);
-  stiffness_ = std::clamp(stiffness_ * change, tolerance::island_softness, most);
+  stiffness_ = std::clamp(stiffness_ * change, tolerance::admm_min_stiffness, most);
 }
 
 // Writes impulses back, and velocities: those that follow from the impulses if these are right or nearly so,
 // otherwise those with the springs, which meet the conditions better.
-void IslandSolver::store(std::span<const int> members, bool from_impulses,
+void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
                          std::span<const MovingBody> free, std::span<ContactPatch> patches,
-                         std::span<MovingBody> bodies) const {
+                         std::span<MovingBody> now) const {
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    MovingBody& body = bodies[idx(members[m])];
-    body.velocity_w = from_impulses ? free[idx(members[m])].velocity_w : members_[m].now.head<3>();
+    MovingBody& body = now[idx(bodies[m])];
+    body.velocity_w = from_impulses ? free[idx(bodies[m])].velocity_w : members_[m].now.head<3>();
     body.angular_velocity_w =
-        from_impulses ? free[idx(members[m])].angular_velocity_w : members_[m].now.tail<3>();
+        from_impulses ? free[idx(bodies[m])].angular_velocity_w : members_[m].now.tail<3>();
     body.changed = true;
   }
   for (const Constraint& constraint : constraints_) {
@@ -104,14 +104,14 @@ void IslandSolver::store(std::span<const int> members, bool from_impulses,
     patch.along_impulse = sum[0];
     patch.across_impulse = sum[1];
     patch.twist_impulse = sum[5];
-    if (from_impulses) apply(sum, patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
+    if (from_impulses) apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
   }
 }
 
 // ADMM iterations until the residual is small, or too many. Returns false if they have diverged.
 bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLimits& limits,
                            FrictionLaw law, IslandResult& result) {
-  stiffness_ = tolerance::island_stiffness;
+  stiffness_ = tolerance::admm_stiffness;
   begin_iterations(patches, limits.unit_speed, law);
   double first_residual = 0.0;  // [m/s] after one iteration
   for (int k = 1; k <= limits.max_iterations; ++k) {
@@ -125,7 +125,9 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
     result.residual = std::max(stiffness_ * primal, dual);
     result.converged = result.residual < limits.residual;
     if (k == 1) first_residual = result.residual;
-    if (result.converged || result.residual < limits.enough || std::isnan(result.residual)) break;
+    if (result.converged || result.residual < limits.early_stop_residual ||
+        std::isnan(result.residual))
+      break;
     if (k % tolerance::stiffness_interval == 0 &&
         k + tolerance::stiffness_last <= limits.max_iterations)
       adjust_stiffness(primal, dual, limits.max_stiffness);
@@ -133,24 +135,24 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
   return result.residual <= tolerance::admm_diverged * first_residual + limits.unit_speed;
 }
 
-IslandResult IslandSolver::solve(std::span<const int> members, std::span<const int> contacts,
+IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const int> contacts,
                                  const IslandLimits& limits, std::span<const MovingBody> free,
-                                 std::span<ContactPatch> patches, std::span<MovingBody> bodies) {
+                                 std::span<ContactPatch> patches, std::span<MovingBody> now) {
   IslandResult result;
-  load(members, contacts, free, patches, bodies);
+  load(bodies, contacts, free, patches, now);
   if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
   if (static_cast<double>(matrix_.multiplications_of_factor()) >
-      limits.max_work * static_cast<double>(members.size()))
+      limits.max_work * static_cast<double>(bodies.size()))
     return result;
   result.accepted = true;
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
-    load(members, contacts, free, patches, bodies);
+    load(bodies, contacts, free, patches, now);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
-    if (result.accepted) store(members, result.converged, free, patches, bodies);
+    if (result.accepted) store(bodies, result.converged, free, patches, now);
     return result;
   }
   if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
-  store(members, result.converged || result.improved, free, patches, bodies);
+  store(bodies, result.converged || result.improved, free, patches, now);
   return result;
 }
 

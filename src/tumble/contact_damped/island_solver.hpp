@@ -1,7 +1,7 @@
 /// \file
 /// \brief The direct solver: all contact patches of an island at once, by ADMM and Newton steps (thesis 6.3.1).
 ///
-/// Uses no other chapter.
+/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
@@ -21,13 +21,14 @@ struct IslandLimits {
   double unit_speed = 0.0;  ///< [m/s] speed that gravity gives in a step, or a substitute for it
   int max_iterations = 20;  ///< ADMM iterations, at least 1
   double max_work = 0.0;    ///< [-] multiplications of a factorization for each body, at most
-  double max_stiffness = tolerance::island_hardness;  ///< [-] of the springs of ADMM
-  int max_newton_steps = 100;                         ///< after ADMM; each factors the matrix
+  double max_stiffness = tolerance::admm_max_stiffness;  ///< [-] of the springs of ADMM
+  int max_newton_steps = 100;                            ///< after ADMM; each factors the matrix
   /// [m/s] Error of a point's shift that is accepted after Newton steps. Above 0 their result is also
   /// taken when they have not converged, if it is in balance and its residual much smaller than before.
   double shift_tolerance = 0.0;
   int max_shift_updates = 100;  ///< updates of impulses and shifts between Newton steps
-  double enough = 0.0;  ///< [m/s] ADMM ends below it too, though that does not count as solved
+  double early_stop_residual =
+      0.0;  ///< [m/s] ADMM ends below it too, though that does not count as solved
 };
 
 /// How IslandSolver ended.
@@ -93,16 +94,16 @@ struct IslandResult {
 class IslandSolver {
  public:
   /// Solves one island.
-  /// \param members   indices of the island's movable bodies
+  /// \param bodies    indices of the island's movable bodies
   /// \param contacts  places of its patches in `patches`
   /// \param limits    when to stop
   /// \param free      how the bodies would move without any contact, by index
   /// \param patches   with their targets; impulses in (a start) and out
-  /// \param bodies    by index: velocities in (a start) and out
+  /// \param now       by index: velocities in (a start) and out
   /// \return how it ended; nothing is changed unless it was accepted
-  IslandResult solve(std::span<const int> members, std::span<const int> contacts,
+  IslandResult solve(std::span<const int> bodies, std::span<const int> contacts,
                      const IslandLimits& limits, std::span<const MovingBody> free,
-                     std::span<ContactPatch> patches, std::span<MovingBody> bodies);
+                     std::span<ContactPatch> patches, std::span<MovingBody> now);
 
  private:
   // The shift s is found by substitution, which diverges where friction or the ratio of masses is very large. Without
@@ -143,9 +144,9 @@ class IslandSolver {
   };
 
   // island_setup.cpp: bodies, points and the matrix.
-  void load(std::span<const int> members, std::span<const int> contacts,
+  void load(std::span<const int> bodies, std::span<const int> contacts,
             std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-            std::span<const MovingBody> bodies);
+            std::span<const MovingBody> now);
   void load_points(const ContactPatch& patch, double heaviest);
   void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);
   [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
@@ -163,8 +164,8 @@ class IslandSolver {
   void project_impulses(std::span<const ContactPatch> patches, FrictionLaw law, double& primal,
                         double& dual);
   void adjust_stiffness(double primal, double dual, double most);
-  void store(std::span<const int> members, bool from_impulses, std::span<const MovingBody> free,
-             std::span<ContactPatch> patches, std::span<MovingBody> bodies) const;
+  void store(std::span<const int> bodies, bool from_impulses, std::span<const MovingBody> free,
+             std::span<ContactPatch> patches, std::span<MovingBody> now) const;
 
   // island_newton.cpp
   void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,

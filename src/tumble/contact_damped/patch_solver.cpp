@@ -14,9 +14,9 @@ namespace {
 
 // A patch while it is solved.
 struct PatchUpdate {
-  Six motion{};             // relative motion of its bodies with the impulses so far
-  Six change{};             // impulse added so far
-  double correction = 0.0;  // [m/s] largest change of a velocity
+  Six motion{};                 // relative motion of its bodies with the impulses so far
+  Six change{};                 // impulse added so far
+  double largest_change = 0.0;  // [m/s] of a velocity
 };
 
 // Where the pressure of a patch acts: its sum, its centre, and the lever of friction about it.
@@ -90,7 +90,8 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   patch.along_impulse = impulse[six::along];
   patch.across_impulse = impulse[six::across];
   patch.twist_impulse = impulse[six::twist];
-  update.correction = std::sqrt(wrong[0] * wrong[0] + wrong[1] * wrong[1] + wrong[2] * wrong[2]);
+  update.largest_change =
+      std::sqrt(wrong[0] * wrong[0] + wrong[1] * wrong[1] + wrong[2] * wrong[2]);
   return true;
 }
 
@@ -139,7 +140,7 @@ void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   patch.across_impulse += more.y();
   patch.twist_impulse += twist;
   // The length of a vector, not a component, so that it does not depend on the choice of tangents.
-  update.correction = std::max(update.correction, (A * more).norm());
+  update.largest_change = std::max(update.largest_change, (A * more).norm());
 }
 
 // Normal velocity of a point.
@@ -170,7 +171,7 @@ void solve_point(const ContactPatchPoint& p, double target, const SixBySix& K, d
   update.change[six::roll_along] += more * p.across;
   update.change[six::roll_across] -= more * p.along;
   impulse = wanted;
-  update.correction = std::max(update.correction, std::abs(more) * inverse_mass);
+  update.largest_change = std::max(update.largest_change, std::abs(more) * inverse_mass);
 }
 
 // Brings the normal velocities of all points to their targets at once. Of the pressures that do so, the most
@@ -200,7 +201,8 @@ bool solve_pressure_at_once(ContactPatch& patch, PatchUpdate& update) {
   if (!(impulse[six::normal] > 0.0) || !distribute_evenly(impulse, patch, pressure)) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
-    update.correction = std::max(update.correction, std::abs(w2 + p.across * w3 - p.along * w4));
+    update.largest_change =
+        std::max(update.largest_change, std::abs(w2 + p.across * w3 - p.along * w4));
     patch.points[i].impulse = pressure[i];
   }
   for (std::size_t k = 0; k < 6; ++k)
@@ -255,16 +257,16 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
   if (!touches && solved()) return 0.0;
   double correction = 0.0;
   if (patch.targets_planar && try_sticking(patch, update)) {
-    correction = update.correction;
+    correction = update.largest_change;
   } else {
     if (touches && solved()) return 0.0;
     update.change = {};
     for (int k = 0; k < iterations; ++k) {
-      update.correction = 0.0;
+      update.largest_change = 0.0;
       solve_friction(patch, update);
       solve_pressure(patch, update);
-      correction = std::max(correction, update.correction);
-      if (update.correction < tolerance::patch_settled * correction) break;
+      correction = std::max(correction, update.largest_change);
+      if (update.largest_change < tolerance::patch_settled * correction) break;
     }
   }
   if (correction > 0.0) apply(update.change, patch, first, second);
@@ -288,8 +290,8 @@ double correct_overlap(ContactPatch& patch, double slop, double share, MovingBod
     solve_point(p, excess > 0.0 ? share * excess : excess, patch.correction_inverse_mass,
                 p.correction, update);
   }
-  if (update.correction > 0.0) apply(update.change, patch, first, second);
-  return update.correction;
+  if (update.largest_change > 0.0) apply(update.change, patch, first, second);
+  return update.largest_change;
 }
 
 }  // namespace tumble

@@ -21,24 +21,25 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
     if (residual < plan.residual) return true;
   }
   return residual < plan.fair_residual ||
-         (plan.moves_fast && approach_of_slow_bodies(island) < plan.slow_approach);
+         (plan.large_and_fast && approach_of_slow_bodies(island) < plan.slow_approach);
 }
 
 // All patches together. Returns whether the direct solver accepted the island.
 bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
                     StepReport& report) {
-  const IslandResult result = solver.solve(island.bodies, island.contacts, plan.direct, island.free,
-                                           island.patches, island.now);
+  const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
+                                           island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
   return result.accepted;
 }
 
-// Marks bodies with an impulse as not in flight. The others move as if there were no contact: impulses that were
-// added and removed leave rounding. More than that is momentum which the springs of the direct solver exchanged.
-void release_untouched(const Island& island, std::span<char> in_flight) {
-  for (const int contact : island.contacts) {
-    const ContactPatch& patch = island.patches[idx(contact)];
+// Clears `in_flight` of the bodies that do not fly their parabola. A body on which no point pushes flies, if its
+// velocity is changed by no more than rounding, which impulses leave that were added and removed. More is momentum
+// from the springs of the direct solver.
+void decide_flight(const Island& island, std::span<char> in_flight) {
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
     const std::span<const ContactPatchPoint> points = patch.used();
     const bool pushes = std::any_of(points.begin(), points.end(),
                                     [](const ContactPatchPoint& p) { return p.impulse > 0.0; });
@@ -69,17 +70,17 @@ void release_untouched(const Island& island, std::span<char> in_flight) {
 }  // namespace
 
 void ContactDamped::solve_island(const Island& island, StepReport& report) {
-  if (island.contacts.empty()) return;
+  if (island.patch_indices.empty()) return;
   const BodyId id = island.world.ids()[idx(island.bodies.front())];
-  const bool solved_before =
+  const bool direct_last_step =
       std::binary_search(memory_.solved_directly.begin(), memory_.solved_directly.end(), id);
   // [S6.3.1:island]
   // Begin with the impulses of the step before.
   warm_start(island);
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
-  const FirstSweeps first = sweep_first(island, solved_before, report);
-  const IslandPlan plan = plan_island(island, first, options_.passes, options_.rounds);
+  const FirstSweeps first = sweep_first(island, direct_last_step, report);
+  const IslandPlan plan = plan_island(island, first, options_.sweeps, options_.admm_iterations);
   if (plan.discard_warm_start) discard_impulses(island);
   bool direct = false;
   switch (plan.method) {
@@ -98,7 +99,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       break;
   }
   if (direct) storage_.solved_directly.push_back(id);
-  release_untouched(island, storage_.in_flight);
+  decide_flight(island, storage_.in_flight);
   limit_energy(island, report);
   // [S6.3.1:island]
 }

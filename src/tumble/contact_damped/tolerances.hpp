@@ -31,25 +31,25 @@ inline constexpr double kept_motion = 1e-6;
 /// the same way. (6.3.1)
 inline constexpr double contact_settled = 1e-5;
 
-/// [-] An island with a point faster than this share of sqrt(g L) moves too fast to be solved as a whole.
-/// Reason: at 1.6 m/s and 1 m a step is 3 cm, and micrometres are not seen; boxes of a wall that lands
+/// [-] An island with a point faster than this share of sqrt(g L) moves fast, and is swept before the direct solver
+/// is tried. Reason: at 1.6 m/s and 1 m a step is 3 cm, and micrometres are not seen; boxes of a wall that lands
 /// from a millimetre are slower. (6.3.1)
-inline constexpr double calm_speed = 0.5;
+inline constexpr double fast_speed = 0.5;
 
 /// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
 inline constexpr double weightless_unit = 0.05;
 
 /// [-] An island slower than this share of sqrt(g L) hardly moves. Reason: a wall that lands at 0.3 m/s
-/// needs all rounds; at a tenth of it few hold it. (6.3.1)
+/// needs all ADMM iterations; at a tenth of it few hold it. (6.3.1)
 inline constexpr double quiet_speed = 0.01;
 
-/// [-] The same where there is no gravity: the speed scale as a share of L / dt. Reason: gravity moves a
+/// [-] Stands for g dt where there is no gravity, as a share of L / dt. Reason: gravity moves a
 /// metre's box at 60 Hz by about as much, 0.3 % of it in a step. (6.3.1)
 inline constexpr double weightless_speed = 3e-3;
 
 /// [-] Springs of the direct solver, as a multiple of the mass that a point resists with. Reason: of 10,
-/// 30, 100, 300 and 1000 the one with the fewest rounds for stacks, pyramids and walls that land. (6.3.1)
-inline constexpr double island_stiffness = 100.0;
+/// 30, 100, 300 and 1000 the one with the fewest iterations for stacks, pyramids and walls that land. (6.3.1)
+inline constexpr double admm_stiffness = 100.0;
 
 /// [-] The mass that a point resists with counts as at least the heaviest body's over this. Reason: of 1, 10, 100 and
 /// 1000 the one with which random worlds with mass ratios of a million overlap least. (6.3.1)
@@ -57,16 +57,16 @@ inline constexpr double lightest_spring = 100.0;
 
 /// [-] Springs of the direct solver at their hardest, as a multiple of the mass that a point resists with.
 /// Reason: half of the digits are left for what they solve. (6.3.1)
-inline constexpr double island_hardness = 1e6;
+inline constexpr double admm_max_stiffness = 1e6;
 
 /// [-] Springs that Newton's steps of the direct solver keep in balance, ditto. Reason: of 1e3, 1e4 and 1e5 the
 /// one with which scenes turned about the vertical stay closest. Harder ones enlarge the rounding of
 /// velocities in impulses that nothing else determines, softer ones take too many steps. (6.3.1)
-inline constexpr double island_polish = 1e4;
+inline constexpr double newton_stiffness = 1e4;
 
 /// [-] Steps that friction of a body's own weight would need to stop what counts as sliding. Reason: at four
 /// the direction of the slide hardly changes within a step. (6.3.1)
-inline constexpr double island_slides = 4.0;
+inline constexpr double slide_steps = 4.0;
 
 /// [rad] Turn in a step beyond which the way of a point by rotation is taken along its arc. Reason: up to
 /// here the tangent is off by less than an eighth of the way. (6.3.1)
@@ -76,13 +76,13 @@ inline constexpr double fast_turn = 0.5;
 /// change; a push changes it by more. (3.2)
 inline constexpr double kept_reach = 2.0;
 
-/// [-] How much further than its spring a point goes in a round. Reason: 1.5 to 1.8 save a third of the
-/// rounds; 2 would never end. (6.3.1)
-inline constexpr double island_relaxation = 1.6;
+/// [-] How much further than its spring a point goes in an iteration. Reason: 1.5 to 1.8 save a third of the
+/// iterations; 2 would never end. (6.3.1)
+inline constexpr double admm_relaxation = 1.6;
 
 /// [-] Multiplications for each body up to which an island's matrix is factored. Reason: a pyramid of 204
 /// boxes in space needs a quarter of it; a pile of a thousand more, and sweeps have to do. (6.3.1)
-inline constexpr double island_work = 2e5;
+inline constexpr double max_factor_work = 2e5;
 
 /// [-] Overlap that repair leaves, as a share of the shortest edge. Reason: below the slop, so that a
 /// repaired patch is not looked at again for a rounding. (4.4)
@@ -206,7 +206,7 @@ inline constexpr double stiffness_change = 10.0;
 
 /// [-] Lowest stiffness of the springs, as a multiple of the mass that a point resists with. Reason: softer ones
 /// hardly act. (6.3.1)
-inline constexpr double island_softness = 0.1;
+inline constexpr double admm_min_stiffness = 0.1;
 
 /// [-] Multiple of the residual after the first ADMM iteration beyond which the iterations have diverged. Reason:
 /// the shift of sliding points is found by substitution, which diverges for large friction or mass ratios. (6.3.1)

@@ -4,20 +4,18 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/geometry/painters_order.hpp"
 #include "tumble/pictures/lighting.hpp"
+#include "tumble/pictures/painters_order.hpp"
 #include "tumble/pictures/picture_parts.hpp"
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace tumble {
 namespace {
 
-constexpr double kTooSmall = 0.02;    // [px²] an invisible area
-constexpr double kOutlineRoom = 1.5;  // [px] beside an edge for the line that is drawn along it
-constexpr int kDeepestRing = 6;       // most nested cyclic overlaps
+constexpr double kTooSmall = 0.02;  // [px²] an invisible area
+constexpr double kSeam = 0.5;  // [px] parts of a face overlap, so that no gap is seen between them
 
 // Adds areas to a picture in painter's order.
 class Painter {
@@ -28,20 +26,11 @@ class Painter {
   Picture take() { return std::move(picture_); }
 
  private:
-  // A box, ready to be painted repeatedly.
-  struct Prepared {
-    Polygon outline;                 // [px]
-    std::vector<PictureArea> areas;  // faces, with pips and shadows
-  };
-
-  void paint(const std::vector<int>& numbers, const Polygon& region, int depth);
-  void mend(const std::vector<int>& order, const Polygon& region, int depth);
+  void paint_together(const std::vector<int>& boxes);
   void add(const PictureArea& area, const Polygon& region);
-  [[nodiscard]] Polygon common(int one, int other, const Polygon& region, double room) const;
 
   const PictureScene& scene_;
   Polygon frame_;  // [px] in the sense of rotation of convex_hull()
-  std::vector<Prepared> prepared_;
   Picture picture_;
 };
 
@@ -57,58 +46,39 @@ void Painter::paint_floor(std::span<const PictureBox> around) {
 }
 
 void Painter::paint_boxes() {
-  for (std::size_t k = 0; k < scene_.boxes.size(); ++k) {
-    Prepared box;
-    for (const Vec3& corner_w : corners_of(scene_.boxes[k].box))
-      box.outline.push_back(scene_.view(corner_w));
-    box.outline = convex_hull(std::move(box.outline));
-    box.areas = face_areas(scene_, k);
-    prepared_.push_back(std::move(box));
-  }
-  std::vector<int> all(scene_.boxes.size());
-  std::iota(all.begin(), all.end(), 0);
-  paint(all, frame_, 0);
-}
-
-// The intersection of two boxes' outlines with a region.
-Polygon Painter::common(int one, int other, const Polygon& region, double room) const {
-  return clipped(clipped(region, prepared_[idx(one)].outline, room), prepared_[idx(other)].outline,
-                 room);
-}
-
-// Paints some of the boxes, clipped to a region.
-void Painter::paint(const std::vector<int>& numbers, const Polygon& region, int depth) {
   std::vector<Box> shapes;
-  for (const int number : numbers) shapes.push_back(scene_.boxes[idx(number)].box);
-  const auto meet_here = [&](int a, int b) {
-    return depth == 0 || area_of(common(numbers[idx(a)], numbers[idx(b)], region, 0.0)) > kTooSmall;
-  };
-  const PaintersOrder sorted = painters_order(shapes, ViewPoint::from_eye(scene_.eye_w), meet_here);
-  std::vector<int> order;
-  for (const int place : sorted.order) order.push_back(numbers[idx(place)]);
-  for (const int number : order) {
-    for (const PictureArea& area : prepared_[idx(number)].areas) add(area, region);
+  for (const PictureBox& b : scene_.boxes) shapes.push_back(b.box);
+  for (const std::vector<int>& group : painters_order(shapes, scene_.eye_w)) {
+    if (group.size() > 1) {
+      paint_together(group);
+      continue;
+    }
+    for (const PictureFace& face : visible_faces(scene_, idx(group.front()))) {
+      for (const PictureArea& area : face.areas) add(area, frame_);
+    }
   }
-  if (sorted.cycles > 0 && depth < kDeepestRing) mend(order, region, depth);
-  if (sorted.cycles > 0 && depth == kDeepestRing) picture_.rings += sorted.cycles;
 }
 
-// Resolves a cyclic overlap: wherever a box was painted before one that it covers, everything in the
-// intersection of the two is painted again. Fewer boxes overlap there, and finally none cyclically.
-void Painter::mend(const std::vector<int>& order, const Polygon& region, int depth) {
-  for (std::size_t later = 1; later < order.size(); ++later) {
-    for (std::size_t sooner = 0; sooner < later; ++sooner) {
-      const int one = order[sooner];
-      const int other = order[later];
-      if (area_of(common(one, other, region, 0.0)) < kTooSmall) continue;
-      const std::array<Box, 2> pair = {scene_.boxes[idx(one)].box, scene_.boxes[idx(other)].box};
-      if (painters_order(pair, scene_.eye_w).order.front() == 0) continue;  // correct order
-      const Polygon wider = common(one, other, region, kOutlineRoom);
-      std::vector<int> there;
-      for (const int number : order) {
-        if (clipped(wider, prepared_[idx(number)].outline).size() > 2) there.push_back(number);
-      }
-      paint(there, wider, depth + 1);
+// Paints boxes none of which can be first: their faces are cut by each other.
+void Painter::paint_together(const std::vector<int>& boxes) {
+  std::vector<PictureFace> faces;
+  std::vector<FacePart> parts;
+  for (const int box : boxes) {
+    for (PictureFace& face : visible_faces(scene_, idx(box))) {
+      face.whole.face = static_cast<int>(faces.size());
+      parts.push_back(face.whole);
+      faces.push_back(std::move(face));
+    }
+  }
+  for (const FacePart& part : back_to_front(std::move(parts))) {
+    Polygon outline;  // [px]
+    for (const Vec3& corner_w : part.corners_w) outline.push_back(scene_.view(corner_w));
+    outline = convex_hull(std::move(outline));
+    if (std::abs(area_of(outline)) < kTooSmall) continue;
+    for (const PictureArea& area : faces[idx(part.face)].areas) {
+      // Shadows are transparent: where two of their parts overlapped, there would be a darker line.
+      const double room = area.shadow ? 0.0 : kSeam;
+      add(area, part.cut ? clipped(frame_, outline, room) : frame_);
     }
   }
 }

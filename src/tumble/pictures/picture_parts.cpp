@@ -154,10 +154,10 @@ std::vector<PictureArea> floor_areas(const PictureScene& scene,
   return areas;
 }
 
-std::vector<PictureArea> face_areas(const PictureScene& scene, std::size_t number) {
+std::vector<PictureFace> visible_faces(const PictureScene& scene, std::size_t number) {
   const PictureBox& drawn = scene.boxes[number];
   const Box& box = drawn.box;
-  std::vector<PictureArea> areas;
+  std::vector<PictureFace> faces;
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
     int next = (axis + 1) % 3;
@@ -169,17 +169,21 @@ std::vector<PictureArea> face_areas(const PictureScene& scene, std::size_t numbe
     if (normal_w.dot(scene.eye_w - face.origin_w) <= 0.0) continue;  // back face
     const Vec2 half(box.half[next], box.half[last]);
     const Polygon rectangle{-half, Vec2(half.x(), -half.y()), half, Vec2(-half.x(), half.y())};
+    PictureFace visible;
+    visible.whole.normal_w = normal_w;
+    for (const Vec2& corner : rectangle) visible.whole.corners_w.push_back(face.at(corner));
     PictureArea area;
     area.loops = {seen(rectangle, face, scene.view)};
     area.colour = scene.lamp.shade(drawn.colour, normal_w);
     area.outline = mixed(drawn.colour, kShadowColour, kOutlineShare);
     area.outlined = true;
     area.box = static_cast<int>(number);
-    areas.push_back(std::move(area));
-    if (drawn.die) add_pips(scene, face, half, pips_of_side(side), number, areas);
-    add_face_shadows(scene, number, face, rectangle, areas);
+    visible.areas.push_back(std::move(area));
+    if (drawn.die) add_pips(scene, face, half, pips_of_side(side), number, visible.areas);
+    add_face_shadows(scene, number, face, rectangle, visible.areas);
+    faces.push_back(std::move(visible));
   }
-  return areas;
+  return faces;
 }
 
 }  // namespace tumble

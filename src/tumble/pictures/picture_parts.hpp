@@ -2,6 +2,7 @@
 /// \brief Parts of a picture: the floor, and the faces of a box with pips and shadows.
 #pragma once
 
+#include "tumble/pictures/back_to_front.hpp"
 #include "tumble/pictures/lighting.hpp"
 #include "tumble/pictures/picture.hpp"
 
@@ -34,10 +35,16 @@ struct PictureScene {
 [[nodiscard]] std::vector<PictureArea> floor_areas(const PictureScene& scene,
                                                    std::span<const PictureBox> around);
 
+/// A face of a box.
+struct PictureFace {
+  FacePart whole;                  ///< its corners in space
+  std::vector<PictureArea> areas;  ///< its rectangle, pips, shadows: in the order of painting
+};
+
 /// The visible faces of a box, with pips and the shadows of other boxes.
 /// \param scene   all boxes
 /// \param number  an index of `scene.boxes`
-/// \return areas in the order of painting; they may extend beyond the picture
-[[nodiscard]] std::vector<PictureArea> face_areas(const PictureScene& scene, std::size_t number);
+/// \return the faces; they may extend beyond the picture
+[[nodiscard]] std::vector<PictureFace> visible_faces(const PictureScene& scene, std::size_t number);
 
 }  // namespace tumble

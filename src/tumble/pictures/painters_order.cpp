@@ -1,13 +1,16 @@
 /// \file
 /// \brief The painter's order of boxes.
-#include "tumble/geometry/painters_order.hpp"
+#include "tumble/pictures/painters_order.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
+#include "tumble/pictures/tolerances.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace tumble {
 namespace {
@@ -40,19 +43,38 @@ bool is_parted_by_edge_of(const Box& box, const Box& other, const ViewPoint& vie
 }
 
 // Which of two boxes may cover the other one.
-enum class Cover { none, first, second };
+enum class Cover { none, first, second, both };
 
 Cover which_covers(const Box& first, const Box& second, const ViewPoint& view) {
   SeparationOptions exact;
   exact.prefer_faces = false;
   exact.enough = std::numeric_limits<double>::infinity();
+  const Separation apart = separation(first, second, exact);
+  const double shortest = std::min(first.half.minCoeff(), second.half.minCoeff());
+  if (apart.distance < -2.0 * tolerance::painted_whole * shortest) return Cover::both;
   // Along the normal: where the first box ends, and where the second one begins.
-  const Vec3 n = separation(first, second, exact).normal_w;
+  const Vec3 n = apart.normal_w;
   const double end = n.dot(first.center_w) + reach(first, n);
   const double begin = n.dot(second.center_w) - reach(second, n);
   const double side = view.side(n, 0.5 * (end + begin));
   if (side == 0.0) return Cover::none;
   return side < 0.0 ? Cover::first : Cover::second;
+}
+
+// The boxes left that must be painted before a box or with it: those it covers, those they cover, and so on.
+std::vector<int> needed_for(int box, const std::vector<std::vector<int>>& covers,
+                            const std::vector<bool>& painted) {
+  std::vector<int> found = {box};
+  std::vector<bool> known = painted;
+  known[idx(box)] = true;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    for (const int other : covers[idx(found[k])]) {
+      if (known[idx(other)]) continue;
+      known[idx(other)] = true;
+      found.push_back(other);
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -85,50 +107,39 @@ bool views_overlap(const Box& first, const Box& second, const ViewPoint& view) {
   return !is_parted_by_edge_of(first, second, view) && !is_parted_by_edge_of(second, first, view);
 }
 
-PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
-                             const std::function<bool(int, int)>& meet) {
-  // For every box: by which boxes it may be covered, how many unpainted ones it may cover itself,
-  // and how far away it is.
+PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view) {
   const int n = static_cast<int>(boxes.size());
-  std::vector<std::vector<int>> covered_by(boxes.size());
-  std::vector<int> covers(boxes.size(), 0);
-  std::vector<double> depth(boxes.size());
+  std::vector<std::vector<int>> covers(boxes.size());
+  std::vector<int> farthest_first(boxes.size());
+  std::iota(farthest_first.begin(), farthest_first.end(), 0);
   for (int a = 0; a < n; ++a) {
-    depth[idx(a)] = view.depth(boxes[idx(a)].center_w);
     for (int b = a + 1; b < n; ++b) {
       if (!views_overlap(boxes[idx(a)], boxes[idx(b)], view)) continue;
-      if (meet && !meet(a, b)) continue;
       const Cover cover = which_covers(boxes[idx(a)], boxes[idx(b)], view);
-      if (cover == Cover::none) continue;
-      const int front = cover == Cover::first ? a : b;
-      const int back = cover == Cover::first ? b : a;
-      covered_by[idx(back)].push_back(front);
-      ++covers[idx(front)];
+      if (cover == Cover::first || cover == Cover::both) covers[idx(a)].push_back(b);
+      if (cover == Cover::second || cover == Cover::both) covers[idx(b)].push_back(a);
     }
   }
+  std::stable_sort(farthest_first.begin(), farthest_first.end(), [&](int a, int b) {
+    return view.depth(boxes[idx(a)].center_w) > view.depth(boxes[idx(b)].center_w);
+  });
 
-  PaintersOrder out;
+  // Next comes the smallest set that covers none of the other boxes left: normally a single box, the farthest
+  // of those. In a larger one each box covers each other, directly or not, or a part of it would be smaller.
+  PaintersOrder order;
   std::vector<bool> painted(boxes.size(), false);
-  for (int count = 0; count < n; ++count) {
-    // The farthest box that covers none of those left; failing that, the farthest of those left.
-    int next = -1;
-    bool next_is_free = false;
-    for (int a = 0; a < n; ++a) {
-      if (painted[idx(a)]) continue;
-      const bool is_free = covers[idx(a)] == 0;
-      if (next >= 0 && next_is_free && !is_free) continue;
-      const bool freer = is_free && !next_is_free;
-      if (next < 0 || freer || depth[idx(a)] > depth[idx(next)]) {
-        next = a;
-        next_is_free = is_free;
-      }
+  for (int left = n; left > 0; left -= static_cast<int>(order.back().size())) {
+    std::vector<int> next;
+    for (const int box : farthest_first) {
+      if (painted[idx(box)]) continue;
+      std::vector<int> needed = needed_for(box, covers, painted);
+      if (next.empty() || needed.size() < next.size()) next = std::move(needed);
+      if (next.size() == 1) break;
     }
-    if (!next_is_free) ++out.cycles;
-    painted[idx(next)] = true;
-    out.order.push_back(next);
-    for (const int front : covered_by[idx(next)]) --covers[idx(front)];
+    for (const int box : next) painted[idx(box)] = true;
+    order.push_back(std::move(next));
   }
-  return out;
+  return order;
 }
 
 }  // namespace tumble

@@ -31,20 +31,20 @@ bool was_hit(const ContactPatch& patch, double gravity, double dt) {
 // energy, the impulses are scaled back.
 void bounce_island(const Island& island, StepReport& report) {
   const double g = island.world.gravity_w.norm();
-  for (const int contact : island.contacts) {
-    ContactPatch& patch = island.patches[idx(contact)];
+  for (const int contact : island.patch_indices) {
+    ContactPatch& patch = island.all_patches[idx(contact)];
     require_separation(sticky_speed(g, patch.size, island.dt), patch);
   }
   for (int k = 0; k < tolerance::bounce_sweeps; ++k) {
     double most = 0.0;
-    for (const int contact : island.contacts) {
-      ContactPatch& patch = island.patches[idx(contact)];
+    for (const int contact : island.patch_indices) {
+      ContactPatch& patch = island.all_patches[idx(contact)];
       most = std::max(
           most, solve_patch(patch, island.now[idx(patch.first)], island.now[idx(patch.second)],
                             tolerance::bounce_patch_iterations));
     }
     ++report.iterations;
-    report.impulses += static_cast<std::int64_t>(island.contacts.size());
+    report.impulses += static_cast<std::int64_t>(island.patch_indices.size());
     if (most < negligible_residual(island)) break;
   }
   limit_energy(island, report);
@@ -59,14 +59,14 @@ bool overlaps(const ContactPatch& patch) {
 // Sweeps of the overlap correction, from the ground up.
 void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& displacements) {
   for (const int contact : island.upward) {
-    ContactPatch& patch = island.patches[idx(contact)];
+    ContactPatch& patch = island.all_patches[idx(contact)];
     begin_correction(displacements[idx(patch.first)], displacements[idx(patch.second)], patch);
   }
   double first = 0.0;
   for (int k = 0; k < sweeps; ++k) {
     double most = 0.0;  // [-] as a share of the size
     for (const int contact : island.upward) {
-      ContactPatch& patch = island.patches[idx(contact)];
+      ContactPatch& patch = island.all_patches[idx(contact)];
       const double change =
           correct_overlap(patch, tolerance::repair_rest * patch.size, tolerance::repair_share,
                           displacements[idx(patch.first)], displacements[idx(patch.second)]);
@@ -85,7 +85,7 @@ void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& d
 void ContactDamped::bounce(World& world, double dt, StepReport& report) {
   const std::vector<ContactPatch>& patches = memory_.manifolds.patches();
   const double g = world.gravity_w.norm();
-  bool bounced = false;
+  bool any_bounced = false;
   storage_.hit.assign(patches.size(), 0);
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     bool bounces = false;
@@ -97,16 +97,23 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
       bounces = bounces || patch.restitution > 0.0;
     }
     if (!bounces) continue;
-    if (!bounced) velocities_.moved = velocities_.end;
-    bounced = true;
-    bounce_island(island(world, k, dt), report);
+    if (!any_bounced) velocities_.before_bounce = velocities_.end;
+    any_bounced = true;
+    bounce_island(view_of_island(world, k, dt), report);
   }
-  // Bodies have turned since their impulses were found, and take their angular momentum with them: in its own frame a
-  // body has the velocity that the impulses give it, and so the energy.
-  for (std::size_t i = 0; bounced && i < velocities_.end.size(); ++i) {
+  if (any_bounced) store_bounced_velocities(world);
+  if (observer() == nullptr) return;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (storage_.hit[k] != 0) notify_observer(patches[k], world.time());
+}
+
+// Bodies have turned since their impulses were found, and take their angular momentum with them: in its own frame a
+// body has the velocity that the impulses give it, and so the energy.
+void ContactDamped::store_bounced_velocities(World& world) {
+  for (std::size_t i = 0; i < velocities_.end.size(); ++i) {
     const MovingBody& now = velocities_.end[i];
-    const Vec3 turn_w = now.angular_velocity_w - velocities_.moved[i].angular_velocity_w;
-    const Vec3 push_w = now.velocity_w - velocities_.moved[i].velocity_w;
+    const Vec3 turn_w = now.angular_velocity_w - velocities_.before_bounce[i].angular_velocity_w;
+    const Vec3 push_w = now.velocity_w - velocities_.before_bounce[i].velocity_w;
     if (now.inverse_mass.x() == 0.0 || (turn_w.isZero(0.0) && push_w.isZero(0.0))) continue;
     storage_.in_flight[i] = 0;
     world.states()[i].linear_momentum_w += world.bodies()[i].mass * push_w;
@@ -114,9 +121,6 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     world.states()[i].angular_momentum_w =
         turned * Vec3(now.inverse_inertia_w.inverse() * now.angular_velocity_w);
   }
-  if (observer() == nullptr) return;
-  for (std::size_t k = 0; k < patches.size(); ++k)
-    if (storage_.hit[k] != 0) notify_observer(patches[k], world.time());
 }
 
 // Overlap beyond the slop is corrected in all islands that have some.
@@ -136,14 +140,14 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
     body.inverse_mass.setOnes();
   }
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
-    const Island current = island(world, k, dt);
-    if (std::none_of(current.contacts.begin(), current.contacts.end(),
+    const Island current = view_of_island(world, k, dt);
+    if (std::none_of(current.patch_indices.begin(), current.patch_indices.end(),
                      [&](int contact) { return overlaps(patches[idx(contact)]); }))
       continue;
-    const bool fast = !is_small(current) && speed_range(current).lower >= tolerance::calm_speed;
     correct_island(current,
-                   fast ? std::min(options_.repair_passes, tolerance::fast_correction_sweeps)
-                        : options_.repair_passes,
+                   is_large_and_fast(current)
+                       ? std::min(options_.correction_sweeps, tolerance::fast_correction_sweeps)
+                       : options_.correction_sweeps,
                    displacements);
   }
   for (std::size_t k = 0; k < displacements.size(); ++k) {
@@ -166,7 +170,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
 void ContactDamped::account(const World& world, StepReport& report) const {
   const std::vector<MovingBody>& start = velocities_.start;
   const std::vector<MovingBody>& end = velocities_.end;
-  double all = -report.energy.repair;
+  double all = -report.energy.repair;  // pivot updates have booked their part already
   for (std::size_t k = 0; k < end.size(); ++k) {
     if (end[k].inverse_mass.x() == 0.0 || storage_.in_flight[k] != 0) continue;
     const BodyProperties& body = world.bodies()[k];

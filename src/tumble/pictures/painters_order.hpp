@@ -4,7 +4,6 @@
 
 #include "tumble/geometry/box.hpp"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -48,13 +47,10 @@ class ViewPoint {
   Vec3 vector_;  // the eye, or the direction of length 1
 };
 
-/// An order in which to paint.
-struct PaintersOrder {
-  std::vector<int> order;  ///< indices of all boxes, to be painted from first to last
-  /// How often no box was free and one had to be painted although it covers another one that was
-  /// not painted yet. 0: the order is right. Three long boxes can cover each other in a ring.
-  int cycles = 0;
-};
+/// Groups of boxes, by their indices, to be painted from first to last. Several boxes are in one group if
+/// none can be painted first: they overlap, or cover each other in a ring, as three long boxes can. Their
+/// faces have to be cut: see back_to_front().
+using PaintersOrder = std::vector<std::vector<int>>;
 
 /// Whether two boxes can cover each other in a picture.
 ///
@@ -68,29 +64,25 @@ struct PaintersOrder {
 /// \return false if no line of sight passes through the inside of both
 [[nodiscard]] bool views_overlap(const Box& first, const Box& second, const ViewPoint& view);
 
-/// Sorts disjoint boxes so that each is painted after all that it covers.
+/// Sorts boxes so that each is painted after all that it covers.
 ///
 /// Whatever separates two boxes in space shows which one may cover the other: of a plane in the
 /// middle of the gap along the separating axis of largest gap, a line of sight first passes the side
 /// of the viewer, so the box there is in front. The relation holds for pairs whose views overlap.
 /// The rest is sorting: of the boxes that cover none which is still to be painted, the farthest is
-/// painted first. If there is none, the farthest of all that are left is, and is counted.
+/// painted first. If there is none, the smallest group that covers none outside it is.
 ///
-/// Boxes that overlap slightly are ordered by the axis of least overlap.
+/// Boxes that overlap slightly are ordered by the axis of least overlap, others are in one group.
 /// \param boxes  all boxes of the picture
 /// \param view   from where it is seen
-/// \param meet   asked about two indices whose views overlap, the smaller one first: false if where
-///               they do is of no interest, for example outside the part that is painted. Empty:
-///               all is
 /// \return the order; boxes at equal depth in the order of their indices
 /// \par Cost
 /// n²/2 pairs, about 1 µs each: for pictures, not for simulations.
 /// \see Newell, Newell, Sancha, "A solution to the hidden surface problem", ACM 1972.
 /// \verified{Every ray from the eye meets a box that was painted later before one painted earlier}
-[[nodiscard]] PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view,
-                                           const std::function<bool(int, int)>& meet = {});
+[[nodiscard]] PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view);
 
-/// Sorts disjoint boxes for a perspective view.
+/// Sorts boxes for a perspective view.
 /// \param boxes  all boxes of the picture
 /// \param eye_w  [m] where the eye is, world frame
 /// \return the order
