@@ -1,15 +1,7 @@
 /// \file
 /// \brief The cost of exact impact times against time stepping at equal error (thesis 3.3.1).
-#include "tumble/scenes/scene.hpp"
-
-#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -1,17 +1,7 @@
 /// \file
 /// \brief A bounce, a sticky collision, rest, sliding and toppling in one world and one run (thesis 3.3.1).
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/scene.hpp"
-
-#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -1,14 +1,7 @@
 /// \file
 /// \brief Painlevé's rod where Coulomb's law has no answer, and its time steps there (thesis 2.6.3).
-#include "tumble/math/elementary.hpp"
-
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

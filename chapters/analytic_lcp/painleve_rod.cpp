@@ -3,10 +3,8 @@
 #include "analytic_lcp/painleve_rod.hpp"
 
 #include "tumble/contact/effective_mass.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/common_numbers.hpp"
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

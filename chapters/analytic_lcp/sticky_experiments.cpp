@@ -1,19 +1,10 @@
 /// \file
 /// \brief Dice that come to rest with and without sticky collisions (thesis 4.3).
-#include "tumble/base/random.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
-#include "tumble/scenes/scene.hpp"
 
-#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -71,7 +62,6 @@ Fall drop(World world, double threshold) {
   constexpr double off = 1e-3 * kEdge;
   Fall fall;
   double collisions = 0.0;
-  double work = 0.0;
   double quiet = 0.0;
   bool landed = false;
   bool aloft = false;
@@ -79,7 +69,6 @@ Fall drop(World world, double threshold) {
     const Vec3 before_w = world.states()[kDie].position_w;
     const StepReport report = technique->step(world, kStep);
     collisions += static_cast<double>(report.events);
-    work += static_cast<double>(report.pair_tests + report.integrations);
     const double height = height_of(world);
     fall.heights.push_back(height);
     landed = landed || report.events > 0;
@@ -91,7 +80,6 @@ Fall drop(World world, double threshold) {
     quiet = slow ? quiet + kStep : 0.0;
     if (resting) continue;
     fall.collisions = collisions;
-    fall.work = work;
   }
   fall.end_w = world.states()[kDie].position_w;
   return fall;
@@ -109,13 +97,7 @@ std::vector<Fall> drop_all(const Parameters& settings, double threshold) {
 // A number of all dice together over the same number of others.
 Quantity ratio(const char* name, double Fall::*what, const std::vector<Fall>& these,
                const std::vector<Fall>& others) {
-  const auto sum = [what](const std::vector<Fall>& falls, int left_out) {
-    std::vector<double> values;
-    for (const Fall& fall : falls) values.push_back(fall.*what);
-    return sum_without(values, left_out);
-  };
-  return over_seeds(name, "-", static_cast<int>(these.size()),
-                    [&](int left_out) { return sum(these, left_out) / sum(others, left_out); });
+  return ratio_of_sums(name, "-", numbers_of(these, what), numbers_of(others, what));
 }
 
 Parameters of_dice() {
@@ -140,21 +122,18 @@ Result measure_sticky(const Parameters& settings) {
       "",
       {{"threshold", "-", "collisions slower than this share of sqrt(g L) stick"},
        {"collisions", "-", "until rest, mean over the dice"},
-       {"work", "-", "separations and integrations until rest, mean over the dice"},
        {"moved_m", "m", "how far a die rests from where it rests at the lowest threshold"}}};
   std::vector<std::vector<Fall>> falls;
   for (const double threshold : thresholds) {
     falls.push_back(drop_all(settings, threshold));
     double collisions = 0.0;
-    double work = 0.0;
     double moved = 0.0;
     for (std::size_t k = 0; k < falls.back().size(); ++k) {
       const Fall& fall = falls.back()[k];
       collisions += fall.collisions;
-      work += fall.work;
       moved += (fall.end_w - falls.front()[k].end_w).norm();
     }
-    table.add(threshold, collisions / seeds, work / seeds, moved / seeds);
+    table.add(threshold, collisions / seeds, moved / seeds);
   }
 
   // A flat drop has a closed form: the speed before impact k is v e^(k-1), and the first one below
@@ -182,8 +161,6 @@ Result measure_sticky(const Parameters& settings) {
       {table, flat},
       {over_lowest("collisions until rest with sticky collisions over those without",
                    &Fall::collisions, usual),
-       over_lowest("separations and integrations until rest, over those without", &Fall::work,
-                   usual),
        {"thresholds at which a flat drop misses its closed form", "-", wrong},
        over_lowest("the same collisions, half the threshold", &Fall::collisions, 0.5 * usual),
        over_lowest("the same collisions, twice the threshold", &Fall::collisions, 2.0 * usual)}};
@@ -201,11 +178,8 @@ Result measure_all_sticky(const Parameters& settings) {
   Table table{"",
               {{"seed", "-", "of the die"},
                {"bounces", "-", "times that it leaves the ground, slow collisions being sticky"},
-               {"bounces_all", "-", "the same if every collision is"},
-               {"travel_m", "m", "way of its centre from the first contact on"},
-               {"travel_all_m", "m", "the same if every collision is sticky"}}};
-  for (std::size_t k = 0; k < some.size(); ++k)
-    table.add(k + 1, some[k].bounces, all[k].bounces, some[k].travel, all[k].travel);
+               {"bounces_all", "-", "the same if every collision is"}}};
+  for (std::size_t k = 0; k < some.size(); ++k) table.add(k + 1, some[k].bounces, all[k].bounces);
   Table path{"path",
              {{"time_s", "s", "time"},
               {"height_m", "m", "of the lowest corner of the first die"},

@@ -1,17 +1,10 @@
 /// \file
 /// \brief Time stepping without events, and on random problems with friction.
 #include "tumble/analytic_lcp/time_stepping.hpp"
-#include "tumble/base/random.hpp"
 #include "tumble/contact/gather.hpp"
 
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -2,16 +2,8 @@
 /// \brief The basic technique on a cube that bounces, and on one that comes to rest (thesis 2.1).
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -14,19 +14,7 @@
 /// What to expect: over a second, the contact below n cubes hands up n m g. With u = w in each
 /// impact, the ground does so in n / hop impulses of m (u + w), and a contact between cubes that
 /// carries k of them in 2k / hop impulses of half that size: n² / hop in all.
-#include "tumble/base/random.hpp"
-#include "tumble/math/elementary.hpp"
-
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

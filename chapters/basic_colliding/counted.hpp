@@ -2,11 +2,7 @@
 /// \brief A number that counts the operations on it, and two functions of a box written with it.
 #pragma once
 
-#include "tumble/geometry/box.hpp"
-
-#include <array>
-#include <cmath>
-#include <cstdint>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

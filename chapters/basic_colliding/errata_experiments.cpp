@@ -6,13 +6,7 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/errata.hpp"
-#include "driver/common_numbers.hpp"
-
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -174,10 +168,10 @@ void add_pass_erratum(Result& result) {
   const Table literal = three_cubes(SearchMethod::discrete, "pass_literal");
   const Table mended = three_cubes(SearchMethod::conservative, "pass_mended");
   result.tables.insert(result.tables.end(), {literal, mended});
-  result.quantities.push_back({"T5: third cube ahead of the second, end of the step tested", "m",
-                               third_minus_second(literal)});
-  result.quantities.push_back(
-      {"T5: third cube ahead of the second, way there searched", "m", third_minus_second(mended)});
+  result.add("T5: third cube ahead of the second, end of the step tested", "m",
+             third_minus_second(literal));
+  result.add("T5: third cube ahead of the second, way there searched", "m",
+             third_minus_second(mended));
 }
 
 void add_progress_errata(int cap, Result& result) {
@@ -192,12 +186,10 @@ void add_progress_errata(int cap, Result& result) {
   const auto ended = impacts_in_step(slow_landing(), 1.0 / 60.0, Vec3::UnitY(), cap, how);
   result.tables.push_back(count_table(endless, "flights_literal"));
   result.tables.push_back(count_table(ended, "flights_mended"));
-  result.quantities.push_back(
-      {"T6: impacts in a step that nothing ends, until a cap", "-", count(endless)});
-  result.quantities.push_back(
-      {"T6: impacts in a step, a flight below 1 µs being the last", "-", count(ended)});
-  result.quantities.push_back(
-      {"T6: time from the first of them to the last", "s", ended.back().time - ended.front().time});
+  result.add("T6: impacts in a step that nothing ends, until a cap", "-", count(endless));
+  result.add("T6: impacts in a step, a flight below 1 µs being the last", "-", count(ended));
+  result.add("T6: time from the first of them to the last", "s",
+             ended.back().time - ended.front().time);
 
   // T7. The cubes stick together and fly on. Left overlapping, they are found again.
   how = {.kept = Side::overlapping, .resolution = 1e-6, .restitution = 0.0};
@@ -206,9 +198,8 @@ void add_progress_errata(int cap, Result& result) {
   const auto outside = impacts_in_step(push_from_behind(), 1.0, Vec3::UnitX(), cap, how);
   result.tables.push_back(gap_table(inside, "side_literal"));
   result.tables.push_back(gap_table(outside, "side_mended"));
-  result.quantities.push_back(
-      {"T7: impacts, the overlapping end being kept, until a cap", "-", count(inside)});
-  result.quantities.push_back({"T7: impacts, the separated end being kept", "-", count(outside)});
+  result.add("T7: impacts, the overlapping end being kept, until a cap", "-", count(inside));
+  result.add("T7: impacts, the separated end being kept", "-", count(outside));
 }
 
 }  // namespace tumble::chapters

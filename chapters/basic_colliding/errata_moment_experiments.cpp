@@ -8,16 +8,9 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/errata.hpp"
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -129,16 +122,14 @@ std::array<double, 4> corner_heights(World world, double time) {
 // T8: a step of Euler's method cut in two is not the step.
 void add_flow_erratum(Result& result) {
   result.tables.push_back(fall_table());
-  result.quantities.push_back({"T8: height that cutting a step changes, forward Euler", "m",
-                               change_by_cutting(step_forward_euler)});
-  result.quantities.push_back({"T8: height that cutting a step changes, semi-implicit Euler", "m",
-                               change_by_cutting(step_semi_implicit)});
-  result.quantities.push_back(
-      {"T8: height that cutting a step changes, flight", "m", change_by_cutting(fly)});
-  result.quantities.push_back({"T8: impact time, bisecting a semi-implicit Euler step", "s",
-                               impact_by_bisection(step_semi_implicit)});
-  result.quantities.push_back(
-      {"T8: impact time, bisecting a flight", "s", impact_by_bisection(fly)});
+  result.add("T8: height that cutting a step changes, forward Euler", "m",
+             change_by_cutting(step_forward_euler));
+  result.add("T8: height that cutting a step changes, semi-implicit Euler", "m",
+             change_by_cutting(step_semi_implicit));
+  result.add("T8: height that cutting a step changes, flight", "m", change_by_cutting(fly));
+  result.add("T8: impact time, bisecting a semi-implicit Euler step", "s",
+             impact_by_bisection(step_semi_implicit));
+  result.add("T8: impact time, bisecting a flight", "s", impact_by_bisection(fly));
 }
 
 // T9: impacts at one time are resolved in the order in which a heap happens to hold them.
@@ -165,12 +156,9 @@ void add_tie_erratum(Result& result) {
     table.add(1e3 * time, corner_heights(one, time), corner_heights(together, time));
   }
   result.tables.push_back(table);
-  result.quantities.push_back(
-      {"T9: spin after a flat landing, corner by corner", "rad/s", spin_of(one)});
-  result.quantities.push_back(
-      {"T9: the same, most of all 24 orders of the corners", "rad/s", most});
-  result.quantities.push_back(
-      {"T9: spin after a flat landing, all corners together", "rad/s", spin_of(together)});
+  result.add("T9: spin after a flat landing, corner by corner", "rad/s", spin_of(one));
+  result.add("T9: the same, most of all 24 orders of the corners", "rad/s", most);
+  result.add("T9: spin after a flat landing, all corners together", "rad/s", spin_of(together));
 }
 
 Result measure_event_search_errata(const Parameters& settings) {

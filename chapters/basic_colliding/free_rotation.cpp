@@ -2,15 +2,12 @@
 /// \brief The independent judge of tumbling: a free body's exact motion, by GSL.
 #include "basic_colliding/free_rotation.hpp"
 
+#include "driver/experiment.hpp"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
-
-#include <array>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

@@ -2,14 +2,8 @@
 /// \brief Experiments on where bodies touch (thesis 3.2).
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/manifold.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/registry.hpp"
-
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

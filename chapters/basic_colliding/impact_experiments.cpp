@@ -3,11 +3,7 @@
 #include "tumble/contact/collision_law.hpp"
 #include "tumble/dynamics/event_search.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-
-#include <cmath>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -2,17 +2,9 @@
 /// \brief Experiments on free motion (thesis 3.1).
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/math/bracket.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "basic_colliding/free_rotation.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

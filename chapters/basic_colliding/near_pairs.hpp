@@ -2,12 +2,9 @@
 /// \brief Which pairs can meet within the coming step.
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
-#include <memory>
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

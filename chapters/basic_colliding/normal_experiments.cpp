@@ -1,21 +1,10 @@
 /// \file
 /// \brief Experiment on the normal of a point in a box: signed distance, closest face (thesis 3.3.2).
-#include "tumble/base/random.hpp"
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/geometry/signed_distance.hpp"
-#include "tumble/math/elementary.hpp"
 
 #include "basic_colliding/counted.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-#include <utility>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

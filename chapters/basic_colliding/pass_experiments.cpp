@@ -1,19 +1,8 @@
 /// \file
 /// \brief Experiments on collisions that a test at the end of each step misses (thesis 3.2).
-#include "tumble/base/random.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

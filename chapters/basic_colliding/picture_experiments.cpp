@@ -1,24 +1,12 @@
 /// \file
 /// \brief Scenes run for a while and drawn as boxes in three dimensions.
-#include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/math/bracket.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -2,17 +2,9 @@
 /// \brief Experiment on the search for impact times: how often it starts again (thesis 3.3.1).
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/dynamics/pair_search.hpp"
-#include "tumble/scenes/library.hpp"
 
 #include "basic_colliding/near_pairs.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

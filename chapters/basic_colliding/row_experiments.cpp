@@ -2,15 +2,8 @@
 /// \brief Experiments on boxes in a row: one contact after the other, or all at once (thesis 2.5.2, 3.3).
 #include "tumble/contact/collision_law.hpp"
 #include "tumble/contact/impacts.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -159,8 +152,7 @@ Result measure_stack_convergence(const Parameters& settings) {
     const double rate = cosine * cosine;
     table.add(n, found.passes, elementary::log(accuracy) / elementary::log(rate), found.contraction,
               std::abs(found.contraction - rate), accepted, found.after_ten);
-    if (n == 5)
-      result.quantities.push_back({"left after ten passes, 5 boxes", "-", found.after_ten});
+    if (n == 5) result.add("left after ten passes, 5 boxes", "-", found.after_ten);
   }
   result.tables = {table};
   return result;

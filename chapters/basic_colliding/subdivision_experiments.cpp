@@ -1,22 +1,9 @@
 /// \file
 /// \brief Experiment on broad phases: how many tests of bounds they save (thesis 4.1).
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/body.hpp"
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/geometry/broad_phase.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

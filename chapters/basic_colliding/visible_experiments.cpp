@@ -1,19 +1,10 @@
 /// \file
 /// \brief Experiment on visible collisions that a test at the end of each step misses (thesis 3.2).
-#include "tumble/base/random.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/dynamics/pair_search.hpp"
-#include "tumble/scenes/library.hpp"
 
 #include "basic_colliding/near_pairs.hpp"
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -128,9 +119,7 @@ Counts count(const std::vector<Run>& runs, double deeper_than) {
 }
 
 Quantity share_missed(const std::string& name, const Counts& counts) {
-  return over_seeds(name, "-", static_cast<int>(counts.all.size()), [&](int left_out) {
-    return sum_without(counts.missed, left_out) / sum_without(counts.all, left_out);
-  });
+  return ratio_of_sums(name, "-", counts.missed, counts.all);
 }
 
 Result measure_missed_visible(const Parameters& settings) {

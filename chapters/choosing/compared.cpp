@@ -2,12 +2,6 @@
 /// \brief Every technique of the library, run for comparison, and how its work is counted.
 #include "choosing/compared.hpp"
 
-#include "driver/settings.hpp"
-
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace tumble::chapters {
 namespace {
 

@@ -4,13 +4,7 @@
 
 #include "tumble/record/run.hpp"
 
-#include "driver/figure.hpp"
-#include "driver/played_scene.hpp"
-
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

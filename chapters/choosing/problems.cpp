@@ -2,14 +2,7 @@
 /// \brief Three motions with closed forms, and how far a technique is off them.
 #include "choosing/problems.hpp"
 
-#include "tumble/math/rotation.hpp"
-
-#include "driver/common_numbers.hpp"
-
 #include <gsl/gsl_sf_elljac.h>
-
-#include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

@@ -3,10 +3,7 @@
 #pragma once
 
 #include "choosing/compared.hpp"
-
-#include <array>
-#include <functional>
-#include <string>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

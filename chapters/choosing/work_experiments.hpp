@@ -2,8 +2,7 @@
 /// \brief Error against work: each technique on motions with closed forms (thesis 6.3.2).
 #pragma once
 
-#include <array>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,16 +1,8 @@
 /// \file
 /// \brief A crate that slides off a table and tumbles (thesis 1.1).
-#include "tumble/math/elementary.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <array>
-#include <numbers>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

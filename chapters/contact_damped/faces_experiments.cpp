@@ -1,16 +1,6 @@
 /// \file
 /// \brief Tilts of boxes that flew together and settled (thesis 3.1).
-#include "tumble/math/elementary.hpp"
-
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -81,9 +71,7 @@ Quantity share_of(const std::string& name, const Clumps& clumps, const Count& co
       boxes.back() += static_cast<double>(clump.tilts.size());
     }
   }
-  return over_seeds(name, "-", static_cast<int>(clumps.size()), [&](int left_out) {
-    return sum_without(hits, left_out) / sum_without(boxes, left_out);
-  });
+  return ratio_of_sums(name, "-", hits, boxes);
 }
 
 Result measure_faces(const Parameters& settings) {

@@ -1,17 +1,7 @@
 /// \file
 /// \brief The same motion at any size and mass, and Coulomb's stopping distance (thesis 6.3.1).
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

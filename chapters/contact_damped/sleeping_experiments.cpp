@@ -1,12 +1,6 @@
 /// \file
 /// \brief Work of a step against the share of boxes that move, and waking (thesis 4.5).
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -93,6 +93,12 @@ struct Result {
   // since
   // it takes seconds.
   std::function<std::string()> film = {};
+
+  // Adds a number.
+  template <class... Parts>
+  void add(Parts&&... parts) {
+    quantities.push_back(Quantity(std::forward<Parts>(parts)...));
+  }
 };
 
 // A figure that a chapter can compute.

@@ -63,6 +63,13 @@ Quantity mean_over_seeds(std::string name, std::string unit, std::span<const dou
   });
 }
 
+Quantity ratio_of_sums(std::string name, std::string unit, std::span<const double> above,
+                       std::span<const double> below) {
+  return over_seeds(
+      std::move(name), std::move(unit), static_cast<int>(above.size()),
+      [&](int left_out) { return sum_without(above, left_out) / sum_without(below, left_out); });
+}
+
 double median_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;

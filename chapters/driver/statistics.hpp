@@ -38,6 +38,25 @@ double sum_without(std::span<const double> values, int left_out);
 // The mean of what each seed gave.
 Quantity mean_over_seeds(std::string name, std::string unit, std::span<const double> values);
 
+// The ratio of two sums over the seeds; NaN or infinite where the second one is 0.
+Quantity ratio_of_sums(std::string name, std::string unit, std::span<const double> above,
+                       std::span<const double> below);
+
+// A number of each seed.
+template <class Seed, class Number>
+std::vector<double> numbers_of(const std::vector<Seed>& seeds, const Number& number) {
+  std::vector<double> values;
+  for (const Seed& seed : seeds) values.push_back(static_cast<double>(std::invoke(number, seed)));
+  return values;
+}
+
+// Its mean over the seeds.
+template <class Seed, class Number>
+Quantity mean_of(std::string name, std::string unit, const std::vector<Seed>& seeds,
+                 const Number& number) {
+  return mean_over_seeds(std::move(name), std::move(unit), numbers_of(seeds, number));
+}
+
 // The middle one of some numbers.
 double median_of(std::vector<double> values);
 

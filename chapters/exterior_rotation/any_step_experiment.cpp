@@ -1,16 +1,8 @@
 /// \file
 /// \brief Groups moved by one twist for each body, at any step: gaps and orders (thesis 6.2).
-#include "tumble/math/rotation.hpp"
-
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace tumble::chapters {
 namespace {
@@ -127,27 +119,24 @@ Result measure_any_step(const Parameters& settings) {
     for (std::size_t k = 0; k < kPlanar.size(); ++k) fitted[k].push_back(row.error[k]);
     fitted[3].push_back(row.ball_error);
   }
-  Result result;
-  result.quantities = {
-      {"largest gap at any step, in the plane", "m",
-       std::max({most.gap[0], most.gap[1], most.gap[2]})},
-      {"largest distance of a corner from itself at any step, on a ball joint", "m",
-       most.ball_apart},
-      {"the same at 60 steps a second", "m", base.ball_apart},
-      {"largest gap at any step, in flight", "m", most.flight_gap},
-      {"order of the angle's error, semi-implicit", "-", fitted_order(fitted_dt, fitted[0])},
-      {"order of the angle's error, impulses", "-", fitted_order(fitted_dt, fitted[1])},
-      {"order of the angle's error, leapfrog", "-", fitted_order(fitted_dt, fitted[2])},
-      {"order of the orientation's error on a ball joint, leapfrog", "-",
-       fitted_order(fitted_dt, fitted[3])},
-      {"in flight, the centre's largest distance from free fall at any step", "m",
-       most.flight_path},
-      {"in flight, the largest error of the centre's velocity at any step", "m/s",
-       most.flight_momentum},
-      {"in flight, the largest change of angular momentum over all of it, 60 steps a second", "-",
-       base.flight_angular}};
-  result.tables = {table};
-  return result;
+  return {{table},
+          {{"largest gap at any step, in the plane", "m",
+            std::max({most.gap[0], most.gap[1], most.gap[2]})},
+           {"largest distance of a corner from itself at any step, on a ball joint", "m",
+            most.ball_apart},
+           {"the same at 60 steps a second", "m", base.ball_apart},
+           {"largest gap at any step, in flight", "m", most.flight_gap},
+           {"order of the angle's error, semi-implicit", "-", fitted_order(fitted_dt, fitted[0])},
+           {"order of the angle's error, impulses", "-", fitted_order(fitted_dt, fitted[1])},
+           {"order of the angle's error, leapfrog", "-", fitted_order(fitted_dt, fitted[2])},
+           {"order of the orientation's error on a ball joint, leapfrog", "-",
+            fitted_order(fitted_dt, fitted[3])},
+           {"in flight, the centre's largest distance from free fall at any step", "m",
+            most.flight_path},
+           {"in flight, the largest error of the centre's velocity at any step", "m/s",
+            most.flight_momentum},
+           {"in flight, the largest change of angular momentum over all of it, 60 steps a second",
+            "-", base.flight_angular}}};
 }
 
 const Registered twist_any_step_figure{

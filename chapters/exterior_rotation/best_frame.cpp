@@ -2,15 +2,11 @@
 /// \brief The single rotation that keeps the nested boxes of figure 6.3 together best.
 #include "exterior_rotation/best_frame.hpp"
 
-#include "tumble/math/rotation.hpp"
+#include "driver/experiment.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 #include <gsl/gsl_multimin.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
 
 namespace tumble::chapters {
 namespace {

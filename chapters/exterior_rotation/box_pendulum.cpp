@@ -2,17 +2,10 @@
 /// \brief A box that hangs on one of its edges and swings.
 #include "exterior_rotation/box_pendulum.hpp"
 
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "driver/common_numbers.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
 
 namespace tumble::chapters {
 namespace {

@@ -2,20 +2,12 @@
 /// \brief Independent judges of the falling column, by GSL.
 #include "exterior_rotation/column_reference.hpp"
 
-#include "driver/common_numbers.hpp"
+#include "driver/experiment.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_odeiv2.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <stdexcept>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {

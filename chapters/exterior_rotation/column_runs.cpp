@@ -4,11 +4,6 @@
 
 #include "exterior_rotation/glued_runs.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

@@ -2,14 +2,10 @@
 /// \brief Runs of the glued column of figure 6.1, and their errors at the end (thesis 6.2).
 #pragma once
 
-#include "tumble/base/parameters.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
-
-#include <span>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 

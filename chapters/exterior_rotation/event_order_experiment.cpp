@@ -1,16 +1,9 @@
 /// \file
 /// \brief The order of a fall before openings of joints and across them, and of the moment of an opening.
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -4,16 +4,11 @@
 #include "tumble/pictures/gif.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/side_view.hpp"
-
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -163,33 +158,32 @@ Result measure_fall(const Parameters& settings) {
   const bool column = fall.boxes > 1;
   const HeldFrame& end = fall.runs[5].frames.back();  // of the reference
   for (std::size_t s = 0; s < (column ? kSeenSchemes : 2); ++s)
-    result.quantities.push_back({"gap at the end, " + film_schemes()[s].words, "mm",
-                                 1e3 * gap(fall, fall.runs[s], fall.runs[s].frames.back())});
-  result.quantities.push_back(
-      {"angle at the end less that of the closed form, reference", "rad",
-       centre_angle(fall.runs[5].world(end)) - column_angle(end.time, fall.angle, fall.boxes)});
+    result.add("gap at the end, " + film_schemes()[s].words, "mm",
+               1e3 * gap(fall, fall.runs[s], fall.runs[s].frames.back()));
+  result.add(
+      "angle at the end less that of the closed form, reference", "rad",
+      centre_angle(fall.runs[5].world(end)) - column_angle(end.time, fall.angle, fall.boxes));
   if (!column) {
     Fall four = fall;
     four.boxes = 4;
     four.runs = {run_held(column_world(fall.angle), options_of(film_schemes()[0]), fall.dt,
                           static_cast<int>(std::lround(1.0 / fall.dt)))};
     constexpr double kTurn = 0.3;  // [rad] that both have turned
-    result.quantities.push_back(
-        {"farthest apart after turning by 0.3 rad, forward Euler, over that of the column of four",
-         "-", gap_after_turn(fall, kTurn) / gap_after_turn(four, kTurn)});
+    result.add(
+        "farthest apart after turning by 0.3 rad, forward Euler, over that of the column of four",
+        "-", gap_after_turn(fall, kTurn) / gap_after_turn(four, kTurn));
     return result;
   }
-  result.quantities.push_back({"largest distance of a corner from itself at the end, rk4", "m",
-                               farthest_apart(fall.runs[4].frames.back())});
-  result.quantities.push_back(
-      {"largest relative acceleration in a joint at the start of a step, over g, forward Euler",
-       "-", fall.runs[0].acceleration / fall.runs[0].start.gravity_w.norm()});
+  result.add("largest distance of a corner from itself at the end, rk4", "m",
+             farthest_apart(fall.runs[4].frames.back()));
+  result.add(
+      "largest relative acceleration in a joint at the start of a step, over g, forward Euler", "-",
+      fall.runs[0].acceleration / fall.runs[0].start.gravity_w.norm());
   const std::vector<double>& last = result.tables[1].rows.back();
   for (std::size_t s = 0; s < 2; ++s)
-    result.quantities.push_back(
-        {"gap that the last step makes over half the square of the turn times the spacing, " +
-             film_schemes()[s].words,
-         "-", last[2 + s] / last[1]});
+    result.add("gap that the last step makes over half the square of the turn times the spacing, " +
+                   film_schemes()[s].words,
+               "-", last[2 + s] / last[1]);
   return result;
 }
 

@@ -2,17 +2,10 @@
 /// \brief The column of figure 6.1 as if it were one body, and measures of the simulated one.
 #include "exterior_rotation/falling_column.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
+#include "driver/experiment.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
-
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -1,12 +1,8 @@
 /// \file
 /// \brief Reasons why the gaps of figure 6.1 differ from technique to technique.
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/technique_experiments.hpp"
-
-#include <array>
-#include <cmath>
 
 namespace tumble::chapters {
 namespace {
@@ -50,11 +46,10 @@ Result measure_gap_reasons(const Parameters& settings) {
   const std::vector<double>& coarse = table.rows[table.rows.size() - 2];
   const std::vector<double>& fine = table.rows.back();
   for (std::size_t k = 0; k < kLines.size(); ++k)
-    result.quantities.push_back(
-        {"order of the gap, " + techniques_with_pose()[kLines[k].technique].words, "-",
-         std::log(coarse[k + 2] / fine[k + 2]) / std::log(coarse[0] / fine[0])});
+    result.add("order of the gap, " + techniques_with_pose()[kLines[k].technique].words, "-",
+               std::log(coarse[k + 2] / fine[k + 2]) / std::log(coarse[0] / fine[0]));
   const auto add = [&](const char* words, const char* unit, double value) {
-    result.quantities.push_back({words, unit, value});
+    result.add(words, unit, value);
   };
   const std::vector<double>& usual = table.rows[1];
   add("gap over what one step makes at the end, time_stepping", "-", usual[4] / usual[1]);

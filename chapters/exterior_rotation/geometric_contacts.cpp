@@ -2,15 +2,11 @@
 /// \brief Joints without glue as a simulator keeps them.
 #include "exterior_rotation/geometric_contacts.hpp"
 
-#include "tumble/base/error.hpp"
-#include "tumble/base/index.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

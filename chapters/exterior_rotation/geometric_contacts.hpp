@@ -6,9 +6,7 @@
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
-#include <span>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,13 +2,6 @@
 /// \brief Runs of groups that stick, and the groups of the figures on the cure.
 #include "exterior_rotation/glued_runs.hpp"
 
-#include "tumble/math/rotation.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

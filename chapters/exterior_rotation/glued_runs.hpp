@@ -4,8 +4,7 @@
 
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include <functional>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,12 +2,8 @@
 /// \brief Ways to move bodies over a step with given velocities, written out.
 #include "exterior_rotation/group_moves.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include <algorithm>
 
 namespace tumble::chapters {
 namespace {

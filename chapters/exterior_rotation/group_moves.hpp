@@ -2,11 +2,9 @@
 /// \brief Ways to move bodies over a step with given velocities, written out (thesis 6.2).
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
 
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,14 +2,7 @@
 /// \brief A group of bodies that stick, step by step.
 #include "exterior_rotation/held_run.hpp"
 
-#include "tumble/base/index.hpp"
-
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

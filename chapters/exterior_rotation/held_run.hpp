@@ -5,9 +5,7 @@
 
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include <span>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,22 +1,10 @@
 /// \file
 /// \brief Openings of the joints of the falling column, and their consequences.
-#include "tumble/base/index.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/side_view.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

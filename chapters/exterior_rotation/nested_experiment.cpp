@@ -1,15 +1,9 @@
 /// \file
 /// \brief A box turns on a box that turns, centres and orientations moved apart and together (figure 6.3).
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
 #include "exterior_rotation/side_view.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -123,9 +117,8 @@ Result measure_nested(const Parameters& settings) {
   const HeldFrame& last = reference.frames.back();
   const NestedAngles found = nested_angles(reference.world(last));
   const NestedAngles judged = nested_pendulum(reference.start, last.time);
-  result.quantities.push_back(
-      {"larger of both angles' distances from GSL's double pendulum, reference", "rad",
-       std::max(std::abs(found.lower - judged.lower), std::abs(found.upper - judged.upper))});
+  result.add("larger of both angles' distances from GSL's double pendulum, reference", "rad",
+             std::max(std::abs(found.lower - judged.lower), std::abs(found.upper - judged.upper)));
   return result;
 }
 

@@ -2,12 +2,10 @@
 /// \brief The independent judge of figure 6.3: two hinged boxes with two angles, by GSL.
 #include "exterior_rotation/nested_pendulum.hpp"
 
+#include "driver/experiment.hpp"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-
-#include <cmath>
-#include <memory>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

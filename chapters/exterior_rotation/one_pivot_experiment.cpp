@@ -2,17 +2,9 @@
 /// \brief One rotation for the group, one for each body, or a tree of pivots: figure 6.3 (claim 6.2c).
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace tumble::chapters {
 namespace {
@@ -132,38 +124,31 @@ Result measure_one_pivot(const Parameters& settings) {
                {"tree_m", "m", "a tree of pivots"}}};
   const auto drawn = [](double left) { return std::max(left, kNearNothing); };
   double largest_ratio = 0.0;
-  double largest_left = 0.0;
   for (int k = 0; k < count; ++k) {
     const double upper = -10.0 + 20.0 * k / (count - 1);
     const Left left = left_in_step(nested({kSpins[0].lower, upper}), dt);
     spins.add(upper, drawn(left.straight), drawn(left.pivot), drawn(left.best), drawn(left.own),
               drawn(left.tree));
     largest_ratio = std::max(largest_ratio, left.best / left.own);
-    largest_left = std::max(largest_left, left.best);
   }
 
   const NestedInstant scene = NestedInstant(scene_with("fig6_3", {}));
   const Left left = left_in_step(scene, dt);
   const Left slow = left_in_step(nested(kSlowBelow), dt);
-  Result result;
-  result.quantities = {
-      {"gap or overlap that the best single rotation leaves in a step of figure 6.3 at 60 steps a "
-       "second, over what one rotation for each body leaves",
-       "-", left.best / left.own},
-      {"what the best single rotation leaves", "m", left.best},
-      {"what one twist for each body leaves", "m", left.own},
-      {"half h² |Δω| |v_p|", "m", scene.predicted(dt)},
-      {"what a tree of pivots leaves", "m", left.tree},
-      {"what centres on straight lines leave", "m", left.straight},
-      {"the same ratio for spins of -0.3 and -9 rad/s", "-", slow.best / slow.own},
-      {"largest ratio of the best single rotation to one twist each, upper box within 10 rad/s",
-       "-", largest_ratio},
-      {"largest mismatch that the best single rotation leaves, upper box within 10 rad/s", "m",
-       largest_left},
-      {"order of the mismatch in the step, one twist each", "-", fitted_order(dts, first)},
-      {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}};
-  result.tables = {steps, spins};
-  return result;
+  return {
+      {steps, spins},
+      {{"gap or overlap that the best single rotation leaves in a step of figure 6.3 at 60 steps a "
+        "second, over what one rotation for each body leaves",
+        "-", left.best / left.own},
+       {"what the best single rotation leaves", "m", left.best},
+       {"what one twist for each body leaves", "m", left.own},
+       {"half h² |Δω| |v_p|", "m", scene.predicted(dt)},
+       {"what a tree of pivots leaves", "m", left.tree},
+       {"the same ratio for spins of -0.3 and -9 rad/s", "-", slow.best / slow.own},
+       {"largest ratio of the best single rotation to one twist each, upper box within 10 rad/s",
+        "-", largest_ratio},
+       {"order of the mismatch in the step, one twist each", "-", fitted_order(dts, first)},
+       {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}}};
 }
 
 const Registered claim_6_2c_one_pivot_figure{

@@ -1,14 +1,8 @@
 /// \file
 /// \brief The column of figure 6.1, each body moved by one twist (claim 6.2d).
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -86,8 +80,8 @@ Result measure_one_twist(const Parameters& settings) {
       {"largest gap or overlap, centre and orientation apart", "m", separate[1].run.gap}};
   for (std::size_t k = 0; k < kSchemes.size(); ++k) {
     const std::string name = "error of the angle, " + separate_schemes()[kSchemes[k]].words;
-    result.quantities.push_back({name + ", apart", "rad", separate[k].error});
-    result.quantities.push_back({name + ", one twist", "rad", exponential[k].error});
+    result.add(name + ", apart", "rad", separate[k].error);
+    result.add(name + ", one twist", "rad", exponential[k].error);
   }
   result.tables = {gaps, angles};
   return result;

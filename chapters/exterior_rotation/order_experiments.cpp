@@ -1,17 +1,9 @@
 /// \file
 /// \brief Orders of the glued column's integration, and the gap of one step (claim 6.2b).
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {

@@ -1,19 +1,9 @@
 /// \file
 /// \brief Forces at the pivot of the falling column, and periods of boxes that swing on an edge.
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/box_pendulum.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -108,8 +98,7 @@ Result measure_pivot_forces(const Parameters& settings) {
       {"angle of the centre at which the top joint would open without glue", "deg",
        degrees(opens)}};
   for (std::size_t s = 0; s < schemes.size(); ++s)
-    result.quantities.push_back(
-        {"largest error of a force over weight, " + schemes[s].words, "-", worst[s]});
+    result.add("largest error of a force over weight, " + schemes[s].words, "-", worst[s]);
   return result;
 }
 

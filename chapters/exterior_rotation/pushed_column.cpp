@@ -2,11 +2,7 @@
 /// \brief The column of figure 6.1 pushed along without turning.
 #include "exterior_rotation/pushed_column.hpp"
 
-#include "tumble/math/rotation.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -2,9 +2,7 @@
 /// \brief Bodies seen from the side, and a place of them magnified, as commands of gnuplot.
 #include "exterior_rotation/side_view.hpp"
 
-#include <array>
 #include <cstdio>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

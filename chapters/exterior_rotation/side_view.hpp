@@ -2,17 +2,9 @@
 /// \brief Bodies seen from the side, and a place of them magnified, as commands of gnuplot.
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
 #include "tumble/pictures/polygon.hpp"
 
-#include "driver/figure.hpp"
-
-#include <array>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -5,14 +5,8 @@
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -111,9 +105,8 @@ Result measure_with_pose(const std::string& scene_name, const Parameters& settin
     const double apart = run_technique(scene, technique.played, rate).gap();
     const double together = run_technique(scene, exponential(technique), rate).gap();
     table.add(table.rows.size(), apart, together);
-    result.quantities.push_back({"gap, " + technique.words, "mm", 1e3 * apart});
-    result.quantities.push_back(
-        {"gap, " + technique.words + ", exponential", "mm", 1e3 * together});
+    result.add("gap, " + technique.words, "mm", 1e3 * apart);
+    result.add("gap, " + technique.words + ", exponential", "mm", 1e3 * together);
   }
   result.tables.push_back(table);
   return result;
@@ -157,11 +150,9 @@ Result measure_other_gaps(const Parameters& settings) {
       const bool timewarp = technique.words.find("timewarp") == 0;
       if (timewarp) timewarps = std::max(timewarps, gap);
       if (k == 0 || !timewarp)
-        result.quantities.push_back({"gap, " + words + ", " + technique.words, "mm", 1e3 * gap});
+        result.add("gap, " + words + ", " + technique.words, "mm", 1e3 * gap);
     }
-    if (k > 0)
-      result.quantities.push_back(
-          {"largest gap, " + words + ", four timewarps", "mm", 1e3 * timewarps});
+    if (k > 0) result.add("largest gap, " + words + ", four timewarps", "mm", 1e3 * timewarps);
   }
   for (const std::vector<double>& row : rows) table.add(table.rows.size(), row);
   result.tables.push_back(table);

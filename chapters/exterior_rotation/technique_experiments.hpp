@@ -3,11 +3,7 @@
 ///        together comes apart (thesis 6.2).
 #pragma once
 
-#include "driver/played_scene.hpp"
-
-#include <span>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

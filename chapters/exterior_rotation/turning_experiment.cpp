@@ -1,16 +1,9 @@
 /// \file
 /// \brief The column turns, and is pushed along without turning (claim 6.2a).
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/pushed_column.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -63,9 +56,8 @@ Table single_steps(const Parameters& settings, Result& result) {
     table.add(dt, 0.5 * rate * rate * dt * dt, gaps);
   }
   for (std::size_t s = 0; s < kSloped; ++s)
-    result.quantities.push_back(
-        {"order of the gap that a single step makes, " + film_schemes()[s].words, "-",
-         fitted_order(fitted_dt[s], fitted_gap[s])});
+    result.add("order of the gap that a single step makes, " + film_schemes()[s].words, "-",
+               fitted_order(fitted_dt[s], fitted_gap[s]));
   return table;
 }
 
@@ -110,9 +102,8 @@ Result measure_turning(const Parameters& settings) {
     const double gap =
         largest_in_run(run_held(other_start, options_of(film_schemes()[0]), dt, steps));
     const std::string angle = std::string(words) + " the angle at the start";
-    result.quantities.push_back({"the same sayings, " + angle, "-", holding(gap, pushed.gap)});
-    result.quantities.push_back(
-        {"largest gap or overlap of the column that turns, over an edge, " + angle, "-", gap});
+    result.add("the same sayings, " + angle, "-", holding(gap, pushed.gap));
+    result.add("largest gap or overlap of the column that turns, over an edge, " + angle, "-", gap);
   }
   result.tables = {table};
   result.tables.push_back(single_steps(settings, result));

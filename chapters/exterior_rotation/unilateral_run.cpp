@@ -2,13 +2,8 @@
 /// \brief A column without glue that falls, and the moments at which its joints open.
 #include "exterior_rotation/unilateral_run.hpp"
 
-#include "tumble/geometry/box.hpp"
-
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-
-#include <algorithm>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

@@ -1,16 +1,8 @@
 /// \file
 /// \brief The point about which a body that sticks, slides or flies has to be turned (thesis 6.2).
-#include "tumble/math/rotation.hpp"
-
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/group_moves.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace tumble::chapters {
 namespace {
@@ -119,21 +111,19 @@ Result measure_which_centre(const Parameters& settings) {
         worst_at_finest = std::max(worst_at_finest, std::abs(wrong.most() / expected - 1.0));
     }
   }
-  Result result;
-  result.quantities = {
-      {"sticks, turned about its own centre: gap", "m", base[0].gap},
-      {"sticks, turned about the touching point: gap", "m", base[1].gap},
-      {"slides, turned about its own centre: gap", "m", base[2].gap},
-      {"slides, turned about its own centre: bend", "m", base[2].bend},
-      {"slides, turned about the touching point: gap", "m", base[3].gap},
-      {"slides, turned about the touching point: bend", "m", base[3].bend},
-      {"slides, turned about what is at rest: gap", "m", base[4].gap},
-      {"slides, turned about its own centre and put back: gap or bend", "m", base[5].most()},
-      {"flies, turned about its own centre: bend", "m", base[6].bend},
-      {"flies, turned about what is at rest: bend", "m", base[7].bend},
-      {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}};
-  result.tables = {table};
-  return result;
+  return {
+      {table},
+      {{"sticks, turned about its own centre: gap", "m", base[0].gap},
+       {"sticks, turned about the touching point: gap", "m", base[1].gap},
+       {"slides, turned about its own centre: gap", "m", base[2].gap},
+       {"slides, turned about its own centre: bend", "m", base[2].bend},
+       {"slides, turned about the touching point: gap", "m", base[3].gap},
+       {"slides, turned about the touching point: bend", "m", base[3].bend},
+       {"slides, turned about what is at rest: gap", "m", base[4].gap},
+       {"slides, turned about its own centre and put back: gap or bend", "m", base[5].most()},
+       {"flies, turned about its own centre: bend", "m", base[6].bend},
+       {"flies, turned about what is at rest: bend", "m", base[7].bend},
+       {"largest error of the prediction in the shortest step, over it", "-", worst_at_finest}}};
 }
 
 const Registered which_centre_figure{

@@ -1,14 +1,8 @@
 /// \file
 /// \brief Errors of the glued column against work, and what keeps its gap small.
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {

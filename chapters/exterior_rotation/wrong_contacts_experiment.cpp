@@ -2,15 +2,10 @@
 /// \brief Claim 6.2f: changes of contact that the right motion does not have.
 #include "tumble/base/tolerances.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -1,16 +1,7 @@
 /// \file
 /// \brief The clump of figure 6.7 with adaptive steps, against fixed ones (claim 6.3.1b).
-#include "tumble/math/elementary.hpp"
-
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/adaptive_runs.hpp"
-#include "filtering/seed_numbers.hpp"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {

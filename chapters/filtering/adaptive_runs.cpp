@@ -6,14 +6,6 @@
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/chatter.hpp"
 
-#include "driver/settings.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 namespace tumble::chapters {
 namespace {
 

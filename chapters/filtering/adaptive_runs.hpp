@@ -5,11 +5,8 @@
 
 #include "tumble/filtering/adaptive_step.hpp"
 
-#include "driver/figure.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <memory>
-#include <vector>
 
 namespace tumble::chapters {
 

@@ -1,16 +1,8 @@
 /// \file
 /// \brief Erratum P13: what comes of averaging the components of quaternions (thesis 5.5).
 #include "tumble/filtering/box_filter.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -138,21 +130,18 @@ Result measure_component_means(const Parameters& settings) {
   const double shown_speed = settings.number("speed");
   const Errors on = errors_of(steady(shown_speed, rate));
   const Errors off = errors_of(stopped(shown_speed, rate));
-  Result result;
-  result.tables = {table, flip_table(steady(shown_speed, rate))};
-  result.quantities = {
-      {"P13: angle to the right mean while a sign changes, mean of components", "rad",
-       on.components},
-      {"P13: angle to the right mean while a sign changes, mean of rotation vectors", "rad",
-       on.tangent},
-      {"the same over the turn in a frame, mean of components", "-",
-       on.components / (shown_speed / rate)},
-      {"angle to the right mean of a body that stops, components with one sign", "rad",
-       off.aligned},
-      {"angle to the right mean of a body that stops, mean of rotation vectors", "rad",
-       off.tangent},
-      {"by how much that mean of components is shorter than 1", "-", off.shrunk}};
-  return result;
+  return {{table, flip_table(steady(shown_speed, rate))},
+          {{"P13: angle to the right mean while a sign changes, mean of components", "rad",
+            on.components},
+           {"P13: angle to the right mean while a sign changes, mean of rotation vectors", "rad",
+            on.tangent},
+           {"the same over the turn in a frame, mean of components", "-",
+            on.components / (shown_speed / rate)},
+           {"angle to the right mean of a body that stops, components with one sign", "rad",
+            off.aligned},
+           {"angle to the right mean of a body that stops, mean of rotation vectors", "rad",
+            off.tangent},
+           {"by how much that mean of components is shorter than 1", "-", off.shrunk}}};
 }
 
 const Registered errata_filtering_figure{

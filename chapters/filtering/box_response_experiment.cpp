@@ -1,22 +1,11 @@
 /// \file
 /// \brief The frequency response of the box filter, measured with the filter itself (thesis 5.5).
 #include "tumble/filtering/box_filter.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <numbers>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -187,20 +176,18 @@ Result measure_box_response(const Parameters& settings) {
                             2 * half, kFrames - 1);
   const double delay = elementary::atan2(late.behind, late.in_phase) / (kTurn * kSlowMotion);
 
-  Result result;
-  result.tables = {table, marks};
-  result.quantities = {{"largest error of the response, moving", "-", worst_move},
-                       {"largest error of the response, turning", "-", worst_turn},
-                       {"first frequency that is removed", "1/frame", zeros.front()},
-                       {"last frequency that is removed", "1/frame", zeros.back()},
-                       {"frequency of the lowest gain", "1/frame", lowest},
-                       {"lowest gain", "-", response(lowest)},
-                       {"frequency at -3 dB", "1/frame", third},
-                       {"frequency at -3 dB in hertz", "Hz", third * rate},
-                       {"gain of a body that is elsewhere in every other frame", "-", last_gain},
-                       {"frames by which the causal form is late", "-", delay},
-                       {"time by which the causal form is late", "s", delay / rate}};
-  return result;
+  return {{table, marks},
+          {{"largest error of the response, moving", "-", worst_move},
+           {"largest error of the response, turning", "-", worst_turn},
+           {"first frequency that is removed", "1/frame", zeros.front()},
+           {"last frequency that is removed", "1/frame", zeros.back()},
+           {"frequency of the lowest gain", "1/frame", lowest},
+           {"lowest gain", "-", response(lowest)},
+           {"frequency at -3 dB", "1/frame", third},
+           {"frequency at -3 dB in hertz", "Hz", third * rate},
+           {"gain of a body that is elsewhere in every other frame", "-", last_gain},
+           {"frames by which the causal form is late", "-", delay},
+           {"time by which the causal form is late", "s", delay / rate}}};
 }
 
 const Registered box_response_figure{

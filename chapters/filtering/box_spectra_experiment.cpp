@@ -2,14 +2,9 @@
 /// \brief Claim 5.5a: the settled clump before and after filters, in amplitude, squirm and spectrum.
 #include "tumble/filtering/filters.hpp"
 
-#include "driver/registry.hpp"
-#include "filtering/seed_numbers.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/shown_clump.hpp"
 #include "filtering/spectrum.hpp"
-
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -26,13 +21,6 @@ constexpr std::array<ShownBy, 5> kShown = {{{"raw", ""},
 constexpr std::size_t kUnfiltered = 0;
 constexpr std::size_t kBoxOfFive = 1;
 constexpr double kHalf = 0.5;  // what the claim's two sayings compare with
-
-// What one seed gives for one filter: medians over the bodies that chatter.
-struct SeedMeasures {
-  Shake median;
-  double own_amplitude = 0.0;  // [-] median of the bodies' own ratios to the raw run
-  double own_squirm = 0.0;     // [-] the same
-};
 
 // Sums of squares at each frequency, over the bodies that chatter of all seeds.
 using Lines = std::vector<double>;
@@ -52,15 +40,8 @@ void add_spectrum(const std::vector<Corners>& path, Lines& squares,
     }
 }
 
-double median_ratio(const std::vector<Shake>& shown, const std::vector<Shake>& raw,
-                    double Shake::*number) {
-  std::vector<double> ratios;
-  for (std::size_t k = 0; k < raw.size(); ++k) ratios.push_back(shown[k].*number / raw[k].*number);
-  return median_of(ratios);
-}
-
-// What one seed gives, by filter.
-using SeedOfAll = std::array<SeedMeasures, kShown.size()>;
+// What one seed gives, by filter: medians over the bodies that chatter.
+using SeedOfAll = std::array<Shake, kShown.size()>;
 
 // What all seeds give.
 struct Measured {
@@ -73,21 +54,18 @@ struct Measured {
   [[nodiscard]] Quantity ratio(const std::string& name, std::size_t filter,
                                double Shake::*number) const {
     return mean_of(name, "-", seeds, [&](const SeedOfAll& seed) {
-      return seed[filter].median.*number / seed[kUnfiltered].median.*number;
+      return seed[filter].*number / seed[kUnfiltered].*number;
     });
   }
 };
 
 void measure(const ChatteringClump& clump, Measured& all) {
-  const std::vector<Shake> raw = clump.shakes(clump.run.frames);
   SeedOfAll seed;
   for (std::size_t f = 0; f < kShown.size(); ++f) {
     const Trajectory shown = f == kUnfiltered
                                  ? clump.run.frames
                                  : filtered(clump.run.frames, *filter_of(kShown[f].filter));
-    const std::vector<Shake> shakes = clump.shakes(shown);
-    seed[f] = {median_shake(shakes), median_ratio(shakes, raw, &Shake::amplitude),
-               median_ratio(shakes, raw, &Shake::squirm)};
+    seed[f] = median_shake(clump.shakes(shown));
     for (const std::size_t body : clump.bodies)
       add_spectrum(clump.path(shown, body), all.lines[f], all.frequency);
   }
@@ -135,13 +113,7 @@ Result measure_box_spectra(const Parameters& settings) {
         "-", (amplitude.value <= kHalf ? 1 : 0) + (squirm.value >= kHalf ? 1 : 0)},
        amplitude,
        squirm,
-       mean_of("the same for amplitude, median of each body's own ratio", "-", all.seeds,
-               [](const SeedOfAll& seed) { return seed[kBoxOfFive].own_amplitude; }),
-       mean_of("the same for squirm, median of each body's own ratio", "-", all.seeds,
-               [](const SeedOfAll& seed) { return seed[kBoxOfFive].own_squirm; }),
        all.ratio("acceleration after a box of five over before", kBoxOfFive, &Shake::acceleration),
-       mean_of("amplitude before", "m", all.seeds,
-               [](const SeedOfAll& seed) { return seed[kUnfiltered].median.amplitude; }),
        squirm_of_white_noise("squirm after over before if chatter were white noise", 5, 1),
        {"bodies that chatter, all seeds", "-", all.bodies}}};
 }

@@ -3,14 +3,8 @@
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/registry.hpp"
-#include "filtering/seed_numbers.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/shown_clump.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -198,29 +192,29 @@ Result measure_box_widths(const Parameters& settings) {
   const double held = (squirm.value <= kAtLeastHalf ? 1.0 : 0.0) +
                       (blunt <= kAtLeastHalf ? 1.0 : 0.0) + (overlap.value > 0.0 ? 1.0 : 0.0);
 
-  Result result;
-  result.tables = {width_table(clumps, landing), impact_table(landing)};
-  result.quantities = {
-      {"of three sayings about wider kernels those that hold: at 15 frames half of the squirm at 5 "
-       "or less, half of the sharpness of an impact at 5 or less, and overlap of filtered bodies "
-       "above that of unfiltered ones",
-       "-", held},
-      squirm,
-      {"sharpness of an impact at 15 frames over that at 5", "-", blunt},
-      overlap,
-      made_overlap("the same at 5 frames", clumps, kFive),
-      added_overlap("most that filtering over 15 frames adds to the overlap of a frame", clumps,
-                    kWidest),
-      share_of_trials("share of the clumps in which the deepest overlap is deeper as shown", deeper,
-                      static_cast<std::int64_t>(clumps.overlaps.size())),
-      squirm_of_white_noise("squirm at 15 frames over that at 5 if chatter were white noise",
-                            kWidths[kWidest], kWidths[kFive]),
-      {"sharpness of a bounce at 15 frames over that at 5", "-",
-       bounce.sharpness(kWidest) / bounce.sharpness(kFive)},
-      {"overlap with the ground of a landing cube that filtering over 15 frames adds", "m", landed},
-      {"height by which a falling cube is shown too low at 5 frames", "m",
-       landing.height(kRaw, in_flight) - landing.height(kFive, in_flight)}};
-  return result;
+  return {
+      {width_table(clumps, landing), impact_table(landing)},
+      {{"of three sayings about wider kernels those that hold: at 15 frames half of the squirm at "
+        "5 "
+        "or less, half of the sharpness of an impact at 5 or less, and overlap of filtered bodies "
+        "above that of unfiltered ones",
+        "-", held},
+       squirm,
+       {"sharpness of an impact at 15 frames over that at 5", "-", blunt},
+       overlap,
+       made_overlap("the same at 5 frames", clumps, kFive),
+       added_overlap("most that filtering over 15 frames adds to the overlap of a frame", clumps,
+                     kWidest),
+       share_of_trials("share of the clumps in which the deepest overlap is deeper as shown",
+                       deeper, static_cast<std::int64_t>(clumps.overlaps.size())),
+       squirm_of_white_noise("squirm at 15 frames over that at 5 if chatter were white noise",
+                             kWidths[kWidest], kWidths[kFive]),
+       {"sharpness of a bounce at 15 frames over that at 5", "-",
+        bounce.sharpness(kWidest) / bounce.sharpness(kFive)},
+       {"overlap with the ground of a landing cube that filtering over 15 frames adds", "m",
+        landed},
+       {"height by which a falling cube is shown too low at 5 frames", "m",
+        landing.height(kRaw, in_flight) - landing.height(kFive, in_flight)}}};
 }
 
 const Registered claim_5_5b_width_figure{

@@ -2,11 +2,6 @@
 /// \brief Medians over seeds and ranks with ties.
 #include "filtering/chatter_ranks.hpp"
 
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <limits>
-
 namespace tumble::chapters {
 
 MedianRange median_range(std::vector<double> values) {

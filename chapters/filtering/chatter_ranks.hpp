@@ -3,8 +3,7 @@
 ///        (thesis 5.5).
 #pragma once
 
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -4,11 +4,6 @@
 
 #include "tumble/record/overlap.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

@@ -4,10 +4,7 @@
 
 #include "tumble/record/chatter.hpp"
 
-#include "driver/played_scene.hpp"
-
-#include <cstdint>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

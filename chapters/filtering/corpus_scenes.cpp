@@ -1,12 +1,7 @@
 /// \file
 /// \brief The runs that a corpus of motions is made of.
-#include "tumble/base/random.hpp"
-#include "tumble/math/elementary.hpp"
-
+#include "driver/experiment.hpp"
 #include "filtering/motion_corpus.hpp"
-
-#include <numbers>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -2,15 +2,8 @@
 /// \brief Hits and false alarms of rules that detect chatter (claim 6.3.1c).
 #include "tumble/contact/tolerances.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/motion_corpus.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -1,17 +1,10 @@
 /// \file
 /// \brief Two envelopes and bodies that chatter (claim 5.5c).
 #include "tumble/filtering/envelope_filter.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/registry.hpp"
-#include "filtering/seed_numbers.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <numbers>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -36,7 +29,6 @@ struct Shown {
   double steps = 0.0;         // of all bodies, from frame to frame
   double still = 0.0;         // steps in which nothing of the pose changes
   double pops = 0.0;          // steps at least as long as the envelope
-  double corner_pops = 0.0;   // the same by the way of a corner, and longer than what is computed
   double largest_step = 0.0;  // [m] way of a corner
   double way = 0.0;           // [mm] of the corner that goes farthest, summed over the steps
   double overlap = 0.0;       // [m] deepest one less the computed one, largest over frames
@@ -51,12 +43,10 @@ bool as_long_as(const BodyState& from, const BodyState& to, const Envelope& enve
 struct Watched {
   SettledRun run;
   std::vector<std::size_t> chattering;
-  std::vector<std::vector<Corners>> computed;  // their paths
-  std::vector<double> overlap;                 // [m] deepest in every so many frames
+  std::vector<double> overlap;  // [m] deepest in every so many frames
 
   Watched(const Parameters& settings, int seed)
       : run(settle_clump(settings, seed)), chattering(chattering_bodies(run)) {
-    for (const std::size_t k : chattering) computed.push_back(settled_path(run, run.frames, k));
     overlap = overlaps_in(run.frames);
   }
 
@@ -70,13 +60,13 @@ struct Watched {
 
   [[nodiscard]] Shown measure(const Trajectory& frames, const Envelope& envelope) const {
     Shown shown;
-    for (std::size_t n = 0; n < chattering.size(); ++n) {
-      const std::vector<Corners> path = settled_path(run, frames, chattering[n]);
+    for (const std::size_t body : chattering) {
+      const std::vector<Corners> path = settled_path(run, frames, body);
       double still = 0.0;
       for (std::size_t f = 1; f < path.size(); ++f) {
         const int frame = run.first + static_cast<int>(f);
-        const BodyState& before = frames.frame(frame - 1).states[chattering[n]];
-        const BodyState& now = frames.frame(frame).states[chattering[n]];
+        const BodyState& before = frames.frame(frame - 1).states[body];
+        const BodyState& now = frames.frame(frame).states[body];
         const double way = largest_displacement(path[f - 1], path[f]);
         if (same_pose(before, now)) still += 1.0;
         if (as_long_as(before, now, envelope)) shown.pops += 1.0;
@@ -88,7 +78,6 @@ struct Watched {
       shown.still_bodies += still == steps ? 1.0 : 0.0;
       shown.steps += steps;
       shown.still += still;
-      shown.corner_pops += pops(path, computed[n], envelope.radius).count;
     }
     const std::vector<double> deepest = overlaps_in(frames);
     for (std::size_t k = 0; k < deepest.size(); ++k)
@@ -105,7 +94,7 @@ double largest_of(const std::vector<Shown>& seeds, double Shown::*what) {
 
 // The numbers of one filter and envelope.
 struct Numbers {
-  Quantity still, still_bodies, pops, corner_pops, speed;
+  Quantity still, still_bodies, pops, speed;
   double largest_step, overlap;  // [mm]
 
   Numbers(const std::vector<Shown>& seeds, const std::string& whose)
@@ -120,7 +109,6 @@ struct Numbers {
     still_bodies = ratio("share of bodies that chatter which never move, ", "-",
                          &Shown::still_bodies, &Shown::bodies);
     pops = ratio("pops of a body that chatters, ", "1/min", &Shown::pops, minutes);
-    corner_pops = ratio("the same by way of a corner, ", "1/min", &Shown::corner_pops, minutes);
     speed = ratio("mean speed of the fastest corner at rest, ", "mm/s", &Shown::way,
                   [](const Shown& s) { return s.steps * kStep; });
   }
@@ -194,7 +182,6 @@ Result sweep_envelope(const Parameters& settings) {
            as_thesis.still_bodies,
            as_thesis.pops,
            as_soft.pops,
-           as_thesis.corner_pops,
            {"largest pop, envelope of the thesis", "mm", as_thesis.largest_step},
            computed.speed,
            as_thesis.speed,
@@ -204,8 +191,7 @@ Result sweep_envelope(const Parameters& settings) {
            half.still,
            twice.still,
            half.pops,
-           twice.pops,
-           {"largest pop, twice the envelope", "mm", twice.largest_step}}};
+           twice.pops}};
 }
 
 const Registered claim_5_5c_envelope_figure{

@@ -3,14 +3,8 @@
 #include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/record/chatter.hpp"
 
-#include "driver/registry.hpp"
-#include "filtering/seed_numbers.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -27,8 +21,7 @@ struct Look {
 
 // One clump with one kind of sleep.
 struct SleepRun {
-  std::vector<Look> looks;    // by step
-  double first_asleep = 0.0;  // [s] when half of the bodies sleep
+  std::vector<Look> looks;  // by step
   double woken =
       0.0;  // bodies awake, at most, in the first second and a half after the cube comes in
 };
@@ -67,17 +60,13 @@ SleepRun play(const Parameters& settings, std::uint64_t seed, const PlayedTechni
     const World& world = played.world();
     mark_contacts(world, played.technique().contacts(), touches);
     Look look;
-    double movable = 0.0;
     for (std::size_t k = 0; k < world.states().size(); ++k) {
       if (!world.bodies()[k].movable()) continue;
-      movable += 1.0;
       if (world.sleep_states()[k].asleep)
         touches[k] = 1;
       else
         look.awake += 1.0;
     }
-    if (run.first_asleep == 0.0 && movable - look.awake >= 0.5 * movable)
-      run.first_asleep = world.time();
     meter.add(world, touches);
     look.chatters = (run.looks.size() + 1) % kTenth == 0 || run.looks.empty()
                         ? chattering(meter, world)
@@ -149,7 +138,6 @@ Result measure_freezing(const Parameters& settings) {
        ratio_of_sums("pair tests before the hit, freezing over none", "-",
                      before_hit(freezing, settings, &Look::pair_tests),
                      before_hit(off, settings, &Look::pair_tests)),
-       mean_of("time until half of the bodies are frozen", "s", freezing, &SleepRun::first_asleep),
        mean_of("bodies awake after the hit at most, freezing", "-", freezing, &SleepRun::woken)}};
 }
 

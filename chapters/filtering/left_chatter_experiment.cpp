@@ -1,13 +1,7 @@
 /// \file
 /// \brief Claim 6.1b: the chatter that is left in the settled clump.
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -104,7 +98,7 @@ Result measure_left_chatter(const Parameters& settings) {
                                      : "the same share" + variants()[v].words;
     const Quantity found = share_of_bodies(words, clumps, false);
     shares.add(v, found.value, found.low, found.high, 1.0 - resting / bodies);
-    result.quantities.push_back(found);
+    result.add(found);
     if (v > 0) continue;
 
     std::vector<double> moving;
@@ -119,13 +113,11 @@ Result measure_left_chatter(const Parameters& settings) {
     for (std::size_t k = 0; k < moving.size(); ++k)
       sorted.add((resting - count + static_cast<double>(k) + 0.5) / bodies, moving[k]);
     still.add(bodies, bodies - resting, resting - count, chattering);
-    result.quantities.push_back(share_of_bodies("the same share of those that rest", clumps, true));
-    result.quantities.push_back(
-        {"share of bodies that rest and do not move at all", "-", (resting - count) / bodies});
-    result.quantities.push_back(share_of_bodies("the same share, chatter from half a thousandth on",
-                                                clumps, false, 0.5 * kChatters));
-    result.quantities.push_back(share_of_bodies("the same share, chatter from two thousandths on",
-                                                clumps, false, 2.0 * kChatters));
+    result.add(share_of_bodies("the same share of those that rest", clumps, true));
+    result.add(share_of_bodies("the same share, chatter from half a thousandth on", clumps, false,
+                               0.5 * kChatters));
+    result.add(share_of_bodies("the same share, chatter from two thousandths on", clumps, false,
+                               2.0 * kChatters));
   }
   result.tables = {sorted, shares, still};
   return result;

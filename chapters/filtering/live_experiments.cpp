@@ -1,16 +1,10 @@
 /// \file
 /// \brief Filters that run live: the same frames, and how late they are seen (thesis 5.5).
-#include "tumble/base/random.hpp"
 #include "tumble/filtering/box_filter.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/live_runs.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace tumble::chapters {
 namespace {
@@ -197,25 +191,23 @@ Result measure_live(const Parameters& settings) {
     rows[k].fast = steady_delay(settings.number("fast"), kSteadyFrames, *filters[k]);
   }
   Table landing = landing_table(settings, filters, rows);
-  Result result;
-  result.quantities = {
-      {"bits of the displayed frames that differ between filtering live and filtering afterwards, "
-       "the delay taken off",
-       "-", bits.live.different},
-      {"bits compared, live and afterwards", "-", bits.live.compared},
-      {"bits that differ between filtering in pieces and whole", "-", bits.pieces.different},
-      {"later frames that a shown frame depends on, box of five", "-",
-       later_frames_needed(*filters[kBox])},
-      {"time for which frames wait at 60 Hz, box of five", "s", rows[kBox].held_back * kStep},
-      {"bits of poses that differ between the causal box and the centred one two frames before",
-       "-", causal.different},
-      {"frames by which a creeping body is seen late, envelope", "-", rows[kEnvelope].slow},
-      {"frames by which a creeping body is seen late, soft envelope", "-", rows[kSoft].slow},
-      {"frames by which a landing is seen late, box of five", "-", rows[kBox].landing},
-      {"frames by which a landing is seen late, one-euro", "-", rows[kOneEuro].landing}};
-  result.tables = {filter_table(filters, rows), std::move(landing),
-                   creep_table(settings.number("creep"), filters)};
-  return result;
+  return {
+      {filter_table(filters, rows), std::move(landing),
+       creep_table(settings.number("creep"), filters)},
+      {{"bits of the displayed frames that differ between filtering live and filtering afterwards, "
+        "the delay taken off",
+        "-", bits.live.different},
+       {"bits compared, live and afterwards", "-", bits.live.compared},
+       {"bits that differ between filtering in pieces and whole", "-", bits.pieces.different},
+       {"later frames that a shown frame depends on, box of five", "-",
+        later_frames_needed(*filters[kBox])},
+       {"time for which frames wait at 60 Hz, box of five", "s", rows[kBox].held_back * kStep},
+       {"bits of poses that differ between the causal box and the centred one two frames before",
+        "-", causal.different},
+       {"frames by which a creeping body is seen late, envelope", "-", rows[kEnvelope].slow},
+       {"frames by which a creeping body is seen late, soft envelope", "-", rows[kSoft].slow},
+       {"frames by which a landing is seen late, box of five", "-", rows[kBox].landing},
+       {"frames by which a landing is seen late, one-euro", "-", rows[kOneEuro].landing}}};
 }
 
 const Registered claim_5_5e_live_figure{

@@ -4,10 +4,7 @@
 
 #include "tumble/filtering/filters.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <limits>
 
 namespace tumble::chapters {
 namespace {

@@ -5,12 +5,7 @@
 
 #include "tumble/filtering/pose_filter.hpp"
 
-#include "driver/played_scene.hpp"
-
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -5,12 +5,6 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/filtering/freezing.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <span>
 
 namespace tumble::chapters {
 namespace {

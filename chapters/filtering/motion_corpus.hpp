@@ -5,11 +5,8 @@
 
 #include "tumble/filtering/chatter_detector.hpp"
 
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <array>
-#include <cstdint>
-#include <vector>
 
 namespace tumble::chapters {
 

@@ -6,10 +6,6 @@
 #include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/record/chatter.hpp"
 
-#include <cmath>
-#include <span>
-#include <string>
-
 namespace tumble::chapters {
 namespace {
 

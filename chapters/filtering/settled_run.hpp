@@ -5,12 +5,7 @@
 #include "tumble/dynamics/trajectory.hpp"
 #include "tumble/filtering/corner_motion.hpp"
 
-#include "driver/figure.hpp"
-#include "driver/played_scene.hpp"
-
-#include <cstdint>
-#include <functional>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,13 +2,6 @@
 /// \brief Measuring a settled clump as it is shown.
 #include "filtering/shown_clump.hpp"
 
-#include "filtering/seed_numbers.hpp"
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
 namespace tumble::chapters {
 namespace {
 

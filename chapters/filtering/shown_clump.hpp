@@ -6,11 +6,8 @@
 #include "tumble/filtering/pose_filter.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
-#include "driver/figure.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
-
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 

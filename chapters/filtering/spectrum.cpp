@@ -2,17 +2,8 @@
 /// \brief Amplitude spectra by GSL's mixed-radix FFT of real data.
 #include "filtering/spectrum.hpp"
 
-#include "tumble/base/error.hpp"
-#include "tumble/math/elementary.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_fft_real.h>
-
-#include <cmath>
-#include <memory>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -2,9 +2,7 @@
 /// \brief Which frequencies a signal is made of: amplitude spectra by GSL's FFT (thesis 5.5).
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

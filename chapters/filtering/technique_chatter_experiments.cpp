@@ -1,17 +1,10 @@
 /// \file
 /// \brief Chatter of every technique, as a table.
-#include "tumble/math/elementary.hpp"
 #include "tumble/pictures/lighting.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "filtering/chatter_ranks.hpp"
 #include "filtering/chatter_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -230,9 +223,9 @@ Result tabulate_chatter(const Parameters& settings) {
                 cell.rank > 0 ? colour_of(cell.amplitude.median) : 0xeeeeee);
       if (cell.rank > 0 &&
           std::count(kCompared.begin(), kCompared.end(), std::array<std::size_t, 2>{s, t}) > 0)
-        result.quantities.push_back({words[s] + ": amplitude of " + rested[t].words, "mm",
-                                     1e3 * cell.amplitude.median, 1e3 * cell.amplitude.low,
-                                     1e3 * cell.amplitude.high, static_cast<int>(cell.seeds)});
+        result.add(words[s] + ": amplitude of " + rested[t].words, "mm",
+                   1e3 * cell.amplitude.median, 1e3 * cell.amplitude.low, 1e3 * cell.amplitude.high,
+                   static_cast<int>(cell.seeds));
     }
   }
   result.tables = {table, techniques_without(settings, starts[0], seeds), seeds, shades()};

@@ -2,13 +2,7 @@
 /// \brief Structures from the side, and how they start to move, as tables for gnuplot.
 #include "geometric_stability/balance_drawing.hpp"
 
-#include "tumble/math/elementary.hpp"
-
 #include "geometric_stability/pile_forces.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace tumble::chapters {
 namespace {

@@ -2,12 +2,9 @@
 /// \brief Structures from the side, and how they start to move, as tables for gnuplot.
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
 #include "tumble/dynamics/wrench.hpp"
 
-#include "driver/figure.hpp"
-
-#include <span>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

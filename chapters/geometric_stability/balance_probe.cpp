@@ -3,24 +3,11 @@
 #include "geometric_stability/balance_probe.hpp"
 
 #include "tumble/analytic_lcp/assembly.hpp"
-#include "tumble/base/error.hpp"
-#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/settings.hpp"
 #include "geometric_stability/pile_builder.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numeric>
-#include <span>
-#include <stdexcept>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

@@ -4,13 +4,8 @@
 
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
+#include "driver/experiment.hpp"
 #include "geometric_stability/resting_pile.hpp"
-
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace tumble::chapters {
 

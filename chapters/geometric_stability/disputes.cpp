@@ -2,21 +2,15 @@
 /// \brief Bodies on which the two rules differ.
 #include "geometric_stability/disputes.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_levels.hpp"
 #include "geometric_stability/pile_loads.hpp"
 #include "geometric_stability/prisms.hpp"
 #include "geometric_stability/random_piles.hpp"
-
-#include <numbers>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

@@ -2,13 +2,9 @@
 /// \brief Bodies on which the rule of the text and that of its footnote differ (thesis 5.4).
 #pragma once
 
-#include "tumble/base/random.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
-#include "driver/figure.hpp"
-
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

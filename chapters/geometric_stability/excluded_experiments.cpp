@@ -1,17 +1,8 @@
 /// \file
 /// \brief Work saved if stable boxes are left out of the contact forces (thesis 5.4).
-#include "tumble/base/random.hpp"
-
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/resting_pile.hpp"
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -98,9 +89,8 @@ Quantity saved_in_any_order(int rows, double gap, int orders) {
     all.push_back(static_cast<double>(work.all.report.multiplications));
     left.push_back(static_cast<double>(work.left.report.multiplications));
   }
-  return over_seeds(
-      "the same with " + std::to_string(rows) + " rows, contacts in random orders", "-", orders,
-      [&](int without) { return sum_without(all, without) / sum_without(left, without); });
+  return ratio_of_sums("the same with " + std::to_string(rows) + " rows, contacts in random orders",
+                       "-", all, left);
 }
 
 double sum(const std::vector<double>& values) { return sum_without(values, -1); }
@@ -138,12 +128,9 @@ void measure_runs(const Parameters& settings, Result& result) {
               falls.all[k] / falls.left[k]);
   result.tables.push_back(table);
   const std::string which = "unknowns of a run, all boxes over those that are not stable, ";
-  result.quantities.push_back({which + "at rest", "-", sum(rests.all) / sum(rests.left)});
-  result.quantities.push_back(over_seeds(which + "knocked", "-", seeds, [&](int without) {
-    return sum_without(all_of, without) / sum_without(left_of, without);
-  }));
-  result.quantities.push_back(
-      {which + "three rows that fall", "-", sum(falls.all) / sum(falls.left)});
+  result.add(which + "at rest", "-", sum(rests.all) / sum(rests.left));
+  result.add(ratio_of_sums(which + "knocked", "-", all_of, left_of));
+  result.add(which + "three rows that fall", "-", sum(falls.all) / sum(falls.left));
 }
 
 Result measure_excluded(const Parameters& settings) {

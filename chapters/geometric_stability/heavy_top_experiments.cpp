@@ -2,16 +2,10 @@
 /// \brief A heavy block that keeps two others from tipping: forces, thresholds, runs.
 #include "geometric_stability/heavy_top_experiments.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 

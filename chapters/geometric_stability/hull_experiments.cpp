@@ -1,21 +1,11 @@
 /// \file
 /// \brief Which of two rules is right where they differ.
-#include "tumble/base/index.hpp"
-#include "tumble/base/random.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/disputes.hpp"
 #include "geometric_stability/pile_levels.hpp"
-
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -119,9 +109,8 @@ Result measure_hull(const Parameters& settings) {
   const KindCount& hexagon = kinds[kHexagon];
   const double prisms = triangle.tried + hexagon.tried;
   result.quantities = {
-      share_over_piles(
-          "share of the boxes on which the two rules differ of which the hull is right", right,
-          differ),
+      ratio_of_sums("share of the boxes on which the two rules differ of which the hull is right",
+                    "-", right, differ),
       {"boxes of random piles on which the two rules differ", "-", all},
       {"of these, called stable by the text and moving", "-", text_false},
       {"of these, called stable by the hull and moving", "-", hull_false},

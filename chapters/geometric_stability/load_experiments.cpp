@@ -1,15 +1,11 @@
 /// \file
 /// \brief Loads on the tops of random piles.
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
 #include "geometric_stability/pile_loads.hpp"
 #include "geometric_stability/random_piles.hpp"
-
-#include <algorithm>
-#include <functional>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -112,7 +108,7 @@ Result measure_any_load(const Parameters& settings) {
   };
   const auto share_moving = [&](const std::string& name, const Choice& chosen) {
     const Choice both = [&](const LoadedBox& box) { return chosen(box) && box.moves(); };
-    return share_over_piles(name, by_pile(both), by_pile(chosen));
+    return ratio_of_sums(name, "-", by_pile(both), by_pile(chosen));
   };
   const Choice falsely = [](const LoadedBox& box) { return box.printed && box.moves(); };
   const Choice mended = [](const LoadedBox& box) { return box.mended && box.moves(); };

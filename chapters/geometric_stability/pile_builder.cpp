@@ -2,16 +2,10 @@
 /// \brief Lowering boxes onto boxes.
 #include "geometric_stability/pile_builder.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/geometry/separation.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace tumble::chapters {
 namespace {

@@ -2,11 +2,9 @@
 /// \brief Piles that touch exactly, built box by box (thesis 5.4).
 #pragma once
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact/contact.hpp"
-#include "tumble/dynamics/world.hpp"
 
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

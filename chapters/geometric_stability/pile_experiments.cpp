@@ -2,17 +2,11 @@
 /// \brief Boxes that each way calls stable, and boxes that rest.
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
 #include "geometric_stability/random_piles.hpp"
-
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -142,12 +136,12 @@ Result measure_confusion(const Parameters& settings) {
       each([](const PileCount& p) { return p.cells[0].stable_rests + p.cells[0].other_rests; });
   Result result;
   result.quantities = {{"boxes that can move", "-", count},
-                       share_over_piles("share of them that rest", resting, boxes),
-                       share_over_piles("share of them that the thesis's rule calls stable",
-                                        each([](const PileCount& p) {
-                                          return p.cells[0].stable_rests + p.cells[0].stable_moves;
-                                        }),
-                                        boxes)};
+                       ratio_of_sums("share of them that rest", "-", resting, boxes),
+                       ratio_of_sums("share of them that the thesis's rule calls stable", "-",
+                                     each([](const PileCount& p) {
+                                       return p.cells[0].stable_rests + p.cells[0].stable_moves;
+                                     }),
+                                     boxes)};
   double wrong = 0.0;
   for (std::size_t level = 0; level < kLevels; ++level) {
     const auto sum = [&](double Cells::*cell) {
@@ -155,23 +149,22 @@ Result measure_confusion(const Parameters& settings) {
     };
     const auto missed = each([&](const PileCount& p) { return p.cells[level].other_rests; });
     const Quantity share =
-        share_over_piles("share of the resting boxes missed by " + name_of(kStabilityLevels[level]),
-                         missed, resting);
+        ratio_of_sums("share of the resting boxes missed by " + name_of(kStabilityLevels[level]),
+                      "-", missed, resting);
     table.add(level, sum(&Cells::stable_rests) / count, sum(&Cells::other_rests) / count,
               sum(&Cells::other_moves) / count, sum(&Cells::stable_moves) / count, share.value);
     // Hull and corners agree, as the next number but one shows.
-    if (kStabilityLevels[level] != StabilityLevel::hull) result.quantities.push_back(share);
+    if (kStabilityLevels[level] != StabilityLevel::hull) result.add(share);
     wrong += sum(&Cells::stable_moves);
   }
   const double g = 9.81;  // [m/s²]
-  result.quantities.push_back({"boxes called stable that move, all six ways", "-", wrong});
-  result.quantities.push_back({"boxes on which corners and hull differ", "-",
-                               all([](const PileCount& p) { return p.rules_differ; })});
-  result.quantities.push_back({"largest acceleration of a box that rests, three solvers, over g",
-                               "-",
-                               most([](const PileCount& p) { return p.largest_at_rest; }) / g});
-  result.quantities.push_back({"least acceleration of a box that moves, three solvers, over g", "-",
-                               -most([](const PileCount& p) { return -p.least_moving; }) / g});
+  result.add("boxes called stable that move, all six ways", "-", wrong);
+  result.add("boxes on which corners and hull differ", "-",
+             all([](const PileCount& p) { return p.rules_differ; }));
+  result.add("largest acceleration of a box that rests, three solvers, over g", "-",
+             most([](const PileCount& p) { return p.largest_at_rest; }) / g);
+  result.add("least acceleration of a box that moves, three solvers, over g", "-",
+             -most([](const PileCount& p) { return -p.least_moving; }) / g);
   result.tables = {table};
   result.drawings = {picture_of(static_cast<std::uint64_t>(settings.count("shown")))};
   return result;

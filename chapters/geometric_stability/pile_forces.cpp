@@ -4,9 +4,6 @@
 
 #include "tumble/analytic_lcp/tolerances.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace tumble::chapters {
 
 double fastest_of(const BodyProperties& body, const Acceleration& acceleration) {

@@ -5,10 +5,7 @@
 #include "tumble/analytic_lcp/assembly.hpp"
 #include "tumble/contact/islands.hpp"
 
-#include <memory>
-#include <span>
-#include <string_view>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

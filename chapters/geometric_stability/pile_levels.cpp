@@ -10,10 +10,6 @@
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 
-#include "driver/statistics.hpp"
-
-#include <utility>
-
 namespace tumble::chapters {
 namespace {
 
@@ -105,13 +101,6 @@ std::vector<char> called_stable_as_printed(const World& world, std::span<const C
   std::vector<char> stable;
   for (const PrintedStability& body : bodies) stable.push_back(body.stable ? 1 : 0);
   return stable;
-}
-
-Quantity share_over_piles(std::string name, const std::vector<double>& hits,
-                          const std::vector<double>& trials) {
-  return over_seeds(std::move(name), "-", static_cast<int>(hits.size()), [&](int left_out) {
-    return sum_without(hits, left_out) / sum_without(trials, left_out);
-  });
 }
 
 }  // namespace tumble::chapters

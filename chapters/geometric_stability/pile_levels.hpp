@@ -3,15 +3,9 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
-#include "tumble/dynamics/world.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
-#include "driver/figure.hpp"
-
-#include <array>
-#include <span>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 
@@ -54,9 +48,5 @@ std::vector<char> called_stable(StabilityLevel level, const World& world,
 // anywhere.
 std::vector<char> called_stable_as_printed(const World& world, std::span<const Contact> contacts,
                                            bool vetoes = false);
-
-// A share of cases that are counted in each pile, with its interval over the piles.
-Quantity share_over_piles(std::string name, const std::vector<double>& hits,
-                          const std::vector<double>& trials);
 
 }  // namespace tumble::chapters

@@ -2,14 +2,7 @@
 /// \brief Loads on the tops of a pile.
 #include "geometric_stability/pile_loads.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/math/elementary.hpp"
-
 #include "geometric_stability/pile_forces.hpp"
-
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

@@ -2,14 +2,10 @@
 /// \brief Loads on the tops of a pile, and the bodies that move under them (thesis 5.4).
 #pragma once
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact/contact.hpp"
-#include "tumble/dynamics/world.hpp"
 #include "tumble/dynamics/wrench.hpp"
 
-#include <array>
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,8 +2,7 @@
 /// \brief A box in a trough, and a plank that leans.
 #include "geometric_stability/pile_scaffolds.hpp"
 
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

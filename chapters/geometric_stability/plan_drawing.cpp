@@ -1,13 +1,11 @@
 /// \file
 /// \brief Trials seen from above.
-#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 
+#include "driver/experiment.hpp"
 #include "geometric_stability/disputes.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>

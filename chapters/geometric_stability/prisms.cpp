@@ -3,13 +3,8 @@
 #include "geometric_stability/prisms.hpp"
 
 #include "tumble/geometric_stability/support_polygon.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "geometric_stability/pile_builder.hpp"
-
-#include <algorithm>
-#include <numbers>
 
 namespace tumble::chapters {
 namespace {

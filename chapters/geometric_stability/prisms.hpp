@@ -2,12 +2,10 @@
 /// \brief Prisms on blocks, for which a hull can decide and four corners cannot (thesis 5.4).
 #pragma once
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact/contact.hpp"
-#include "tumble/dynamics/world.hpp"
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

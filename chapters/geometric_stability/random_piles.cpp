@@ -2,19 +2,10 @@
 /// \brief Random piles of boxes.
 #include "geometric_stability/random_piles.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
-
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_scaffolds.hpp"
 
-#include <array>
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
-#include <optional>
 
 namespace tumble::chapters {
 namespace {

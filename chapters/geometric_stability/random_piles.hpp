@@ -2,9 +2,7 @@
 /// \brief Random piles of boxes at rest, for judging verdicts on stability (thesis 5.4).
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
-
-#include <cstdint>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

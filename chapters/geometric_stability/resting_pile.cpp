@@ -4,16 +4,9 @@
 
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
-#include "tumble/base/index.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
-
-#include <algorithm>
-#include <stdexcept>
-#include <utility>
 
 namespace tumble::chapters {
 

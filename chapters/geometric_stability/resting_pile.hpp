@@ -4,13 +4,8 @@
 #pragma once
 
 #include "tumble/analytic_lcp/contact_forces.hpp"
-#include "tumble/scenes/scene.hpp"
 
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -5,16 +5,9 @@
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/random_piles.hpp"
 #include "geometric_stability/resting_pile.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

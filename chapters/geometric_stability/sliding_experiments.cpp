@@ -2,15 +2,8 @@
 /// \brief Steps in which the upper box of figure 5.4 is stable, slides and is slowed down (claim 5.4d).
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/sliding_run.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -144,7 +137,6 @@ Result measure_sliding(const Parameters& settings) {
     const auto step = static_cast<std::size_t>(k);
     apart = std::max(apart, std::abs(damped.steps[step].speed - runs[1].steps[step].speed));
   }
-  const auto last = static_cast<std::size_t>(damped.leaves);
   const SlideRun& free = runs[3];
   result.quantities = {
       {"share of the steps until a corner leaves its support in which the upper box is stable, "
@@ -155,10 +147,6 @@ Result measure_sliding(const Parameters& settings) {
       {"the same, twice the damping", "-", count(settings, {.k_scale = 2.0}).share()},
       {"the same, half the size and speed", "-", count(settings, {.scale = 0.5}).share()},
       {"the same, twice the size and speed", "-", count(settings, {.scale = 2.0}).share()},
-      {"corner before the edge after the last step with all corners carried", "m",
-       -damped.steps[last - 1].overhang},
-      {"corner beyond the edge after the next step, the box being stable no more", "m",
-       damped.steps[last].overhang},
       {"largest change of the speed until then with no body marked", "m/s", apart},
       {"speed as a corner leaves, analytic forces without friction, over that at the start", "-",
        free.steps[static_cast<std::size_t>(free.leaves)].speed / settings.number("speed")},

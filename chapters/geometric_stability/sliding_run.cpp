@@ -8,16 +8,8 @@
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/tolerances.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
-
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -2,9 +2,7 @@
 /// \brief The upper box of figure 5.4 slides off the lower one, step by step (thesis 5.4).
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
-
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

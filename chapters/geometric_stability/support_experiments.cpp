@@ -1,30 +1,17 @@
 /// \file
 /// \brief Figures 5.3 to 5.5: corners, hull and verdicts, all from the contacts of the scenes.
-#include "tumble/base/error.hpp"
-#include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -203,11 +190,10 @@ void add_without_support(RestingPile pile, const char* lower, Result& result) {
   const RuleVerdict corners = verdict_of(StableRule::corners, pile.world, pile.contacts, top);
   const RuleVerdict hull = verdict_of(StableRule::hull, pile.world, pile.contacts, top);
   const std::string given = std::string(" with nothing under the ") + lower + " box";
-  result.quantities.push_back({"stable by the four corners," + given, "-", corners.stable});
-  result.quantities.push_back({"stable by the hull," + given, "-", hull.stable});
-  result.quantities.push_back(
-      {"largest acceleration of its corners under its own weight," + given + ", over g", "-",
-       acceleration(pile, top) / pile.world.gravity_w.norm()});
+  result.add("stable by the four corners," + given, "-", corners.stable);
+  result.add("stable by the hull," + given, "-", hull.stable);
+  result.add("largest acceleration of its corners under its own weight," + given + ", over g", "-",
+             acceleration(pile, top) / pile.world.gravity_w.norm());
   result.drawings.back().commands += words("without", corners);
 }
 
@@ -245,8 +231,7 @@ Result measure_one_corner(const Parameters& settings) {
   }
   result.tables.push_back(shifts);
   result.drawings.back().commands += "shown = " + shortest_text(settings.number("shift")) + "\n";
-  result.quantities.push_back(
-      {"shift from which its own weight tips it", "m", tipping_shift(settings)});
+  result.add("shift from which its own weight tips it", "m", tipping_shift(settings));
   return result;
 }
 

@@ -1,21 +1,8 @@
 /// \file
 /// \brief Accuracy of the limits that balance finds, and the question that friction leaves open.
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <string>
 
 namespace tumble::chapters {
 

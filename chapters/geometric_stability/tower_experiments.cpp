@@ -2,18 +2,10 @@
 /// \brief A series of blocks as one heavier block: levels, thresholds, work.
 #include "geometric_stability/tower_experiments.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/towers.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 

@@ -3,16 +3,9 @@
 ///        5.3).
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
-
-#include <algorithm>
-#include <array>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -95,7 +88,7 @@ Result measure_ablation(const Parameters& settings) {
   // The claim's number: at the usual size, with other constants, and with few boxes.
   const auto compare = [&](const std::string& name, const Tried& scaled, const Tried& aligned,
                            const auto& has) {
-    result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+    result.add(over_seeds(name, "-", seeds, [&](int left_out) {
       return scaled.share(has, left_out) - aligned.share(has, left_out);
     }));
   };
@@ -114,13 +107,11 @@ Result measure_ablation(const Parameters& settings) {
   for (std::size_t k = 0; k < kSets.size(); ++k) {
     const std::string name = kSets[k].words;
     if (kSets[k].share)
-      result.quantities.push_back(
-          over_seeds("share of the boxes that chatter, " + name, "-", seeds,
-                     [&](int left_out) { return tried[k].share(chatters, left_out); }));
+      result.add(over_seeds("share of the boxes that chatter, " + name, "-", seeds,
+                            [&](int left_out) { return tried[k].share(chatters, left_out); }));
     if (kSets[k].time)
-      result.quantities.push_back(
-          over_seeds("mean time to rest, " + name, "s", seeds,
-                     [&](int left_out) { return tried[k].rest_time(left_out); }));
+      result.add(over_seeds("mean time to rest, " + name, "s", seeds,
+                            [&](int left_out) { return tried[k].rest_time(left_out); }));
   }
   return result;
 }
@@ -155,7 +146,7 @@ Result measure_leaning(const Parameters& settings) {
 
   Result result;
   const auto caught = [&](const std::string& name, const Tried& now) {
-    result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+    result.add(over_seeds(name, "-", seeds, [&](int left_out) {
       return now.count(caught_lean, left_out) / now.count(shaky_lean, left_out) /
              (now.count(caught_flat, left_out) / now.count(shaky_flat, left_out));
     }));
@@ -170,7 +161,7 @@ Result measure_leaning(const Parameters& settings) {
   const Tried all = attempt("all", {});
   const auto share = [&](const std::string& name, const Tried& of, const auto& has,
                          const auto& among) {
-    result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+    result.add(over_seeds(name, "-", seeds, [&](int left_out) {
       return of.count(has, left_out) / of.count(among, left_out);
     }));
   };
@@ -179,7 +170,7 @@ Result measure_leaning(const Parameters& settings) {
   share("of these, share that the test catches, leaning", usual, caught_lean, shaky_lean);
   share("share of the boxes that lean that chatter, all parts of the damping", all, shaky_lean,
         leans);
-  result.quantities.push_back(over_seeds(
+  result.add(over_seeds(
       "boxes that lean and chatter, mean of a heap and its planks", "-", seeds, [&](int left_out) {
         return usual.count(shaky_lean, left_out) / (seeds - (left_out < 0 ? 0 : 1));
       }));

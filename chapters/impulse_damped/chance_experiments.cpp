@@ -1,17 +1,8 @@
 /// \file
 /// \brief The time until dice rest, with randomness in some collisions (thesis 4.2).
-#include "tumble/scenes/library.hpp"
-
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -63,12 +54,6 @@ Times rest_times(const Setting& setting, const Rule& rule, int seeds, double dur
   return times;
 }
 
-Quantity ratio(const std::string& name, const Times& top, const Times& bottom) {
-  return over_seeds(name, "-", static_cast<int>(top.size()), [&](int left_out) {
-    return sum_without(top, left_out) / sum_without(bottom, left_out);
-  });
-}
-
 // [m] height of the lowest corner of the first die after each step.
 std::vector<double> lowest_corner(const Setting& setting, const Rule& rule, double duration) {
   World world = thrown(setting.scene, 1);
@@ -104,24 +89,23 @@ Result measure_chance(const Parameters& settings) {
 
   std::vector<Quantity>& out = result.quantities;
   out.push_back(
-      ratio("time to rest with randomness in slow collisions too, over the time with "
-            "randomness in fast ones only",
-            damped[3], damped[1]));
+      ratio_of_sums("time to rest with randomness in slow collisions too, over the time with "
+                    "randomness in fast ones only",
+                    "-", damped[3], damped[1]));
   const auto variant = [&](const std::string& name, const Setting& setting) {
-    out.push_back(ratio("the same, " + name, times(setting, kRules[3]), times(setting, kRules[1])));
+    out.push_back(ratio_of_sums("the same, " + name, "-", times(setting, kRules[3]),
+                                times(setting, kRules[1])));
   };
   for (const DampedScales& scales : other_scales) variant(scales.words, {"dice", "all", scales});
   variant("tossed cubes", {"toss"});
   variant("27 cubes that fly together", {"clump"});
   variant("three times as much chance", {"dice", "all", {}, 3.0});
-  out.push_back(ratio("time to rest with randomness in fast collisions, over the time without any",
-                      damped[1], damped[0]));
+  out.push_back(
+      ratio_of_sums("time to rest with randomness in fast collisions, over the time without any",
+                    "-", damped[1], damped[0]));
   for (std::size_t r = 0; r < kRules.size(); ++r)
-    out.push_back(over_seeds(std::string("mean time to rest, randomness ") + kRules[r].name, "s",
-                             seeds, [&](int left_out) {
-                               return sum_without(damped[r], left_out) /
-                                      (seeds - (left_out < 0 ? 0 : 1));
-                             }));
+    out.push_back(mean_over_seeds(std::string("mean time to rest, randomness ") + kRules[r].name,
+                                  "s", damped[r]));
 
   Table path{"path",
              {{"time_s", "s", "time"},

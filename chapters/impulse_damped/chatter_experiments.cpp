@@ -1,19 +1,10 @@
 /// \file
 /// \brief Chatter of a stack that is held up by impulses without damping (thesis 3.3.2).
-#include "tumble/base/random.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/record/chatter.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <stdexcept>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -7,11 +7,7 @@
 
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "driver/played_scene.hpp"
-
-#include <array>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,21 +1,10 @@
 /// \file
 /// \brief The energy that each stage of the damping adds at random states (thesis 5.3).
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/dampen_objects.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/damping_heap.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -135,13 +124,13 @@ Result measure_damping_energy(const Parameters& settings) {
     table.add(s + 1, cubes.value, bricks.value);
     most = larger(larger(most, of_cube), of_brick);
   }
-  result.quantities.push_back(most_over_seeds(
+  result.add(most_over_seeds(
       "largest factor by which a stage of the damping raises the kinetic energy of a body", most));
 
   // Other constants: the stage that decides is the one of slow components.
   const Stage& slow = kStages[3];
   for (const DampedScales& scales : other_scales)
-    result.quantities.push_back(most_over_seeds(
+    result.add(most_over_seeds(
         std::string("the same, slow components, ") + scales.words,
         largest(brick, slow, damped_options("all", scales, 1).numbers, states, seeds)));
   result.quantities.insert(result.quantities.end(), by_stage.begin(), by_stage.end());
@@ -168,9 +157,9 @@ Result measure_damping_energy(const Parameters& settings) {
         most_over_seeds("largest factor, slow components, brick of 4 x 1 x 1", found);
     shapes.add(length, most_found.value, shrunk, c);
     if (length != 4) continue;
-    result.quantities.push_back(most_found);
-    result.quantities.push_back({"the same in closed form, one component shrunk", "-", shrunk});
-    result.quantities.push_back({"the same in closed form, one component ended", "-", c});
+    result.add(most_found);
+    result.add("the same in closed form, one component shrunk", "-", shrunk);
+    result.add("the same in closed form, one component ended", "-", c);
   }
   result.tables = {table, shapes};
 

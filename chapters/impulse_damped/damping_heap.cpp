@@ -2,18 +2,10 @@
 /// \brief The energy that pushes out of overlap add, and what the damping takes from a heap (thesis 4.4, 5.3).
 #include "impulse_damped/damping_heap.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/statistics.hpp"
 #include "impulse_damped/settled_boxes.hpp"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -86,7 +78,7 @@ Quantity most_over_seeds(const std::string& name, std::span<const double> values
 void add_push_energy(int states, int seeds, Result& result) {
   std::vector<double> found;
   for (int seed = 1; seed <= seeds; ++seed) found.push_back(push_too_far(states, seed));
-  result.quantities.push_back(most_over_seeds(
+  result.add(most_over_seeds(
       "potential energy that pushes add beyond the end of the overlap, over m g L", found));
 }
 
@@ -112,7 +104,7 @@ void add_heap_energy(int seeds, double duration, Result& result) {
   for (std::size_t h = 0; h < 2; ++h) {
     const auto ratio = [&](const std::string& name, double Heap::*top, double Heap::*bottom,
                            double sign) {
-      result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+      result.add(over_seeds(name, "-", seeds, [&](int left_out) {
         double above = 0.0;
         double below = 0.0;
         for (std::size_t k = 0; k < heaps[h].size(); ++k) {

@@ -2,10 +2,7 @@
 /// \brief The energy that pushes out of overlap add, and what the damping takes from a heap (thesis 4.4, 5.3).
 #pragma once
 
-#include "driver/figure.hpp"
-
-#include <span>
-#include <string>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,15 +1,9 @@
 /// \file
 /// \brief One impulse and the gravity around it, as printed and mended (thesis A.2; errata C1 to C11).
-#include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
-#include "tumble/geometry/box.hpp"
-#include "tumble/math/rotation.hpp"
 
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -185,19 +179,20 @@ void add_collide_errata(Result& result) {
   compare(result, "C7: separation speed, ", "m/s", "impulse for all pairs",
           "impulse for pairs that approach", mended, separation_speed);
   const Vec3 corner(0.5, 0.0, 0.5);
-  add(result, "C8: spin after a flat landing, point at a corner", "rad/s", landing_spin({corner}));
-  add(result, "C8: spin after a flat landing, point at the centre", "rad/s",
+  result.add("C8: spin after a flat landing, point at a corner", "rad/s", landing_spin({corner}));
+  result.add(
+      "C8: spin after a flat landing, point at the centre", "rad/s",
       landing_spin({corner, Vec3(-0.5, 0.0, 0.5), Vec3(0.5, 0.0, -0.5), Vec3(-0.5, 0.0, -0.5)}));
   const LeverArms arms = lever_arms();
-  add(result, "C9: approach that is left, seen at the present pose", "m/s", arms.present);
-  add(result, "C9: approach that is left, seen at the predicted pose", "m/s", arms.predicted);
-  add(result, "C10: speed left of a stable cube that slides, components from 1", "m/s",
-      sliding_left(1));
-  add(result, "C10: speed left of a stable cube that slides, components from 0", "m/s",
-      sliding_left(0));
+  result.add("C9: approach that is left, seen at the present pose", "m/s", arms.present);
+  result.add("C9: approach that is left, seen at the predicted pose", "m/s", arms.predicted);
+  result.add("C10: speed left of a stable cube that slides, components from 1", "m/s",
+             sliding_left(1));
+  result.add("C10: speed left of a stable cube that slides, components from 0", "m/s",
+             sliding_left(0));
   constexpr double eighth = 0.78539816339744830962;  // [rad] of a turn
-  add(result, "C11: energy ratio, stable brick that leans", "-", energy_ratio(eighth));
-  add(result, "C11: energy ratio, stable brick on its face", "-", energy_ratio(0.0));
+  result.add("C11: energy ratio, stable brick that leans", "-", energy_ratio(eighth));
+  result.add("C11: energy ratio, stable brick on its face", "-", energy_ratio(0.0));
 }
 
 }  // namespace tumble::chapters

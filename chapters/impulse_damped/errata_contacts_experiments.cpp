@@ -4,14 +4,9 @@
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -205,13 +200,13 @@ double turned(const DampedErrata& repaired) {
 
 void add_step_errata(Result& result) {
   const DampedErrata mended = misprints();
-  add(result, "D1: heights in two orders, with C1 to C3 as printed", "m",
-      difference_of_orders(mended.without("C1").without("C2").without("C3")));
-  add(result, "D1: heights in two orders, with C1 to C3 mended", "m", difference_of_orders(mended));
+  result.add("D1: heights in two orders, with C1 to C3 as printed", "m",
+             difference_of_orders(mended.without("C1").without("C2").without("C3")));
+  result.add("D1: heights in two orders, with C1 to C3 mended", "m", difference_of_orders(mended));
   compare(result, "D2: way of 1 s at 1 m/s in steps of 1/120 s, ", "m", "step not handed on",
           "step handed on", mended, flown);
-  add(result, "D3: first step of a slide, damped before the move", "m", slid(DampedNumbers{}.k1));
-  add(result, "D3: first step of a slide, damped after the move", "m", slid(1.0));
+  result.add("D3: first step of a slide, damped before the move", "m", slid(DampedNumbers{}.k1));
+  result.add("D3: first step of a slide, damped after the move", "m", slid(1.0));
   compare(result, "D4: steps of 10 in which a cube in reach is not stable, ", "-", "old contacts",
           "fresh contacts", mended, steps_unstable);
   compare(result, "D5: height after a fall of 1 s, ", "m", "gravity twice", "gravity once", mended,
@@ -224,30 +219,30 @@ void add_pass_errata(double seconds, Result& result) {
   const DampedErrata mended = misprints();
   compare(result, "RK1: sag of a stack of five in 1 s, ", "m", "quotient of integers",
           "real quotient", mended, sag);
-  add(result, "RK2: creep of a cube at rest, passes 0 to 9", "m/s",
-      resting_speed(kSecond, 0, false));
-  add(result, "RK2: creep of a cube at rest, passes 1 to 10", "m/s",
-      resting_speed(kSecond, 1, false));
-  add(result, "RK3: speed of a cube at rest after a step, elastic contacts", "m/s",
-      resting_speed(1, 1, true));
-  add(result, "RK3: speed of a cube at rest after a step, inelastic contacts", "m/s",
-      resting_speed(1, 1, false));
-  add(result, "RK4: unrest of a stack of five, bodies pushed", "m/s",
-      unrest(DampedAsPrinted(undamped(mended, false)), seconds));
-  add(result, "RK4: unrest of a stack of five, velocities by levels", "m/s",
-      unrest(shock_propagation(), seconds));
+  result.add("RK2: creep of a cube at rest, passes 0 to 9", "m/s",
+             resting_speed(kSecond, 0, false));
+  result.add("RK2: creep of a cube at rest, passes 1 to 10", "m/s",
+             resting_speed(kSecond, 1, false));
+  result.add("RK3: speed of a cube at rest after a step, elastic contacts", "m/s",
+             resting_speed(1, 1, true));
+  result.add("RK3: speed of a cube at rest after a step, inelastic contacts", "m/s",
+             resting_speed(1, 1, false));
+  result.add("RK4: unrest of a stack of five, bodies pushed", "m/s",
+             unrest(DampedAsPrinted(undamped(mended, false)), seconds));
+  result.add("RK4: unrest of a stack of five, velocities by levels", "m/s",
+             unrest(shock_propagation(), seconds));
   const World column = cube_on_cube();
-  add(result, "RC1: rebound from a cube on the ground, restitution at each pass", "m/s",
-      velocity_of(after_step(column, mended), 2).y());
-  add(result, "RC1: rebound from a cube on the ground, restitution once", "m/s",
-      velocity_of(after_impact(column), 2).y());
+  result.add("RC1: rebound from a cube on the ground, restitution at each pass", "m/s",
+             velocity_of(after_step(column, mended), 2).y());
+  result.add("RC1: rebound from a cube on the ground, restitution once", "m/s",
+             velocity_of(after_impact(column), 2).y());
   compare(result, "RC2: speed of a cube out of reach, ", "m/s", "pairs of the pass",
           "pairs looked at again", mended.with("RC2"), hit_from_afar);
   const World row = squeezed_cube();
-  add(result, "RC3: speed of a cube hit from both sides, one pair after the other", "m/s",
-      velocity_of(after_step(row, mended), 1).norm());
-  add(result, "RC3: speed of a cube hit from both sides, both at once", "m/s",
-      velocity_of(after_impact(row), 1).norm());
+  result.add("RC3: speed of a cube hit from both sides, one pair after the other", "m/s",
+             velocity_of(after_step(row, mended), 1).norm());
+  result.add("RC3: speed of a cube hit from both sides, both at once", "m/s",
+             velocity_of(after_impact(row), 1).norm());
   compare(result, "RC4: angle turned in 0.5 s at 1 rad/s, ", "rad", "positions put back",
           "poses put back", mended, turned);
 }

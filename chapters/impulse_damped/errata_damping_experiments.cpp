@@ -1,15 +1,10 @@
 /// \file
 /// \brief The errata of DAMPENOBJECTS that show in one step (thesis 5.3, A.2; DM1 to DM5, DM8, DM9, DM13, DM15,
 ///        DM16).
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -195,11 +190,11 @@ void add_energy_erratum(Result& result) {
   }
   result.tables.push_back(table);
   const std::string ratio = "DM9: kinetic energy after a step over that before, ";
-  add(result, ratio + "component ended, 4x1x1 box", "-", most_energy_left(beam, quarter, false));
-  add(result, ratio + "whole spin, 4x1x1 box", "-", most_energy_left(beam, quarter, true));
-  add(result, ratio + "component ended, 4x1x1 box with spin (1, -0.5, 0)", "-",
-      energy_left(beam, quarter, -0.5, false));
-  add(result, ratio + "component ended, 2x1x1 box", "-", most_energy_left(brick, quarter, false));
+  result.add(ratio + "component ended, 4x1x1 box", "-", most_energy_left(beam, quarter, false));
+  result.add(ratio + "whole spin, 4x1x1 box", "-", most_energy_left(beam, quarter, true));
+  result.add(ratio + "component ended, 4x1x1 box with spin (1, -0.5, 0)", "-",
+             energy_left(beam, quarter, -0.5, false));
+  result.add(ratio + "component ended, 2x1x1 box", "-", most_energy_left(brick, quarter, false));
 }
 
 void add_momentum_errata(double k1, Result& result) {
@@ -209,18 +204,17 @@ void add_momentum_errata(double k1, Result& result) {
           "one-sided test", "test of upward momentum", all, one_sided_spin);
   compare(result, "DM4: share left of the speed of a fall, ", "-", "x < eps", "|x| < eps", all,
           fall_left);
-  add(result, "DM5: height of a throw at 5 m/s, contact remembered for ever", "m",
-      height_of_throw(k1, true));
-  add(result, "DM5: height of a throw at 5 m/s, contact forgotten", "m",
-      height_of_throw(k1, false));
+  result.add("DM5: height of a throw at 5 m/s, contact remembered for ever", "m",
+             height_of_throw(k1, true));
+  result.add("DM5: height of a throw at 5 m/s, contact forgotten", "m", height_of_throw(k1, false));
   const std::string left = "DM8: share of a momentum left after 1 s at 120 Hz, ";
-  add(result, left + "factor of a step", "-", left_after_a_second(k1, kStep));
-  add(result, left + "factor of a time", "-", left_after_a_second(k1, 0.5 * kStep));
+  result.add(left + "factor of a step", "-", left_after_a_second(k1, kStep));
+  result.add(left + "factor of a time", "-", left_after_a_second(k1, 0.5 * kStep));
   compare(result, "DM13: largest turn undone over its threshold, ", "-", "four numbers subtracted",
           "angle", all, undone_turn);
   const std::string slide = "DM15: fastest slide ended over sqrt(gL), small cube, ";
-  add(result, slide + "thresholds of a large one", "-", ended_slide(false));
-  add(result, slide + "its own thresholds", "-", ended_slide(true));
+  result.add(slide + "thresholds of a large one", "-", ended_slide(false));
+  result.add(slide + "its own thresholds", "-", ended_slide(true));
   compare(result, "DM16: largest tilt that counts as aligned, ", "rad", "no tolerance", "with one",
           all, aligned_tilt);
 }

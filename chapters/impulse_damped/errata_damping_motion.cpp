@@ -1,14 +1,8 @@
 /// \file
 /// \brief The errata of DAMPENOBJECTS that show in motion (thesis 5.3, A.2; DM6, DM7, DM10 to DM12,
 ///        DM14).
-#include "tumble/geometry/box.hpp"
-
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -46,11 +40,11 @@ void add_pivot(double k1, Result& result) {
   constexpr double k2 = 0.99;
   const Vec3 apart_w = edge_velocity(k1, k2);
   const Vec3 alike_w = edge_velocity(k1, k1);
-  add(result, "DM6: sideways speed of the edge that a cube pivots on, two factors", "m/s",
-      std::abs(apart_w.x()));
-  add(result, "DM6: sideways speed of the edge that a cube pivots on, one factor", "m/s",
-      std::abs(alike_w.x()));
-  add(result, "DM6: depth that the edge gains in a step, two factors", "m", -kStep * apart_w.y());
+  result.add("DM6: sideways speed of the edge that a cube pivots on, two factors", "m/s",
+             std::abs(apart_w.x()));
+  result.add("DM6: sideways speed of the edge that a cube pivots on, one factor", "m/s",
+             std::abs(alike_w.x()));
+  result.add("DM6: depth that the edge gains in a step, two factors", "m", -kStep * apart_w.y());
 }
 
 // DM7. Two cubes fall side by side, and touch. Damped is their motion in the world, or against the
@@ -86,11 +80,11 @@ void add_fall(double k1, Result& result) {
              {"printed_m_s", "m/s", "speed of the fall, damped in the world"},
              {"mended_m_s", "m/s", "damped against each other"}},
             kStep, 1.0, printed, mended);
-  add(result, "DM7: speed after a fall of 1 s beside another cube, damped in the world", "m/s",
-      printed[second]);
-  add(result, "DM7: speed after a fall of 1 s beside another cube, damped against it", "m/s",
-      mended[second]);
-  add(result, "DM7: speed that the fall never exceeds, damped in the world", "m/s", printed.back());
+  result.add("DM7: speed after a fall of 1 s beside another cube, damped in the world", "m/s",
+             printed[second]);
+  result.add("DM7: speed after a fall of 1 s beside another cube, damped against it", "m/s",
+             mended[second]);
+  result.add("DM7: speed that the fall never exceeds, damped in the world", "m/s", printed.back());
 }
 
 // DM10. A cube slides at 30 degrees to the x axis. Ended are components below ε6, or a momentum below it.
@@ -127,10 +121,10 @@ void add_path(double k1, Result& result) {
   for (const bool whole : {false, true})
     for (const Vec3& place : slide(k1, whole)) table.add(whole, place.x(), place.z());
   result.tables.push_back(table);
-  add(result, "DM10: angle by which the way of a slide bends, each component on its own", "deg",
-      bend_of(slide(k1, false)));
-  add(result, "DM10: angle by which the way of a slide bends, whole momentum", "deg",
-      bend_of(slide(k1, true)));
+  result.add("DM10: angle by which the way of a slide bends, each component on its own", "deg",
+             bend_of(slide(k1, false)));
+  result.add("DM10: angle by which the way of a slide bends, whole momentum", "deg",
+             bend_of(slide(k1, true)));
 }
 
 // DM11. A cube beside a high wall is released. It is damped by any contact, or by one that can hold it up.
@@ -183,17 +177,17 @@ void add_freeze(double eps10, Result& result) {
              {"printed_mm", "mm", "height, small moves undone"},
              {"mended_mm", "mm", "height, only those of bodies in contact"}},
             1e3 * kStep, 1e3, printed.places, mended.places);
-  add(result, "DM12: steps that a cube hangs at its apex, every body tested", "-", printed.frozen);
-  add(result, "DM12: steps that a cube hangs at its apex, bodies in contact tested", "-",
-      mended.frozen);
-  add(result, "DM12: steps that a cube hangs at its apex, every body tested, twice the threshold",
-      "-", fly_frozen(throw_w, 2.0 * eps10, true, 20).frozen);
+  result.add("DM12: steps that a cube hangs at its apex, every body tested", "-", printed.frozen);
+  result.add("DM12: steps that a cube hangs at its apex, bodies in contact tested", "-",
+             mended.frozen);
+  result.add("DM12: steps that a cube hangs at its apex, every body tested, twice the threshold",
+             "-", fly_frozen(throw_w, 2.0 * eps10, true, 20).frozen);
   const Flown dropped = fly_frozen(Vec3::Zero(), eps10, true, 2);
-  add(result, "DM12: jump of a released cube, after the steps that it hangs", "m",
-      dropped.places[1] - dropped.places[2]);
+  result.add("DM12: jump of a released cube, after the steps that it hangs", "m",
+             dropped.places[1] - dropped.places[2]);
   const Vec3 slow_w(0.29, 0.0, 0.0);
-  add(result, "DM12: way of a slide at 0.29 m/s in 1 s, every body tested", "m",
-      fly_frozen(slow_w, eps10, false, 60).places.back());
+  result.add("DM12: way of a slide at 0.29 m/s in 1 s, every body tested", "m",
+             fly_frozen(slow_w, eps10, false, 60).places.back());
 }
 
 // DM14. A cube on its edge is turned upright by `most` a step. How far is it above the ground then?
@@ -226,9 +220,9 @@ void add_tilt(Result& result) {
              {"mended_mm", "mm", "about its lowest edge"}},
             1.0, 1e3, printed, mended);
   const std::string gap = "DM14: gap below a cube turned from ";
-  add(result, gap + "0.02 rad to 0, about its centre", "m", tilt_gaps(0.02, 0.02, false, 1).back());
-  add(result, gap + "0.02 rad to 0, about its edge", "m", tilt_gaps(0.02, 0.02, true, 1).back());
-  add(result, gap + "0.05 rad to 0.04, about its centre", "m", printed[1]);
+  result.add(gap + "0.02 rad to 0, about its centre", "m", tilt_gaps(0.02, 0.02, false, 1).back());
+  result.add(gap + "0.02 rad to 0, about its edge", "m", tilt_gaps(0.02, 0.02, true, 1).back());
+  result.add(gap + "0.05 rad to 0.04, about its centre", "m", printed[1]);
 }
 
 }  // namespace
@@ -245,8 +239,8 @@ void add_motion_errata(double k1, double eps10, Result& result) {
              {"printed_m", "m", "fall, held by any contact"},
              {"mended_m", "m", "fall, held by what is below"}},
             kStep, 1.0, printed, mended);
-  add(result, "DM11: fall in 1 s beside a wall, any contact counts", "m", printed.back());
-  add(result, "DM11: fall in 1 s beside a wall, support counts", "m", mended.back());
+  result.add("DM11: fall in 1 s beside a wall, any contact counts", "m", printed.back());
+  result.add("DM11: fall in 1 s beside a wall, support counts", "m", mended.back());
 
   add_freeze(eps10, result);
   add_tilt(result);

@@ -1,20 +1,13 @@
 /// \file
 /// \brief The errata of FIXCONTACTCONSTRAINTS (thesis 4.4, A.2; X1 to X6, DM17).
 #include "tumble/contact/repair.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/flight.hpp"
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -51,8 +44,8 @@ void add_overlap_left(World world, const std::string& what, const std::string& p
   World mended = world;
   fix(world, kMany, DampedErrata::all());
   repair(mended);
-  add(result, what + printed, "m", deepest_overlap(world));
-  add(result, what + cured, "m", deepest_overlap(mended));
+  result.add(what + printed, "m", deepest_overlap(world));
+  result.add(what + cured, "m", deepest_overlap(mended));
 }
 
 void add_cube(World& world, const Vec3& place_w) {
@@ -103,8 +96,8 @@ void add_gap(Result& result) {
     mended_most = std::max(mended_most, gap(mended, 0, 1));
   }
   result.tables.push_back(table);
-  add(result, "X3: largest gap below a cube after pushes of 1 mm", "m", printed_most);
-  add(result, "X3: largest gap below a cube after our repair", "m", mended_most);
+  result.add("X3: largest gap below a cube after pushes of 1 mm", "m", printed_most);
+  result.add("X3: largest gap below a cube after our repair", "m", mended_most);
 }
 
 // X4. A cube overlaps a wall by 4.5 mm and touches another cube on its other side.
@@ -150,9 +143,9 @@ void add_pushed_energy(Result& result) {
     booked += fix(world, kMany, DampedErrata::all()).energy;
     added += energy_of(world).potential - before;
   }
-  add(result, "DM17: energy that pushes of 1 mm a step add to a cube in 1 s", "J", added);
-  add(result, "DM17: energy that pushes of 1 mm a step add to a cube in 1 s, less what is booked",
-      "J", added - booked);
+  result.add("DM17: energy that pushes of 1 mm a step add to a cube in 1 s", "J", added);
+  result.add("DM17: energy that pushes of 1 mm a step add to a cube in 1 s, less what is booked",
+             "J", added - booked);
 }
 
 // X6. Five cubes with the thesis's restitution on top of each other, at rest.
@@ -220,11 +213,11 @@ void add_stack_erratum(double duration, Result& result) {
   result.tables.push_back(table);
   const std::string added = "X6: energy added to a stack of five at rest, ";
   const auto each_second = [&](const std::string& how, const std::vector<double>& energies) {
-    add(result, added + "for each second, " + how, "W", energies.back() / duration);
+    result.add(added + "for each second, " + how, "W", energies.back() / duration);
   };
   each_second("positions pushed", printed);
   each_second("velocities stopped", mended);
-  add(result, added + "in all, positions pushed, stable boxes found", "J", stable.back());
+  result.add(added + "in all, positions pushed, stable boxes found", "J", stable.back());
   each_second("positions pushed, damped", energy_added(damped_pushes(1.0), steps));
   each_second("positions pushed, damped with half of all thresholds",
               energy_added(damped_pushes(0.5), steps));
@@ -234,10 +227,10 @@ void add_stack_erratum(double duration, Result& result) {
 
 void add_repair_errata(int cap, double duration, Result& result) {
   const DampedErrata all = DampedErrata::all();
-  add(result, "X1: pushes of a cube below the ground, as listed, until a cap", "-",
-      endless_pushes(cap, all.without("X1").without("X2")));
-  add(result, "X1: pushes of a cube below the ground, along the normal of now", "-",
-      endless_pushes(cap, all));
+  result.add("X1: pushes of a cube below the ground, as listed, until a cap", "-",
+             endless_pushes(cap, all.without("X1").without("X2")));
+  result.add("X1: pushes of a cube below the ground, along the normal of now", "-",
+             endless_pushes(cap, all));
   compare(result, "X2: way of a fixed shelf that a cube has risen into, ", "m", "upper body pushed",
           "movable body pushed", all, shelf_moved);
   add_gap(result);

@@ -2,10 +2,7 @@
 /// \brief Setups of the experiments with errata of the listings in appendix A.2.
 #include "impulse_damped/errata_setup.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
-
-#include <cmath>
 
 namespace tumble::chapters {
 

@@ -6,19 +6,9 @@
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/figure.hpp"
-
-#include <string>
-#include <string_view>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
-
-// Adds one number of an erratum.
-inline void add(Result& result, const std::string& name, const std::string& unit, double value) {
-  result.quantities.push_back({name, unit, value});
-}
 
 // Adds the two numbers of an erratum: with the text taken literally, everything else being mended, and
 // with this one mended too.
@@ -27,8 +17,8 @@ void compare(Result& result, const std::string& what, const std::string& unit,
              const std::string& printed, const std::string& cured, const DampedErrata& mended,
              const Measure& measure) {
   const std::string id = what.substr(0, what.find(':'));
-  add(result, what + printed, unit, measure(mended.without(id)));
-  add(result, what + cured, unit, measure(mended));
+  result.add(what + printed, unit, measure(mended.without(id)));
+  result.add(what + cured, unit, measure(mended));
 }
 
 // Adds a table of two paths.

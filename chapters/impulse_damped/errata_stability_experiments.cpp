@@ -2,12 +2,8 @@
 /// \brief The errata of SETGEOMETRICALLYSTABLE (thesis 5.4, A.2; G2 to G8).
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -73,8 +69,8 @@ struct Outcome {
 void compare(int number, const std::string& what, const Outcome& printed, const Outcome& mended,
              Result& result) {
   const std::string name = 'G' + std::to_string(number) + ": " + what + ", ";
-  add(result, name + printed.words, "-", stable_count(printed.scene));
-  add(result, name + mended.words, "-", stable_count(mended.scene));
+  result.add(name + printed.words, "-", stable_count(printed.scene));
+  result.add(name + mended.words, "-", stable_count(mended.scene));
   draw(number, printed.scene, mended.scene, result.tables[0]);
 }
 
@@ -184,10 +180,10 @@ Result measure_stability_errata(const Parameters&) {
           "vetoes count, its contact is listed first", result);
   Repairs without = kMended;
   without.vetoes_last = false;
-  add(result, "G3: " + plank + ", its contact is listed last", "-",
-      stable_count(classified(last, without)));
-  add(result, "G3: " + plank + ", vetoes count, its contact is listed last", "-",
-      stable_count(classified(last, kMended)));
+  result.add("G3: " + plank + ", its contact is listed last", "-",
+             stable_count(classified(last, without)));
+  result.add("G3: " + plank + ", vetoes count, its contact is listed last", "-",
+             stable_count(classified(last, kMended)));
   compare(4, "cube on a fixed wall called stable", beside_wall(), &Repairs::immovable,
           "the wall can lose its flag", "the wall cannot", result);
   compare(5, "cube half off its support called stable", half_off(), &Repairs::fresh_corners,

@@ -1,11 +1,7 @@
 /// \file
 /// \brief The work of a step of the clump and of the pyramid (thesis 6.1).
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -59,7 +55,6 @@ Result measure_frame_work(const Parameters& settings) {
   return {{clumps, pyramids},
           {{"pairs that were tested for contact in a step of the clump of figure 6.7, on average",
             "-", clump[1]},
-           {"cubes of the clump", "-", clump[0]},
            {"pairs in all, the ground included", "-", 0.5 * clump[0] * (clump[0] + 1.0)},
            {"most pairs tested in a step of the clump", "-", clump[2]},
            {"impulses in a step of the clump, on average", "-", clump[3]},

@@ -1,15 +1,7 @@
 /// \file
 /// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
-#include "tumble/scenes/library.hpp"
-
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {
@@ -258,7 +250,6 @@ Result measure_friction_chain(const Parameters& settings) {
   quantities.push_back(
       {"speed of the upper box at the end, Coulomb", "m/s", coulomb.speed[2].back()});
   quantities.push_back({"speed of the sled at the end, damped", "m/s", damped.speed[0].back()});
-  quantities.push_back({"way of the sled, damped", "m", damped.end_w[0].x()});
 
   Table table{"", {{"time_s", "s", "time"}}};
   Table boxes{"boxes",

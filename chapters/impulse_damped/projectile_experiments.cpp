@@ -4,14 +4,8 @@
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -47,18 +41,6 @@ double farthest_moved(const World& world, const std::vector<BodyState>& from) {
   return moved;
 }
 
-// Boxes without a face that is level within two degrees.
-double leaning(const PlayedScene& played) {
-  constexpr double level = 0.99939;  // [-] cosine of two degrees
-  double count = 0.0;
-  for (const SceneBox& box : played.scene().boxes) {
-    const BodyState& state = played.world().states()[played.index(box.name)];
-    const Mat3 axes_w = state.orientation_wb.toRotationMatrix();
-    count += axes_w.row(1).cwiseAbs().maxCoeff() < level ? 1.0 : 0.0;
-  }
-  return count;
-}
-
 // Boxes that are lower than at the start by more than half an edge.
 double fallen(const PlayedScene& played) {
   double count = 0.0;
@@ -86,18 +68,16 @@ Result measure_projectile(const Parameters& settings) {
   played.advance(appears - 2.0 * kStep, watch);
   const double moves = farthest_moved(played.world(), stands);
 
-  Table table{"", {{"time_s", "s", "since the shot"}, {"fallen", "-", "boxes that have fallen"}}};
+  Table table{"", {{"time_s", "s", "since the shot"}}};
   std::vector<std::vector<PictureBox>> frames;
   std::vector<PictureBox> all;
   for (std::size_t k = 0; k < kFrames.size(); ++k) {
     const double time = settings.number(frame_key(k));
     played.advance(appears + time, watch);
-    table.add(time, fallen(played));
+    table.add(time);
     frames.push_back(picture_boxes(played.world()));
     all.insert(all.end(), frames.back().begin(), frames.back().end());
   }
-  PlayedScene other(shot_scene(settings), coulomb_technique());
-  other.advance(played.world().time());
 
   // From behind and above the start of the shot.
   const SceneBox& shot = played.scene().boxes.back();
@@ -118,8 +98,7 @@ Result measure_projectile(const Parameters& settings) {
           {{"farthest that a box moves in the first half second", "mm", 1e3 * settles},
            {"farthest that a box moves from then to the shot", "mm", 1e3 * moves},
            {"boxes of the pyramid", "-", played.scene().boxes.size() - 1},
-           {"boxes that have fallen in the last frame", "-", table.rows.back()[1]},
-           {"the same, Coulomb", "-", fallen(other)}},
+           {"boxes that have fallen in the last frame", "-", fallen(played)}},
           drawings,
           [film] { return to_gif(film, kShotFilmRate); }};
 }
@@ -156,8 +135,7 @@ Result measure_projectile_curves(const Parameters& settings) {
                {"kinetic_J", "J", "kinetic energy"},
                {"total_J", "J", "kinetic and potential energy, over those of the pyramid at rest"},
                {"overlap_mm", "mm", "deepest overlap of all pairs"},
-               {"chatter_mm", "mm", "amplitude over the last half second, of the worst box"},
-               {"resting", "-", "boxes that rest and are measured"}}};
+               {"chatter_mm", "mm", "amplitude over the last half second, of the worst box"}}};
   double rest = 0.0;
   double deepest_before = 0.0;
   double chatter_before = 0.0;
@@ -165,11 +143,10 @@ Result measure_projectile_curves(const Parameters& settings) {
   double last_total = 0.0;
   double deepest_after = 0.0;
   double chatter_after = 0.0;
-  Metrics m;
   int bodies = played.world().count();
   bool shot = false;
   played.advance(appears + settings.number("duration"), [&](const StepReport& report) {
-    m = meter.measure(played.world(), report);
+    const Metrics m = meter.measure(played.world(), report);
     const double time = played.world().time() - appears;
     const double total = m.kinetic + m.potential;
     const bool enters = played.world().count() > bodies;  // with its energy
@@ -188,8 +165,7 @@ Result measure_projectile_curves(const Parameters& settings) {
     }
     last_total = total;
     if (time > -1.0 - 0.5 * kStep)
-      table.add(time, m.kinetic, total, 1e3 * m.deepest_overlap, 1e3 * m.chatter.amplitude,
-                m.chatter.bodies);
+      table.add(time, m.kinetic, total, 1e3 * m.deepest_overlap, 1e3 * m.chatter.amplitude);
   });
   for (auto& row : table.rows) row[2] -= rest;
   return {{table},
@@ -197,8 +173,6 @@ Result measure_projectile_curves(const Parameters& settings) {
            {"largest chatter before the shot, after a second", "mm", 1e3 * chatter_before},
            {"deepest overlap after the shot", "mm", 1e3 * deepest_after},
            {"largest chatter after the shot", "mm", 1e3 * chatter_after},
-           {"chatter at the end", "mm", 1e3 * m.chatter.amplitude},
-           {"boxes that lean by more than two degrees at the end", "-", leaning(played)},
            {"largest gain of energy in a step", "J", most_gained}}};
 }
 

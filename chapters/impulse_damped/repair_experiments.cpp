@@ -1,20 +1,9 @@
 /// \file
 /// \brief The energy that the pass adds which ends overlap by moving bodies (thesis 4.4).
-#include "tumble/base/random.hpp"
 #include "tumble/contact/repair.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -127,8 +116,8 @@ Ratio ratio_of(int boxes, double restitution, double depth, int seeds, Pass pass
   return out;
 }
 
-double over(const Ratio& ratio, int left_out) {
-  return sum_without(ratio.kinetic, left_out) / sum_without(ratio.potential, left_out);
+double over(const Ratio& ratio) {
+  return sum_without(ratio.kinetic, -1) / sum_without(ratio.potential, -1);
 }
 
 Result measure_push_energy(const Parameters& settings) {
@@ -159,7 +148,7 @@ Result measure_push_energy(const Parameters& settings) {
   for (double d = 1e-4; d < 0.2; d *= std::sqrt(10.0)) {
     const Ratio listing = ratio_of(boxes, restitution, d, seeds, Pass::listing, thesis());
     const Ratio ours = ratio_of(boxes, restitution, d, seeds, Pass::ours, thesis());
-    sweep.add(d, over(listing, -1), over(ours, -1));
+    sweep.add(d, over(listing), over(ours));
   }
 
   const Ratio listing = ratio_of(boxes, restitution, depth, seeds, Pass::listing, thesis());
@@ -167,8 +156,8 @@ Result measure_push_energy(const Parameters& settings) {
   const Ratio ours = ratio_of(boxes, restitution, depth, seeds, Pass::ours, thesis());
   const Ratio stopped =
       ratio_of(boxes, restitution, depth, seeds, Pass::none, velocities_stopped());
-  const auto quantity = [seeds](const std::string& name, const Ratio& ratio) {
-    return over_seeds(name, "-", seeds, [&](int left_out) { return over(ratio, left_out); });
+  const auto quantity = [](const std::string& name, const Ratio& ratio) {
+    return ratio_of_sums(name, "-", ratio.kinetic, ratio.potential);
   };
   return {{time, sweep},
           {quantity("kinetic energy that appears within a second because of the pass, over the "

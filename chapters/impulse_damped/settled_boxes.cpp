@@ -3,18 +3,8 @@
 #include "impulse_damped/settled_boxes.hpp"
 
 #include "tumble/filtering/corner_motion.hpp"
-#include "tumble/math/elementary.hpp"
 #include "tumble/record/chatter.hpp"
 #include "tumble/record/overlap.hpp"
-#include "tumble/scenes/library.hpp"
-
-#include "driver/common_numbers.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

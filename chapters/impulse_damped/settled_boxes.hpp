@@ -2,10 +2,9 @@
 /// \brief Boxes that settle under damped integration, seen as a viewer sees them (thesis 5.3).
 #pragma once
 
-#include "tumble/dynamics/world.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,14 +1,8 @@
 /// \file
 /// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/tosses.hpp"
-
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -111,7 +105,7 @@ Result measure_tosses(const Parameters& settings) {
   Result result;
   const auto compared = [&](const std::string& name, const Outcomes& top, const Outcomes& bottom,
                             const std::function<double(const Outcomes&, int)>& far) {
-    result.quantities.push_back(over_seeds(name, "-", seeds, [&](int left_out) {
+    result.add(over_seeds(name, "-", seeds, [&](int left_out) {
       return far(top, left_out) / far(bottom, left_out);
     }));
   };
@@ -128,10 +122,10 @@ Result measure_tosses(const Parameters& settings) {
       compared("the same, " + variant.words, run(damped("fast", variant)),
                run(damped("off", variant)), both);
   for (std::size_t k = 1; k < ways.size(); ++k) {
-    result.quantities.push_back(over_seeds(
+    result.add(over_seeds(
         "distance of travel from the measured quartiles, over their spread, " + ways[k].words, "-",
         seeds, [&](int left_out) { return travel_distance(ways[k].outcomes, left_out); }));
-    result.quantities.push_back(over_seeds(
+    result.add(over_seeds(
         "distance of time to rest from the measured quartiles, over their spread, " + ways[k].words,
         "-", seeds, [&](int left_out) { return time_distance(ways[k].outcomes, left_out); }));
   }

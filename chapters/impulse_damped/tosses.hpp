@@ -2,9 +2,7 @@
 /// \brief Twenty measured tosses of a real cube, as the experiments need them.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -4,9 +4,6 @@
 
 #include "tumble/contact/gather.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace tumble::chapters {
 namespace {
 

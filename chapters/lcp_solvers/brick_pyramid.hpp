@@ -4,8 +4,7 @@
 
 #include "tumble/analytic_lcp/assembly.hpp"
 
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

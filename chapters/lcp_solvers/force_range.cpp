@@ -3,9 +3,6 @@
 ///        programme (thesis 2.6).
 #include "lcp_solvers/force_range.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

@@ -3,10 +3,7 @@
 ///        programme (thesis 2.6).
 #pragma once
 
-#include "tumble/math/dense.hpp"
-
-#include <span>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,16 +1,9 @@
 /// \file
 /// \brief Counted work: friction against none, new factors against updated ones.
-#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/redundant_contacts.hpp"
-
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -182,16 +175,13 @@ Result measure_friction_cost(const Parameters& settings) {
     table.add(row);
   }
   const std::vector<double>& last = table.rows.back();
-  return {{table},
-          {over_seeds("multiplications per pivot at 64 contacts, friction and new factors over no "
-                      "friction and updated factors",
-                      "-", seeds,
-                      [&](int left_out) {
-                        return sum_without(with, left_out) / sum_without(without, left_out);
-                      }),
-           {"unknowns with friction over those without", "-", last[2] / last[1]},
-           {"entries with friction over those without, 64 contacts", "-", last[4] / last[3]},
-           {"new factors over updated ones, no friction, 64 contacts", "-", last[6] / last[5]}}};
+  return {
+      {table},
+      {ratio_of_sums("multiplications per pivot at 64 contacts, friction and new factors over no "
+                     "friction and updated factors",
+                     "-", with, without),
+       {"unknowns with friction over those without", "-", last[2] / last[1]},
+       {"new factors over updated ones, no friction, 64 contacts", "-", last[6] / last[5]}}};
 }
 
 const Registered claim_5_3d_friction_cost_figure{

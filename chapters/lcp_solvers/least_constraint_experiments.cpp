@@ -1,18 +1,10 @@
 /// \file
 /// \brief Counted work: least constraint against contact forces.
-#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/redundant_contacts.hpp"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -1,13 +1,8 @@
 /// \file
 /// \brief The figure of Baraff's algorithm, step by step (thesis 3.3.1).
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/pivot_trace.hpp"
 #include "lcp_solvers/planks.hpp"
-
-#include <algorithm>
-#include <span>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -5,13 +5,9 @@
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/brick_pyramid.hpp"
 #include "lcp_solvers/force_range.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {

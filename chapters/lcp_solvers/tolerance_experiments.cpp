@@ -1,23 +1,11 @@
 /// \file
 /// \brief The tolerance of the thesis's program, and its negative forces.
-#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/redundant_contacts.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

@@ -7,12 +7,8 @@
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "lcp_solvers/pyramid_problem.hpp"
-
-#include <algorithm>
-#include <limits>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

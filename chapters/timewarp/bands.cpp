@@ -2,12 +2,6 @@
 /// \brief Boxes on a line as bands in a plane of place and time.
 #include "timewarp/bands.hpp"
 
-#include "tumble/base/error.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace tumble::chapters {
 namespace {
 

@@ -2,10 +2,7 @@
 /// \brief Boxes on a line as bands in a plane of place and time.
 #pragma once
 
-#include "tumble/dynamics/event_log.hpp"
-#include "tumble/dynamics/world.hpp"
-
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -2,11 +2,6 @@
 /// \brief Cubes in a cage under a form of the timewarp, and its work (thesis 2.4.3).
 #include "timewarp/cage_runs.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/settings.hpp"
-
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

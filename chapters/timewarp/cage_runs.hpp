@@ -2,13 +2,7 @@
 /// \brief Cubes in a cage under a form of the timewarp, and its work (thesis 2.4.3).
 #pragma once
 
-#include "tumble/dynamics/technique.hpp"
-
-#include "driver/figure.hpp"
-
-#include <memory>
-#include <string>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

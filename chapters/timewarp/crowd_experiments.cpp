@@ -1,18 +1,8 @@
 /// \file
 /// \brief Crowded frames in which the forms of the timewarp go wrong (thesis 5.1).
-#include "driver/common_numbers.hpp"
-#include "driver/intervals.hpp"
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
-
-#include <array>
-#include <functional>
-#include <map>
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -138,15 +128,12 @@ StoryTally deciding(const Frames& frames, std::size_t seed, std::size_t form) {
 Quantity ratio_over_seeds(const std::string& name, std::size_t seeds,
                           const std::function<double(std::size_t seed)>& above,
                           const std::function<double(std::size_t seed)>& below) {
-  std::vector<double> numerators;
-  std::vector<double> denominators;
+  std::vector<double> numerators, denominators;
   for (std::size_t seed = 0; seed < seeds; ++seed) {
     numerators.push_back(above(seed));
     denominators.push_back(below(seed));
   }
-  return over_seeds(name, "-", static_cast<int>(seeds), [&](int left_out) {
-    return sum_without(numerators, left_out) / sum_without(denominators, left_out);
-  });
+  return ratio_of_sums(name, "-", numerators, denominators);
 }
 
 // Of the true events those that a form missed or resolved out of order, at one speed.
@@ -237,9 +224,6 @@ Result measure_crowd_order(const Parameters& settings) {
   safer_over_simple("the same, denser and faster", [&](std::size_t seed, std::size_t form) {
     return seed % kRooms.size() == 0 ? frames[seed][kFastest][form].wrong() : 0.0;
   });
-  const StoryForms half = of_way(frames, 1);
-  out.push_back(half[0].share_of_frames("share of wrong frames, simple, at half an edge"));
-  out.push_back(half[1].share_of_frames("share of wrong frames, safer, at half an edge"));
   double swept_wrong = 0.0;
   for (std::size_t seed = 0; seed < seeds; ++seed) swept_wrong += deciding(frames, seed, 2).wrong();
   out.push_back({"events missed or out of order at half an edge to four, swept", "-", swept_wrong});

@@ -5,13 +5,6 @@
 
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
-
-#include <algorithm>
-#include <numeric>
-#include <string>
-
 namespace tumble::chapters {
 namespace {
 

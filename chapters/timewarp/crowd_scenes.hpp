@@ -3,13 +3,8 @@
 ///        (thesis 5.1).
 #pragma once
 
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/world.hpp"
-
+#include "driver/experiment.hpp"
 #include "timewarp/event_story.hpp"
-
-#include <cstdint>
-#include <vector>
 
 namespace tumble::chapters {
 

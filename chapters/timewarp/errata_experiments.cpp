@@ -2,11 +2,8 @@
 /// \brief T1 to T10, each left in SIMPLESYNCTIMEWARP while the other misprints are mended (thesis A.1).
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/errata_runs.hpp"
-
-#include <string>
 
 namespace tumble::chapters {
 namespace {
@@ -22,9 +19,8 @@ void add_loop_errata(ErrataBench& bench) {
   bench.show(1, each, right);
   TimewarpAsPrintedOptions separating = bench.as_meant_but("T1");
   separating.collide_separating = true;
-  bench.result.quantities.push_back(
-      {"T1: place of the first of two cubes, each turn collides, separating cubes too", "m",
-       run_printed(separating, head_on).places[0]});
+  bench.result.add("T1: place of the first of two cubes, each turn collides, separating cubes too",
+                   "m", run_printed(separating, head_on).places[0]);
 
   // T2 can be seen only with T1: in two loops one after the other a counter does no harm.
   const PrintedRun counter = bench.run("T1,T2", head_on);

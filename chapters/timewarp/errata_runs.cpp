@@ -2,11 +2,6 @@
 /// \brief One frame of cubes on a line, watched (thesis A.1).
 #include "timewarp/errata_runs.hpp"
 
-#include "driver/played_scene.hpp"
-
-#include <algorithm>
-#include <utility>
-
 namespace tumble::chapters {
 namespace {
 
@@ -116,7 +111,7 @@ void ErrataBench::add(int row, const std::string& what, const std::string& unit,
                       const Reading& printed, const Reading& mended) {
   result.tables[0].add(row, printed.second, mended.second);
   for (const auto& [reading, value] : {printed, mended})
-    result.quantities.push_back({what + ", " + reading, unit, value});
+    result.add(what + ", " + reading, unit, value);
 }
 
 void ErrataBench::show(int row, const FrameRun& printed, const FrameRun& mended) {

@@ -4,12 +4,7 @@
 
 #include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 
-#include "driver/figure.hpp"
-
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

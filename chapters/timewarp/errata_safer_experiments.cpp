@@ -3,14 +3,8 @@
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/errata_runs.hpp"
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 namespace tumble::chapters {
 namespace {
@@ -63,9 +57,8 @@ void add_group(ErrataBench& bench) {
   bench.show(6, present, others);
   TimewarpAsPrintedOptions nothing_mended = bench.as_meant_but();
   nothing_mended.repaired = {};
-  bench.result.quantities.push_back(
-      {"passes of the loop for one collision, nothing mended, until a cap", "-",
-       run_printed(nothing_mended, two).passes});
+  bench.result.add("passes of the loop for one collision, nothing mended, until a cap", "-",
+                   run_printed(nothing_mended, two).passes);
   add_place(bench, {7, "F7", "0:3,1.7:0,3.1:0", 0, "place of a cube that flies over another",
                     "near at the end of the frame", "near on the way to the collision"});
 }

@@ -6,13 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/trajectory.hpp"
 
-#include "driver/settings.hpp"
-
-#include <algorithm>
-#include <cstddef>
-#include <map>
 #include <tuple>
-#include <utility>
 
 namespace tumble::chapters {
 namespace {

@@ -3,10 +3,7 @@
 ///        5.1).
 #pragma once
 
-#include "tumble/dynamics/technique.hpp"
-
-#include <memory>
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 

@@ -1,17 +1,10 @@
 /// \file
 /// \brief Figure 5.1: the order in which five cubes meet, by four techniques (thesis 5.1).
-#include "tumble/scenes/library.hpp"
-
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

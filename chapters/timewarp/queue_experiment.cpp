@@ -3,18 +3,9 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/timewarp/synchronised_timewarp.hpp"
 
-#include "driver/played_scene.hpp"
-#include "driver/registry.hpp"
-#include "driver/settings.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
-
-#include <algorithm>
-#include <optional>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
 
 namespace tumble::chapters {
 namespace {
@@ -137,21 +128,17 @@ Result measure_queue_at_work(const Parameters& settings) {
               {"early_m", "m", "centre at early_s, as far as is known"},
               {"early_s", "s", "a tenth of the frame"}}};
   const double width = start.bodies().front().size.x();
-  std::size_t longest = 0;
   std::size_t put_in_front = 0;
-  std::set<std::tuple<int, int, double>> seen;
   std::vector<Quantity> times;  // of collisions that are resolved
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const Moment& moment = moments[k];
     const std::size_t panel = k + 1;
-    longest = std::max(longest, moment.foreseen.size());
     if (moment.goes_back) ++put_in_front;
     if (moment.taken && !moment.goes_back)
       times.push_back(
           {"time of collision " + std::to_string(times.size() + 1), "s", moment.taken->time});
     for (const ForeseenCollision& foreseen : moment.foreseen) {
       const auto [first, second] = foreseen.pair;
-      seen.emplace(first, second, foreseen.time);
       const double place = 0.5 * (known_place(moment, first, foreseen.time) +
                                   known_place(moment, second, foreseen.time));
       const bool taken = moment.taken && foreseen == *moment.taken;
@@ -173,9 +160,7 @@ Result measure_queue_at_work(const Parameters& settings) {
 
   std::vector<Quantity> quantities = {
       {"collisions resolved", "-", times.size()},
-      {"collisions put in front because a neighbour was looked at", "-", put_in_front},
-      {"longest queue", "-", longest},
-      {"collisions foreseen that never came", "-", seen.size() - times.size()}};
+      {"collisions put in front because a neighbour was looked at", "-", put_in_front}};
   constexpr int steps = 1000;
   const std::vector<Collision> reference =
       story_of(*search_over_all(), start, frame / steps, steps);

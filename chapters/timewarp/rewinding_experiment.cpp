@@ -1,14 +1,7 @@
 /// \file
 /// \brief Claim 2.4.3a: all bodies taken back for a collision, or only those near it.
-#include "driver/intervals.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

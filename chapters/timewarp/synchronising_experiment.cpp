@@ -1,12 +1,7 @@
 /// \file
 /// \brief Claim 2.4.3b: full timewarp, all bodies waiting for one another on every so many frames.
-#include "driver/intervals.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
-
-#include <algorithm>
-#include <array>
 
 namespace tumble::chapters {
 namespace {
@@ -135,10 +130,6 @@ Result measure_synchronising(const Parameters& settings) {
       [&](int k) { return flights(costs.every[0], k) / costs.stretch.dt; });
   add("integrations in a simulated second, the larger cage, never synchronised", "1/s",
       [&](int k) { return flights(costs.never, k) / costs.stretch.dt; });
-  add("integrations synchronised on every frame over never", "-",
-      [&](int k) { return flights(costs.every[0], k) / flights(costs.never, k); });
-  add("the first number if full timewarp without synchronisation cost nothing at all", "-",
-      [&](int k) { return flights(costs.every[0], k) / flights(costs.all, k); });
   add("the first number if every body is looked at in every frame and that is counted", "-",
       [&](int k) { return lost(costs, k, costs.stretch.count); });
 

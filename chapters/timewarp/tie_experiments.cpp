@@ -4,15 +4,9 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/intervals.hpp"
-#include "driver/registry.hpp"
-#include "driver/statistics.hpp"
+#include "driver/experiment.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
-
-#include <array>
-#include <string>
 
 namespace tumble::chapters {
 namespace {

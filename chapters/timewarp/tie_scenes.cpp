@@ -4,9 +4,6 @@
 
 #include "tumble/dynamics/pair_search.hpp"
 
-#include <array>
-#include <stdexcept>
-
 namespace tumble::chapters {
 namespace {
 

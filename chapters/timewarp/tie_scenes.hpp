@@ -2,8 +2,7 @@
 /// \brief A cube that two others hit at nearly the same time (thesis 5.1).
 #pragma once
 
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/world.hpp"
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 
