@@ -131,7 +131,7 @@ TEST_CASE("A card house of two storeys stands", "[unit][analytic][time_stepping]
 }
 
 TEST_CASE("Eighteen boxes in a corner, a tower of 36 blocks and a card house take no minutes",
-          "[.long][analytic][time_stepping][analytic_lcp]") {
+          "[.long][unit][analytic][time_stepping][analytic_lcp]") {
   const auto cases = shared_data("../cases");
   if (!cases) return;
   const std::vector<Scene> scenes = {read_scene(*cases / "scenes/corner18.toml"),

@@ -79,7 +79,7 @@ TEST_CASE("Random worlds that Lemke's method did not finish are swept, with clos
   }
 }
 
-TEST_CASE("All of 400 random worlds are finished", "[.long][time_stepping][analytic_lcp]") {
+TEST_CASE("All of 400 random worlds are finished", "[.long][unit][time_stepping][analytic_lcp]") {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     CAPTURE(seed);
     const fuzz::WorldVerdict verdict = judge(fuzz::random_world(seed), "time_stepping");

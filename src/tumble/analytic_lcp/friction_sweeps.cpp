@@ -68,7 +68,7 @@ void FrictionSweeps::load(std::span<const Contact> contacts, std::span<const Fri
     const Eigen::Matrix2d yield = plane.transpose() * row.yield_w * plane;
     row.stop_w = plane * yield.inverse() * plane.transpose();
     const double half = 0.5 * (yield(0, 0) - yield(1, 1));
-    row.slip_yield = 0.5 * yield.trace() + std::hypot(half, yield(0, 1));
+    row.slip_yield = 0.5 * yield.trace() + std::sqrt(half * half + yield(0, 1) * yield(0, 1));
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) push(rows_[i], pushes[i]);
 }

@@ -28,8 +28,8 @@ struct FrictionSweepReport {
 /// of that radius that is nearest to \f$p_t - u_t/k\f$ with k the largest answer across the normal. Where
 /// nothing changes any more, nothing sinks and friction is within Coulomb's round cone, against the sliding.
 ///
-/// Between sweeps, pushes go on along a conjugate direction: the change of the last sweep counts as the
-/// slope of what is minimised, and the direction is dropped when the change grows.
+/// Between sweeps, pushes go on along a conjugate direction: the change of the last sweep counts as a
+/// descent of the energy, and the direction is begun anew when the change grows.
 ///
 /// That it settles is not certain where friction couples strongly to normal pushes. It always ends: after
 /// kMostSweeps, or as many visits of points as kMostVisits, with the pushes that were closest to settled.
@@ -41,6 +41,7 @@ struct FrictionSweepReport {
 ///      for interactive contact force problems", The Visual Computer 26, 2010.
 /// \algorithm{Contact with friction by sweeps: section 2.6.3}
 /// \deviation{The thesis solves all points of a group together only; this is for what that does not solve.}
+/// \verified{Sweeps find Coulomb's law for a plate that slides, in any direction}
 class FrictionSweeps {
  public:
   static constexpr int kMostSweeps = 4000;  ///< over all points
