@@ -16,6 +16,9 @@
 namespace tumble {
 namespace {
 
+// In one step: forces and impacts without an answer cost more than all others, and mostly come again.
+constexpr int kMostFallbacks = 4;
+
 std::int64_t movable_bodies(const World& world) {
   return std::count_if(world.bodies().begin(), world.bodies().end(),
                        [](const BodyProperties& body) { return body.movable(); });
@@ -74,7 +77,8 @@ StepReport Analytic::step(World& world, double dt) {
   Progress progress{dt, 0.0};
   for (int flight = 0; progress.left() > 0.0; ++flight) {
     const bool capped = flight == options_.event_cap;
-    if (capped && options_.friction == AnalyticFriction::coulomb) {
+    if ((capped || report.fallbacks >= kMostFallbacks) &&
+        options_.friction == AnalyticFriction::coulomb) {
       finish_by_velocities(world, progress, report);
       break;
     }

@@ -116,7 +116,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// - Simultaneous impacts whose friction does not settle are solved as one such step of no length.
 /// - The rest of a step in which friction acts in an island that is too large for exact impacts (more than 150
 ///   points) or forces (FrictionLemkeSolver::kMostUnknowns) is one step of TimeStepping.
-/// - The rest of a step after `event_cap` flights is one step of TimeStepping. Without Coulomb's friction it is
+/// - The rest of a step after `event_cap` flights, or four of these cases, is one step of TimeStepping. Without Coulomb's friction it is
 ///   flown without looking for collisions, and the step ends as StepStatus::event_cap.
 ///
 /// Where no solver has an answer the step ends as

@@ -33,13 +33,12 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
   };
   bool solved = solves(slack_solvers_[0]) || solves(slack_solvers_[1]);
   const bool small = problem.size() <= kMostToTryAll;
+  const int most_pivots = small ? std::numeric_limits<int>::max() : kPivotsEach * problem.size();
   for (const double share : {1.0, 0.1, 10.0, 0.01, 100.0})
     for (LemkeSolver& solver : slack_solvers_)
-      solved =
-          solved || (small || share == 1.0
-                         ? tried(approach(problem, share * tolerance::compliance, solver, result))
-                         : false);
-  if (small) solved = solved || solves(exact_solver_);
+      if (!solved && pivots < most_pivots)
+        solved = tried(approach(problem, share * tolerance::compliance, solver, result));
+  if (small && !solved) solved = solves(exact_solver_);
   // Masses that differ by thousands leave rows in units that do.
   if (small && !solved && restarts_.solve(problem, result))
     solved = tried(result.solved_within(tolerance::step_residual));

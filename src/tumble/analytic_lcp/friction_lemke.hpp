@@ -23,8 +23,8 @@ namespace tumble {
 /// 3. with the lexicographic rule and no slack;
 /// 4. in rows of unit diagonal and from other bases (LemkeRestarts).
 ///
-/// Above kMostToTryAll unknowns only 1 and the first of 2 are tried, and above kMostUnknowns it is better not asked
-/// at all (FrictionSweeps).
+/// Above kMostToTryAll unknowns 2 ends after kPivotsEach pivots for each of them, and 3 and 4 are left out; above
+/// kMostUnknowns it is better not asked at all (FrictionSweeps).
 /// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14,
 ///      1976.
 class FrictionLemkeSolver : public LcpSolver {
@@ -32,6 +32,7 @@ class FrictionLemkeSolver : public LcpSolver {
   static constexpr int kMostUnknowns =
       400;  ///< of problems that are solved in a fraction of a second
   static constexpr int kMostToTryAll = 150;  ///< of problems for which every way is tried
+  static constexpr int kPivotsEach = 20;     ///< a path that arrives takes one or less
 
   /// Makes its three solvers.
   FrictionLemkeSolver();
