@@ -118,7 +118,7 @@ class Errors {
  public:
   void add(const VelocityStepResult& result) {
     ++count;
-    if (!result.solved) {
+    if (!result.solved || result.fallbacks > 0) {  // no bounces here: Lemke's method had no answer
       ++unsolved;
       return;
     }

@@ -4,11 +4,13 @@
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/scenes/simulation.hpp"
 
+#include "fuzz/random_world.hpp"
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace {
 
@@ -64,6 +66,26 @@ TEST_CASE("Steps of masses from 1e-3 to 1e3 are solved", "[unit][time_stepping][
   Simulation simulation(read_scene(*cases / "robustness/time_stepping_unsolved.toml"),
                         "time_stepping");
   for (int k = 0; k < 120; ++k) CHECK(simulation.step(kFrame).status == StepStatus::done);
+}
+
+TEST_CASE("Random worlds that Lemke's method did not finish are swept, with closed books",
+          "[unit][time_stepping][analytic_lcp]") {
+  for (const std::uint64_t seed : {65ULL, 121ULL, 331ULL}) {
+    CAPTURE(seed);
+    const fuzz::WorldVerdict verdict = judge(fuzz::random_world(seed), "time_stepping");
+    CHECK(verdict.status == StepStatus::done);
+    CHECK(verdict.unbooked_rise < 0.001);
+    CHECK(verdict.momentum_change < 1e-9);
+  }
+}
+
+TEST_CASE("All of 400 random worlds are finished", "[.long][unit][time_stepping][analytic_lcp]") {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    CAPTURE(seed);
+    const fuzz::WorldVerdict verdict = judge(fuzz::random_world(seed), "time_stepping");
+    CHECK(verdict.status == StepStatus::done);
+    CHECK(verdict.unbooked_rise < 0.001);
+  }
 }
 
 TEST_CASE("Touching elastic cubes do not hop, and part by Newton's rule",

@@ -16,6 +16,9 @@
 namespace tumble {
 namespace {
 
+// In one step: forces and impacts without an answer cost more than all others, and mostly come again.
+constexpr int kMostFallbacks = 4;
+
 std::int64_t movable_bodies(const World& world) {
   return std::count_if(world.bodies().begin(), world.bodies().end(),
                        [](const BodyProperties& body) { return body.movable(); });
@@ -70,10 +73,12 @@ StepReport Analytic::step(World& world, double dt) {
   records_.clear();
   rewound_ = 0;
   unsolved_ = false;
+  too_large_ = false;
   Progress progress{dt, 0.0};
   for (int flight = 0; progress.left() > 0.0; ++flight) {
     const bool capped = flight == options_.event_cap;
-    if (capped && options_.friction == AnalyticFriction::coulomb) {
+    if ((capped || report.fallbacks >= kMostFallbacks) &&
+        options_.friction == AnalyticFriction::coulomb) {
       finish_by_velocities(world, progress, report);
       break;
     }
@@ -86,9 +91,13 @@ StepReport Analytic::step(World& world, double dt) {
       find_candidates(world, progress.left(),
                       false);  // a body that moves otherwise may meet others
     Plan plan;
-    if (!find_forces(world, progress, plan, report)) {
+    if (!too_large_ && !find_forces(world, progress, plan, report)) {
       unsolved_ = true;
       report.status = StepStatus::unsolved;
+      break;
+    }
+    if (too_large_) {
+      finish_by_velocities(world, progress, report);
       break;
     }
     // Then a flight: to the next collision, to the end of a slide,
@@ -130,6 +139,8 @@ bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, S
   const ForceAim aim{.dt = progress.dt, .relaxation = progress.dt, .duration = progress.left()};
   const ForceReport found = forces_.solve(world, moving_, resting_, aim);
   report.pivots += found.pivots;
+  too_large_ = found.too_large;
+  if (too_large_) return true;
   if (found.status != LcpStatus::solved) return false;
   report.fallbacks += found.without_solution;
   flight_.begin(world);
@@ -186,7 +197,7 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
   // [S3.3.1:midpoint]
   report.pivots += there.pivots;
   if (there.status != LcpStatus::solved) return false;
-  if (there.without_solution > 0) {  // those of the start are used, which is of order 1
+  if (there.without_solution > 0 || there.too_large) {  // those of the start are used, of order 1
     report.fallbacks += there.without_solution;
     plan.forces_at = 0.0;
     load_moving_bodies(world, moving_);
@@ -242,46 +253,6 @@ void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& pr
   progress.passed = time < progress.left() ? progress.passed + time : progress.dt;
 
   book_work(world, time, report);
-}
-
-// The work of the contact forces: impulse times mean velocity, exact where bodies do not turn.
-void Analytic::book_work(const World& world, double time, StepReport& report) {
-  // Points and bodies at the pose for which the forces were found; velocities from both ends.
-  load_moving_bodies(world, ended_);
-  const double share = time / recorded_for_;
-  // A body that is held is booked as a whole, below: what holds it up is known as a sum only.
-  const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
-    if (forces_.held().holds(world, body)) return Vec3::Zero();
-    const BodyProperties& b = world.bodies()[idx(body)];
-    const BodyState& start = flight_.start()[idx(body)];
-    const Vec3 turning = 0.5 * (angular_velocity(b, start) + ended_[idx(body)].angular_velocity_w);
-    return 0.5 * (velocity(b, start) + ended_[idx(body)].velocity_w) +
-           turning.cross(point_w - moving_[idx(body)].position_w);
-  };
-  for (const Contact& contact : resting_) {
-    for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& point = contact.points[idx(k)];
-      const Vec3 slip_w = mean_velocity(contact.second, point.position_w) -
-                          mean_velocity(contact.first, point.position_w);
-      report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
-      report.energy.friction += share * point.friction_impulse_w.dot(slip_w);
-    }
-  }
-  for (int b = 0; b < world.count(); ++b) {
-    report.energy.repair -=
-        world.bodies()[idx(b)].movable()
-            ? world.bodies()[idx(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
-            : 0.0;
-    if (!forces_.held().holds(world, b)) continue;
-    const BodyProperties& body = world.bodies()[idx(b)];
-    const BodyState& start = flight_.start()[idx(b)];
-    const MovingBody& end = ended_[idx(b)];
-    const Wrench& acts = forces_.wrenches()[idx(b)];
-    report.energy.restitution +=
-        0.5 * time *
-        (acts.force_w.dot(velocity(body, start) + end.velocity_w) +
-         acts.torque_w.dot(angular_velocity(body, start) + end.angular_velocity_w));
-  }
 }
 
 void Analytic::finish(World& world, const Progress& progress, StepReport& report) {

@@ -8,6 +8,21 @@
 #include <algorithm>
 
 namespace tumble {
+namespace {
+
+// Impulses and friction of an impact are found in turn, up to some hundred dense problems of all its points.
+constexpr int kMostImpactPoints = 150;
+
+}  // namespace
+
+// Whether an impact with friction has so many points that the rest of the step is better one step of velocities.
+bool Analytic::is_too_large(std::span<const Contact> impact) const {
+  if (options_.friction != AnalyticFriction::coulomb) return false;
+  int points = 0;
+  for (const Contact& contact : impact)
+    if (contact.friction > 0.0) points += contact.count;
+  return points > kMostImpactPoints;
+}
 
 // The impact of an island whose friction does not settle, anew as a step of velocities in which nothing accelerates.
 // Returns whether that has a solution; if not, what there was stays.

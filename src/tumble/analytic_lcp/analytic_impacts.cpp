@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions of the analytic technique, and records of its contacts.
+/// \brief Collisions of the analytic technique, and records of its contacts and of their work.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
@@ -54,6 +54,10 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
     const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);
     return motion_of(point, scale) != PointMotion::waits;
   });
+  if (is_too_large(island_)) {
+    too_large_ = true;
+    return;
+  }
   // [S4.3:sticky]
   // Slow ones stick. Each contact is judged by its fastest point.
   for (Contact& contact : island_) {
@@ -95,6 +99,46 @@ void Analytic::record_forces(double time, double duration, StepReport& report) {
       record.push_w /= duration;
       record.is_impulse = false;
     }
+  }
+}
+
+// The work of the contact forces: impulse times mean velocity, exact where bodies do not turn.
+void Analytic::book_work(const World& world, double time, StepReport& report) {
+  // Points and bodies at the pose for which the forces were found; velocities from both ends.
+  load_moving_bodies(world, ended_);
+  const double share = time / recorded_for_;
+  // A body that is held is booked as a whole, below: what holds it up is known as a sum only.
+  const auto mean_velocity = [&](int body, const Vec3& point_w) -> Vec3 {
+    if (forces_.held().holds(world, body)) return Vec3::Zero();
+    const BodyProperties& b = world.bodies()[idx(body)];
+    const BodyState& start = flight_.start()[idx(body)];
+    const Vec3 turning = 0.5 * (angular_velocity(b, start) + ended_[idx(body)].angular_velocity_w);
+    return 0.5 * (velocity(b, start) + ended_[idx(body)].velocity_w) +
+           turning.cross(point_w - moving_[idx(body)].position_w);
+  };
+  for (const Contact& contact : resting_) {
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactPoint& point = contact.points[idx(k)];
+      const Vec3 slip_w = mean_velocity(contact.second, point.position_w) -
+                          mean_velocity(contact.first, point.position_w);
+      report.energy.restitution += share * point.normal_impulse * contact.normal_w.dot(slip_w);
+      report.energy.friction += share * point.friction_impulse_w.dot(slip_w);
+    }
+  }
+  for (int b = 0; b < world.count(); ++b) {
+    report.energy.repair -=
+        world.bodies()[idx(b)].movable()
+            ? world.bodies()[idx(b)].mass * world.gravity_w.dot(flight_.offset_w(b, time))
+            : 0.0;
+    if (!forces_.held().holds(world, b)) continue;
+    const BodyProperties& body = world.bodies()[idx(b)];
+    const BodyState& start = flight_.start()[idx(b)];
+    const MovingBody& end = ended_[idx(b)];
+    const Wrench& acts = forces_.wrenches()[idx(b)];
+    report.energy.restitution +=
+        0.5 * time *
+        (acts.force_w.dot(velocity(body, start) + end.velocity_w) +
+         acts.torque_w.dot(angular_velocity(body, start) + end.angular_velocity_w));
   }
 }
 

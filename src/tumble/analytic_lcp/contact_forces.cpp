@@ -13,12 +13,6 @@
 #include <string>
 
 namespace tumble {
-namespace {
-
-Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
-
-}  // namespace
-
 std::vector<Word<std::string>> contact_solver_words() {
   std::vector<Word<std::string>> words;
   for (const LcpRecipe& recipe : lcp_solvers())
@@ -186,6 +180,11 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
     out.normal_constant = problem_.lcp().b[static_cast<int>(i)];
     out.tangential_constant_w = drift_w(task, static_cast<int>(i), free_);
     if (points_[i].slides) out.sliding_w = slip_direction_w(task, static_cast<int>(i));
+  }
+  if (FrictionPyramid::unknowns(island_, friction_points_, options_.directions) >
+      FrictionLemkeSolver::kMostUnknowns) {
+    report.too_large = true;
+    return false;
   }
   pyramid_.assemble(task.bodies, island_, friction_points_, options_.directions);
   friction_solver_.solve(pyramid_.lcp(), result_);

@@ -47,10 +47,12 @@ struct ForceAim {
 struct ForceReport {
   LcpStatus status = LcpStatus::solved;  ///< anything else: see unsolved()
   int without_solution = 0;              ///< islands that took a VelocityStep
-  int pivots = 0;                        ///< of all solvers
-  int unknowns = 0;                      ///< points whose normal force was looked for
-  int stable = 0;                        ///< movable bodies that were left out
-  std::int64_t multiplications = 0;      ///< of the solver of problems without friction
+  /// Whether an island with friction was above FrictionLemkeSolver::kMostUnknowns: the forces are of no use
+  bool too_large = false;
+  int pivots = 0;                    ///< of all solvers
+  int unknowns = 0;                  ///< points whose normal force was looked for
+  int stable = 0;                    ///< movable bodies that were left out
+  std::int64_t multiplications = 0;  ///< of the solver of problems without friction
   /// [s] from now until the first sliding point comes to rest; infinity: none does
   double slip_ends = std::numeric_limits<double>::infinity();
 };

@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/tolerances.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -16,9 +17,14 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
                                 std::span<const int> start) {
   int pivots = 0;
   std::int64_t multiplications = 0;
+  double least = std::numeric_limits<double>::infinity();
   const auto tried = [&](bool solved) {
     pivots += result.pivots;
     multiplications += result.multiplications;
+    if (!solved && result.residual < least) {
+      least = result.residual;
+      nearest_ = result.f;
+    }
     return solved;
   };
   const auto solves = [&](LcpSolver& solver) {
@@ -26,14 +32,23 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
     return tried(result.solved_within(tolerance::step_residual));
   };
   bool solved = solves(slack_solvers_[0]) || solves(slack_solvers_[1]);
+  const bool small = problem.size() <= kMostToTryAll;
+  const int most_pivots = small ? std::numeric_limits<int>::max() : kPivotsEach * problem.size();
   for (const double share : {1.0, 0.1, 10.0, 0.01, 100.0})
     for (LemkeSolver& solver : slack_solvers_)
-      solved = solved || tried(approach(problem, share * tolerance::compliance, solver, result));
-  solved = solved || solves(exact_solver_);
+      if (!solved && pivots < most_pivots)
+        solved = tried(approach(problem, share * tolerance::compliance, solver, result));
+  if (small && !solved) solved = solves(exact_solver_);
   // Masses that differ by thousands leave rows in units that do.
-  if (!solved && restarts_.solve(problem, result))
+  if (small && !solved && restarts_.solve(problem, result))
     solved = tried(result.solved_within(tolerance::step_residual));
-  if (!solved && result.status == LcpStatus::solved) result.status = LcpStatus::singular;
+  if (!solved) {
+    if (result.status == LcpStatus::solved) result.status = LcpStatus::singular;
+    if (least < std::numeric_limits<double>::infinity()) {
+      result.f = nearest_;
+      complete(problem, result);
+    }
+  }
   result.pivots = pivots;
   result.multiplications = multiplications;
 }

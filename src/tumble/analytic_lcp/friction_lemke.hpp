@@ -22,10 +22,18 @@ namespace tumble {
 ///    by about ε each time where rows do not depend on each other; with four more ε if need be;
 /// 3. with the lexicographic rule and no slack;
 /// 4. in rows of unit diagonal and from other bases (LemkeRestarts).
+///
+/// Above kMostToTryAll unknowns 2 ends after kPivotsEach pivots for each of them, and 3 and 4 are left out; above
+/// kMostUnknowns it is better not asked at all (FrictionSweeps).
 /// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14,
 ///      1976.
 class FrictionLemkeSolver : public LcpSolver {
  public:
+  static constexpr int kMostUnknowns =
+      400;  ///< of problems that are solved in a fraction of a second
+  static constexpr int kMostToTryAll = 150;  ///< of problems for which every way is tried
+  static constexpr int kPivotsEach = 20;     ///< a path that arrives takes one or less
+
   /// Makes its three solvers.
   FrictionLemkeSolver();
 
@@ -35,7 +43,7 @@ class FrictionLemkeSolver : public LcpSolver {
   /// Solves one problem.
   /// \param problem  any square matrix
   /// \param result   the answer; `solved` only if its residual is at most `tolerance::step_residual`.
-  ///                 Unless solved, it is that of the last way
+  ///                 Unless solved, f is the one of least residual
   /// \param start    is ignored
   /// \throws std::invalid_argument as require_valid() and require_valid_start()
   void solve(const LcpProblem& problem, LcpResult& result,
@@ -52,7 +60,8 @@ class FrictionLemkeSolver : public LcpSolver {
   std::array<LemkeSolver, 2> slack_solvers_;
   LemkeSolver exact_solver_;
   LemkeRestarts restarts_;
-  LcpProblem yielding_;  // A + eps D, b - eps D f
+  LcpProblem yielding_;          // A + eps D, b - eps D f
+  std::vector<double> nearest_;  // forces of the least residual so far
 };
 
 }  // namespace tumble

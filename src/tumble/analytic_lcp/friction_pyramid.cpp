@@ -74,7 +74,23 @@ Mat3 yield_between(std::span<const MovingBody> bodies, const Contact& look, cons
   return yield;
 }
 
+bool is_rough(const Contact& contact, const FrictionPoint& point, int directions) {
+  return point.rough && directions > 0 && contact.friction > 0.0;
+}
+
 }  // namespace
+
+int FrictionPyramid::unknowns(std::span<const Contact> contacts,
+                              std::span<const FrictionPoint> points, int directions) {
+  int sum = 0;
+  bool any = false;
+  for (const FrictionPoint& point : points) {
+    const bool rough = is_rough(contacts[idx(point.contact)], point, directions);
+    any = any || rough;
+    sum += rough && point.sliding_w.isZero(0.0) ? directions + 2 : 1;
+  }
+  return any ? sum : 0;
+}
 
 Tangents pyramid_axes(const Vec3& normal_w) {
   const Tangents t = tangents_of(normal_w);
@@ -100,7 +116,7 @@ void FrictionPyramid::list_unknowns(std::span<const Contact> contacts,
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Contact& contact = contacts[idx(points[p].contact)];
     const Vec3& n = contact.normal_w;
-    const bool rough = points[p].rough && directions > 0 && contact.friction > 0.0;
+    const bool rough = is_rough(contact, points[p], directions);
     const bool slides = rough && !points[p].sliding_w.isZero(0.0);
     const int place = static_cast<int>(p);
     Range& range = ranges_.emplace_back();

@@ -30,6 +30,12 @@ struct FrictionPoint {
   bool rough = true;  ///< if not, friction is left out at this point
 };
 
+/// The part of a vector across a normal.
+/// \param v  [any]
+/// \param n  [-] length 1
+/// \return v - (n·v) n
+inline Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
+
 /// Two directions across a normal for the edges of a pyramid of friction.
 ///
 /// A frame across n cannot follow n all over the sphere without a jump. A cross of two lines, all
@@ -95,6 +101,14 @@ class FrictionPyramid {
   ///         constant that is not finite, or a sliding direction that is neither 0 nor of length 1
   void assemble(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
                 std::span<const FrictionPoint> points, int directions);
+
+  /// How large a problem would be.
+  /// \param contacts    what touches
+  /// \param points      the points that can push
+  /// \param directions  of the pyramid
+  /// \return N; 0 if no point has friction, so that the problem is a symmetric one
+  [[nodiscard]] static int unknowns(std::span<const Contact> contacts,
+                                    std::span<const FrictionPoint> points, int directions);
 
   /// The problem.
   /// \return A and b, without factors; the unknowns point by point, each one's c, β, λ

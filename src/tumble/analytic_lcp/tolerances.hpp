@@ -54,4 +54,12 @@ inline constexpr double step_sliding = 1e-9;
 /// as the error. (2.6.3)
 inline constexpr double compliance = 1e-6;
 
+/// [-] Residual of an answer of Lemke's method that does not hold, up to which sweeps start from it. Reason:
+/// answers that are off by rounding have 1e-4 at most; a path that was lost has 1 and more. (2.6.3)
+inline constexpr double sweep_start = 1e-2;
+
+/// [-] What sweeps may leave, as a share of the fastest point of the island, where bodies bounce. Reason: a
+/// millimetre per second at 1 m/s; restitution that no motion gives leaves a part of itself. (2.6.3)
+inline constexpr double sweep_bounce = 1e-3;
+
 }  // namespace tumble::tolerance

@@ -140,7 +140,9 @@ bool VelocityStep::find_pushes(const Task& task, int island, bool bounce,
                                VelocityStepResult& result) {
   while (true) {
     list_points(task.contacts, bounce);
-    if (!solve_points(task, result)) return false;
+    const bool large = is_large(task);
+    if (large || !solve_points(task, result))
+      return (large || !bounce) && sweep(task, island, bounce, result);
     apply_pushes(task, island);
     const bool missed = take_up_missed(task.contacts, bounce);
     const bool slides = take_up_friction(task.contacts);
@@ -179,14 +181,12 @@ bool VelocityStep::solve_points(const Task& task, VelocityStepResult& result) {
     return error <= tolerance::step_residual;
   };
   const bool solved = (!pyramid.has_friction() && solves(smooth_solver_)) || solves(rough_solver_);
-  if (!solved) return false;
-
-  result.residual = std::max(result.residual, error);
+  // An answer that does not quite hold is where sweeps start.
+  if (!solved && !(answer_.residual <= tolerance::sweep_start)) return false;
   pyramid.pushes(answer_.f, pushes_);
-  std::size_t next = 0;
-  for (Candidate& candidate : candidates())
-    candidate.push_w = candidate.taken_up ? pushes_[next++] : Vec3::Zero();
-  return true;
+  take_pushes();
+  if (solved) result.residual = std::max(result.residual, error);
+  return solved;
 }
 
 // The error of the answer as a share of the speeds of the island, and not of the residual's own scale,
@@ -216,8 +216,8 @@ bool VelocityStep::take_up_friction(std::span<const Contact> contacts) {
     const Contact& contact = contacts[idx(candidate.contact)];
     if (candidate.rubs || !(contact.friction > 0.0) || candidate.push_w.isZero(0.0)) continue;
     const Vec3 u = motion(ended_, contact, contact.points[idx(candidate.point)].position_w);
-    const Vec3 across = u - contact.normal_w.dot(u) * contact.normal_w;
-    slides = slides || across.norm() > tolerance::step_sliding * speed_;
+    const Vec3 slip_w = across(u, contact.normal_w);
+    slides = slides || slip_w.norm() > tolerance::step_sliding * speed_;
   }
   if (!slides) return false;
   for (Candidate& candidate : candidates())

@@ -7,6 +7,7 @@
 #include "tumble/analytic_lcp/assembly.hpp"
 #include "tumble/analytic_lcp/friction_lemke.hpp"
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
+#include "tumble/analytic_lcp/friction_sweeps.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
@@ -36,12 +37,13 @@ struct VelocityStepOptions {
 
 /// What a step did.
 struct VelocityStepResult {
-  bool solved = true;     ///< if not, nothing was changed; see VelocityStep::problem()
-  int points = 0;         ///< taken up in a problem
-  int impulses = 0;       ///< points that push
-  int pivots = 0;         ///< of all solvers
-  int fallbacks = 0;      ///< groups of bodies whose restitution was left out or reduced
-  double residual = 0.0;  ///< [-] largest error of an accepted answer over the speeds of its island
+  bool solved = true;  ///< if not, nothing was changed; see VelocityStep::problem()
+  int points = 0;      ///< taken up in a problem
+  int impulses = 0;    ///< points that push
+  int pivots = 0;      ///< of all solvers
+  /// groups of bodies whose restitution was left out or reduced, or that took sweeps
+  int fallbacks = 0;
+  double residual = 0.0;  ///< [-] largest error of an answer over the speeds of its island
   double restitution_energy = 0.0;  ///< [J] work of the normal impulses, p·(u⁻ + u⁺)/2
   double friction_energy = 0.0;     ///< [J] the same of the tangential impulses
 };
@@ -59,7 +61,11 @@ struct VelocityStepResult {
 /// **There is always a solution** with e = 0, Painlevé's rod included: the impulse that no finite
 /// force could be is finite. Friction makes A copositive, v⁺ = 0 satisfies all conditions on normals,
 /// and this is what Lemke's method needs to arrive, in exact numbers. In ours about one in ten thousand
-/// groups of cubes that have turned by a millionth is left without an answer; the result says so.
+/// groups of cubes that have turned by a millionth is left without an answer.
+///
+/// **Sweeps** (FrictionSweeps, counted in `fallbacks`) take over for those, and for groups with more than
+/// FrictionLemkeSolver::kMostUnknowns. They may end before they have settled, as `residual` says; then their pushes
+/// with e = 0 are cut down to what adds no energy.
 ///
 /// **Energy.** With e = 0 the impulses only take: their work after the accelerations have acted is
 /// \f$p\cdot u^+ - \tfrac12 p\,A\,p\f$, and no term of \f$p\cdot u^+\f$ is above 0. If a = 0 the
@@ -81,7 +87,7 @@ struct VelocityStepResult {
 /// nothing is missing: a point that does not push rubs neither, and one that does not slide needs no
 /// friction, so the last answer is one of the whole problem.
 ///
-/// An answer counts if it holds to `tolerance::step_residual`, whatever the solver says.
+/// An answer of Lemke's method counts if it holds to `tolerance::step_residual`, whatever the solver says.
 /// \par Cost and determinism
 /// O(N³) for an island with N unknowns, 2 + d for each point that rubs, 1 for others. No allocation as long as islands have the
 /// sizes that they had.
@@ -110,7 +116,7 @@ class VelocityStep {
   /// The problem that the last step has not solved.
   /// \return valid until the next step; nullptr if it has solved all
   [[nodiscard]] const LcpProblem* problem() const {
-    return failed_ ? &pyramids_[used_pyramids_ - 1].lcp() : nullptr;
+    return failed_ && used_pyramids_ > 0 ? &pyramids_[used_pyramids_ - 1].lcp() : nullptr;
   }
 
  private:
@@ -139,6 +145,10 @@ class VelocityStep {
   bool find_pushes(const Task& task, int island, bool bounce, VelocityStepResult& result);
   void list_points(std::span<const Contact> contacts, bool bounce);
   bool solve_points(const Task& task, VelocityStepResult& result);
+  void take_pushes();
+  [[nodiscard]] bool is_large(const Task& task) const;
+  bool sweep(const Task& task, int island, bool bounce, VelocityStepResult& result);
+  void take_no_energy(const Task& task, int island);
   [[nodiscard]] double error_of(const LcpProblem& problem) const;
   void apply_pushes(const Task& task, int island);
   bool take_up_friction(std::span<const Contact> contacts);
@@ -170,6 +180,7 @@ class VelocityStep {
   double speed_ = 0.0;                     // [m/s] the fastest point of the island, as a scale
   BaraffSolver smooth_solver_;
   FrictionLemkeSolver rough_solver_;
+  FrictionSweeps sweeps_;
   LcpResult answer_;
 };
 

@@ -13,7 +13,7 @@ namespace tumble {
 namespace {
 
 constexpr int kMostAttempts = 500;
-constexpr double kMostWork = 1e9;  // multiplications of all attempts, about 2 n³ each
+constexpr double kMostWork = 1e8;  // multiplications of all attempts, about 2 n³ each
 
 // Of a 1×1 or 2×2 matrix; false if it has none.
 bool invert(const MatX& A, MatX& inverse) {
