@@ -192,25 +192,6 @@ TEST_CASE("Ten megabytes of garbage are refused with one message", "[unit][scene
   CHECK(message.size() < 1000);
 }
 
-TEST_CASE("A key with very many dots, which the TOML library does not survive, is refused",
-          "[unit][scenes]") {
-  std::string dots = "a";
-  for (int k = 0; k < 300000; ++k) dots += k % 2 == 0 ? ".a" : ". \"a\"";
-  for (const std::string& text : {dots + " = 1", "[" + dots + "]", "[[" + dots + "]]",
-                                  "x = {" + dots + " = 1}", "x = [" + dots + "]"})
-    CHECK_THAT(refusal(kBox + "\n" + text + "\n"), Catch::Matchers::Contains("dots"));
-  CHECK(refusal("title = \"a.b" + dots + "\"\n" + std::string(kBox)).find("dots") ==
-        std::string::npos);
-  CHECK(parse_scene("# " + dots + "\n" + std::string(kBox), "my.toml").boxes.size() == 1);
-}
-
-TEST_CASE("A letter that is not ASCII may stand in quotes and comments alone", "[unit][scenes]") {
-  for (const char* text : {"größe = 1\n", "[größe]\n", "x = ö\n", "x.ö = 1\n"})
-    CHECK_THAT(refusal(kBox + std::string("\n") + text), Catch::Matchers::Contains("ASCII"));
-  CHECK(parse_scene("title = \"größe ' = ö\" # größe\n" + std::string(kBox), "my.toml").title ==
-        "größe ' = ö");
-}
-
 TEST_CASE("A long value in a scene file makes no long message", "[unit][scenes]") {
   const std::string message = refusal("title = [" + std::string(1 << 20, ' ') + "1]\n" + kBox);
   CHECK(message.find("text in quotes") != std::string::npos);
