@@ -1,5 +1,5 @@
 /// \file
-/// \brief How far apart the masses of a world may be.
+/// \brief The limit on how far apart the masses of a world may be.
 #pragma once
 
 #include "tumble/base/error.hpp"
