@@ -62,6 +62,26 @@ Scene tiles(bool fixed, double speed) {
 
 }  // namespace
 
+TEST_CASE("A body that turns by radians in a step keeps its energy", "[unit][contact_damped]") {
+  Scene scene;
+  scene.gravity_w.setZero();
+  scene.boxes.push_back(SceneBox{.size = Vec3(1.2, 0.46, 1.8)});
+  for (const double turn : {0.6, 2.0, 5.0, 30.0}) {
+    for (const Vec3& axis : {Vec3(1.0, 0.1, 0.1), Vec3(1.0, 2.0, 3.0), Vec3(3.0, 1.0, 1.0)}) {
+      scene.boxes[0].angular_velocity_w = turn * 60.0 * axis.normalized();
+      Simulation simulation(scene, "contact_damped");
+      const double start = energy_of(simulation.world()).total();
+      double most = 0.0;
+      for (int k = 0; k < 60; ++k) {
+        simulation.step(1.0 / 60.0);
+        most = std::max(most, std::abs(energy_of(simulation.world()).total() / start - 1.0));
+      }
+      INFO("turn " << turn << " about " << axis.transpose());
+      CHECK(most < 0.02);
+    }
+  }
+}
+
 TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
           "[unit][contact_damped]") {
   struct Pull {

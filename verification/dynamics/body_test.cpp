@@ -100,7 +100,10 @@ TEST_CASE("Bodies refuse sizes, masses and coefficients that make no sense", "[u
                     "tumble: mass = -1: expected a finite number above 0");
   CHECK_THROWS_AS(box_properties(Vec3(1.0, 1.0, kNaN), 1.0), std::invalid_argument);
   CHECK_THROWS_AS(box_properties(size, kInfinity), std::invalid_argument);
-  CHECK_THROWS_AS(box_properties(size, 1e-320), std::invalid_argument);        // 1/m overflows
+  CHECK_THROWS_WITH(box_properties(size, 1e31),
+                    "tumble: mass = 1e+31: expected a number from 1e-30 to 1e+30");
+  for (const double mass : {1e-320, 1e-300, 9e-31, 1.1e30, 1e300})
+    CHECK_THROWS_AS(box_properties(size, mass), std::invalid_argument);
   CHECK_THROWS_AS(box_properties(1e-200 * size, 1.0), std::invalid_argument);  // I underflows
   CHECK_THROWS_AS(box_properties(1e200 * size, 1.0), std::invalid_argument);   // I overflows
   CHECK_THROWS_AS(box_properties(size, 1.0, -0.1), std::invalid_argument);

@@ -109,6 +109,27 @@ TEST_CASE("A world of thirty thousand bodies is built in linear time and finds t
   CHECK(world.body(world.add(cube(), state, "box100")).name() == "box100");
 }
 
+TEST_CASE("Masses that are too far apart are refused with both names when the world is made",
+          "[unit][world]") {
+  World world = three_cubes();
+  const BodyId light = world.add(box_properties(Vec3::Ones(), 1e-3), BodyState{}, "feather");
+  const auto add = [&](double mass) {
+    world.add(box_properties(Vec3::Ones(), mass), BodyState{}, "sun");
+  };
+  const int count = world.count();
+  CHECK_THROWS_WITH(add(2e7),
+                    "tumble: mass: \"sun\" (2e+07 kg) is more than 1e+10 times as heavy as "
+                    "\"feather\" (0.001 kg): expected less; make the heavy one a fixed box, or the "
+                    "light one heavier");
+  CHECK(world.count() == count);
+  world.remove(light);
+  add(2e7);
+  world.add(fixed_box_properties(Vec3::Ones()), BodyState{});
+  CHECK_THROWS_WITH(world.add(box_properties(Vec3::Ones(), 1e-3), BodyState{}, "feather"),
+                    Catch::Matchers::Contains("\"sun\" (2e+07 kg) is more"));
+  CHECK_FALSE(world.find("feather").has_value());
+}
+
 TEST_CASE("There is at most one ground, and it stays where it is", "[unit][world]") {
   World world;
   const BodyId ground = world.add_ground(0.25, 0.5);

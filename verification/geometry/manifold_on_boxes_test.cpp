@@ -47,13 +47,34 @@ Pair almost_aligned(Random& random) {
           std::max(size_a.maxCoeff(), size_b.maxCoeff())};
 }
 
+// Boxes of sizes 1:1e6 that meet in edges or corners, but for rounding, and are turned by about as little.
+Pair just_touching(Random& random) {
+  const double angle = random.unit() < 0.5 ? 0.0 : std::pow(10.0, random.uniform(-16.0, -11.0));
+  const Quat turn = about(random.in_cube(1.0), angle);
+  const Quat whole = random.unit() < 0.5 ? Quat::Identity() : random.orientation();
+  Vec3 size_a, size_b, apart;
+  for (int k = 0; k < 3; ++k) {
+    size_a[k] = std::pow(10.0, random.uniform(-3.0, 3.0));
+    size_b[k] = std::pow(10.0, random.uniform(-3.0, 3.0));
+  }
+  const int overlapping = static_cast<int>(random.below(3));
+  for (int k = 0; k < 3; ++k) {
+    const double reach = 0.5 * (size_a[k] + size_b[k]);
+    const double side = random.uniform(-1.0, 1.0);
+    apart[k] = k == overlapping ? reach * side : std::copysign(reach, side);
+  }
+  return {make_box(Vec3::Zero(), whole, size_a),
+          make_box(whole * apart, (whole * turn).normalized(), size_b),
+          std::min(size_a.minCoeff(), size_b.minCoeff()),
+          std::max(size_a.maxCoeff(), size_b.maxCoeff())};
+}
+
 struct Counts {
   int touching = 0, at_edges = 0, missed = 0;
   double worst = 0.0;  // [longest edge] off a box, beyond the margin and half the overlap
 };
 
-void count(const Pair& pair, Counts& counts) {
-  const double margin = 1e-3 * pair.shortest;
+void count(const Pair& pair, double margin, Counts& counts) {
   Manifold m;
   if (!collide(pair.first, pair.second, margin, kNoAxis, m)) {
     SeparationOptions exact;
@@ -75,7 +96,10 @@ void count(const Pair& pair, Counts& counts) {
 void check_pairs(int pairs, std::uint64_t seed) {
   Random random(seed);
   Counts counts;
-  for (int n = 0; n < pairs; ++n) count(almost_aligned(random), counts);
+  for (int n = 0; n < pairs; ++n) {
+    const Pair pair = almost_aligned(random);
+    count(pair, 1e-3 * pair.shortest, counts);
+  }
   CHECK(counts.touching > pairs / 2);
   CHECK(counts.at_edges > pairs / 50);
   CHECK(counts.missed == 0);
@@ -92,6 +116,19 @@ TEST_CASE("Contact points of 100000 pairs of almost aligned boxes lie on both bo
 TEST_CASE("Contact points of ten million pairs of almost aligned boxes lie on both boxes",
           "[unit][manifold][.long]") {
   check_pairs(10000000, 2);
+}
+
+TEST_CASE(
+    "Contact points of boxes of 1 to a million that meet in corners and edges lie on both boxes",
+    "[unit][manifold]") {
+  Random random(3);
+  Counts counts;
+  for (int n = 0; n < 100000; ++n) {
+    const Pair pair = just_touching(random);
+    count(pair, random.unit() < 0.5 ? 0.0 : 1e-3 * pair.shortest, counts);
+  }
+  CHECK(counts.touching > 50000);
+  CHECK(counts.worst <= 1e-6);
 }
 
 TEST_CASE("Edges turned by 1e-9 rad touch in the middle of the stretch that they share",

@@ -134,6 +134,24 @@ TEST_CASE("Patterns of more than 64 blocks, pairs that come twice and no pair at
   CHECK(error_of(alone, matrix, 4) < 1e-15);
 }
 
+TEST_CASE("A matrix that is not positive definite has no finite solution",
+          "[unit][sparse_blocks]") {
+  for (const double least : {0.0, -1.0}) {
+    SparseBlocks matrix;
+    matrix.analyse(2, {});
+    matrix.clear();
+    Mat6 own = Mat6::Identity();
+    matrix.add_to(0, own);
+    own(5, 5) = least;
+    matrix.add_to(1, own);
+    matrix.factor();
+    std::vector<Vec6> x(2, Vec6::Ones());
+    matrix.solve(x);
+    CHECK(x[0] == Vec6::Ones());
+    CHECK_FALSE(x[1].allFinite());
+  }
+}
+
 TEST_CASE("A pair of blocks that are none, or one, is refused",
           "[unit][sparse_blocks][impulse_damped]") {
   SparseBlocks matrix;

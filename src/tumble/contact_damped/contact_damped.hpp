@@ -60,7 +60,8 @@ struct ContactDampedOptions {
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps where
 ///    the island moves fast, slides or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps
 ///    were not enough.
-/// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola.
+/// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
+///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    With PoseUpdate::exponential, bodies that turn together are moved together (PivotUpdate).
 /// 5. Fast impacts bounce: Newton's restitution, by more sweeps.
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.

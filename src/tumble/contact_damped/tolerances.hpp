@@ -72,6 +72,13 @@ inline constexpr double slide_steps = 4.0;
 /// here the tangent is off by less than an eighth of the way. (6.3.1)
 inline constexpr double fast_turn = 0.5;
 
+/// [rad] A body that turns further in a step is moved in parts of the step. Reason: the energy of a tumbling body
+/// swings by up to 2 % for half a radian, and by most of it for two. (3.1)
+inline constexpr double turn_at_once = 0.5;
+
+/// [-] Such parts, at most. Reason: a body that turns 80 times in a step is one that nothing follows. (3.1)
+inline constexpr int parts_of_turn = 1000;
+
 /// [-] Growth of a pair's reach at which a kept patch is looked for again. Reason: at rest it does not
 /// change; a push changes it by more. (3.2)
 inline constexpr double kept_reach = 2.0;

@@ -3,6 +3,7 @@
 #include "tumble/dynamics/body.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/dynamics/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -50,11 +51,11 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction, do
   body.inverse_inertia_b = body.inertia_b.cwiseInverse();
   body.friction = friction;
   body.restitution = restitution;
-  // Sizes and masses near the ends of what a double holds have no finite inverse.
-  require::positive(body.inverse_mass, "1 / mass");
-  require::positive(body.inertia_b.minCoeff(), "smallest moment of inertia");
-  require::positive(body.inverse_inertia_b.minCoeff(), "1 / largest moment of inertia");
-  require::positive(body.inverse_inertia_b.maxCoeff(), "1 / smallest moment of inertia");
+  require::within(mass, tolerance::smallest_mass, tolerance::largest_mass, "mass");
+  require::within(body.inertia_b.minCoeff(), tolerance::smallest_mass, tolerance::largest_mass,
+                  "smallest moment of inertia");
+  require::within(body.inertia_b.maxCoeff(), tolerance::smallest_mass, tolerance::largest_mass,
+                  "largest moment of inertia");
   return body;
 }
 

@@ -72,7 +72,7 @@ struct BodyState {
 ///
 /// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).
 /// \param size         [m] full edge lengths, each above 0
-/// \param mass         [kg] above 0
+/// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
 /// \return its properties

@@ -30,12 +30,13 @@ void require_valid(const BodyProperties& body) {
   const auto reciprocal = [](double value, double inverse) {
     return std::abs(value * inverse - 1.0) <= tolerance::reciprocal;
   };
-  require::positive(body.mass, "body.mass");
+  require::within(body.mass, tolerance::smallest_mass, tolerance::largest_mass, "body.mass");
   require::that(reciprocal(body.mass, body.inverse_mass),
                 "body.inverse_mass = " + shortest_text(body.inverse_mass) +
                     ": expected 1 / mass = " + shortest_text(1.0 / body.mass));
   for (int k = 0; k < 3; ++k) {
-    require::positive(body.inertia_b[k], "body.inertia_b");
+    require::within(body.inertia_b[k], tolerance::smallest_mass, tolerance::largest_mass,
+                    "body.inertia_b");
     require::that(reciprocal(body.inertia_b[k], body.inverse_inertia_b[k]),
                   "body.inverse_inertia_b has " + shortest_text(body.inverse_inertia_b[k]) +
                       ": expected 1 / inertia_b = " + shortest_text(1.0 / body.inertia_b[k]));
@@ -56,6 +57,7 @@ void require_valid(const BodyProperties& body, const BodyState& state) {
 
 BodyId World::append(const BodyProperties& body, const BodyState& state, std::string name) {
   require::that(!find(std::string_view(name)), "the name \"" + name + "\" is taken");
+  masses_.add(body, name);
   const BodyId id{next_id_};
   ids_.push_back(id);
   bodies_.push_back(body);
@@ -117,6 +119,8 @@ void World::remove(BodyId id) {
   sleep_states_.erase(sleep_states_.begin() + i);
   names_.erase(names_.begin() + i);
   fill_places();
+  masses_ = {};
+  for (std::size_t k = 0; k < names_.size(); ++k) masses_.add(bodies_[k], names_[k]);
 }
 
 int World::index_of_movable(BodyId id) const {

@@ -5,6 +5,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/state_hash.hpp"
 #include "tumble/dynamics/body.hpp"
+#include "tumble/dynamics/mass_range.hpp"
 
 #include <optional>
 #include <span>
@@ -46,8 +47,8 @@ class World {
   ///               added (the next free one if a name is taken). Names are unique
   /// \return its id, larger than every id given before
   /// \throws std::invalid_argument for properties that contradict one another, a ground (see
-  ///         add_ground()), a state that is not finite, momentum of an immovable body, or a name
-  ///         that is taken; the world is then as before
+  ///         add_ground()), a state that is not finite, momentum of an immovable body, a name
+  ///         that is taken, or a mass too far from others (see MassRange); the world is then as before
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
   /// Removes a body. Its id is never given again. Whatever slept on it is the technique's to wake.
@@ -173,6 +174,7 @@ class World {
   // A hash table of the names: an index, or -1 for an empty place. A power of two, at most half of it in use. It decides
   // nothing but where a name is found.
   std::vector<std::int32_t> places_;
+  MassRange masses_;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::uint32_t next_id_ = 0;

@@ -7,6 +7,7 @@
 #include "tumble/geometry/tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tumble {
@@ -54,26 +55,65 @@ Crossing closest_points(const EdgePair& e) {
   return {x, y, within, 0.0};
 }
 
-// The edge of a box that reaches farthest along a direction, among those parallel to an axis: its
-// midpoint relative to the centre, and its number. Of two that reach equally far it is the one on
-// the side of the other box.
+// An edge of a box: its midpoint relative to the centre, and its number.
 struct Edge {
   Vec3 middle_w;
   FeatureId number;
 };
 
-Edge farthest_edge(const Box& box, int axis, const Vec3& direction_w, const Vec3& to_other_w) {
-  const auto is_positive = [&](int k) {
-    const Vec3 axis_w = box.axes_w.col(k);
-    const double along = axis_w.dot(direction_w);
-    return (std::abs(along) > tolerance::parallel_edges ? along : axis_w.dot(to_other_w)) > 0.0;
-  };
+Edge edge_at(const Box& box, int axis, bool at_next, bool at_after) {
   const int next = (axis + 1) % 3, after = (axis + 2) % 3;
   const Vec3 next_w = box.half[next] * box.axes_w.col(next);
   const Vec3 after_w = box.half[after] * box.axes_w.col(after);
-  const bool at_next = is_positive(next), at_after = is_positive(after);
   return {(at_next ? 1.0 : -1.0) * next_w + (at_after ? 1.0 : -1.0) * after_w,
           edge_number(idx(axis), at_next, at_after)};
+}
+
+// On which side along its axis k a box reaches farthest along a direction, and whether the other side
+// reaches as far but for a difference. Of two that reach equally far it is the one on the side of the other box.
+struct Side {
+  Side(const Box& box, int k, const Vec3& direction_w, const Vec3& to_other_w, double difference) {
+    const Vec3 axis_w = box.axes_w.col(k);
+    const double along = axis_w.dot(direction_w);
+    positive = (std::abs(along) > tolerance::parallel_edges ? along : axis_w.dot(to_other_w)) > 0.0;
+    both = 2.0 * box.half[k] * std::abs(along) <= difference;
+  }
+  bool positive, both;
+};
+
+// The edges parallel to an axis that reach farthest along a direction but for a difference, the farthest one first.
+struct FarthestEdges {
+  FarthestEdges(const Box& box, int axis, const Vec3& direction_w, const Vec3& to_other_w,
+                double difference) {
+    const Side next(box, (axis + 1) % 3, direction_w, to_other_w, difference);
+    const Side after(box, (axis + 2) % 3, direction_w, to_other_w, difference);
+    for (const bool other_after : {false, true}) {
+      for (const bool other_next : {false, true}) {
+        if ((other_next && !next.both) || (other_after && !after.both)) continue;
+        edges[count++] =
+            edge_at(box, axis, next.positive != other_next, after.positive != other_after);
+      }
+    }
+  }
+  std::size_t count = 0;
+  std::array<Edge, 4> edges;
+};
+
+EdgeContact cross(const BoxPair& pair, int i, const Edge& edge_first, int j,
+                  const Edge& edge_second) {
+  const Vec3 axis_first_w = pair.first.axes_w.col(i);
+  const Vec3 axis_second_w = pair.second.axes_w.col(j);
+  const Vec3 gap_w = pair.d_w + edge_second.middle_w - edge_first.middle_w;
+  // The squared sine from its components, to lose nothing for small angles.
+  const double sine_k = pair.c[kCycle[idx(i) + 1]][idx(j)],
+               sine_l = pair.c[kCycle[idx(i) + 2]][idx(j)];
+  const auto [x, y, within, half] = closest_points(
+      {pair.a[idx(i)], pair.b[idx(j)], gap_w.dot(axis_first_w), gap_w.dot(axis_second_w),
+       pair.c[idx(i)][idx(j)], sine_k * sine_k + sine_l * sine_l});
+  const Vec3 between_w = gap_w + y * axis_second_w - x * axis_first_w;
+  return {pair.first.center_w + edge_first.middle_w + x * axis_first_w + 0.5 * between_w,
+          name_of(edge_first.number, kEdgesOfSecond + edge_second.number), between_w.squaredNorm(),
+          within, half * axis_first_w};
 }
 
 }  // namespace
@@ -88,21 +128,27 @@ FeatureId name_of(FeatureId edge, FeatureId other) {
 }
 
 EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j) {
-  const Edge edge_first = farthest_edge(pair.first, i, normal_w, pair.d_w);
-  const Edge edge_second = farthest_edge(pair.second, j, -normal_w, -pair.d_w);
-  const Vec3 axis_first_w = pair.first.axes_w.col(i);
-  const Vec3 axis_second_w = pair.second.axes_w.col(j);
-  const Vec3 gap_w = pair.d_w + edge_second.middle_w - edge_first.middle_w;
-  // The squared sine from its components, to lose nothing for small angles.
-  const double sine_k = pair.c[kCycle[idx(i) + 1]][idx(j)],
-               sine_l = pair.c[kCycle[idx(i) + 2]][idx(j)];
-  const auto [x, y, within, half] = closest_points(
-      {pair.a[idx(i)], pair.b[idx(j)], gap_w.dot(axis_first_w), gap_w.dot(axis_second_w),
-       pair.c[idx(i)][idx(j)], sine_k * sine_k + sine_l * sine_l});
-  const Vec3 between_w = gap_w + y * axis_second_w - x * axis_first_w;
-  return {pair.first.center_w + edge_first.middle_w + x * axis_first_w + 0.5 * between_w,
-          name_of(edge_first.number, kEdgesOfSecond + edge_second.number), between_w.squaredNorm(),
-          within, half * axis_first_w};
+  const FarthestEdges first(pair.first, i, normal_w, pair.d_w, -1.0);
+  const FarthestEdges second(pair.second, j, -normal_w, -pair.d_w, -1.0);
+  return cross(pair, i, first.edges[0], j, second.edges[0]);
+}
+
+EdgeContact nearest_edges(const BoxPair& pair, const Vec3& normal_w, double difference) {
+  EdgeContact nearest = cross_edges(pair, normal_w, 0, 0);
+  for (int k = 0; k < 9; ++k) {
+    const int i = k / 3, j = k % 3;
+    const FarthestEdges first(pair.first, i, normal_w, pair.d_w, difference);
+    const FarthestEdges second(pair.second, j, -normal_w, -pair.d_w, difference);
+    for (std::size_t m = 0; m < first.count * second.count; ++m) {
+      const EdgeContact other =
+          cross(pair, i, first.edges[m / second.count], j, second.edges[m % second.count]);
+      const bool longer = other.stretch_w.squaredNorm() > nearest.stretch_w.squaredNorm();
+      const double near = tolerance::same_point * other.stretch_w.norm();
+      const bool as_near = std::sqrt(other.apart2) <= std::sqrt(nearest.apart2) + near;
+      if (longer ? as_near : other.apart2 < nearest.apart2) nearest = other;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace tumble

@@ -42,4 +42,12 @@ struct EdgeContact {
 /// \return the point
 EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j);
 
+/// Where two boxes are closest, of all edges that reach farthest along a direction; of edges equally close those
+/// that lie beside each other for the longest stretch.
+/// \param pair        the boxes
+/// \param normal_w    [-] from the first to the second
+/// \param difference  [m] edges that reach less far by at most this count, too
+/// \return the point
+EdgeContact nearest_edges(const BoxPair& pair, const Vec3& normal_w, double difference);
+
 }  // namespace tumble

@@ -173,18 +173,12 @@ void write_point(const EdgeContact& contact, const Separation& found, Manifold& 
 }
 
 // Where no two edges pass each other along the best axis, boxes that are apart by less than the
-// margin are closest at two edges that lie beside each other, or at corners. Those are found among
-// the edges that reach farthest along the normal. Edges side by side are as close at both ends of the
-// stretch that they share: with one point there the boxes would be pushed aside as if at a corner.
-void nearest_edges(const BoxPair& pair, const Separation& found, Manifold& out) {
-  EdgeContact nearest = cross_edges(pair, found.normal_w, 0, 0);
-  for (int k = 1; k < 9; ++k) {
-    const EdgeContact other = cross_edges(pair, found.normal_w, k / 3, k % 3);
-    const bool longer = other.stretch_w.squaredNorm() > nearest.stretch_w.squaredNorm();
-    const double near = tolerance::same_point * other.stretch_w.norm();
-    const bool as_near = std::sqrt(other.apart2) <= std::sqrt(nearest.apart2) + near;
-    if (longer ? as_near : other.apart2 < nearest.apart2) nearest = other;
-  }
+// margin are closest at two edges that lie beside each other, or at corners. So are boxes that just touch, where
+// rounding hides along which axis. Those are found among the edges that reach farthest along the normal. Edges side
+// by side are as close at both ends of the stretch that they share: with one point there the boxes would be pushed
+// aside as if at a corner.
+void write_nearest(const BoxPair& pair, const Separation& found, Manifold& out) {
+  const EdgeContact nearest = nearest_edges(pair, found.normal_w, pair.rounding());
   write_point(nearest, found, out);
   if (nearest.stretch_w.isZero(0.0)) return;
   out.points[1] = out.points[0];
@@ -238,7 +232,7 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
     // ends do. Then the memory goes first and the preference next: the best axis misses nothing if
     // the boxes overlap.
     if (options.remembered == kNoAxis && !options.prefer_faces) {
-      if (found.axis >= 6 && found.distance > 0.0) nearest_edges(pair, found, out);
+      if (found.axis >= 6 && found.distance > -pair.rounding()) write_nearest(pair, found, out);
       break;
     }
     if (options.remembered == kNoAxis) options.prefer_faces = false;

@@ -68,8 +68,9 @@ void find_manifold(const Box& first, const Box& second, const Separation& found,
 /// Face axes and the remembered one are preferred, but not where they miss the contact: then the
 /// memory is dropped, and if need be the preference. So boxes that overlap always have a point.
 ///
-/// Without a remembered axis, no point of boxes turned against each other by up to 0.1 rad is farther
-/// off either box than the margin, half the overlap at the point, and 1e-6 of the longest edge.
+/// Without a remembered axis, no point of boxes turned against each other by up to 0.1 rad, with edges of
+/// up to 1 : 1e6, is farther off either box than the margin, half the overlap at the point, and 1e-6 of the longest
+/// edge.
 /// \param first       the box that the normal leaves
 /// \param second      the box that the normal enters
 /// \param margin      [m] boxes up to this far apart count as touching, at least 0
@@ -81,6 +82,7 @@ void find_manifold(const Box& first, const Box& second, const Separation& found,
 ///         none
 /// \pre both boxes are finite with orthonormal axes (make_box sees to that)
 /// \verified{Contact points of 100000 pairs of almost aligned boxes lie on both boxes}
+/// \verified{Contact points of boxes of 1 to a million that meet in corners and edges lie on both boxes}
 /// \par Cost and determinism
 /// About 160 ns for two faces, 40 ns for boxes that are apart (2026, one core of a server); without
 /// allocation. Face to face the same points come out whichever box is the first.

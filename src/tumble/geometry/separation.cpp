@@ -142,8 +142,7 @@ Candidate best_face(const BoxPair& pair, double tie) {
 
 // The best of the nine edge axes if it beats the bar, else `best`.
 Candidate best_edge(const BoxPair& pair, Candidate best, double bar) {
-  const double rounding =
-      tolerance::separation_rounding * (pair.a.sum() + pair.b.sum() + abs(pair.d_first).sum());
+  const double rounding = pair.rounding();
   unsigned may_win = may_beat(pair, 0, bar, rounding) | may_beat(pair, 1, bar, rounding) << 3U |
                      may_beat(pair, 2, bar, rounding) << 6U;
   for (; may_win != 0; may_win &= may_win - 1) {

@@ -4,6 +4,7 @@
 /// Internal to geometry: callers use separation.hpp and manifold.hpp.
 #pragma once
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/geometry/separation_lanes.hpp"
 
@@ -33,6 +34,12 @@ struct BoxPair {
   std::array<Lanes, 3> abs_c;  ///< [-] the absolute values of c
   Lanes a;                     ///< [m] half sizes of the first box
   Lanes b;                     ///< [m] half sizes of the second box
+
+  /// How far a separation may be off by rounding.
+  /// \return [m] tolerance::separation_rounding of all lengths in it
+  [[nodiscard]] double rounding() const {
+    return tolerance::separation_rounding * (a.sum() + b.sum() + abs(d_first).sum());
+  }
 };
 
 /// Does the work of separation(const Box&, const Box&, const SeparationOptions&).

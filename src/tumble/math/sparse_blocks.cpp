@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
@@ -26,11 +26,12 @@ void subtract_product(const double* A, const double* B, double* C) {
   }
 }
 
-// L Lᵀ = A in place, the diagonal of L as reciprocals.
+// L Lᵀ = A in place, the diagonal of L as reciprocals. Where rounding has left nothing to take the root of, all that
+// is found with the factors is not a number, too.
 void factor_diagonal(double* A) {
   for (int k = 0; k < 6; ++k) {
-    assert(A[7 * k] > 0.0);
-    const double reciprocal = 1.0 / std::sqrt(A[7 * k]);
+    const double reciprocal =
+        A[7 * k] > 0.0 ? 1.0 / std::sqrt(A[7 * k]) : std::numeric_limits<double>::quiet_NaN();
     A[7 * k] = reciprocal;
     for (int i = k + 1; i < 6; ++i) A[6 * k + i] *= reciprocal;
     for (int j = k + 1; j < 6; ++j)

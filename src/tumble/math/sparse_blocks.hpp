@@ -64,7 +64,8 @@ class SparseBlocks {
   /// \param value  rows belong to the pair's first, columns to its second
   void add_to_pair(int pair, const Mat6& value);
 
-  /// Factors the matrix. What was added is gone: clear() comes before the next sum.
+  /// Factors the matrix. What was added is gone: clear() comes before the next sum. If the matrix is positive definite
+  /// but for rounding only, solve() finds numbers that are not finite.
   void factor();
 
   /// Solves with the factors.

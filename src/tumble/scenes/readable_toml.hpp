@@ -16,8 +16,10 @@ namespace tumble {
 std::string not_toml(std::string_view file, std::size_t line, const std::string& why);
 
 /// Refuses texts that the TOML library does not survive: keys of more than 64 dots, whose tables it walks through by
-/// recursion, and letters that are not ASCII outside of quotes and comments, about which it makes wrong assumptions.
-/// All other mistakes are left to the library. A string without an end lasts to the end of its line or of the text.
+/// recursion, and letters that are not ASCII where it makes wrong assumptions about them: outside of quotes and
+/// comments, and after a backslash, where it looks for blanks. It takes quotes in what begins like a number for a part
+/// of the number, so these are refused, too. All other mistakes are left to the library. A string without an end lasts to
+/// the end of its line or of the text.
 /// \param text  the TOML text
 /// \param file  its name, for the message
 /// \throws std::invalid_argument with file, line and reason

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/dynamics/mass_range.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/separation.hpp"
 
@@ -129,6 +130,7 @@ World start_world(Scene& scene) {
   }
   world.gravity_w = scene.gravity_w;
   settle_names(scene);
+  MassRange masses;  // of boxes that appear later, too
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     const SceneBox& box = scene.boxes[i];
     try {
@@ -140,6 +142,7 @@ World start_world(Scene& scene) {
       const BodyState state = state_of(box, body);
       require::finite(state.linear_momentum_w, "mass times velocity");
       require::finite(state.angular_momentum_w, "inertia times angular_velocity");
+      masses.add(body, box.name);
       if (!(box.appears > 0.0)) world.add(body, state, box.name);
     } catch (const std::invalid_argument& error) {
       const std::string name = ", " + box.name + ": ";
