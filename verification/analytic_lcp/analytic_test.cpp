@@ -202,19 +202,6 @@ TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0
   CHECK(velocity(rough.bodies()[1], rough.states()[1]).norm() < 1e-14);  // [m/s] measured 5e-17
 }
 
-TEST_CASE("A box thrown up a slope turns round where it should",
-          "[exact][analytic][analytic_lcp]") {
-  BOTH_POSES;
-  const double angle = std::asin(0.5);
-  World world = slope(angle, 0.3, -3.0);
-  Analytic analytic(posed<AnalyticOptions>());
-  run(analytic, world, 1.0);
-  const double up = kG * (0.5 + 0.3 * std::sqrt(0.75));
-  const double down = kG * (0.5 - 0.3 * std::sqrt(0.75));
-  const double left = 1.0 - 3.0 / up;
-  CHECK(way_down(world, angle) == near(0.5 * down * left * left - 4.5 / up).margin(1e-9));
-}
-
 TEST_CASE("A tall box on a slope tips beyond atan(b/h) and not below",
           "[exact][analytic][analytic_lcp]") {
   BOTH_POSES;

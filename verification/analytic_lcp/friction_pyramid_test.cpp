@@ -216,41 +216,6 @@ TEST_CASE("The problem predicts the motion that its pushes cause in 200 random h
   CHECK(worst < 1e-11);  // [m/s] sums of about 60 terms up to 100: measured 7e-15
 }
 
-TEST_CASE("The matrix is copositive unless points are known to slide",
-          "[exact][pyramid][analytic_lcp]") {
-  Random random(43);
-  double least = 1.0;
-  for (int trial = 0; trial < 200; ++trial) {
-    const Heap heap = random_heap(random, 5, false);
-    FrictionPyramid pyramid;
-    pyramid.assemble(heap.bodies, heap.contacts, heap.points, 4);
-    std::vector<double> f;
-    std::vector<double> a(idx(pyramid.lcp().size()));
-    for (std::size_t k = 0; k < a.size(); ++k) f.push_back(random.uniform(0.0, 1.0));
-    multiply(pyramid.lcp().A, f, a);
-    double product = 0.0;
-    for (std::size_t k = 0; k < a.size(); ++k) product += f[k] * a[k];
-    least = std::min(least, product);
-  }
-  CHECK(least >= 0.0);  // [J] measured 1 or more
-}
-
-TEST_CASE("Without friction only the normals are left and the matrix is symmetric",
-          "[unit][pyramid][analytic_lcp]") {
-  Random random(47);
-  Heap heap = random_heap(random, 6, true);
-  FrictionPyramid pyramid;
-  pyramid.assemble(heap.bodies, heap.contacts, heap.points, 0);
-  CHECK_FALSE(pyramid.has_friction());
-  REQUIRE(pyramid.lcp().size() == 6);
-  CHECK((pyramid.lcp().A - pyramid.lcp().A.transpose()).cwiseAbs().maxCoeff() == 0.0);
-  const MatX with_no_directions = pyramid.lcp().A;
-  for (Contact& contact : heap.contacts) contact.friction = 0.0;
-  pyramid.assemble(heap.bodies, heap.contacts, heap.points, 8);
-  CHECK_FALSE(pyramid.has_friction());
-  CHECK((pyramid.lcp().A - with_no_directions).cwiseAbs().maxCoeff() == 0.0);
-}
-
 // --- the cross of a normal ----------------------------------------------------------------------
 
 TEST_CASE("The cross of a normal is a frame, the world's axes for the world's axes",
@@ -286,24 +251,6 @@ TEST_CASE("The cross of a normal turns smoothly except near the space diagonals"
   }
   // Measured 1.5 near the limit of 0.2 rad, less farther off; a jump would give 10 000.
   CHECK(fastest < 3.0);
-}
-
-TEST_CASE("The cross is the same for either sense of the normal and mirrors with it",
-          "[exact][pyramid][analytic_lcp]") {
-  Random random(61);
-  double worst = 0.0;
-  for (int trial = 0; trial < 1000; ++trial) {
-    const Vec3 n = random.direction();
-    if (n.cwiseAbs().sum() / std::sqrt(3.0) > std::cos(0.05)) continue;
-    const Tangents t = pyramid_axes(n);
-    worst = std::max(worst, turn_between(t, pyramid_axes(-n)));
-    const Vec3 mirror(-1, 1, 1);
-    Tangents mirrored = pyramid_axes(n.cwiseProduct(mirror));
-    mirrored.first_w = mirrored.first_w.cwiseProduct(mirror);
-    mirrored.second_w = mirrored.second_w.cwiseProduct(mirror);
-    worst = std::max(worst, turn_between(t, mirrored));
-  }
-  CHECK(worst < 1e-6);  // [rad] the arc cosine of a rounding: measured 3e-8
 }
 
 // --- refusals -----------------------------------------------------------------------------------

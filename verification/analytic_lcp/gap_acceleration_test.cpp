@@ -7,11 +7,9 @@
 
 #include "analytic_lcp/instant.hpp"
 #include "dynamics/random_bodies.hpp"
-#include "support/pose.hpp"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 using namespace tumble;
 using namespace tumble::test;
@@ -38,53 +36,6 @@ TEST_CASE("A free body tumbles as Euler's equations say", "[exact][assembly][ana
   free_accelerations(world, bodies, free);
   CHECK(free[0].linear_w == Vec3(1, 0, 3));
   CHECK(free[0].angular_w == Vec3::Zero());
-}
-
-TEST_CASE("A corner that slides along a plate that turns feels the plate come after it",
-          "[exact][assembly][analytic_lcp]") {
-  // Seen from the plate, which turns with w, a free body that moves with u has the acceleration
-  // -2 w u across it: the term with the turning normal. The rest is w² times the height of the
-  // face over the plate's centre.
-  const double w = 2.0, u = 3.0, s = 0.5;
-  const Quat corner_down = test::on_corner();
-  const Vec3 centre = Vec3(s, 0.1 + 0.5 * std::sqrt(3.0), 0.0);
-  for (const bool plate_is_first : {true, false}) {
-    World world;
-    world.gravity_w.setZero();
-    const auto add_plate = [&world, w] {
-      add_box(world, Vec3(4, 0.2, 4), 50.0, Vec3::Zero(), Quat::Identity(), Vec3::Zero(),
-              Vec3(0, 0, w));
-    };
-    if (plate_is_first) add_plate();
-    add_box(world, Vec3::Ones(), 1.0, centre, corner_down, Vec3(u, w * s, 0.0));
-    if (!plate_is_first) add_plate();
-    Instant instant(world);
-    instant.assemble();
-    REQUIRE(instant.problem.lcp().size() == 1);
-    CHECK(instant.problem.fastest_approach() < 1e-15);
-    CHECK(instant.problem.lcp().b[0] == Approx(-2.0 * w * u - 0.1 * w * w).epsilon(1e-14));
-  }
-}
-
-TEST_CASE("Where two edges cross, both bodies turn the normal and neither by its own edge",
-          "[exact][assembly][analytic_lcp]") {
-  // The lower cube's edge lies along x, the upper one's along z, half a diagonal r from its centre.
-  // Spinning about its own edge an edge falls away in a circle, about the other's it comes nearer.
-  const double quarter = 0.25 * std::numbers::pi, r = std::sqrt(0.5);
-  const Vec3 a(1.5, 0.7, -0.4), b(0.9, -1.1, 2.2);  // [rad/s]
-  World world;
-  world.gravity_w.setZero();
-  add_box(world, Vec3::Ones(), 1.0, Vec3::Zero(), about(Vec3::UnitX(), quarter), Vec3::Zero(), a);
-  add_box(world, Vec3::Ones(), 1.0, Vec3(0, 2.0 * r, 0), about(Vec3::UnitZ(), quarter),
-          Vec3::Zero(), b);
-  Instant instant(world);
-  instant.assemble();
-  REQUIRE(instant.problem.lcp().size() == 1);
-  const Vec3 n_rate = rate_of_normal(instant.world, instant.bodies, instant.contacts[0]);
-  CHECK((n_rate - Vec3(-a.z(), 0, b.x())).norm() < 1e-15);  // [1/s] measured 1e-16
-  const double expected = r * (a.x() * a.x() - a.z() * a.z() + b.z() * b.z() - b.x() * b.x() -
-                               2.0 * a.z() * b.z() - 2.0 * a.x() * b.x());
-  CHECK(instant.problem.lcp().b[0] == Approx(expected).epsilon(1e-14));
 }
 
 namespace {

@@ -219,45 +219,6 @@ TEST_CASE("A rod that friction would lever into the ground is caught all the sam
   CHECK(velocity_after(p, jammed).y() == near(0.0).margin(1e-15));
 }
 
-TEST_CASE("The lowered restitution is the largest that the energy allows while the mode stays",
-          "[unit][collision_law]") {
-  Random random(7);
-  int lowered = 0;
-  int below_largest = 0;
-  int mode_changed = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const Heavy a = random_box(random);
-    const Heavy b = i % 3 == 0 ? fixed() : random_box(random);
-    PointImpact p;
-    p.normal_w = random.direction();
-    const Vec3 point = random.in_cube(4.0);
-    p.velocity_w = relative_velocity(a.moving, b.moving, point);
-    p.inverse_mass_w = inverse_mass_at(a.moving, b.moving, point);
-    p.friction = random.uniform(0.0, 2.0);
-    p.restitution = random.uniform(0.5, 1.0);
-    p.approach_speed = p.normal_w.dot(p.velocity_w);
-    const PointImpulse r = solve_impact(p, RestitutionLaw::newton);
-    if (r.mode == ImpactMode::none || r.restitution >= p.restitution * (1.0 - 1e-12)) continue;
-    ++lowered;
-    // A restitution above the one found, as the thing asked for, is lowered as well.
-    PointImpact q = p;
-    q.restitution = r.restitution + 1e-3 * (p.restitution - r.restitution);
-    const PointImpulse more = solve_impact(q, RestitutionLaw::newton);
-    PointImpact zero = p;
-    zero.restitution = 0.0;
-    if (solve_impact(zero, RestitutionLaw::newton).mode != r.mode) {
-      ++mode_changed;
-    } else if (more.mode == r.mode && more.restitution >= q.restitution) {
-      ++below_largest;
-    }
-  }
-  // Of 20 000 pairs about half approach; measured 2148 lowered, a quarter of them, 552, with
-  // another mode at e = 0.
-  CHECK(lowered > 1000);
-  CHECK(mode_changed < lowered / 2);
-  CHECK(below_largest == 0);
-}
-
 TEST_CASE("Impacts at random points of random pairs keep every promise", "[unit][collision_law]") {
   Random random(2003);
   int impacts = 0;
@@ -325,51 +286,6 @@ TEST_CASE("Impacts at random points of random pairs keep every promise", "[unit]
   CHECK(touched == 0);
   CHECK(still_approaching == 0);
   CHECK(restitution_raised == 0);
-}
-
-TEST_CASE("An impact looks the same from a moving train and from another side",
-          "[unit][collision_law]") {
-  Random random(11);
-  double boost_error = 0.0;
-  double turn_error = 0.0;
-  for (int i = 0; i < 2000; ++i) {
-    const Heavy a0 = random_box(random);
-    const Heavy b0 = random_box(random);
-    const Vec3 point = random.in_cube(2.0);
-    const Vec3 n = random.direction();
-    const Vec3 boost = random.in_cube(100.0);
-    const Mat3 turn = random.orientation().toRotationMatrix();
-    const RestitutionLaw law = i % 2 == 0 ? RestitutionLaw::newton : RestitutionLaw::poisson;
-
-    PointImpact p;
-    p.normal_w = n;
-    p.friction = 0.4;
-    p.restitution = 0.6;
-    p.velocity_w = relative_velocity(a0.moving, b0.moving, point);
-    p.inverse_mass_w = inverse_mass_at(a0.moving, b0.moving, point);
-    p.approach_speed = n.dot(p.velocity_w);
-    const PointImpulse r = solve_impact(p, law);
-    const double scale = r.impulse_w.norm() + 1e-300;
-
-    Heavy a = a0;
-    Heavy b = b0;
-    a.moving.velocity_w += boost;
-    b.moving.velocity_w += boost;
-    const PointImpulse s = collide_at_point(a.moving, b.moving, point, n, 0.4, 0.6, law);
-    // A velocity of 100 m/s is known to 1e-14 m/s; slow slip turns with that.
-    const double slow = p.velocity_w.norm() / 100.0;
-    boost_error = std::max(boost_error, slow * (s.impulse_w - r.impulse_w).norm() / scale);
-
-    PointImpact q = p;
-    q.normal_w = turn * n;
-    q.normal_w.normalize();
-    q.velocity_w = turn * p.velocity_w;
-    q.inverse_mass_w = turn * p.inverse_mass_w * turn.transpose();
-    const PointImpulse t = solve_impact(q, law);
-    turn_error = std::max(turn_error, (t.impulse_w - turn * r.impulse_w).norm() / scale);
-  }
-  CHECK(boost_error < 1e-11);  // [-] measured 1.2e-13
-  CHECK(turn_error < 1e-11);   // [-] measured 1.2e-13
 }
 
 TEST_CASE("Values that are not those of an impact are refused", "[unit][collision_law]") {

@@ -181,39 +181,3 @@ TEST_CASE("Bad candidates, bodies and margins are refused", "[unit][gather]") {
   bodies.pop_back();
   CHECK_THROWS_WITH(gather({{0, 1}}, 0.0), Contains("bodies"));
 }
-
-TEST_CASE("Velocities that are loaded and stored come back, and untouched bodies keep their bits",
-          "[unit][moving_body]") {
-  Random random(41);
-  World world;
-  world.add_ground();
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 size = Vec3::Constant(1.5) + random.in_cube(1.0);
-    const BodyProperties body = box_properties(size, random.uniform(0.1, 10.0));
-    const Vec3 x = random.in_cube(10.0);
-    const Quat q = random.orientation();
-    const Vec3 v = random.in_cube(3.0);
-    world.add(body, make_state(body, x, q, v, random.in_cube(3.0)));
-  }
-  const World before = world;
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
-  store_moving_bodies(bodies, world);
-  CHECK(world.hash().value() == before.hash().value());
-
-  for (MovingBody& body : bodies) body.changed = true;
-  bodies[3].inverse_mass.setZero();  // made heavy for a while: what is stored is not
-  store_moving_bodies(bodies, world);
-  double worst = 0.0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyState& now = world.states()[i];
-    const BodyState& then = before.states()[i];
-    worst = std::max(worst, (now.linear_momentum_w - then.linear_momentum_w).norm());
-    worst = std::max(worst, (now.angular_momentum_w - then.angular_momentum_w).norm());
-  }
-  CHECK(worst < 1e-13);  // [kg m/s, kg m²/s] of up to 50; measured 9.7e-15
-  CHECK(world.states()[0].linear_momentum_w == Vec3::Zero());
-
-  bodies.pop_back();
-  CHECK_THROWS_WITH(store_moving_bodies(bodies, world), Contains("bodies"));
-}

@@ -87,28 +87,6 @@ struct Oracle {
 
 }  // namespace
 
-TEST_CASE("A stack has one level for each box", "[unit][contact_graph]") {
-  const auto bodies = some_bodies(1, 4);
-  ContactGraph graph;
-  graph.build(bodies, std::vector<SupportEdge>{{1, 2}, {0, 1}, {2, 3}});
-  CHECK(levels_of(graph) == std::vector<int>{0, 1, 2, 3});
-  CHECK(graph.level_count() == 4);
-  CHECK(std::vector<int>(graph.order().begin(), graph.order().end()) ==
-        std::vector<int>{0, 1, 2, 3});
-  CHECK(graph.bodies_of_level(2).size() == 1);
-  CHECK(graph.bodies_of_level(2)[0] == 2);
-}
-
-TEST_CASE("An arch's keystone is one level above the higher one of its two sides",
-          "[unit][contact_graph]") {
-  // 0 ground; 1, 2 left pillar of two; 3 right pillar of one; 4 keystone.
-  ContactGraph graph;
-  graph.build(some_bodies(1, 5), std::vector<SupportEdge>{{0, 1}, {1, 2}, {0, 3}, {3, 4}, {2, 4}});
-  CHECK(levels_of(graph) == std::vector<int>{0, 1, 2, 1, 3});
-  CHECK(std::vector<int>(graph.order().begin(), graph.order().end()) ==
-        std::vector<int>{0, 1, 3, 2, 4});
-}
-
 TEST_CASE("A plank and a box that hold each other up are one component above the ground",
           "[unit][contact_graph]") {
   // 0 ground, 1 plank, 2 box on the plank's lower end that carries its upper end, 3 on top.
@@ -123,15 +101,6 @@ TEST_CASE("A plank and a box that hold each other up are one component above the
   graph.build(bodies, edges);
   CHECK(components_of(graph) == std::vector<int>{0, 1, 1, 3});
   CHECK(levels_of(graph) == std::vector<int>{0, 1, 1, 2});
-}
-
-TEST_CASE("Three planks, each with an end on the next one, are one component",
-          "[unit][contact_graph]") {
-  ContactGraph graph;
-  graph.build(some_bodies(1, 5),
-              std::vector<SupportEdge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}, {3, 1}, {2, 4}});
-  CHECK(components_of(graph) == std::vector<int>{0, 1, 1, 1, 4});
-  CHECK(levels_of(graph) == std::vector<int>{0, 1, 1, 1, 2});
 }
 
 TEST_CASE("A small box on the low end of a high plank is above the plank",
@@ -150,28 +119,12 @@ TEST_CASE("A small box on the low end of a high plank is above the plank",
   CHECK(levels_of(graph) == std::vector<int>{0, 1, 2, 1, 3});
 }
 
-TEST_CASE("What nothing holds up starts at level 0 by itself", "[unit][contact_graph]") {
-  // 1 on 2 in free fall, 3 on both the ground and the falling 1: it still comes after its
-  // supporters.
-  ContactGraph graph;
-  graph.build(some_bodies(1, 4), std::vector<SupportEdge>{{2, 1}, {0, 3}, {1, 3}});
-  CHECK(levels_of(graph) == std::vector<int>{0, 1, 0, 2});
-}
-
 TEST_CASE("Nothing holds up an immovable body", "[unit][contact_graph]") {
   // A shelf (1) on a box (2) on the ground (0), and the shelf on the box again: no ring.
   ContactGraph graph;
   graph.build(some_bodies(2, 3), std::vector<SupportEdge>{{0, 2}, {2, 1}, {1, 2}});
   CHECK(levels_of(graph) == std::vector<int>{0, 0, 1});
   CHECK(components_of(graph) == std::vector<int>{0, 1, 2});
-}
-
-TEST_CASE("An empty world has no levels", "[unit][contact_graph]") {
-  ContactGraph graph;
-  CHECK(graph.level_count() == 0);
-  graph.build({}, {});
-  CHECK(graph.level_count() == 0);
-  CHECK(graph.count() == 0);
 }
 
 TEST_CASE("A contact makes an edge from the body that pushes up", "[unit][contact_graph]") {
@@ -238,6 +191,8 @@ TEST_CASE("Components and levels agree with brute force on random graphs",
   }
   CHECK(wrong == 0);
   CHECK(rings > 1000);  // the cases are not trivial: measured 1637
+  graph.build({}, {});
+  CHECK(graph.level_count() == 0);
 }
 
 TEST_CASE("A tower of 100 000 boxes does not overflow the stack", "[unit][contact_graph]") {

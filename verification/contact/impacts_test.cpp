@@ -217,27 +217,6 @@ TEST_CASE("A stack solved at one stroke is at rest at once", "[exact][impacts]")
   }
 }
 
-TEST_CASE("Unequal restitution in a block never raises the energy", "[unit][impacts]") {
-  ImpactOptions options;
-  options.order = ImpactOrder::simultaneous;
-  ImpactSolver solver;
-  Random random(23);
-  int gained = 0;
-  int approaching = 0;
-  for (int i = 0; i < 500; ++i) {
-    std::vector<double> speeds;
-    for (int k = 0; k < 6; ++k) speeds.push_back(random.uniform(-1.0, 1.0));
-    Scene s = cradle(speeds, 0.0);
-    for (Contact& c : s.contacts) c.restitution = random.unit();
-    const double energy = s.energy();
-    const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
-    if (s.energy() > energy * (1.0 + 1e-13)) ++gained;
-    if (r.worst_approach > 1e-12) ++approaching;
-  }
-  CHECK(gained == 0);
-  CHECK(approaching == 0);
-}
-
 TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed to rest",
           "[unit][impacts]") {
   // It touches both walls and moves against one: a rebound would drive it into the other.
@@ -261,72 +240,6 @@ TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed t
   CHECK(closing.status == ImpactStatus::no_solution);
   CHECK(closing.worst_approach == near(2.0).margin(1e-12));
   CHECK(s.moving[1].velocity_w == Vec3(0, -1, 0));
-}
-
-TEST_CASE("The order of contacts and points does not matter to a block", "[unit][impacts]") {
-  Random random(29);
-  ImpactOptions options;
-  options.order = ImpactOrder::simultaneous;
-  ImpactSolver solver;
-  int compared = 0;
-  double smooth = 0.0;
-  double rough = 0.0;
-  for (int i = 0; i < 200; ++i) {
-    const double friction = i % 2 == 0 ? 0.0 : 0.3;
-    Scene s = stack(4, 0.5, friction);
-    for (std::size_t k = 1; k < s.bodies.size(); ++k) {
-      s.bodies[k].moving.velocity_w = random.in_cube(1.0) - Vec3(0, 1, 0);
-      if (friction == 0.0) s.bodies[k].moving.angular_velocity_w = random.in_cube(1.0);
-    }
-    s.load();
-    Scene t = s;
-    std::reverse(t.contacts.begin(), t.contacts.end());
-    for (Contact& c : t.contacts) std::reverse(c.points.begin(), c.points.begin() + c.count);
-    const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
-    const ImpactResult q = solver.resolve(t.contacts, t.moving, options);
-    if (r.status != ImpactStatus::done || q.status != ImpactStatus::done) continue;
-    ++compared;
-    double& worst = friction == 0.0 ? smooth : rough;
-    for (std::size_t k = 1; k < s.moving.size(); ++k) {
-      worst = std::max(worst, (s.moving[k].velocity_w - t.moving[k].velocity_w).norm());
-      worst =
-          std::max(worst, (s.moving[k].angular_velocity_w - t.moving[k].angular_velocity_w).norm());
-    }
-  }
-  CHECK(compared > 120);  // measured 148 of 200: the others' friction did not settle
-  CHECK(smooth < 1e-12);  // [m/s, rad/s] measured 3e-14
-  CHECK(rough < 1e-5);    // [m/s, rad/s] where friction stops to be sought; measured 1.6e-7
-}
-
-TEST_CASE("Impacts look the same from a moving train", "[unit][impacts]") {
-  Random random(31);
-  ImpactSolver solver;
-  double smooth = 0.0;
-  double rough = 0.0;
-  for (int i = 0; i < 100; ++i) {
-    ImpactOptions options;
-    options.order = i % 2 == 0 ? ImpactOrder::simultaneous : ImpactOrder::sequential;
-    const double friction = i % 4 < 2 ? 0.0 : 0.3;
-    Scene s = stack(3, 0.5, friction);
-    s.bodies[0] = box(Vec3(0, -0.5, 0), Vec3::Ones(), 3.0, Vec3::Zero());
-    for (std::size_t k = 1; k < s.bodies.size(); ++k) {
-      s.bodies[k].moving.velocity_w = random.in_cube(1.0) - Vec3(0, 1, 0);
-    }
-    s.load();
-    Scene t = s;
-    const Vec3 boost(16.0, -8.0, 4.0);
-    for (Heavy& h : t.bodies) h.moving.velocity_w += boost;
-    t.load();
-    const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
-    const ImpactResult q = solver.resolve(t.contacts, t.moving, options);
-    if (r.status != ImpactStatus::done || q.status != ImpactStatus::done) continue;
-    double& worst = friction == 0.0 ? smooth : rough;
-    for (std::size_t k = 0; k < s.moving.size(); ++k) {
-      worst = std::max(worst, (t.moving[k].velocity_w - boost - s.moving[k].velocity_w).norm());
-    }
-  }
-  CHECK(smooth < 1e-13);  // [m/s] rounding of 18 m/s; measured 7.2e-15
-  CHECK(rough < 1e-6);    // [m/s] where friction stops to be sought; measured 1.7e-9
 }
 
 TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {

@@ -5,7 +5,6 @@
 #include "tumble/base/random.hpp"
 
 #include "contact/island_cases.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -32,24 +31,6 @@ TEST_CASE("Two heaps on one ground are two islands", "[unit][islands]") {
   CHECK(list(islands.contacts(1)) == std::vector<int>{1, 2, 4});
   CHECK(islands.island_of(0) == Islands::kNone);
   CHECK(islands.island_of(4) == 1);
-}
-
-TEST_CASE("A body that touches nothing is an island by itself", "[unit][islands]") {
-  Islands islands;
-  CHECK(islands.count() == 0);
-  islands.build(bodies_from("mfm"), {});
-  REQUIRE(islands.count() == 2);
-  CHECK(list(islands.bodies(1)) == std::vector<int>{2});
-  CHECK(islands.contacts(0).empty());
-  islands.build({}, {});
-  CHECK(islands.count() == 0);
-}
-
-TEST_CASE("A contact of two immovable bodies belongs to no island", "[unit][islands]") {
-  Islands islands;
-  islands.build(bodies_from("ffm"), std::vector<Contact>{touching(0, 1), touching(1, 2)});
-  REQUIRE(islands.count() == 1);
-  CHECK(list(islands.contacts(0)) == std::vector<int>{1});
 }
 
 TEST_CASE("Islands agree with brute force on random contacts, in any order",
@@ -116,17 +97,6 @@ TEST_CASE("Islands agree with brute force on random contacts, in any order",
       if (again.island_of(b) != islands.island_of(b)) ++wrong;
   }
   CHECK(wrong == 0);
-}
-
-TEST_CASE("Warm islands ask for no memory", "[unit][islands]") {
-  const auto bodies = bodies_from("fmmmmmmmmm");
-  std::vector<Contact> contacts;
-  for (int b = 0; b + 1 < 10; ++b) contacts.push_back(touching(b, b + 1));
-  Islands islands;
-  islands.build(bodies, contacts);
-  const AllocationCount requests;
-  islands.build(bodies, contacts);
-  CHECK(requests.value() == 0);
 }
 
 TEST_CASE("A contact of a body that there is not is refused", "[unit][islands]") {

@@ -24,47 +24,6 @@ std::vector<char> walls_from(const char* letters) {
 
 }  // namespace
 
-TEST_CASE("A wall parts the islands on its two sides", "[unit][islands]") {
-  const std::vector<Contact> chain{touching(0, 1), touching(1, 2), touching(2, 3)};
-  Islands islands;
-  islands.build(bodies_from("fmmm"), chain);
-  CHECK(islands.count() == 1);
-  islands.build(bodies_from("fmwm"), chain, walls_from("fmwm"));
-  REQUIRE(islands.count() == 2);
-  CHECK(list(islands.bodies(0)) == std::vector<int>{1});
-  CHECK(list(islands.bodies(1)) == std::vector<int>{3});
-  CHECK(list(islands.contacts(0)) == std::vector<int>{0, 1});
-  CHECK(list(islands.contacts(1)) == std::vector<int>{2});
-  CHECK(islands.island_of(2) == Islands::kNone);
-}
-
-TEST_CASE("Contacts of two walls, and of a wall with an immovable body, belong to no island",
-          "[unit][islands]") {
-  Islands islands;
-  islands.build(bodies_from("fwwm"),
-                std::vector<Contact>{touching(0, 1), touching(1, 2), touching(2, 3)},
-                walls_from("fwwm"));
-  REQUIRE(islands.count() == 1);
-  CHECK(list(islands.bodies(0)) == std::vector<int>{3});
-  CHECK(list(islands.contacts(0)) == std::vector<int>{2});
-  islands.build(bodies_from("ww"), std::vector<Contact>{touching(0, 1)}, walls_from("ww"));
-  CHECK(islands.count() == 0);
-}
-
-TEST_CASE("Without walls, or with none that is one, islands are as before", "[unit][islands]") {
-  const std::vector<Contact> contacts{touching(0, 1), touching(2, 3), touching(3, 4)};
-  Islands with;
-  Islands without;
-  with.build(bodies_from("fmmmm"), contacts, std::vector<char>(5, 0));
-  without.build(bodies_from("fmmmm"), contacts);
-  REQUIRE(with.count() == 2);
-  REQUIRE(without.count() == 2);
-  for (int i = 0; i < 2; ++i) {
-    CHECK(list(with.bodies(i)) == list(without.bodies(i)));
-    CHECK(list(with.contacts(i)) == list(without.contacts(i)));
-  }
-}
-
 TEST_CASE("A wall counts as an immovable body does, on random contacts and on pairs",
           "[exact][islands]") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {

@@ -8,8 +8,6 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-#include <gsl/gsl_sf_ellint.h>
-#include <gsl/gsl_sf_elljac.h>
 
 #include <algorithm>
 #include <array>
@@ -59,81 +57,9 @@ double error_at_1s(const BodyProperties& body, const BodyState& start, int steps
   return angle_between(state.orientation_wb, truth);
 }
 
-// The solution of Euler's equations for L² > 2 T I2, where ω3 never changes its sign.
-struct EllipticTop {
-  EllipticTop(const Vec3& moments, const Vec3& omega) {
-    const double i1 = moments[0], i2 = moments[1], i3 = moments[2];
-    const double energy2 = moments.dot(omega.cwiseProduct(omega));
-    const double momentum2 = moments.cwiseProduct(omega).squaredNorm();
-    REQUIRE(momentum2 > energy2 * i2);
-    amplitude = Vec3(std::sqrt((energy2 * i3 - momentum2) / (i1 * (i3 - i1))),
-                     std::sqrt((energy2 * i3 - momentum2) / (i2 * (i3 - i2))),
-                     std::sqrt((momentum2 - energy2 * i1) / (i3 * (i3 - i1))));
-    rate = std::sqrt((i3 - i2) * (momentum2 - energy2 * i1) / (i1 * i2 * i3));
-    m = (i2 - i1) * (energy2 * i3 - momentum2) / ((i3 - i2) * (momentum2 - energy2 * i1));
-    quarter = gsl_sf_ellint_Kcomp(std::sqrt(m), GSL_PREC_DOUBLE);
-  }
-
-  // At phase u: (w1 cn, w2 sn, w3 dn).
-  [[nodiscard]] Vec3 omega(double u) const {
-    double sn = 0.0, cn = 0.0, dn = 0.0;
-    if (gsl_sf_elljac_e(u, m, &sn, &cn, &dn) != GSL_SUCCESS) FAIL("gsl_sf_elljac_e(" << u << ")");
-    return amplitude.cwiseProduct(Vec3(cn, sn, dn));
-  }
-
-  Vec3 amplitude;
-  double rate = 0.0;
-  double m = 0.0;
-  double quarter = 0.0;
-};
-
 BodyProperties asymmetric() { return box_properties(Vec3(3.0, 2.0, 1.0), 12.0); }
 
 }  // namespace
-
-TEST_CASE("An asymmetric top agrees with Jacobi's elliptic functions over three periods",
-          "[reference][advance_pose]") {
-  const BodyProperties body = asymmetric();
-  const Vec3 omega0(1.0, 0.0, 2.0);
-  const EllipticTop exact(body.inertia_b, omega0);
-  CHECK(4.0 * exact.quarter / exact.rate == near(4.73462529410).epsilon(1e-11));
-  BodyState state = make_state(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), omega0);
-  double worst = 0.0;
-  const double dt = 1e-3;
-  for (int i = 1; i <= 14200; ++i) {
-    advance_pose(body, state, dt, RotationRule::rk4);
-    const Vec3 omega_b =
-        state.orientation_wb.toRotationMatrix().transpose() * angular_velocity(body, state);
-    worst = std::max(worst, (omega_b - exact.omega(exact.rate * i * dt)).norm());
-  }
-  CHECK(worst < 1e-10);  // [rad/s] error of RK4 at 1 ms; measured 1.4e-11
-}
-
-TEST_CASE("The times of a Dzhanibekov flip are the elliptic integrals' and RK4 meets them",
-          "[reference][advance_pose]") {
-  const BodyProperties body = asymmetric();
-  const Vec3 omega0(0.01, 5.0, 0.02);
-  const EllipticTop exact(body.inertia_b, omega0);
-  CHECK(exact.m == near(0.999972054263).epsilon(1e-12));
-  CHECK(exact.rate == near(2.40196227473).epsilon(1e-11));
-  CHECK(exact.quarter == near(6.62895664053).epsilon(1e-10));  // 1 - m has lost five digits
-  CHECK(2.0 * exact.quarter / exact.rate == near(5.51961761454).epsilon(1e-10));
-  CHECK(exact.amplitude.y() == near(5.00001333332).epsilon(1e-11));
-  CHECK(exact.amplitude.x() == near(4.33013856591).epsilon(1e-11));
-  CHECK(exact.amplitude.z() == near(3.46693391475).epsilon(1e-11));
-
-  // ω2 = w2 sn(u0 + rate t) vanishes at u = 2K. With ω2(0) = 5, ω1 and ω3 > 0: u0 = F(asin ...).
-  const double u0 =
-      gsl_sf_ellint_F(std::asin(5.0 / exact.amplitude.y()), std::sqrt(exact.m), GSL_PREC_DOUBLE);
-  const double first = (2.0 * exact.quarter - u0) / exact.rate;
-  CHECK(first == near(2.93634642244).epsilon(1e-9));
-  BodyState state = make_state(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), omega0);
-  for (int i = 0; i < 2936; ++i) advance_pose(body, state, first / 2936, RotationRule::rk4);
-  const Vec3 omega_b =
-      state.orientation_wb.toRotationMatrix().transpose() * angular_velocity(body, state);
-  // [rad/s] asked for: 1e-6 s, times the slope of ω2 there, 12 rad/s².
-  CHECK(std::abs(omega_b.y()) < 1.2e-5);  // measured 2e-10
-}
 
 TEST_CASE("Free rotation of random boxes agrees with GSL at order 8", "[reference][advance_pose]") {
   Random random(51);

@@ -183,15 +183,6 @@ TEST_CASE("Between two spinning bars no overlap is missed that a fine grid of ti
   CHECK(checked > 15);  // measured 37
 }
 
-TEST_CASE("Bodies that change places within the step are missed by the discrete search only",
-          "[exact][search]") {
-  Scene scene;
-  scene.add_cube(0.0, 20.0);
-  scene.add_cube(3.0, -20.0);  // 2 m apart at 40 m/s, and past one another after 0.1 s
-  CHECK(first_event(scene, 0.2, with(SearchMethod::discrete)).status == CollisionStatus::none);
-  CHECK(brackets(first_event(scene, 0.2, with(SearchMethod::conservative)), 0.05, 1e-6));
-}
-
 TEST_CASE("A third body that collided earlier restarts the discrete search", "[exact][search]") {
   // A reaches B after 1 s, which is found first; but C catches up with A after 0.5 s.
   Scene scene;

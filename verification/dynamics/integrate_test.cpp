@@ -18,8 +18,6 @@ using namespace tumble;
 namespace {
 
 const Vec3 kGravity(0.0, -9.81, 0.0);
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Step = void (*)(const BodyProperties&, BodyState&, const Vec3&, double, RotationRule);
 
 // Height after one second of free fall from 10 m in n steps.
@@ -76,38 +74,6 @@ TEST_CASE("Flight in two parts is flight in one: translation always, rotation wh
   CHECK(worst_exact_rotation < 1e-13);  // [rad] rounding of angles up to 30; measured 3e-14
 }
 
-TEST_CASE("For unequal moments flight in two parts is off by the error of the rule",
-          "[exact][integrate]") {
-  // A step of 1/60 s split at a third, box of 1 x 2 x 3 m, ω = (3, 4, 2) rad/s.
-  // Measured 5.7e-4, 1.4e-5, 2.7e-8 and 2.4e-6 rad: the bounds distinguish the sizes.
-  const BodyProperties body = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
-  const BodyState start =
-      make_state(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3(3.0, 4.0, 2.0));
-  const double dt = 1.0 / 60.0;
-  const auto split_error = [&](RotationRule rule, double micro_step) {
-    BodyState one = start;
-    BodyState two = start;
-    fly_in_micro_steps(body, one, kGravity, dt, rule, micro_step);
-    fly_in_micro_steps(body, two, kGravity, dt / 3.0, rule, micro_step);
-    fly_in_micro_steps(body, two, kGravity, dt - dt / 3.0, rule, micro_step);
-    return angle_between(one.orientation_wb, two.orientation_wb);
-  };
-  const double frozen = split_error(RotationRule::frozen, kInfinity);
-  const double midpoint = split_error(RotationRule::midpoint, kInfinity);
-  const double rk4 = split_error(RotationRule::rk4, kInfinity);
-  const double splitting = split_error(RotationRule::splitting, kInfinity);
-  INFO("frozen " << frozen << ", midpoint " << midpoint << ", rk4 " << rk4 << ", splitting "
-                 << splitting << " rad");
-  CHECK(frozen > 1e-4);
-  CHECK(frozen < 2e-3);
-  CHECK(midpoint < 5e-5);
-  CHECK(splitting < 1e-5);
-  CHECK(rk4 < 1e-7);
-  // Micro-steps of a tenth: an error of order p + 1 per part shrinks by 100 for order 2.
-  CHECK(split_error(RotationRule::splitting, dt / 10.0) < 0.05 * splitting);
-  CHECK(split_error(RotationRule::frozen, dt / 10.0) < 0.5 * frozen);
-}
-
 TEST_CASE("Micro-steps of any length leave a continuous arc", "[unit][integrate]") {
   // Just before and just after a whole number of micro-steps.
   const BodyProperties body = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
@@ -124,33 +90,6 @@ TEST_CASE("Micro-steps of any length leave a continuous arc", "[unit][integrate]
       CHECK((before.position_w - after.position_w).norm() < 2e-11);
     }
   }
-}
-
-TEST_CASE("Flight goes back to where it came from", "[exact][integrate]") {
-  Random random(32);
-  double worst = 0.0;
-  for (int trial = 0; trial < 500; ++trial) {
-    const BodyProperties body = random_box(random);
-    const BodyState start = random_state(random, body, 1.0, 5.0, 10.0);
-    BodyState state = start;
-    fly(body, state, kGravity, 0.25, RotationRule::splitting);
-    fly(body, state, kGravity, -0.25, RotationRule::splitting);
-    worst = std::max(worst, (state.position_w - start.position_w).norm());
-    worst = std::max(worst, angle_between(state.orientation_wb, start.orientation_wb));
-    worst = std::max(worst, (state.linear_momentum_w - start.linear_momentum_w).norm());
-  }
-  CHECK(worst < 1e-12);  // rounding at momenta up to 50 kg m/s; measured 3e-14
-}
-
-TEST_CASE("Semi-implicit Euler backwards undoes forward Euler", "[exact][integrate]") {
-  const BodyProperties body = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
-  const BodyState start = make_state(body, Vec3(1.0, 2.0, 3.0), Quat::Identity(),
-                                     Vec3(4.0, 5.0, 6.0), Vec3(3.0, 4.0, 2.0));
-  BodyState state = start;
-  step_forward_euler(body, state, kGravity, 0.1, RotationRule::splitting);
-  step_semi_implicit(body, state, kGravity, -0.1, RotationRule::splitting);
-  CHECK((state.position_w - start.position_w).norm() < 1e-14);  // rounding; measured 1e-16
-  CHECK(angle_between(state.orientation_wb, start.orientation_wb) < 1e-14);
 }
 
 TEST_CASE("No integrator moves an immovable body or does anything in no time",

@@ -110,17 +110,6 @@ TEST_CASE("Recorders refuse frames that do not exist and no stride", "[unit][tra
   CHECK_THROWS_WITH(TrajectoryRecorder(World{}, 0), "tumble: every = 0: expected at least 1");
 }
 
-TEST_CASE("Events are recorded in their order", "[unit][trajectory]") {
-  World world = two_boxes();
-  EventRecorder recorder;
-  Drift technique;
-  technique.observe(&recorder);
-  for (int i = 0; i < 3; ++i) technique.step(world, 0.25);
-  REQUIRE(recorder.events().size() == 3);
-  CHECK(recorder.events()[0].time == 0.25);
-  CHECK(recorder.events()[2].time == 0.75);
-}
-
 TEST_CASE("Going on from a snapshot gives the bits of going on without one",
           "[determinism][trajectory]") {
   Snapshot run(two_boxes(), Drift());

@@ -30,27 +30,6 @@ World three_cubes() {
 
 }  // namespace
 
-TEST_CASE("Ids stay with their bodies when others come and go", "[unit][world]") {
-  World world;
-  const BodyId a = world.add(cube(), make_state(cube(), Vec3(1.0, 0.0, 0.0)), "a");
-  const BodyId b = world.add(cube(), make_state(cube(), Vec3(2.0, 0.0, 0.0)), "b");
-  const BodyId c = world.add(cube(), make_state(cube(), Vec3(3.0, 0.0, 0.0)), "c");
-  CHECK(world.index_of(c) == 2);
-  world.remove(b);
-  CHECK(world.count() == 2);
-  CHECK(world.index_of(a) == 0);
-  CHECK(world.index_of(c) == 1);
-  CHECK(world.name(1) == "c");
-  CHECK(world.states()[1].position_w.x() == 3.0);
-  CHECK_FALSE(world.find(b));
-  CHECK_FALSE(world.find("b"));
-  CHECK(world.find("c") == c);
-
-  world.remove(c);
-  const BodyId d = world.add(cube(), BodyState{}, "b");
-  CHECK(d > c);  // not c again, though it was the last one
-}
-
 TEST_CASE("Over random additions and removals ids ascend, are never reused and find their bodies",
           "[unit][world]") {
   Random random(21);
@@ -275,12 +254,4 @@ TEST_CASE("A copy of the world is a snapshot", "[unit][determinism][world]") {
   const BodyId id = world.add(cube(), BodyState{});
   CHECK(other.add(cube(), BodyState{}) == id);
   CHECK(world.name(world.index_of(id)) == other.name(other.index_of(id)));
-}
-
-TEST_CASE("The world counts steps and simulated time", "[unit][world]") {
-  World world;
-  world.finish_step(0.25);
-  world.finish_step(0.5);
-  CHECK(world.steps() == 2);
-  CHECK(world.time() == 0.75);
 }

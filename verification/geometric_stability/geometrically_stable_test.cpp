@@ -77,13 +77,6 @@ TEST_CASE("In a pyramid without its middle box the ones above the hole are not s
   CHECK(pile.verdict(StableRule::off) == "00000");
 }
 
-TEST_CASE("Two boxes side by side that touch are both not stable", "[exact][geometric_stability]") {
-  Pile pile;
-  pile.add(Vec3(0.0, 0.5, 0.0));
-  pile.add(Vec3(1.0, 0.5, 0.0));
-  CHECK(pile.both() == "00");
-}
-
 TEST_CASE("A wall that is touched stays immovable, and what stands on it stable",
           "[exact][geometric_stability]") {
   Pile pile;
@@ -166,24 +159,6 @@ TEST_CASE("A tilt by a twentieth of a degree does not matter, three degrees do",
              rotation_from_degrees(Vec3(0.0, 20.0, degrees)));
     CHECK(pile.both() == (degrees < 1.0 ? "1" : "0"));
   }
-}
-
-TEST_CASE("A hull contains the points inside it", "[exact][geometric_stability]") {
-  std::vector<Vec2> points{{1, 1}, {0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}, {0.5, 0}, {1, 1}};
-  std::vector<Vec2> hull;
-  convex_hull(points, hull);
-  CHECK(hull.size() == 4);
-  CHECK(hull_contains(hull, Vec2(0.5, 0.99), 0.0));
-  CHECK(hull_contains(hull, Vec2(1.0, 1.0), 0.0));
-  CHECK_FALSE(hull_contains(hull, Vec2(0.5, 1.01), 0.0));
-  CHECK(hull_contains(hull, Vec2(0.5, 1.01), 0.02));
-  std::vector<Vec2> line{{0, 0}, {2, 0}};
-  convex_hull(line, hull);
-  CHECK(hull_contains(hull, Vec2(1.0, 0.0), 1e-12));
-  CHECK_FALSE(hull_contains(hull, Vec2(1.0, 0.1), 1e-12));
-  std::vector<Vec2> none;
-  convex_hull(none, hull);
-  CHECK_FALSE(hull_contains(hull, Vec2::Zero(), 1.0));
 }
 
 TEST_CASE("A verdict names the reason against a body: motion, a side, a support, a corner",

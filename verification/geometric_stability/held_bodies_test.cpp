@@ -251,30 +251,6 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodie
   }
 }
 
-TEST_CASE("A box that tips off a stable one does so at the same time, whichever bodies are held",
-          "[exact][geometric_stability]") {
-  const auto tip = [](StableRule rule) {
-    World world;
-    world.add_ground();
-    test::add_box(world, Vec3(1.0, 1.0, 1.0), 5.0, Vec3(0.0, 0.5, 0.0));
-    test::add_box(world, Vec3(1.0, 0.25, 1.0), 1.0, Vec3(0.6, 1.125, 0.0));
-    Analytic analytic(options_of(AnalyticFriction::none, rule));
-    for (int step = 0; step < 12; ++step) one_step(analytic, world);
-    return world;
-  };
-  const World off = tip(StableRule::off);
-  const Vec3 down_w = off.states()[2].orientation_wb * Vec3::UnitX();
-  CHECK(down_w.y() < -0.02);  // it has begun
-  for (const StableRule rule : kRules) {
-    CAPTURE(static_cast<int>(rule));
-    const World left = tip(rule);
-    for (int b : {1, 2}) {
-      // [m]
-      CHECK((off.states()[idx(b)].position_w - left.states()[idx(b)].position_w).norm() <= 1e-9);
-    }
-  }
-}
-
 TEST_CASE("A stable box that slides is left out, and is damped as if it were not",
           "[exact][geometric_stability]") {
   const auto slide = [](StableRule rule, int steps) {

@@ -114,23 +114,6 @@ TEST_CASE("Mended, the order of contacts does not change which bodies are stable
   }
 }
 
-TEST_CASE("Contact points are sorted by height, equal ones as they come",
-          "[unit][geometric_stability]") {
-  World world;
-  world.add_ground();
-  add_cube(world, Vec3(0.0, 0.5, 0.0));
-  add_cube(world, Vec3(0.0, 1.5, 0.0));
-  const ContactList contacts = contacts_within(world, 1e-9);
-  const std::vector<PrintedContact> sorted = sort_contact_points_ascending(world, contacts);
-  REQUIRE(sorted.size() == 8);
-  for (std::size_t k = 0; k < 8; ++k) {
-    CHECK(sorted[k].lower == (k < 4 ? 0 : 1));
-    CHECK(sorted[k].upper == (k < 4 ? 1 : 2));
-    CHECK(sorted[k].lower_to_upper_w == Vec3::UnitY());
-    CHECK(sorted[k].point_w == contacts[k / 4].points[k % 4].position_w);
-  }
-}
-
 TEST_CASE("A list of bodies of the wrong length is refused", "[unit][geometric_stability]") {
   World world;
   add_cube(world, Vec3::Zero());

@@ -76,14 +76,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("With all four corners over it the cube of figure 5.3 would be stable",
-          "[reference][geometric_stability]") {
-  const FigureUnderTest figure("fig5_3_one_corner", {"shift=0", "yaw=0"});
-  CHECK(figure.number(kCorners) == 4.0);
-  CHECK(verdict_of(figure) == 1.0);
-  CHECK(figure.number(kLoaded) < kStill);
-}
-
 TEST_CASE("The top box of figure 5.4 is stable if the bottom one is, as its caption says",
           "[claims][geometric_stability]") {
   for (const char* offset : {"offset=0.2", "offset=-0.5"}) {

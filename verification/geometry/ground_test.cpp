@@ -44,17 +44,6 @@ TEST_CASE("A box flat on the ground touches with the four corners of its lower f
   CHECK(middle == Vec3(1, 0, 2));
 }
 
-TEST_CASE("A box 0.1 deep in the ground has points halfway between its corners and the ground",
-          "[exact][ground]") {
-  Manifold m;
-  REQUIRE(collide_with_ground(make_box({0, 0.4, 0}, Quat::Identity(), Vec3::Ones()), 0.0, m));
-  CHECK(m.count == 4);
-  for (int i = 0; i < 4; ++i) {
-    CHECK(point(m, i).distance == near(-0.1).margin(1e-16));
-    CHECK(point(m, i).position_w.y() == near(-0.05).margin(1e-16));
-  }
-}
-
 TEST_CASE("A cube on an edge touches in two points, on a corner in one, above the ground in none",
           "[exact][ground]") {
   Manifold m;
@@ -116,18 +105,6 @@ TEST_CASE("The lowest corner of any box is among its points", "[unit][ground]") 
   CHECK(missed == 0);
   CHECK(doubled == 0);
   CHECK(misplaced == 0);
-}
-
-TEST_CASE("Flipping a ground contact turns its normal round and nothing else", "[unit][ground]") {
-  Manifold m;
-  REQUIRE(collide_with_ground(make_box({0, 0.5, 0}, Quat::Identity(), Vec3::Ones()), 0.0, m));
-  const ManifoldPoint before = point(m, 0);
-  flip(m);
-  CHECK(m.normal_w == -Vec3::UnitY());
-  CHECK(m.axis == kNoAxis);
-  CHECK(m.count == 4);
-  CHECK(point(m, 0).position_w == before.position_w);
-  CHECK(point(m, 0).feature == before.feature);
 }
 
 TEST_CASE("A negative or infinite margin above the ground is refused", "[unit][ground]") {

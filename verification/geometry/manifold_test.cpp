@@ -351,48 +351,6 @@ TEST_CASE("A point is called the same whichever face is the reference", "[unit][
   CHECK(differ == 0);
 }
 
-TEST_CASE("collide is separation and find_manifold in one", "[unit][manifold]") {
-  Random random(6);
-  int differ = 0;
-  for (int n = 0; n < 5000; ++n) {
-    const Pair pair = anyhow(random);
-    SeparationOptions options;
-    options.enough = 0.01;
-    Manifold apart;
-    const Separation found = separation(pair.a, pair.b, options);
-    find_manifold(pair.a, pair.b, found, 0.01, apart);
-    const Manifold joined = collided(pair.a, pair.b, 0.01);
-    if (apart.count != joined.count || apart.axis != joined.axis ||
-        apart.normal_w != joined.normal_w || mismatch(apart, joined) != 0.0)
-      ++differ;
-  }
-  CHECK(differ == 0);
-}
-
-TEST_CASE("Lengths multiplied by 4 multiply contacts by 4 in every bit",
-          "[determinism][manifold]") {
-  Random random(7);
-  int differ = 0;
-  for (int n = 0; n < 5000; ++n) {
-    const double tilt = random.uniform(-0.01, 0.01);
-    const Pair pair = n % 2 == 0 ? anyhow(random) : stacked(random, 0.01, 0.4, tilt, false);
-    Pair larger = pair;
-    for (Box* box : {&larger.a, &larger.b}) {
-      box->center_w *= 4.0;
-      box->half *= 4.0;
-    }
-    const Manifold one = collided(pair.a, pair.b, 0.01);
-    const Manifold four = collided(larger.a, larger.b, 0.04);
-    bool same = one.count == four.count && one.normal_w == four.normal_w && one.axis == four.axis;
-    for (int i = 0; same && i < one.count; ++i)
-      same = point(four, i).position_w == 4.0 * point(one, i).position_w &&
-             point(four, i).distance == 4.0 * point(one, i).distance &&
-             point(four, i).feature == point(one, i).feature;
-    if (!same) ++differ;
-  }
-  CHECK(differ == 0);
-}
-
 TEST_CASE("Flipping a contact twice gives it back", "[unit][manifold]") {
   for (AxisIndex axis = kNoAxis; axis < 15; ++axis) {
     Manifold m;

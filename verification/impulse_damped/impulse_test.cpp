@@ -74,13 +74,17 @@ TEST_CASE("A box on the ground rests by impulses for ten seconds",
     add_cube(world, Vec3(0.0, 0.5, 0.0), Vec3::Zero(), 0.5, 0.9);
     Impulse technique(posed(with(points)));
     double worst = 0.0;
+    double booked = 0.0;
     for (int k = 0; k < 600; ++k) {
       const StepReport report = technique.step(world, kStep);
       worst = std::max(worst, fastest(world));
+      booked += std::abs(report.energy.total());
       REQUIRE(report.events == 0);  // what rests does not collide, whatever its restitution
     }
     CHECK(worst < 1e-12);                                                        // [m/s], [rad/s]
     CHECK((world.states()[1].position_w - Vec3(0.0, 0.5, 0.0)).norm() < 1e-12);  // [m]
+    // [J] Booked at the velocities that contacts change it would be 8 J, m g² h² / 2 a step.
+    CHECK(booked < 1e-9 * kG);
   }
 }
 
@@ -146,44 +150,6 @@ TEST_CASE("In Newton's cradle by impulses the last ball leaves",
   CHECK(velocity_of(world, 0).x() == near(0.0).margin(1e-12));
   CHECK(velocity_of(world, 1).x() == near(0.0).margin(1e-12));
   CHECK(velocity_of(world, 2).x() == near(1.0).margin(1e-12));
-}
-
-TEST_CASE("An impulse at the middle of an area off centre is the one of the table",
-          "[exact][impulse][impulse_damped]") {
-  struct Case {
-    double e, first, second, spin;
-  };
-  for (const Case& c : {Case{0.0, 0.850299401198, 0.383233532934, 0.862275449102},
-                        Case{0.5, 0.275449101796, 0.574850299401, 1.29341317365},
-                        Case{1.0, -0.299401197605, 0.766467065868, 1.72455089820}}) {
-    World world;
-    world.gravity_w.setZero();
-    add_cube(world, Vec3::Zero(), Vec3(2.0, 0.0, 0.0), 0.0, c.e);
-    const BodyProperties body = box_properties(Vec3(1.0, 2.0, 1.0), 3.0, 0.0, c.e);
-    world.add(body, make_state(body, Vec3(1.0, 0.75, 0.0)));
-    // One impulse by itself: in a whole step further ones follow where turning has brought corners
-    // in.
-    ImpulseBodies bodies;
-    bodies.begin(world, kStep, RotationRule::splitting);
-    ImpulsePairs pairs;
-    pairs.begin(0.0);
-    const std::span<int> found = pairs.find(world, bodies, nullptr);
-    REQUIRE(found.size() == 1);
-    ImpulsePush push(ImpulsePoints::one);
-    CHECK(push.collide(pairs[found[0]], bodies.moving(), c.e, kStep).pushed);
-    // The numbers are given to 1e-11. The point lies midway between the surfaces at the predicted
-    // poses, which changes no arm across the normal.
-    const MovingBody& first = bodies.moving()[0];
-    const MovingBody& second = bodies.moving()[1];
-    CHECK(first.velocity_w.x() == near(c.first).margin(1e-10));
-    CHECK(second.velocity_w.x() == near(c.second).margin(1e-10));
-    CHECK(std::abs(first.angular_velocity_w.z()) == near(c.spin).margin(1e-10));
-    const Vec3 momentum = linear_momentum(world);
-    const Vec3 turning = angular_momentum(world);
-    store_moving_bodies(bodies.moving(), world);
-    CHECK((linear_momentum(world) - momentum).norm() < 1e-14);  // [kg m/s]
-    CHECK((angular_momentum(world) - turning).norm() < 1e-14);  // [kg m²/s]
-  }
 }
 
 TEST_CASE("A pair that others press together again in one event parts as the event asks for",
@@ -286,28 +252,6 @@ TEST_CASE("Without gravity impulses book every change of energy, never raise it,
   }
 }
 
-TEST_CASE("A cube at rest by impulses books nothing", "[exact][impulse][impulse_damped]") {
-  BOTH_POSES;
-  for (const ImpulsePoints points : kBoth) {
-    World world;
-    world.add_ground(0.5, 0.9);
-    add_cube(world, Vec3(0.0, 0.5, 0.0), Vec3::Zero(), 0.5, 0.9);
-    Impulse technique(posed(with(points)));
-    double booked = 0.0;
-    double not_booked = 0.0;
-    for (int k = 0; k < 120; ++k) {
-      const double before = energy_of(world).total();
-      const StepReport report = technique.step(world, kStep);
-      booked += std::abs(report.energy.total());
-      not_booked += energy_of(world).total() - before - report.energy.total();
-    }
-    // [J] Of m g L = 9.81 J, in two seconds: rounding, measured 2e-14. Booked at the velocities
-    // that contacts change it would be 1.6 J, m g² h² / 2 a step.
-    CHECK(std::abs(not_booked) < 1e-9 * kG);
-    CHECK(booked < 1e-9 * kG);
-  }
-}
-
 TEST_CASE("A box that flies by impulses is off by what the rule of the step is, and no more",
           "[exact][impulse][impulse_damped]") {
   BOTH_POSES;
@@ -330,23 +274,6 @@ TEST_CASE("A box that flies by impulses is off by what the rule of the step is, 
   }
   CHECK(events >= 3);
   CHECK(worst < 1e-11);  // [J] of 12, measured 3e-15
-}
-
-TEST_CASE("With gravity a sliding box loses what impulses book",
-          "[exact][impulse][impulse_damped]") {
-  BOTH_POSES;
-  World world;
-  world.add_ground(0.3);
-  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
-  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
-  Impulse technique(posed<ImpulseOptions>());
-  double worst = 0.0;
-  for (int k = 0; k < 60; ++k) {
-    const double before = energy_of(world).total();
-    const StepReport report = technique.step(world, kStep);
-    worst = std::max(worst, std::abs(energy_of(world).total() - before - report.energy.total()));
-  }
-  CHECK(worst < 1e-12);  // [J] of 4.5
 }
 
 // --- what holds for all techniques --------------------------------------------------------------

@@ -151,15 +151,6 @@ TEST_CASE("Every solver finds the answers that are known by hand", "[exact][lcp]
   check(any_matrix, lcp({-1}, {1}), {0}, {1});  // f = 1, a = 0 is another solution
 }
 
-TEST_CASE("Equal contacts bear the load together, however it is shared",
-          "[exact][lcp][analytic_lcp]") {
-  check_accelerations(all_exact, lcp({1, 1, 1, 1}, {-1, -1}), {0, 0});
-  for (const std::string_view name : all_exact) {
-    const std::vector<double> f = solved_by(name, lcp({1, 1, 1, 1}, {-1, -1})).f;
-    CHECK(std::abs(f[0] + f[1] - 1.0) <= rounding);
-  }
-}
-
 TEST_CASE("Any of several solutions will do", "[exact][lcp][analytic_lcp]") {
   for (const std::string_view name : any_matrix) {
     const LcpResult result = solved_by(name, lcp({1, 2, 2, 1}, {-1, -1}));

@@ -39,24 +39,6 @@ bool is_first_unit_vector(const std::vector<double>& f) {
   return f[0] == 1.0 && others == 0.0;
 }
 
-// A tower of cubes of 1 m with four contacts to each joint, so that A has three quarters of the rank
-// that it seems to have; each cube is as many times as heavy as the one below.
-LcpProblem tower(int cubes, double ratio, double push, Random& random) {
-  LcpProblem problem;
-  problem.factors = chapters::stack_on_corners(cubes);
-  std::vector<chapters::Load> loads;
-  double inverse = 1.0;
-  for (LcpFactors::Body& body : problem.factors.bodies) {
-    body = {Vec3::Constant(inverse), Vec3::Constant(6.0 * inverse).asDiagonal()};
-    const Vec3 linear_w = random.in_cube(push) - Vec3(0.0, 9.81, 0.0);
-    loads.push_back({linear_w, random.in_cube(push)});
-    inverse /= ratio;
-  }
-  problem.b = chapters::constant_part(problem.factors, loads);
-  multiply_out(problem.factors, problem.A);
-  return problem;
-}
-
 double whole(Random& random, std::uint32_t range) {
   return static_cast<double>(random.below(2 * range + 1)) - static_cast<double>(range);
 }
@@ -85,16 +67,6 @@ TEST_CASE("Murty's problems take Lemke's method 2^n pivots, that of the lift inc
     CHECK(solved(problem).status == LcpStatus::solved);
     CHECK(solved(problem).pivots == 1 << n);
   }
-}
-
-TEST_CASE("With its rows in the opposite order Murty's problem takes two pivots",
-          "[exact][lcp][analytic_lcp]") {
-  LcpProblem problem = murty(8);
-  problem.A.transposeInPlace();
-  const LcpResult result = solved(problem);
-  CHECK(result.status == LcpStatus::solved);
-  CHECK(result.pivots == 2);
-  CHECK(result.pushing == std::vector<int>{7});
 }
 
 TEST_CASE("Fathi's symmetric problems take 2^n pivots too, and Baraff's method one",
@@ -126,23 +98,7 @@ TEST_CASE("The cap of pivots ends the path with the state reached", "[unit][lcp]
   CHECK_THROWS_WITH(LemkeSolver({-1}), Catch::Matchers::Contains("pivot_cap = -1"));
 }
 
-TEST_CASE("Contacts that separate anyway take no pivot and no multiplication to speak of",
-          "[unit][lcp][analytic_lcp]") {
-  const LcpResult result = solved(lcp({2, 1, 1, 2}, {1, 0}));
-  CHECK(result.status == LcpStatus::solved);
-  CHECK(result.pivots == 0);
-  CHECK(result.pushing.empty());
-}
-
 // --- ties -----------------------------------------------------------------------------------------
-
-TEST_CASE("Of a cube's equal corners the lexicographic rule takes the last and the second",
-          "[exact][lcp][analytic_lcp]") {
-  const LcpResult result = solved(cube_on_ground(9.81, 0.0, 0.0));
-  CHECK(result.status == LcpStatus::solved);
-  CHECK(result.pushing == std::vector<int>{1, 3});
-  CHECK(near(result.f, {0, 4.905, 0, 4.905}, 1e-14));
-}
 
 TEST_CASE("A problem full of ties takes the path of exact arithmetic",
           "[exact][lcp][analytic_lcp]") {
@@ -154,25 +110,6 @@ TEST_CASE("A problem full of ties takes the path of exact arithmetic",
   CHECK(result.status == LcpStatus::solved);
   CHECK(result.pivots == 127);
   CHECK(result.residual <= 1e-12);  // forces of 1 and factors of 250: measured 2e-13
-}
-
-TEST_CASE("Towers on four redundant corners each are solved at any ratio of masses",
-          "[unit][lcp][analytic_lcp]") {
-  Random random(5);
-  for (const double ratio : {1.0, 2.0, 0.3}) {
-    for (const double push : {0.0, 1.0}) {
-      for (const int cubes : {1, 4, 16}) {
-        INFO(cubes << " cubes, ratio " << ratio << ", push " << push);
-        const LcpProblem problem = tower(cubes, ratio, push, random);
-        const LcpResult result = solved(problem);
-        CHECK(result.status == LcpStatus::solved);
-        // Forces reach 3e5 times b at 16 cubes and ratio 2, and so does their rounding.
-        CHECK(result.residual <= (ratio > 1.0 && cubes > 4 ? 1e-9 : 1e-12));  // 4e-11, 2e-14
-        CHECK(*std::min_element(result.f.begin(), result.f.end()) >= 0.0);
-        CHECK(result.pivots <= 3 * problem.size());  // measured: 141 for 64 rows
-      }
-    }
-  }
 }
 
 // --- which matrices -------------------------------------------------------------------------------

@@ -26,15 +26,6 @@ TEST_CASE("Bisecting a frame to a microsecond takes 15 evaluations", "[exact][br
   CHECK(result.bracket.high > touch);
 }
 
-TEST_CASE("Bisection asks as often as the logarithm says", "[exact][bracket]") {
-  const auto gap = [](double t) { return 0.3 - t; };
-  for (const double resolution : {0.9, 0.5, 0.3, 1e-3, 1e-9}) {
-    const int expected = static_cast<int>(std::ceil(std::log2(1.0 / resolution)));
-    CHECK(bisect(gap, Bracket{0.0, 1.0}, resolution, 100).evaluations == expected);
-  }
-  CHECK(bisect(gap, Bracket{0.0, 1.0}, 1.0, 100).evaluations == 0);
-}
-
 TEST_CASE("Bisection ends at neighbouring doubles", "[exact][bracket]") {
   for (const double touch : {0.3, 1e-300, 0.999}) {
     const BisectionResult result =

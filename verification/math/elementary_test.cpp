@@ -223,21 +223,3 @@ TEST_CASE("The elementary functions return the committed bits",
   }
   CHECK(hash.text() == "5e14c8ba6f3529ba");
 }
-
-TEST_CASE("Pairs of doubles carry twice the digits", "[unit][elementary]") {
-  using namespace double_double;
-  // (1 + 2^-52)(1 - 2^-52) = 1 - 2^-104, which no double holds.
-  const Pair p = product(1.0 + 0x1p-52, 1.0 - 0x1p-52);
-  CHECK(p.high == 1.0);
-  CHECK(p.low == -0x1p-104);
-  const Pair s = sum(0x1p60, 1.0);
-  CHECK(s.high == 0x1p60);
-  CHECK(s.low == 1.0);
-  CHECK(sum(1.0, 0x1p60).low == 1.0);
-  const Pair third = quotient({1.0, 0.0}, {3.0, 0.0});
-  const Pair one = product(third, {3.0, 0.0});
-  CHECK(one.high == 1.0);
-  CHECK(std::abs(one.low) <= 0x1p-104);
-  constexpr double ones[] = {1.0, 1.0, 1.0, 1.0, 1.0};
-  CHECK(series(ones, 2.0) == 31.0);
-}

@@ -144,32 +144,6 @@ TEST_CASE("Wide cones of nearly dependent columns keep their conditions", "[unit
   CHECK(most_pivots <= 100);  // of a cap of 1300; measured 12
 }
 
-TEST_CASE("Least squares and complementarity find the same accelerations",
-          "[unit][least_squares]") {
-  // Gauss' principle: a = A f + b with A = GᵀG, b = -Gᵀd is minus the slope of least squares.
-  Random random(2);
-  ComplementaritySolver complementarity;
-  ComplementarityResult forces;
-  double worst = 0.0;
-  for (int i = 0; i < 2000; ++i) {
-    const Problem p = random_problem(random);
-    const LeastSquaresResult result = nearest(p.G, p.d);
-    complementarity.solve(p.G.transpose() * p.G, -(p.G.transpose() * p.d), forces);
-    if (forces.status != ComplementarityStatus::solved) worst = 1.0;
-    const VecX slope = p.G.transpose() * view(result.rest);
-    worst = std::max(worst, (view(forces.a) + slope).cwiseAbs().maxCoeff());
-  }
-  CHECK(worst <= 1e-9);  // measured 8e-12; numbers up to 100
-}
-
-TEST_CASE("Three feet hold a load between them and not beside them", "[exact][least_squares]") {
-  // Columns: force up, and its moments, at (0,0), (1,0), (0,1); the load 1 N at (x, z).
-  MatX G(3, 3);
-  G << 1, 1, 1, 0, 1, 0, 0, 0, 1;
-  CHECK(nearest(G, Vec3(1.0, 0.25, 0.5)).distance <= 1e-15);
-  CHECK(nearest(G, Vec3(1.0, 0.6, 0.6)).distance > 0.01);
-}
-
 TEST_CASE("Least squares without columns or rows leaves the target as it is",
           "[unit][least_squares]") {
   const LeastSquaresResult none = nearest(MatX(2, 0), Vec2(3.0, 4.0));

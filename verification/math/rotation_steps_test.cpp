@@ -44,30 +44,6 @@ TEST_CASE("Along its axis and without a turn an arc is straight", "[exact][rotat
         2e-15);
 }
 
-TEST_CASE("Two arcs after each other are one of twice the length", "[exact][rotation]") {
-  Random random(22);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 r = random.in_cube(1.5);
-    const Vec3 d = random.in_cube(2.0);
-    const Quat turn = rotation_from_vector(r);
-    const Vec3 twice = along_arc(r, d) + turn * along_arc(r, d);
-    CHECK((twice - along_arc(2.0 * r, 2.0 * d)).norm() <= 1e-14);  // [m] rounding
-  }
-}
-
-TEST_CASE("The coefficients of small angles meet the others", "[exact][rotation]") {
-  Random random(23);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 axis = random.direction();
-    const Vec3 d = random.in_cube(2.0);
-    const Vec3 below = (1e-4 * (1.0 - 1e-12)) * axis;
-    const Vec3 above = (1e-4 * (1.0 + 1e-12)) * axis;
-    // [m], [rad/s]: 2e-16 for the difference of the angles and a rounding or two
-    CHECK((along_arc(above, d) - along_arc(below, d)).norm() <= 2e-15);
-    CHECK((rotation_vector_rate(above, d) - rotation_vector_rate(below, d)).norm() <= 2e-15);
-  }
-}
-
 TEST_CASE("The rate of a rotation vector is that of its rotation", "[exact][rotation]") {
   Random random(24);
   double worst = 0.0;

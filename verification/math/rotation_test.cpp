@@ -21,13 +21,6 @@ bool same(const Quat& p, const Quat& q) { return (p.coeffs().array() == q.coeffs
 
 }  // namespace
 
-TEST_CASE("The skew matrix of a vector multiplies like its cross product", "[unit][rotation]") {
-  const Vec3 a(1.0, -2.0, 3.0);
-  const Vec3 b(-4.0, 5.0, 6.0);
-  CHECK(skew(a) * b == a.cross(b));
-  CHECK(skew(a).transpose() == -skew(a));
-}
-
 TEST_CASE("A rotation vector turns about its axis by its length", "[exact][rotation]") {
   // 1e-15: a few roundings of numbers up to 1 (measured 2e-16).
   const Vec3 z = rotation_from_vector(Vec3(0.0, 0.0, pi / 2.0)) * Vec3(1.0, 0.0, 0.0);

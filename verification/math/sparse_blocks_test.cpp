@@ -4,7 +4,6 @@
 
 #include "tumble/base/random.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
 #include <Eigen/Cholesky>
@@ -159,21 +158,4 @@ TEST_CASE("A pair of blocks that are none, or one, is refused",
     const std::vector<BlockPair> joined = {pair};
     CHECK_THROWS_AS(matrix.analyse(2, joined), std::invalid_argument);
   }
-}
-
-TEST_CASE("A pattern that was seen before is factored and solved without asking for memory",
-          "[unit][sparse_blocks][impulse_damped]") {
-  const Problem problem(5, 12, 25);
-  SparseBlocks matrix;
-  matrix.analyse(12, problem.joined);
-  problem.fill(matrix);
-  matrix.factor();
-  std::vector<Vec6> x(12, Vec6::Ones());
-  matrix.solve(x);
-  const AllocationCount count;
-  matrix.analyse(12, problem.joined);
-  problem.fill(matrix);
-  matrix.factor();
-  matrix.solve(x);
-  CHECK(count.value() == 0);
 }

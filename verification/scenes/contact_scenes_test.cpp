@@ -32,12 +32,6 @@ double height_over_ground(const SceneBox& box) {
   return box.position_w.y() - reach(shape_of(box), Vec3::UnitY());
 }
 
-double gap(const Scene& scene, const std::string& a, const std::string& b) {
-  SeparationOptions exact;
-  exact.prefer_faces = false;
-  return separation(shape_of(called(scene, a)), shape_of(called(scene, b)), exact).distance;
-}
-
 // [m] The smallest distance of a box from the ground or from another box; below 0 for overlap.
 double nearest(const Scene& scene, std::size_t box) {
   double least = std::numeric_limits<double>::infinity();
@@ -85,32 +79,6 @@ TEST_CASE("In scenes of boxes that rest or slide every movable box touches somet
       CHECK(std::abs(nearest(scene, k)) < 1e-13);  // [m] rounding: measured 4e-16
     }
   }
-}
-
-TEST_CASE("What carries what in the scenes of contact is in contact", "[exact][scenes]") {
-  const auto touch = [](const Scene& scene, const char* a, const char* b) {
-    INFO(a << ", " << b);
-    CHECK(std::abs(gap(scene, a, b)) < 1e-13);  // [m] rounding
-  };
-  const Scene seesaw = built("seesaw", {});
-  touch(seesaw, "pivot", "plank");
-  touch(seesaw, "plank", "left");
-  touch(seesaw, "plank", "right");
-  const Scene fig6_5 = built("fig6_5", {{"offset", "-0.24"}});
-  touch(fig6_5, "pedestal_left", "left");
-  touch(fig6_5, "pedestal_right", "right");
-  touch(fig6_5, "left", "top");
-  touch(fig6_5, "right", "top");
-  const Scene table = built("table", {});
-  for (const char* leg : {"leg1", "leg2", "leg3", "leg4"}) touch(table, leg, "plate");
-  touch(table, "plate", "box");
-  const Scene leaning = built("leaning", {{"angle", "50"}, {"count", "2"}});
-  touch(leaning, "block1", "plank1");
-  touch(leaning, "block2", "plank2");
-  CHECK(std::abs(height_over_ground(called(leaning, "plank1"))) < 1e-15);
-  touch(built("fig5_2", {}), "A", "B");
-  touch(built("sled", {}), "sled", "load1");
-  touch(built("slope", {}), "slope", "box");
 }
 
 TEST_CASE("Boxes of the scenes of contact move as their settings say", "[unit][scenes]") {

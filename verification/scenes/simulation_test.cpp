@@ -351,21 +351,6 @@ TEST_CASE("The energy of boxes that enter and leave is no error of the technique
   CHECK(meter.metrics().energy_error == near(0.5).margin(1e-13));
 }
 
-TEST_CASE("A simulation without throws steps as a run does", "[determinism][scenes]") {
-  const auto one = made("contact_damped");
-  Simulation run(towers(), *one);
-  MetricsMeter meter;
-  run.observe(meter);
-  step(run, 30);
-  RunSettings settings;
-  settings.dt = kDt;
-  settings.duration = 30.0 * kDt;
-  const RunResult result = run_scene(towers(), *made("contact_damped"), settings, {});
-  CHECK(result.state_hash == hash_of(run));
-  CHECK(result.last.energy_error == meter.metrics().energy_error);
-  CHECK(result.last.deepest_overlap == meter.metrics().deepest_overlap);
-}
-
 TEST_CASE(
     "A step that throws leaves the scene as it was, and one with an infinite number reports it",
     "[unit][scenes][live]") {
