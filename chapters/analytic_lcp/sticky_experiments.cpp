@@ -7,6 +7,7 @@
 
 #include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
 #include "driver/statistics.hpp"
@@ -77,7 +78,7 @@ Fall drop(World world, double threshold) {
   bool aloft = false;
   while (world.time() < kLongest && quiet < kQuiet) {
     const Vec3 before_w = world.states()[kDie].position_w;
-    const StepReport report = technique->step(world, kStep);
+    const StepReport report = finished(technique->step(world, kStep));
     collisions += static_cast<double>(report.events);
     work += static_cast<double>(report.pair_tests + report.integrations);
     const double height = height_of(world);

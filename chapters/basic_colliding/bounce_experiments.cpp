@@ -6,6 +6,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 
 #include <algorithm>
@@ -101,8 +102,7 @@ Result measure_impact_times(const Parameters& settings) {
   std::int64_t searches = 0;
   while (static_cast<int>(watcher.impacts.size()) < wanted) {
     if (world.steps() == most_steps) throw std::runtime_error("too few impacts in 100000 steps");
-    const StepReport step = basic.step(world, settings.number("step"));
-    if (step.status != StepStatus::done) throw std::runtime_error("a step met its cap");
+    const StepReport step = finished(basic.step(world, settings.number("step")));
     watcher.end_step();
     rewinds += step.rewinds;
     searches += step.searches;

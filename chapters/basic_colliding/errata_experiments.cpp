@@ -7,6 +7,7 @@
 
 #include "basic_colliding/errata.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 
 #include <limits>
 #include <optional>
@@ -59,7 +60,7 @@ Table three_cubes(SearchMethod search, std::string suffix) {
   Basic basic(options);
   RowWatcher watcher(world, std::move(suffix));
   basic.observe(&watcher);
-  basic.step(world, 1.0);
+  finished(basic.step(world, 1.0));
   watcher.note(world.time());
   return watcher.table;
 }

@@ -9,6 +9,7 @@
 #include "tumble/record/metrics.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
 
@@ -54,7 +55,7 @@ void advance(const Scene& scene, Technique& technique, double step, double until
              StepReport& totals) {
   while (world.time() < until - 0.5 * step) {
     const double before = world.time();
-    const StepReport report = technique.step(world, step);
+    const StepReport report = finished(technique.step(world, step));
     totals.status = std::max(totals.status, report.status);
     totals.energy.restitution += report.energy.restitution;
     totals.energy.friction += report.energy.friction;

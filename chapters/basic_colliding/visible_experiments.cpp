@@ -7,6 +7,7 @@
 
 #include "basic_colliding/near_pairs.hpp"
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "driver/statistics.hpp"
 
@@ -100,7 +101,7 @@ Run run(const std::string& target, const Parameters& settings, int seed) {
   Run out;
   while (world.time() < settings.number("duration") - 0.5 * kStep) {
     watch.look_ahead(world, out.collisions);
-    basic.step(world, kStep);
+    finished(basic.step(world, kStep));
   }
   return out;
 }

@@ -2,6 +2,7 @@
 /// \brief The same motion at any size and mass, and Coulomb's stopping distance (thesis 6.3.1).
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
@@ -72,7 +73,7 @@ Motion motion_of(const World& start, double size, double mass, const std::string
   Motion motion;
   const auto steps = static_cast<int>(std::lround(duration / kStep));
   for (int n = 0; n < steps; ++n) {
-    technique->step(world, step);
+    finished(technique->step(world, step));
     motion.emplace_back();
     for (std::size_t k = 0; k < world.bodies().size(); ++k) {
       if (!world.bodies()[k].movable()) continue;
@@ -103,7 +104,7 @@ double stopping(const World& slide, const std::string& name, int finer) {
   World world = slide;
   const double step = kStep / finer;
   const auto steps = static_cast<int>(std::lround(seconds / step));
-  for (int k = 0; k < steps; ++k) technique->step(world, step);
+  for (int k = 0; k < steps; ++k) finished(technique->step(world, step));
   return world.states()[1].position_w.x();
 }
 

@@ -6,6 +6,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
@@ -27,7 +28,7 @@ double passage_within_step(const HungBox& start) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high || high - low < 1e-16) return high;
     HungBox trial = start;
-    trial.glued.step(trial.world, middle);
+    finished(trial.glued.step(trial.world, middle));
     (trial.angle() * start.angle() > 0.0 ? low : high) = middle;
   }
 }
@@ -76,7 +77,7 @@ MeasuredSwing measure_swing(double width, double height, double amplitude, doubl
   for (double& passage : passages) {
     for (;;) {
       const HungBox start = box;
-      box.glued.step(box.world, kStep);
+      finished(box.glued.step(box.world, kStep));
       if (box.angle() * start.angle() > 0.0) continue;
       passage = start.world.time() + passage_within_step(start);
       break;

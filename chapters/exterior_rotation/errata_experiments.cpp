@@ -4,6 +4,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
@@ -26,7 +27,7 @@ World turning_column(double speed) {
 // A step of the library, with the force and the torque of its start.
 World stepped(PoseUpdate pose, double speed, double dt) {
   World world = turning_column(speed);
-  Glued(glued_options(GluedScheme::forward_euler, pose)).step(world, dt);
+  finished(Glued(glued_options(GluedScheme::forward_euler, pose)).step(world, dt));
   return world;
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Forces at the pivot of the falling column, and periods of boxes that swing on an edge.
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "exterior_rotation/box_pendulum.hpp"
 #include "exterior_rotation/column_runs.hpp"
@@ -70,7 +71,7 @@ Result measure_pivot_forces(const Parameters& settings) {
     std::array<PivotForce, 3> found;
     std::array<double, 3> errors{};
     for (std::size_t s = 0; s < schemes.size(); ++s) {
-      runs[s].glued.step(runs[s].world, 1.0 / rate);
+      runs[s] finished(.glued.step(runs[s].world, 1.0 / rate));
       found[s] = runs[s].pivot();
       errors[s] = std::max(std::abs(found[s].normal - exact.normal),
                            std::abs(found[s].tangential - exact.tangential)) /
@@ -94,7 +95,7 @@ Result measure_pivot_forces(const Parameters& settings) {
 
   // At rest: a step so short that nothing has moved.
   Falling start(GluedScheme::rk4, phi0);
-  start.glued.step(start.world, 1e-9);
+  finished(start.glued.step(start.world, 1e-9));
   const PivotForce rest = start.pivot();
   Result result;
   result.tables = {table, marks};

@@ -5,6 +5,7 @@
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
+#include "driver/finished.hpp"
 #include "driver/registry.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -78,10 +78,7 @@ TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& p
   const auto steps = static_cast<int>(std::lround(scene.time * rate));
   TechniqueGaps found;
   for (int k = 0; k < steps; ++k) {
-    const StepReport report = run.technique().step(run.world(), 1.0 / rate);
-    if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
-      throw std::runtime_error("a step of " + played.name + " failed");
-    if (report.status == StepStatus::event_cap) ++found.capped;
+    finished(run.technique().step(run.world(), 1.0 / rate));
     for (const Joint& joint : joints) {
       const JointGap gap = gap_of(joint, run.world().states());
       found.opening = std::max(found.opening, gap.opening);

@@ -3,6 +3,7 @@
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/rotation.hpp"
 
+#include "driver/finished.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
@@ -218,8 +219,8 @@ Result measure_weakly_stable(const Parameters& settings) {
   while (damped.time() < settings.number("duration") + 0.5 * kStep) {
     const double t = damped.time();
     falls.add(t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t);
-    first->step(damped, kStep);
-    second->step(analytic, kStep);
+    finished(first->step(damped, kStep));
+    finished(second->step(analytic, kStep));
   }
   const std::vector<double>& last = falls.rows.back();
   const RestingPile box = pile_of(wedged(friction));

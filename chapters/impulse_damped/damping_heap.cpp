@@ -7,6 +7,7 @@
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/statistics.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
@@ -41,7 +42,7 @@ Heap heap_of(const Vec3& size, int seed, double duration) {
   Damped technique(options);
   Heap heap;
   while (world.time() < duration - 0.5 * kStep) {
-    const StepReport report = technique.step(world, kStep);
+    const StepReport report = finished(technique.step(world, kStep));
     heap.damping += report.energy.damping;
     heap.pushes += report.energy.repair;
     heap.gains += report.energy.damping > 0.0 ? 1.0 : 0.0;

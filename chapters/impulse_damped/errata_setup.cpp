@@ -5,6 +5,8 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 
+#include "driver/finished.hpp"
+
 #include <cmath>
 
 namespace tumble::chapters {
@@ -65,7 +67,7 @@ Vec3 velocity_of(const World& world, int index) {
 }
 
 World stepped(World world, Technique&& technique, int steps, double dt) {
-  for (int step = 0; step < steps; ++step) technique.step(world, dt);
+  for (int step = 0; step < steps; ++step) finished(technique.step(world, dt));
   return world;
 }
 

@@ -6,6 +6,7 @@
 #include "tumble/timewarp/timewarp_swept.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/played_scene.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Vec3 in_ball(Random& chance) {
 
 void stir(World& cage) {
   TimewarpSwept technique;
-  for (int k = 0; k < kStirred; ++k) technique.step(cage, kStep);
+  for (int k = 0; k < kStirred; ++k) finished(technique.step(cage, kStep));
 }
 
 World stirred_cage(int count, double room, std::uint64_t seed) {

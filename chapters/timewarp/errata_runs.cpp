@@ -2,6 +2,7 @@
 /// \brief One frame of cubes on a line, watched (thesis A.1).
 #include "timewarp/errata_runs.hpp"
 
+#include "driver/finished.hpp"
 #include "driver/played_scene.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ FrameRun run_frame(Technique& technique, const World& world, double dt) {
   run.world = world;
   WayWatcher watcher(run.world, run);
   technique.observe(&watcher);
-  technique.step(run.world, dt);
+  finished(technique.step(run.world, dt));
   technique.observe(nullptr);
   for (std::size_t body = 0; body < run.ways.size(); ++body) {
     watcher.note(body, dt, false);

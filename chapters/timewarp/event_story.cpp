@@ -6,6 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/trajectory.hpp"
 
+#include "driver/finished.hpp"
 #include "driver/settings.hpp"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::unique_ptr<Technique> search_over_all(double resolution) {
 EventLog events_of(Technique& technique, World& world, double dt, int frames) {
   EventRecorder recorder;
   technique.observe(&recorder);
-  for (int frame = 0; frame < frames; ++frame) technique.step(world, dt);
+  for (int frame = 0; frame < frames; ++frame) finished(technique.step(world, dt));
   technique.observe(nullptr);
   return recorder.events();
 }
