@@ -75,19 +75,14 @@ double push_too_far(int states, int seed) {
 
 }  // namespace
 
-Quantity most_over_seeds(const std::string& name, std::span<const double> values) {
-  return over_seeds(name, "-", static_cast<int>(values.size()), [&](int left_out) {
-    double most = 0.0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (static_cast<int>(k) != left_out) most = std::max(most, values[k]);
-    return most;
-  });
+Quantity largest_found(const std::string& name, std::span<const double> values) {
+  return {name, "-", *std::max_element(values.begin(), values.end())};
 }
 
 void add_push_energy(int states, int seeds, Result& result) {
   std::vector<double> found;
   for (int seed = 1; seed <= seeds; ++seed) found.push_back(push_too_far(states, seed));
-  result.quantities.push_back(most_over_seeds(
+  result.quantities.push_back(largest_found(
       "potential energy that pushes add beyond the end of the overlap, over m g L", found));
 }
 
