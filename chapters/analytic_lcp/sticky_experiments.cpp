@@ -67,7 +67,7 @@ Fall drop(World world, double threshold) {
   bool aloft = false;
   while (world.time() < kLongest && quiet < kQuiet) {
     const Vec3 before_w = world.states()[kDie].position_w;
-    const StepReport report = technique->step(world, kStep);
+    const StepReport report = finished(technique->step(world, kStep));
     collisions += static_cast<double>(report.events);
     const double height = height_of(world);
     fall.heights.push_back(height);

@@ -53,7 +53,7 @@ Table three_cubes(SearchMethod search, std::string suffix) {
   Basic basic(options);
   RowWatcher watcher(world, std::move(suffix));
   basic.observe(&watcher);
-  basic.step(world, 1.0);
+  finished(basic.step(world, 1.0));
   watcher.note(world.time());
   return watcher.table;
 }

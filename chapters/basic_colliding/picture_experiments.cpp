@@ -42,7 +42,7 @@ void advance(const Scene& scene, Technique& technique, double step, double until
              StepReport& totals) {
   while (world.time() < until - 0.5 * step) {
     const double before = world.time();
-    const StepReport report = technique.step(world, step);
+    const StepReport report = finished(technique.step(world, step));
     totals.status = std::max(totals.status, report.status);
     totals.energy.restitution += report.energy.restitution;
     totals.energy.friction += report.energy.friction;

@@ -78,8 +78,7 @@ void run_cage(double room, int cubes, int seconds, int steps_per_second, int see
   const int steps = seconds * steps_per_second;
   for (int k = 0; k < steps; ++k) {
     search.look_ahead(world, 1.0 / steps_per_second);
-    const StepReport report = basic.step(world, 1.0 / steps_per_second);
-    if (report.status != StepStatus::done) throw std::runtime_error("a step was not finished");
+    const StepReport report = finished(basic.step(world, 1.0 / steps_per_second));
     collisions += static_cast<double>(report.events);
     restarts += static_cast<double>(report.restarts);
   }

@@ -91,7 +91,7 @@ Run run(const std::string& target, const Parameters& settings, int seed) {
   Run out;
   while (world.time() < settings.number("duration") - 0.5 * kStep) {
     watch.look_ahead(world, out.collisions);
-    basic.step(world, kStep);
+    finished(basic.step(world, kStep));
   }
   return out;
 }

@@ -62,7 +62,7 @@ Motion motion_of(const World& start, double size, double mass, const std::string
   Motion motion;
   const auto steps = static_cast<int>(std::lround(duration / kStep));
   for (int n = 0; n < steps; ++n) {
-    technique->step(world, step);
+    finished(technique->step(world, step));
     motion.emplace_back();
     for (std::size_t k = 0; k < world.bodies().size(); ++k) {
       if (!world.bodies()[k].movable()) continue;
@@ -93,7 +93,7 @@ double stopping(const World& slide, const std::string& name, int finer) {
   World world = slide;
   const double step = kStep / finer;
   const auto steps = static_cast<int>(std::lround(seconds / step));
-  for (int k = 0; k < steps; ++k) technique->step(world, step);
+  for (int k = 0; k < steps; ++k) finished(technique->step(world, step));
   return world.states()[1].position_w.x();
 }
 

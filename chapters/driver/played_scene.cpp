@@ -6,16 +6,13 @@
 #include "tumble/scenes/library.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/finished.hpp"
 #include "driver/settings.hpp"
-
-#include <stdexcept>
 
 namespace tumble::chapters {
 
 StepReport PlayedScene::step() {
-  const StepReport report = Simulation::step(kStep);
-  if (report.status >= StepStatus::unsolved)
-    throw std::runtime_error("a step of " + std::string(technique().name()) + " failed");
+  const StepReport report = finished(Simulation::step(kStep));
   settle();
   return report;
 }

@@ -20,7 +20,7 @@ double passage_within_step(const HungBox& start) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high || high - low < 1e-16) return high;
     HungBox trial = start;
-    trial.glued.step(trial.world, middle);
+    finished(trial.glued.step(trial.world, middle));
     (trial.angle() * start.angle() > 0.0 ? low : high) = middle;
   }
 }
@@ -69,7 +69,7 @@ MeasuredSwing measure_swing(double width, double height, double amplitude, doubl
   for (double& passage : passages) {
     for (;;) {
       const HungBox start = box;
-      box.glued.step(box.world, kStep);
+      finished(box.glued.step(box.world, kStep));
       if (box.angle() * start.angle() > 0.0) continue;
       passage = start.world.time() + passage_within_step(start);
       break;

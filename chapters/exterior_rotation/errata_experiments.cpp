@@ -21,7 +21,7 @@ World turning_column(double speed) {
 // A step of the library, with the force and the torque of its start.
 World stepped(PoseUpdate pose, double speed, double dt) {
   World world = turning_column(speed);
-  Glued(glued_options(GluedScheme::forward_euler, pose)).step(world, dt);
+  finished(Glued(glued_options(GluedScheme::forward_euler, pose)).step(world, dt));
   return world;
 }
 

@@ -79,7 +79,7 @@ std::vector<ContactSet> GeometricContacts::look(const World& world) const {
   return seen;
 }
 
-void GeometricContacts::step(World& world, double dt) {
+void GeometricContacts::advance(World& world, double dt) {
   require::positive(dt, "dt");
   if (joints_.empty()) find(world);
   // Joints that touch, and those that touch again.

@@ -60,7 +60,7 @@ class GeometricContacts {
 
   // One step.
   // dt: [s] above 0
-  void step(World& world, double dt);
+  void advance(World& world, double dt);
 
   // Looks at all joints.
   [[nodiscard]] std::vector<ContactSet> look(const World& world) const;

@@ -33,8 +33,7 @@ GluedRun run_glued(World world, const GluedOptions& options, double dt, int step
   Glued technique(options);
   GluedRun run;
   for (int k = 0; k < steps; ++k) {
-    if (technique.step(world, dt).status == StepStatus::not_finite)
-      throw std::runtime_error("a step of glued failed");
+    finished(technique.step(world, dt));
     const JointGap gap = gap_of(technique.joints(), world.states());
     run.gap = std::max({run.gap, gap.opening, gap.overlap});
     run.apart = std::max(run.apart, gap.apart);

@@ -57,7 +57,7 @@ HeldRun run_held(const World& start, const GluedOptions& options, double dt, int
   run.frames.push_back(frame_of(world, run.joints, 0.0));
   for (int k = 1; k <= steps; ++k) {
     run.acceleration = std::max(run.acceleration, relative_acceleration(world, run.joints));
-    glued.step(world, dt);
+    finished(glued.step(world, dt));
     if (!all_finite(world)) throw std::runtime_error("a step of glued left no finite state");
     run.frames.push_back(frame_of(world, run.joints, k * dt));
   }
@@ -120,7 +120,7 @@ double gap_of_step(const World& world, const GluedOptions& options, double dt) {
   World moved = world;
   Glued glued(options);
   glued.find(moved);
-  glued.step(moved, dt);
+  finished(glued.step(moved, dt));
   const Joint& joint = glued.joints().back();
   const auto centre = [&](int body) { return moved.states()[idx(body)].position_w; };
   // The larger box's centre does not turn: its pivot stands for it.

@@ -161,7 +161,7 @@ Result measure_one_step_gap(const Parameters& settings) {
     std::vector<double> gaps;
     for (const ColumnScheme& scheme : schemes) {
       World world = column_world(settings.number("angle"), spin);
-      Glued(glued_options(scheme.scheme, PoseUpdate::separate, 1.0)).step(world, step);
+      finished(Glued(glued_options(scheme.scheme, PoseUpdate::separate, 1.0)).step(world, step));
       gaps.push_back(column_gap(world));
     }
     table.add(step, 0.5 * spin * spin * step * step, gaps);

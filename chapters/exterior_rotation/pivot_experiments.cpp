@@ -60,7 +60,7 @@ Result measure_pivot_forces(const Parameters& settings) {
     std::array<PivotForce, 3> found;
     std::array<double, 3> errors{};
     for (std::size_t s = 0; s < schemes.size(); ++s) {
-      runs[s].glued.step(runs[s].world, 1.0 / rate);
+      runs[s] finished(.glued.step(runs[s].world, 1.0 / rate));
       found[s] = runs[s].pivot();
       errors[s] = std::max(std::abs(found[s].normal - exact.normal),
                            std::abs(found[s].tangential - exact.tangential)) /
@@ -84,7 +84,7 @@ Result measure_pivot_forces(const Parameters& settings) {
 
   // At rest: a step so short that nothing has moved.
   Falling start(GluedScheme::rk4, phi0);
-  start.glued.step(start.world, 1e-9);
+  finished(start.glued.step(start.world, 1e-9));
   const PivotForce rest = start.pivot();
   Result result;
   result.tables = {table, marks};

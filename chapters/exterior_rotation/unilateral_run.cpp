@@ -53,7 +53,7 @@ UnilateralRun run_unilateral(World world, const GluedOptions& options, double en
   technique.find(run.world);
   if (after) after(run.world, technique);
   for (int n = 0; n < steps; ++n) {
-    technique.step(run.world, end / steps);
+    finished(technique.step(run.world, end / steps));
     if (after) after(run.world, technique);
   }
   run.joints.assign(technique.joints().begin(), technique.joints().end());

@@ -76,7 +76,7 @@ std::vector<ContactChange> changes_of(const ContactScheme& scheme, const Questio
   stepper.find(world);
   Looks looks = {stepper.look(world)};
   for (int n = 0; n < question.steps + question.within; ++n) {
-    stepper.step(world, question.dt);
+    stepper.advance(world, question.dt);
     looks.push_back(stepper.look(world));
   }
   return chapters::changes_of(looks);

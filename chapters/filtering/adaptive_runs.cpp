@@ -101,7 +101,7 @@ double share_through(double speed, int throws, const AdaptiveStepOptions& option
     AdaptiveStep technique(make_technique("damped", {}, 1), options);
     // Until it would be half a metre behind it, and some frames.
     const double end = (distance + 0.5) / speed + 4.0 * kStep;
-    while (world.time() < end) technique.step(world, kStep);
+    while (world.time() < end) finished(technique.step(world, kStep));
     const auto index = static_cast<std::size_t>(world.index_of(id));
     through += world.states()[index].position_w.x() > 0.0 ? 1 : 0;
   }

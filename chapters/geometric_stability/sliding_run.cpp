@@ -10,6 +10,7 @@
 #include "tumble/impulse_damped/tolerances.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/finished.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -102,9 +103,7 @@ SlideRun slide(const SlideSetup& setup) {
   bool marked = false;
   for (int k = 0; k < setup.steps; ++k) {
     const double before = speed_of_upper(world);
-    const StepReport report = technique->step(world, kStep);
-    if (report.status == StepStatus::unsolved || report.status == StepStatus::not_finite)
-      throw std::runtime_error("a step of " + std::string(technique->name()) + " failed");
+    const StepReport report = finished(technique->step(world, kStep));
     SlideStep step;
     step.speed = speed_of_upper(world);
     step.overhang = overhang(world);
@@ -132,7 +131,7 @@ double held_overhang(double seconds) {
     state.position_w.x() = edge + trial;
     world.set_state(world.ids()[kUpper], state);
     Damped damped;
-    while (world.time() < seconds - 0.5 * kStep) damped.step(world, kStep);
+    while (world.time() < seconds - 0.5 * kStep) finished(damped.step(world, kStep));
     constexpr double kLevel = 0.999;  // [-] cosine of 2.6 degrees
     (level(world) > kLevel ? held : falls) = trial;
   }

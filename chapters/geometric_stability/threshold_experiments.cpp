@@ -205,8 +205,8 @@ Result measure_weakly_stable(const Parameters& settings) {
   while (damped.time() < settings.number("duration") + 0.5 * kStep) {
     const double t = damped.time();
     falls.add(t, fallen(damped), fallen(analytic), 0.5 * 9.81 * t * t);
-    first->step(damped, kStep);
-    second->step(analytic, kStep);
+    finished(first->step(damped, kStep));
+    finished(second->step(analytic, kStep));
   }
   const std::vector<double>& last = falls.rows.back();
   const RestingPile box = pile_of(wedged(friction));

@@ -60,7 +60,7 @@ std::vector<double> lowest_corner(const Setting& setting, const Rule& rule, doub
   Damped technique(options_of(setting, rule, 1));
   std::vector<double> heights;
   while (world.time() < duration - 0.5 * kStep) {
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     const Box die = box_of(world.bodies()[1], world.states()[1]);
     heights.push_back(die.center_w.y() - reach(die, Vec3::UnitY()));
   }

@@ -103,8 +103,7 @@ Shaking shake(const Stack& stack, const Method& method, int seed) {
   Shaking out;
   const int steps = static_cast<int>(stack.duration * method.rate + 0.5);
   for (int step = 1; step <= steps; ++step) {
-    if (technique.step(world, 1.0 / method.rate).status != StepStatus::done)
-      throw std::runtime_error("a step of the stack failed");
+    finished(technique.step(world, 1.0 / method.rate));
     watch.look(world);
     if (step < method.rate || 2 * step % method.rate != 0) continue;
     const Chatter chatter = watch.measure(world.gravity_w.norm());

@@ -33,7 +33,7 @@ Heap heap_of(const Vec3& size, int seed, double duration) {
   Damped technique(options);
   Heap heap;
   while (world.time() < duration - 0.5 * kStep) {
-    const StepReport report = technique.step(world, kStep);
+    const StepReport report = finished(technique.step(world, kStep));
     heap.damping += report.energy.damping;
     heap.pushes += report.energy.repair;
     heap.gains += report.energy.damping > 0.0 ? 1.0 : 0.0;
@@ -66,13 +66,8 @@ double push_too_far(int states, int seed) {
 
 }  // namespace
 
-Quantity most_over_seeds(const std::string& name, std::span<const double> values) {
-  return over_seeds(name, "-", static_cast<int>(values.size()), [&](int left_out) {
-    double most = 0.0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (static_cast<int>(k) != left_out) most = std::max(most, values[k]);
-    return most;
-  });
+Quantity largest_found(const std::string& name, std::span<const double> values) {
+  return {name, "-", *std::max_element(values.begin(), values.end())};
 }
 
 void add_push_energy(int states, int seeds, Result& result) {

@@ -6,8 +6,8 @@
 
 namespace tumble::chapters {
 
-// The largest of some values, with its interval over seeds.
-Quantity most_over_seeds(const std::string& name, std::span<const double> values);
+// The largest value that any seed has found. It has no interval: more seeds would only raise it.
+Quantity largest_found(const std::string& name, std::span<const double> values);
 
 // The energy that the pushes of a step add to a cube in the ground, less what the end of the overlap takes.
 // states: [-] depths up to 3 mm that each seed tries

@@ -19,7 +19,7 @@ Rested rest(const DampedErrata& repaired, bool stable_boxes) {
   DampedAsPrinted technique(undamped(repaired, stable_boxes));
   Rested rested;
   for (int step = 0; step < 30; ++step) {
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     rested.hop = std::max(rested.hop, world.states()[1].position_w.y() - 0.5);
   }
   rested.speed = velocity_of(world, 1).norm();
@@ -31,10 +31,10 @@ Rested rest(const DampedErrata& repaired, bool stable_boxes) {
 double bounce_on_stable(const DampedErrata& repaired) {
   World world = cube_on_ground();
   DampedAsPrinted technique(undamped(repaired));
-  technique.step(world, kStep);
+  finished(technique.step(world, kStep));
   const int upper = add_box(world, Vec3::Ones(), Vec3(0.0, 1.5, 0.0), Vec3(0.0, -2.0, 0.0), 0.9);
   world.gravity_w = Vec3::Zero();
-  technique.step(world, kStep);
+  finished(technique.step(world, kStep));
   return velocity_of(world, upper).y();
 }
 
@@ -44,7 +44,7 @@ double tilt_after_hit(const DampedErrata& repaired) {
   World world = ground_world();
   const int column = add_box(world, Vec3(0.2, 1.0, 0.2), Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique(undamped(repaired));
-  technique.step(world, kStep);
+  finished(technique.step(world, kStep));
   add_box(world, Vec3::Constant(0.2), Vec3(-0.21, 0.9, 0.0), Vec3(2.0, 0.0, 0.0));
   world = stepped(world, std::move(technique), 60);
   const Vec3 up_w = world.states()[idx(column)].orientation_wb * Vec3::UnitY();

@@ -25,8 +25,8 @@ double difference_of_orders(const DampedErrata& repaired) {
   DampedAsPrinted prose(options);
   double most = 0.0;
   for (int step = 0; step < kSecond; ++step) {
-    listing.step(listed, kStep);
-    prose.step(in_prose, kStep);
+    finished(listing.step(listed, kStep));
+    finished(prose.step(in_prose, kStep));
     most = std::max(
         most, std::abs(listed.states()[1].position_w.y() - in_prose.states()[1].position_w.y()));
   }
@@ -60,7 +60,7 @@ double steps_unstable(const DampedErrata& repaired) {
   DampedAsPrinted technique(undamped(repaired));
   int unstable = 0;
   for (int step = 0; step < 10; ++step) {
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     if (!technique.geometrically_stable(world.ids()[1])) ++unstable;
   }
   return unstable;
@@ -116,10 +116,10 @@ double resting_speed(int steps, int loop_base, bool elastic) {
 double unrest(Technique&& technique, double seconds) {
   World world = stack_of(5, 0.9);
   const int steps = static_cast<int>(std::ceil(seconds / kStep));
-  for (int step = 0; step < steps; ++step) technique.step(world, kStep);
+  for (int step = 0; step < steps; ++step) finished(technique.step(world, kStep));
   double sum = 0.0;
   for (int step = 0; step < steps; ++step) {
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     for (int k = 1; k <= 5; ++k) sum += velocity_of(world, k).squaredNorm();
   }
   return std::sqrt(sum / (5.0 * steps));
@@ -192,7 +192,7 @@ double turned(const DampedErrata& repaired) {
   double angle = 0.0;
   for (int step = 0; step < 30; ++step) {
     const Quat before = world.states()[0].orientation_wb;
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     angle += angle_between(world.states()[0].orientation_wb, before);
   }
   return angle;

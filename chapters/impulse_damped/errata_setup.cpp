@@ -62,7 +62,7 @@ Vec3 velocity_of(const World& world, int index) {
 }
 
 World stepped(World world, Technique&& technique, int steps, double dt) {
-  for (int step = 0; step < steps; ++step) technique.step(world, dt);
+  for (int step = 0; step < steps; ++step) finished(technique.step(world, dt));
   return world;
 }
 

@@ -43,8 +43,7 @@ class Split {
       advance_pose(body, poses_[k], kStep, RotationRule::splitting);
     }
     out.free = total_depth(world, poses_, areas_, contacts_);
-    if (technique_.step(world, kStep).status != StepStatus::done)
-      throw std::runtime_error("a step failed");
+    finished(technique_.step(world, kStep));
     out.found = total_depth(world, world.states(), areas_, contacts_);
     fix_.run(world, contacts_, DampedNumbers{}, kStep);
     out.left = total_depth(world, world.states(), areas_, contacts_);
@@ -157,7 +156,7 @@ Result measure_overlap_left(const Parameters& settings) {
   double differs = 0.0;
   for (int step = 0; step < 60; ++step) {
     split.step(apart);
-    whole.step(within, kStep);
+    finished(whole.step(within, kStep));
     for (std::size_t k = 0; k < apart.states().size(); ++k)
       differs =
           std::max(differs, (apart.states()[k].position_w - within.states()[k].position_w).norm());

@@ -50,7 +50,7 @@ std::vector<BoxEnd> settle(World world, const DampedOptions& options, double dur
   const int steps = static_cast<int>(std::lround(duration / kStep));
   for (int n = 1; n <= steps; ++n) {
     const std::vector<BodyState> before(world.states().begin(), world.states().end());
-    technique.step(world, kStep);
+    finished(technique.step(world, kStep));
     for (std::size_t k = 0; k < count; ++k) {
       const BodyProperties& body = world.bodies()[k];
       if (!body.movable()) continue;

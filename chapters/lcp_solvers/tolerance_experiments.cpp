@@ -94,7 +94,7 @@ class Rest {
   }
 
   // The load of each cube goes round its middle, 0.2 m from it and once in some ten seconds.
-  void step(double time, double dt) {
+  void advance(double time, double dt) {
     for (std::size_t k = 0; k < loads_.size(); ++k) {
       const double angle = 2.0 * std::numbers::pi * time / (9.0 + static_cast<double>(k));
       const Vec3 place(0.2 * elementary::cos(angle), 0.0, 0.2 * elementary::sin(angle));
@@ -204,7 +204,7 @@ Result measure_negative_forces(const Parameters& settings) {
   double shown = 1.0;  // [s] the next moment of the table: a twentieth of a power of ten apart
   const auto steps = static_cast<std::int64_t>(std::floor(duration / dt + 0.5));
   for (std::int64_t k = 0; k < steps; ++k) {
-    for (Rest* run : runs) run->step(static_cast<double>(k) * dt, dt);
+    for (Rest* run : runs) run->advance(static_cast<double>(k) * dt, dt);
     const double time = static_cast<double>(k + 1) * dt;
     if (time < shown && k + 1 < steps) continue;
     std::array<double, 5> depths{};

@@ -21,7 +21,7 @@ Vec3 in_ball(Random& chance) {
 
 void stir(World& cage) {
   TimewarpSwept technique;
-  for (int k = 0; k < kStirred; ++k) technique.step(cage, kStep);
+  for (int k = 0; k < kStirred; ++k) finished(technique.step(cage, kStep));
 }
 
 World stirred_cage(int count, double room, std::uint64_t seed) {

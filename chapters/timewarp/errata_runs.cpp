@@ -45,7 +45,7 @@ FrameRun run_frame(Technique& technique, const World& world, double dt) {
   run.world = world;
   WayWatcher watcher(run.world, run);
   technique.observe(&watcher);
-  technique.step(run.world, dt);
+  finished(technique.step(run.world, dt));
   technique.observe(nullptr);
   for (std::size_t body = 0; body < run.ways.size(); ++body) {
     watcher.note(body, dt, false);

@@ -56,7 +56,7 @@ std::unique_ptr<Technique> search_over_all(double resolution) {
 EventLog events_of(Technique& technique, World& world, double dt, int frames) {
   EventRecorder recorder;
   technique.observe(&recorder);
-  for (int frame = 0; frame < frames; ++frame) technique.step(world, dt);
+  for (int frame = 0; frame < frames; ++frame) finished(technique.step(world, dt));
   technique.observe(nullptr);
   return recorder.events();
 }

@@ -106,7 +106,7 @@ Result measure_queue_at_work(const Parameters& settings) {
   const auto timewarp = make_technique("timewarp_" + std::string(settings.word("form")));
   dynamic_cast<SynchronisedTimewarp&>(*timewarp).watch(&keeper);
   World world = start;
-  const StepReport report = timewarp->step(world, frame);
+  const StepReport report = finished(timewarp->step(world, frame));
   const std::vector<Moment>& moments = keeper.moments;
 
   Table queue{"",

@@ -222,17 +222,17 @@ TEST_CASE(
   for (const char* name : {"semi-implicit", "impulse", "midpoint", "rk4"}) {
     World world = cube_above(0.0);
     GeometricContacts contacts(scheme_called(name), 1e-6);
-    for (int n = 0; n < 10; ++n) contacts.step(world, dt);
+    for (int n = 0; n < 10; ++n) contacts.advance(world, dt);
     CHECK((world.states()[1].position_w - Vec3(0.0, 1.0, 0.0)).norm() < 1e-12);
     CHECK(contacts.joints()[0].hold == JointHold::area);
     // Lifted for a while.
     world.gravity_w = Vec3(0.0, 9.81, 0.0);
-    for (int n = 0; n < 6; ++n) contacts.step(world, dt);
+    for (int n = 0; n < 6; ++n) contacts.advance(world, dt);
     CHECK(contacts.joints()[0].hold == JointHold::nothing);
     CHECK(world.states()[1].position_w.y() > 1.03);  // [m] g t² / 2 is 0.049
     // It falls back: at the end it is where a step has taken it, and at rest.
     world.gravity_w = Vec3(0.0, -9.81, 0.0);
-    for (int n = 0; n < 60; ++n) contacts.step(world, dt);
+    for (int n = 0; n < 60; ++n) contacts.advance(world, dt);
     CHECK(contacts.joints()[0].hold == JointHold::area);
     CHECK(world.states()[1].linear_momentum_w.norm() < 1e-12);
     CHECK(contacts.look(world)[0].touching == 15);
@@ -248,7 +248,7 @@ TEST_CASE("With glue what touches holds against a pull, and without it does not"
       World world = cube_above(0.0);
       world.gravity_w = Vec3(0.0, 9.81, 0.0);
       GeometricContacts contacts(scheme_called(name), 1e-6, glue);
-      for (int n = 0; n < 30; ++n) contacts.step(world, 1.0 / 60.0);
+      for (int n = 0; n < 30; ++n) contacts.advance(world, 1.0 / 60.0);
       CHECK((world.states()[1].position_w.y() < 1.0 + 1e-9) == glue);
     }
   }
@@ -261,5 +261,5 @@ TEST_CASE("Tolerances and steps of geometric contacts out of range are refused",
   World world = cube_above(0.0);
   GeometricContacts contacts(contact_schemes()[0], 1e-6);
   for (const double dt : {0.0, -1.0, std::nan("")})
-    CHECK_THROWS_AS(contacts.step(world, dt), std::invalid_argument);
+    CHECK_THROWS_AS(contacts.advance(world, dt), std::invalid_argument);
 }
