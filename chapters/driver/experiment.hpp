@@ -12,6 +12,7 @@
 #include "tumble/scenes/library.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/finished.hpp"
 #include "driver/intervals.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"

@@ -2,6 +2,8 @@
 /// \brief Runs of groups that stick, and the groups of the figures on the cure.
 #include "exterior_rotation/glued_runs.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

@@ -2,6 +2,7 @@
 /// \brief A group of bodies that stick, step by step.
 #include "exterior_rotation/held_run.hpp"
 
+#include "driver/finished.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 
 namespace tumble::chapters {

@@ -2,6 +2,7 @@
 /// \brief A column without glue that falls, and the moments at which its joints open.
 #include "exterior_rotation/unilateral_run.hpp"
 
+#include "driver/finished.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 

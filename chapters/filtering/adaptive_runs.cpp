@@ -6,6 +6,8 @@
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/chatter.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "tumble/geometric_stability/towers.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 
+#include "driver/finished.hpp"
 #include "geometric_stability/pile_builder.hpp"
 
 namespace tumble::chapters {

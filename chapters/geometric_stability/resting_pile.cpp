@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 
+#include "driver/finished.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 

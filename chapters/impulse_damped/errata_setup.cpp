@@ -4,6 +4,8 @@
 
 #include "tumble/contact/gather.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 
 void add_paths(Result& result, const std::string& suffix, const std::vector<Column>& columns,

@@ -6,6 +6,8 @@
 #include "tumble/record/chatter.hpp"
 #include "tumble/record/overlap.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

@@ -2,6 +2,8 @@
 /// \brief Cubes in a cage under a form of the timewarp, and its work (thesis 2.4.3).
 #include "timewarp/cage_runs.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

@@ -5,6 +5,8 @@
 
 #include "tumble/timewarp/timewarp_swept.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

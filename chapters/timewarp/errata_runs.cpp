@@ -2,6 +2,8 @@
 /// \brief One frame of cubes on a line, watched (thesis A.1).
 #include "timewarp/errata_runs.hpp"
 
+#include "driver/finished.hpp"
+
 namespace tumble::chapters {
 namespace {
 

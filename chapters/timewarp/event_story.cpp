@@ -6,6 +6,8 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/trajectory.hpp"
 
+#include "driver/finished.hpp"
+
 #include <tuple>
 
 namespace tumble::chapters {
