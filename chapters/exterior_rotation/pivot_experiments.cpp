@@ -60,7 +60,7 @@ Result measure_pivot_forces(const Parameters& settings) {
     std::array<PivotForce, 3> found;
     std::array<double, 3> errors{};
     for (std::size_t s = 0; s < schemes.size(); ++s) {
-      runs[s] finished(.glued.step(runs[s].world, 1.0 / rate));
+      finished(runs[s].glued.step(runs[s].world, 1.0 / rate));
       found[s] = runs[s].pivot();
       errors[s] = std::max(std::abs(found[s].normal - exact.normal),
                            std::abs(found[s].tangential - exact.tangential)) /

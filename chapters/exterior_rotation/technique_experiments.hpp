@@ -44,6 +44,7 @@ struct TechniqueGaps {
   // [rad] at the end, less the closed form; figure 6.3: that angle of the two with the larger error
   // against GSL's double pendulum
   double angle_error = 0.0;
+  int capped = 0;  // steps that met the cap on events: the page says so of `basic`
 
   // The gap.
   // Returns [m] opening or overlap, whichever is larger

@@ -124,13 +124,13 @@ Result measure_damping_energy(const Parameters& settings) {
     table.add(s + 1, cubes.value, bricks.value);
     most = larger(larger(most, of_cube), of_brick);
   }
-  result.add(most_over_seeds(
+  result.add(largest_found(
       "largest factor by which a stage of the damping raises the kinetic energy of a body", most));
 
   // Other constants: the stage that decides is the one of slow components.
   const Stage& slow = kStages[3];
   for (const DampedScales& scales : other_scales)
-    result.add(most_over_seeds(
+    result.add(largest_found(
         std::string("the same, slow components, ") + scales.words,
         largest(brick, slow, damped_options("all", scales, 1).numbers, states, seeds)));
   result.quantities.insert(result.quantities.end(), by_stage.begin(), by_stage.end());
@@ -157,8 +157,7 @@ Result measure_damping_energy(const Parameters& settings) {
         largest_found("largest factor, slow components, brick of 4 x 1 x 1", found);
     shapes.add(length, most_found.value, shrunk, c);
     if (length == 2)
-      result.quantities.push_back(
-          {"the same in closed form, slow components, brick of 2 x 1 x 1", "-", shrunk});
+      result.add("the same in closed form, slow components, brick of 2 x 1 x 1", "-", shrunk);
     if (length != 4) continue;
     result.add(most_found);
     result.add("the same in closed form, one component shrunk", "-", shrunk);

@@ -74,7 +74,7 @@ Quantity largest_found(const std::string& name, std::span<const double> values) 
 void add_push_energy(int states, int seeds, Result& result) {
   std::vector<double> found;
   for (int seed = 1; seed <= seeds; ++seed) found.push_back(push_too_far(states, seed));
-  result.add(most_over_seeds(
+  result.add(largest_found(
       "potential energy that pushes add beyond the end of the overlap, over m g L", found));
 }
 
