@@ -43,7 +43,6 @@ void advance(const Scene& scene, Technique& technique, double step, double until
   while (world.time() < until - 0.5 * step) {
     const double before = world.time();
     const StepReport report = finished(technique.step(world, step));
-    totals.status = std::max(totals.status, report.status);
     totals.energy.restitution += report.energy.restitution;
     totals.energy.friction += report.energy.friction;
     totals.energy.damping += report.energy.damping;
@@ -123,7 +122,6 @@ Result measure_dice_strip(const Parameters& settings) {
     pictures.push_back(picture_boxes(world));
     for (PictureBox& drawn : pictures.back()) drawn.colour = 0xd55e00;
   }
-  if (totals.status != StepStatus::done) throw std::runtime_error("the die has begun to rest");
   const double error = meter.measure(world, totals).energy_error;
 
   // One camera for all frames.

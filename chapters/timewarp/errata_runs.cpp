@@ -2,7 +2,7 @@
 /// \brief One frame of cubes on a line, watched (thesis A.1).
 #include "timewarp/errata_runs.hpp"
 
-#include "driver/finished.hpp"
+#include <stdexcept>
 
 namespace tumble::chapters {
 namespace {
@@ -47,7 +47,9 @@ FrameRun run_frame(Technique& technique, const World& world, double dt) {
   run.world = world;
   WayWatcher watcher(run.world, run);
   technique.observe(&watcher);
-  finished(technique.step(run.world, dt));
+  // Some listings do not end as printed. The cap that ends them then is their fault, and passes() is what it costs.
+  if (technique.step(run.world, dt).status > StepStatus::event_cap)
+    throw std::runtime_error("a step as printed failed");
   technique.observe(nullptr);
   for (std::size_t body = 0; body < run.ways.size(); ++body) {
     watcher.note(body, dt, false);

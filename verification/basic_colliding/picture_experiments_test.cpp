@@ -79,7 +79,7 @@ TEST_CASE("A strip that goes on until the die begins to rest, or ends before it 
   const Figure figure = registered_figure("dice_strip");
   Parameters settings = figure.parameters;
   settings.set("interval", "0.5");
-  CHECK_THROWS_WITH(figure.experiment(settings), Catch::Matchers::Contains("begun to rest"));
+  CHECK_THROWS_WITH(figure.experiment(settings), Catch::Matchers::Contains("ended as event_cap"));
   settings.set("interval", "0.001");
   CHECK_THROWS_WITH(figure.experiment(settings), Catch::Matchers::Contains("has not met"));
 }

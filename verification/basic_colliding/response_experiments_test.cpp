@@ -57,7 +57,7 @@ TEST_CASE("Bouncing is refused where it cannot be compared", "[unit][basic_colli
   CHECK_THROWS_WITH(FigureUnderTest("claim_2_1b_rest", {"duration=0.5"}),
                     Catch::Matchers::Contains("the run ends before the cube rests"));
   CHECK_THROWS_WITH(FigureUnderTest("claim_2_1a_impacts", {"restitution=0.5", "impacts=100"}),
-                    Catch::Matchers::Contains("a step met its cap"));
+                    Catch::Matchers::Contains("ended as event_cap"));
 }
 
 TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][basic_colliding]") {

@@ -33,7 +33,7 @@ bool VelocityStep::sweep(const Task& task, int island, bool bounce, VelocityStep
   pushes_.clear();
   for (const Candidate& candidate : candidates()) pushes_.push_back(candidate.push_w);
   const FrictionSweepReport done =
-      sweeps_.solve(free_, task.contacts, points_, tolerance::step_residual * speed_, pushes_);
+      sweeps_.solve(free_, task.contacts, points_, tolerance::sweeps_settled * speed_, pushes_);
   result.pivots += done.sweeps;
   if (!std::isfinite(done.error)) return false;
   if (bounce && done.error > tolerance::sweep_bounce * speed_) return false;
