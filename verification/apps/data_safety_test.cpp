@@ -46,6 +46,15 @@ TEST_CASE("Of two runs into one folder the second is refused", "[unit][command]"
   CHECK(run_tumble("run stack --duration 0.1 --quiet --out " + folder.text()).code == 0);
 }
 
+TEST_CASE("A folder with tables of another program is refused", "[unit][command]") {
+  const Folder folder("foreign");
+  fs::create_directories(folder.path);
+  std::ofstream(folder.path / "trajectory.csv") << "of a balloon\n";
+  const Outcome outcome = run_tumble("run box_drop --duration 0.1 --out " + folder.text());
+  CHECK(outcome.code == 2);
+  CHECK(content(folder.path / "trajectory.csv") == "of a balloon\n");
+}
+
 TEST_CASE("A signal ends the command within a second, wherever it waits", "[unit][command]") {
   const Folder folder("waiting");
   fs::create_directories(folder.path);
@@ -87,4 +96,16 @@ TEST_CASE("Files without an end are refused", "[unit][command]") {
   refused(std::string(100000, '1'), "a line of 64 KiB and more");
   refused("\x1b[31m,box1,0,0,0,1,0,0,0,0,0,0,0,0,0", "expected a finite number");
   refused("9,\x1b]0;title\x07,0,0,0,1,0,0,0,0,0,0,0,0,0", "has no such box");
+}
+
+TEST_CASE("Pictures are drawn beside links that lie in a run's folder, not through them",
+          "[unit][command]") {
+  if (shell("command -v gnuplot").code != 0) return;
+  const Folder folder("linked");
+  REQUIRE(run_tumble("run box_drop --duration 0.1 --quiet --out " + folder.text()).code == 0);
+  std::ofstream(folder.path / "letter.txt") << "dear\n";
+  for (const char* link : {"picture.gp", "picture.svg", "picture.svg.part"})
+    fs::create_symlink("letter.txt", folder.path / link);
+  CHECK(run_tumble("render " + folder.text() + " --as svg").code == 0);
+  CHECK(content(folder.path / "letter.txt") == "dear\n");
 }

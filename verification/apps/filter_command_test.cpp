@@ -75,6 +75,20 @@ TEST_CASE("The filter that a summary names gives the same filtered trajectory ag
   }
 }
 
+TEST_CASE("A box filter over one frame writes the trajectory itself",
+          "[unit][command][filtering]") {
+  const Folder folder("filter_nothing");
+  for (const std::string options :
+       {"--duration 0.505", "--duration 0", "--duration 0.5 --every 7", "--duration 0.02"}) {
+    INFO(options);
+    REQUIRE(
+        run_tumble("run dice --quiet --filter box:1 " + options + " --out " + folder.text()).code ==
+        0);
+    CHECK(content(folder.path / "trajectory_filtered.csv") ==
+          content(folder.path / "trajectory.csv"));
+  }
+}
+
 TEST_CASE("The filter takes the frames that are recorded, not those between them",
           "[exact][command][filtering]") {
   const Folder folder("filter_every");

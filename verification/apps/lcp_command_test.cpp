@@ -114,6 +114,15 @@ TEST_CASE("Rows may be equalities, whose force has any sign", "[unit][command]")
   CHECK(list_of(files.solve("--equalities 1-3").text, "a") == std::vector<double>{0, 0, 0});
 }
 
+TEST_CASE("A problem of no rows is solved", "[unit][command]") {
+  const Files files("lcp_empty");
+  files.write(MatX(0, 0), MatX(0, 1));
+  const Outcome outcome = files.solve();
+  INFO(outcome.text);
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.text, Contains("\"f\": []") && Contains("\"status\": \"solved\""));
+}
+
 TEST_CASE("A problem that cannot be read ends with code 2 and one line that says why",
           "[unit][command]") {
   const Files files("lcp_bad");

@@ -35,6 +35,12 @@ TEST_CASE("A list of errata holds what it names and nothing else", "[unit][base]
   CHECK(Set::all().without("C10").has("C1"));
 }
 
+TEST_CASE("Ids of errata are numbered in the order of their groups", "[unit][base]") {
+  CHECK(Set::known().size() == 18);
+  CHECK(Set::known().front() == "C1");
+  CHECK(Set::known().back() == "D2");
+}
+
 TEST_CASE("An unknown erratum is refused with the known ones", "[unit][base]") {
   for (const char* list : {"C13", "C0", "c1", "C1,,C2", "C1,", ",", "C1 C2", "none,C1", "all,C1"}) {
     INFO(list);

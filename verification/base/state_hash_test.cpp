@@ -29,6 +29,12 @@ std::uint64_t hash_of(Number value) {
 
 }  // namespace
 
+TEST_CASE("The byte loop that judges the hash passes the published vectors", "[exact][hash]") {
+  CHECK(fnv1a({}) == 0xcbf29ce484222325U);
+  CHECK(fnv1a({'a'}) == 0xaf63dc4c8601ec8cU);
+  CHECK(fnv1a({'f', 'o', 'o', 'b', 'a', 'r'}) == 0x85944171f73967e8U);
+}
+
 TEST_CASE("The hash is FNV-1a over the bytes, the lowest first", "[exact][hash]") {
   CHECK(StateHash().value() == fnv1a({}));
   const std::uint64_t word = 0x0123456789abcdefU;

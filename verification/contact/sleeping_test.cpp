@@ -153,6 +153,15 @@ TEST_CASE("A body at the top of its flight does not fall asleep", "[unit][sleepi
   CHECK(rig.steps(20).fell_asleep == 0);  // they turn round after 6 steps
 }
 
+TEST_CASE("A body that is added in mid-air falls", "[unit][sleeping]") {
+  Heaps heaps;
+  const BodyId late = heaps.box(2.0, 3.0);
+  heaps.steps(20);
+  CHECK_FALSE(heaps.asleep(late));
+  CHECK(heaps.world.states()[idx(heaps.world.index_of(late))].position_w.y() < 2.6);
+  CHECK(heaps.sleepers() == 4);
+}
+
 TEST_CASE("An island sleeps as a whole or not at all", "[unit][sleeping]") {
   Rig rig;
   rig.world.add_ground();
@@ -366,6 +375,26 @@ TEST_CASE("A technique that never looks again wakes a touched heap one step late
   heaps.islands.build(heaps.world.bodies(), heaps.contacts);
   CHECK(heaps.rule.update(heaps.world, heaps.contacts, heaps.islands, kDt).woke == 3);
   CHECK(heaps.stack_awake());
+}
+
+TEST_CASE("Which pairs need a test", "[unit][sleeping]") {
+  Heaps heaps;
+  const BodyId late = heaps.fixed(9.0, 0.5);
+  const BodyId faller = heaps.box(9.0, 9.0);
+  SleepingRule fresh;
+  CHECK(fresh.needs_test(0, 1));  // nothing known yet
+  heaps.rule.wake_disturbed(heaps.world);
+  const auto needed = [&](BodyId a, BodyId b) {
+    return heaps.rule.needs_test(heaps.world.index_of(a), heaps.world.index_of(b));
+  };
+  CHECK_FALSE(needed(heaps.low, heaps.middle));  // two sleepers of one group
+  CHECK_FALSE(needed(heaps.low, heaps.other));   // of two groups
+  CHECK_FALSE(needed(heaps.ground, heaps.low));  // a sleeper and its support
+  CHECK_FALSE(needed(heaps.ground, late));       // two immovable ones
+  CHECK(needed(late, heaps.low));                // a sleeper and what is new here
+  CHECK(needed(faller, heaps.low));
+  CHECK(needed(heaps.low, faller));
+  CHECK(needed(heaps.ground, faller));
 }
 
 TEST_CASE("A copy of world and rule goes on in the same bits", "[determinism][sleeping]") {

@@ -79,6 +79,31 @@ TEST_CASE("Throws into a scene that was saved take names that are free there", "
   }
 }
 
+TEST_CASE("A box that is not there cannot be taken away", "[unit][live]") {
+  Session session("scene box_drop");
+  CHECK_THROWS_WITH(session.take_away(BodyId{99}), Contains("there is no such box to take away"));
+  CHECK_THROWS_WITH(session.take_away(id_of(session, "ground")),
+                    Contains("there is no box called ground to take away"));
+}
+
+TEST_CASE("A session is repeated by a run of the scene that it leaves", "[determinism][live]") {
+  Session session(
+      "scene pyramid\nset scene.rows=3\ntechnique damped\nset technique.collision_passes=3");
+  session.throw_in(cube(Vec3(0.0, 1.0, 5.0), Vec3(0.0, 0.0, -20.0)));
+  step(session, 10);
+  session.throw_in(cube(Vec3(0.5, 1.0, 6.0), Vec3(0.0, 1.0, -25.0)));
+  step(session, 20);
+  session.take_away(id_of(session, "thrown1"));
+  step(session, 15);
+  const Setup setup = make_setup("technique damped\nset technique.collision_passes=3\ntoml\n" +
+                                 to_toml(session.run().scene()));
+  RunSettings settings;
+  settings.dt = kDt;
+  settings.duration = 45.0 * kDt;
+  CHECK(run_scene(setup.scene, *setup.technique, settings, {}).state_hash ==
+        session.run().world().hash().text());
+}
+
 TEST_CASE("A world that is not finite can be looked at", "[unit][live]") {
   Session session("scene dice\nset scene.count=2");
   StepStatus status = StepStatus::done;

@@ -50,6 +50,11 @@ TEST_CASE("A request makes the scene and the technique that its words name", "[u
         to_toml(built("dice", {}, 18446744073709551615U)));
 }
 
+TEST_CASE("A request without a seed is made with seed 1, as tumble run does", "[unit][live]") {
+  CHECK(to_toml(make_setup("scene dice").scene) == to_toml(built("dice", {}, 1)));
+  CHECK(to_toml(make_setup("scene dice").scene) != to_toml(built("dice", {}, 2)));
+}
+
 TEST_CASE("Settings of a request reach the technique", "[unit][live]") {
   const Setup exponential =
       make_setup("scene fig6_1\nset technique.pose=exponential\nset technique.sweeps=7");

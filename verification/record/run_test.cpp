@@ -253,3 +253,19 @@ TEST_CASE("A box that appears later comes in before the first step from its time
     CHECK(result.last.kinetic == near(4.5).margin(1e-12));
   }
 }
+
+TEST_CASE("The basic technique books what a late box loses in its collision",
+          "[unit][record][run]") {
+  // A box that appears above a resting one and falls on it.
+  Scene scene;
+  scene.ground = SceneGround{};
+  scene.boxes.push_back(SceneBox{.name = "lower", .position_w = Vec3(0.0, 0.5, 0.0)});
+  scene.boxes.push_back(
+      SceneBox{.name = "late", .position_w = Vec3(0.0, 2.5, 0.0), .appears = 0.1});
+  Basic basic;
+  const RunResult result = run_scene(scene, basic, settings_of(1.0 / 60.0, 0.6), {});
+  CHECK(result.last.booked.total() < -1.0);  // [J]
+  // Flights are exact to rounding, collisions to what bodies fall within the search's 1 µs: 1e-4 J.
+  // Measured: 2e-7 J.
+  CHECK(std::abs(result.worst_metrics.energy_error) < 1e-4);
+}

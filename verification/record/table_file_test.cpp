@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <sys/resource.h>
 
@@ -42,6 +43,14 @@ TEST_CASE("A table has 17 digits, quotes where CSV asks for them, and whole rows
   std::filesystem::remove(path);
 }
 
+TEST_CASE("A number that is none is written alike on every machine", "[unit][record]") {
+  CHECK(full_text(std::nan("")) == "nan");
+  CHECK(full_text(-std::nan("")) == "nan");
+  CHECK(full_text(-std::numeric_limits<double>::infinity()) == "-inf");
+  CHECK(full_text(-0.0) == "-0");
+  CHECK(std::strtod(full_text(5e-324).c_str(), nullptr) == 5e-324);
+}
+
 TEST_CASE("A file that cannot be written ends in an error that names it", "[unit][record]") {
   CHECK_THROWS_WITH(write_file("/nowhere/at/all", "text"),
                     Catch::Matchers::Contains("/nowhere/at/all: No such file"));
@@ -53,6 +62,58 @@ TEST_CASE("A file that cannot be written ends in an error that names it", "[unit
   CHECK_THROWS_AS(TableFile("/dev/full", "a,b"), CannotWrite);
   CHECK_THROWS_WITH(write_file("/dev/full", "text"), Catch::Matchers::Contains("No space left"));
   CHECK(std::filesystem::exists("/dev/full"));  // half a file is removed, but not a device
+}
+
+TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after that",
+          "[unit][record]") {
+  // The system's limit on the size of files stands for the disk; it is put back at the end.
+  struct Limit {
+    rlimit before{};
+    explicit Limit(rlim_t bytes) {
+      std::signal(SIGXFSZ, SIG_IGN);  // an error instead of an end
+      getrlimit(RLIMIT_FSIZE, &before);
+      rlimit now = before;
+      now.rlim_cur = bytes;
+      setrlimit(RLIMIT_FSIZE, &now);
+    }
+    ~Limit() {
+      setrlimit(RLIMIT_FSIZE, &before);
+      std::signal(SIGXFSZ, SIG_DFL);
+    }
+  };
+  const auto path = scratch("full.csv");
+  std::int64_t failed = 0;  // the row at which the error came
+  {
+    TableFile table(path, "number,twice");
+    const Limit limit(100000);
+    for (std::int64_t k = 0; k < 100000 && failed == 0; ++k) {
+      try {
+        table.cell(k).cell(2 * k).end_row();
+      } catch (const CannotWrite&) {
+        failed = k;
+      }
+    }
+    CHECK(failed > 0);
+    table.cell(std::int64_t{-1}).cell(std::int64_t{-2}).end_row();  // would leave a hole
+    CHECK_THROWS_AS(table.flush(), CannotWrite);
+    CHECK_THROWS_WITH(write_file(scratch("full.json"), std::string(200000, 'x')),
+                      Catch::Matchers::Contains("tumble_test_full.json"));
+  }
+  CHECK(!std::filesystem::exists(scratch("full.json")));  // half of it would be no JSON
+  std::istringstream in(content(path));
+  std::string line;
+  std::getline(in, line);
+  CHECK(line == "number,twice");
+  std::int64_t rows = 0;
+  bool right = true;
+  while (std::getline(in, line)) {
+    right = right && !in.eof() && line == std::to_string(rows) + "," + std::to_string(2 * rows);
+    ++rows;
+  }
+  CHECK(right);
+  CHECK(rows > 1000);
+  CHECK(rows < failed);
+  std::filesystem::remove(path);
 }
 
 TEST_CASE("JSON is written with commas, escapes and null for what is no number", "[unit][record]") {
