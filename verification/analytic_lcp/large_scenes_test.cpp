@@ -124,7 +124,8 @@ TEST_CASE("A tower of blocks with one pulled out keeps its height at first",
   }
 }
 
-TEST_CASE("A card house of two storeys stands", "[unit][analytic][time_stepping][analytic_lcp]") {
+TEST_CASE("A card house of two storeys stands",
+          "[reference][analytic][time_stepping][analytic_lcp]") {
   for (const char* technique : {"time_stepping", "analytic"}) {
     INFO(technique);
     Simulation simulation(card_house(2, 0.001), technique);
@@ -136,7 +137,7 @@ TEST_CASE("A card house of two storeys stands", "[unit][analytic][time_stepping]
 }
 
 TEST_CASE("Twelve cards that fall on each other take no minutes",
-          "[unit][analytic][time_stepping][analytic_lcp]") {
+          "[.long][unit][analytic][time_stepping][analytic_lcp]") {
   for (const char* technique : {"time_stepping", "analytic"}) {
     INFO(technique);
     Simulation simulation(card_house(3, 0.07), technique);
