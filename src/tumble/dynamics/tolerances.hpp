@@ -4,6 +4,8 @@
 
 namespace tumble::tolerance {
 
+// --- masses -----------------------------------------------------------------------------
+
 /// [kg] Largest mass of a body, and largest moment of inertia in kg m². Reason: products of six of them stay
 /// within what a double holds. (3.1)
 inline constexpr double largest_mass = 1e30;

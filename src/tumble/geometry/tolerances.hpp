@@ -4,6 +4,8 @@
 
 namespace tumble::tolerance {
 
+// --- contact points ---------------------------------------------------------------------
+
 /// [-] Sine of the angle below which two edges that touch are taken to do so in the middle of the
 /// stretch they share. Reason: the distance between them changes by this part of a size along it,
 /// and rounding hides where it is least. (3.2)

@@ -4,6 +4,8 @@
 
 namespace tumble::tolerance {
 
+// --- pictures ---------------------------------------------------------------------------
+
 /// [-] Sine of the angle between an edge and the line of sight below which the edge is seen end on and
 /// has no line in the picture. Reason: the root of rounding (1e-16), which gives either error the
 /// same size; outlines are wrong by this part of an edge. (pictures only)
