@@ -44,8 +44,7 @@ void advance(const Scene& scene, Technique& technique, double step, double until
     const double before = world.time();
     const StepReport report = technique.step(world, step);
     // At a cap a picture shows what there is; a strip, which measures, refuses it.
-    if (report.status != StepStatus::event_cap) finished(report);
-    totals.status = std::max(totals.status, report.status);
+    if (ended_at_cap(report)) totals.status = StepStatus::event_cap;
     totals.energy.restitution += report.energy.restitution;
     totals.energy.friction += report.energy.friction;
     totals.energy.damping += report.energy.damping;

@@ -93,13 +93,8 @@ Run run(const std::string& target, const Parameters& settings, int seed) {
   Run out;
   while (world.time() < settings.number("duration") - 0.5 * kStep) {
     watch.look_ahead(world, out.collisions);
-    const StepReport report = basic.step(world, kStep);
     out.steps += 1.0;
-    if (report.status == StepStatus::event_cap) {
-      out.capped += 1.0;
-    } else {
-      finished(report);
-    }
+    if (ended_at_cap(basic.step(world, kStep))) out.capped += 1.0;
   }
   return out;
 }

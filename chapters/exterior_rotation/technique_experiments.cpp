@@ -74,12 +74,7 @@ TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& p
   TechniqueGaps found;
   for (int k = 0; k < steps; ++k) {
     // `basic` meets its cap in each scene, and is shown as such.
-    const StepReport report = run.technique().step(run.world(), 1.0 / rate);
-    if (report.status == StepStatus::event_cap) {
-      ++found.capped;
-    } else {
-      finished(report);
-    }
+    if (ended_at_cap(run.technique().step(run.world(), 1.0 / rate))) ++found.capped;
     for (const Joint& joint : joints) {
       const JointGap gap = gap_of(joint, run.world().states());
       found.opening = std::max(found.opening, gap.opening);

@@ -2,27 +2,13 @@
 /// \brief Texts that the TOML library does not survive are refused before it sees them.
 #include "tumble/scenes/scene_file.hpp"
 
+#include "scenes/refusal.hpp"
 #include "support/catch.hpp"
 
 #include <string>
 
-namespace {
-
 using namespace tumble;
-
-const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 2, 0]\n";
-
-// The message with which a text is refused; empty if it is read.
-std::string refusal(const std::string& text) {
-  try {
-    (void)parse_scene(text, "my.toml");
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
-}  // namespace
+using tumble::test::kBox, tumble::test::refusal;
 
 TEST_CASE("A key with very many dots, which the TOML library does not survive, is refused",
           "[unit][scenes]") {

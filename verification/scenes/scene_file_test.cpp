@@ -5,6 +5,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/scenes/library.hpp"
 
+#include "scenes/refusal.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -16,18 +17,7 @@
 namespace {
 
 using namespace tumble;
-
-const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 2, 0]\n";
-
-// The message with which a text is refused; empty if it is read.
-std::string refusal(const std::string& text) {
-  try {
-    (void)parse_scene(text, "my.toml");
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
+using tumble::test::kBox, tumble::test::refusal;
 
 bool same_bits(const Scene& a, const Scene& b) {
   return build_world(a).hash().value() == build_world(b).hash().value();

@@ -26,10 +26,12 @@ TEST_CASE("Each step of a technique in an experiment has to finish, or its statu
       const bool is_step =
           statement.find("step(") != std::string::npos && std::regex_search(statement, step);
       if (is_step) ++steps;
-      if (is_step && !reads_status && statement.find("finished(") == std::string::npos)
-        complaints.push_back(
-            place(file, line_at(code, end)) +
-            "a step of an experiment is not checked: write finished(...) around it");
+      const bool checked = statement.find("finished(") != std::string::npos ||
+                           statement.find("ended_at_cap(") != std::string::npos;
+      if (is_step && !reads_status && !checked)
+        complaints.push_back(place(file, line_at(code, end)) +
+                             "a step of an experiment is not checked: write finished(...) or "
+                             "ended_at_cap(...) around it");
       begin = end + 1;
     }
   }

@@ -124,19 +124,27 @@ PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view) 
     return view.depth(boxes[idx(a)].center_w) > view.depth(boxes[idx(b)].center_w);
   });
 
-  // Next comes the smallest set that covers none of the other boxes left: normally a single box, the farthest
-  // of those. In a larger one each box covers each other, directly or not, or a part of it would be smaller.
+  // Next comes the farthest box that covers none of those left. If there is none: the smallest set that covers no
+  // other one. In that each box covers each other, directly or not, or a part of it would be smaller.
   PaintersOrder order;
   std::vector<bool> painted(boxes.size(), false);
-  for (int left = n; left > 0; left -= static_cast<int>(order.back().size())) {
+  const auto is_free = [&](int box) {
+    return std::all_of(covers[idx(box)].begin(), covers[idx(box)].end(),
+                       [&](int other) { return painted[idx(other)]; });
+  };
+  while (!farthest_first.empty()) {
+    const auto free = std::find_if(farthest_first.begin(), farthest_first.end(), is_free);
     std::vector<int> next;
-    for (const int box : farthest_first) {
-      if (painted[idx(box)]) continue;
-      std::vector<int> needed = needed_for(box, covers, painted);
-      if (next.empty() || needed.size() < next.size()) next = std::move(needed);
-      if (next.size() == 1) break;
+    if (free != farthest_first.end()) {
+      next = {*free};
+    } else {
+      for (const int box : farthest_first) {
+        std::vector<int> needed = needed_for(box, covers, painted);
+        if (next.empty() || needed.size() < next.size()) next = std::move(needed);
+      }
     }
     for (const int box : next) painted[idx(box)] = true;
+    std::erase_if(farthest_first, [&](int box) { return painted[idx(box)]; });
     order.push_back(std::move(next));
   }
   return order;
