@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Opens the live page from disk in a headless Chromium and does to it what people do.
 
-usage: live/check.py BUILD_LIVE --tumble COMMAND --hashes LIVE_HASHES [--pictures DIR] [--full] [--only PART,...]
+usage: live/check.py BUILD_LIVE --tumble COMMAND --hashes LIVE_HASHES [--pictures DIR] [--full] [--only PART,...] [--skip PART,...]
 
 The parts: throw (a click at the pyramid), keyboard (every control), links and files (bad ones get a sentence), webgl
 (its lack, too), replay (a run of the command), gltf (such a run in a glTF file, which three.js reads in node),
@@ -56,6 +56,7 @@ def main():
     ask.add_argument("--pictures", type=pathlib.Path)
     ask.add_argument("--full", action="store_true")
     ask.add_argument("--only", default="")
+    ask.add_argument("--skip", default="")
     said = ask.parse_args()
     for path in (said.folder / "index.html", said.folder / "live.js", said.tumble, said.hashes):
         if not path.is_file():
@@ -63,13 +64,13 @@ def main():
     said.tumble, said.hashes = said.tumble.resolve(), said.hashes.resolve()
     if said.pictures:
         said.pictures.mkdir(parents=True, exist_ok=True)
-    only = {name for name in said.only.split(",") if name}
+    only, skip = ({name for name in names.split(",") if name} for names in (said.only, said.skip))
 
     faults, began = 0, time.monotonic()
     with Browser(webgl=True) as browser, tempfile.TemporaryDirectory() as downloads:
         page = Page(browser, said.folder, said.pictures)
         for name, task in parts(said, page, pathlib.Path(downloads)):
-            if only and name not in only:
+            if name in skip or (only and name not in only):
                 continue
             print(f"{name} ({time.monotonic() - began:.0f} s)", flush=True)
             try:

@@ -3,7 +3,7 @@ import resource
 import statistics
 import subprocess
 
-STEPS = 600  # of each comparison of hashes
+STEPS = 300  # of each comparison of hashes: all has landed and met by then
 
 HOURS = 7200  # [s] of patience: a heap at full size
 HOUR = 216000  # steps

@@ -2,6 +2,8 @@
 /// \brief Catch2, version 2 (Debian 12) or 3.
 #pragma once
 
+// An exception in an assertion ends its test case, which takes a fifth off the time that tests take to compile.
+#define CATCH_CONFIG_FAST_COMPILE
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 using Catch::Approx;
