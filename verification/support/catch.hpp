@@ -2,7 +2,7 @@
 /// \brief Catch2, version 2 (Debian 12) or 3.
 #pragma once
 
-// An exception in an assertion ends its test case, which takes a fifth off the time that tests take to compile.
+// An exception in an assertion ends its test case, so assertions compile to less.
 #define CATCH_CONFIG_FAST_COMPILE
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
