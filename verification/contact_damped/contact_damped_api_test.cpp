@@ -234,7 +234,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Bad options and steps are refused", "[unit][contact_damped]") {
-  for (const char* option : {"sweeps", "correction_sweeps"})
+  for (const char* option : {"sweeps", "correction_sweeps", "parts"})
     CHECK_THROWS_AS(contact_damped({{option, "0"}}), std::invalid_argument);
   CHECK_THROWS_AS(contact_damped({{"admm_iterations", "-1"}}), std::invalid_argument);
   World world = two_stacks(1);

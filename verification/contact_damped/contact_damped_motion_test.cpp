@@ -2,6 +2,7 @@
 /// \brief The default technique in motion: bodies that do not move fast keep carrying, whatever moves among them.
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 
 #include "support/catch.hpp"
@@ -61,6 +62,33 @@ Scene tiles(bool fixed, double speed) {
 }
 
 }  // namespace
+
+TEST_CASE("A cube that spins where it stands is stopped by friction, and stays so",
+          "[unit][contact_damped]") {
+  Scene scene;
+  scene.ground = SceneGround{0.5, 0.0};
+  scene.boxes.push_back(
+      SceneBox{.position_w = Vec3(0.0, 0.5, 0.0), .angular_velocity_w = Vec3(0.0, 0.1, 0.0)});
+  Simulation simulation(scene, "contact_damped");
+  for (int k = 0; k < 5; ++k) {
+    simulation.step();
+    CHECK(simulation.world().states()[1].angular_momentum_w.norm() < 1e-12);
+  }
+}
+
+TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",
+          "[unit][contact_damped]") {
+  const auto deepest = [](const std::vector<std::string>& settings) {
+    const SceneRecipe& recipe = scene_recipe("clump");
+    Parameters parameters = recipe.parameters();
+    parameters.set("per_edge", "3");
+    Simulation simulation(recipe.build(parameters, Random(1)), "contact_damped", settings);
+    double most = 0.0;
+    for (int k = 0; k < 90; ++k) most = std::max(most, simulation.step().deepest_overlap);
+    return most;
+  };
+  CHECK(deepest({"parts=4"}) < 0.5 * deepest({}));
+}
 
 TEST_CASE("A body that turns by radians in a step keeps its energy", "[unit][contact_damped]") {
   Scene scene;

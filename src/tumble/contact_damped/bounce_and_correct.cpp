@@ -50,10 +50,14 @@ void bounce_island(const Island& island, StepReport& report) {
   limit_energy(island, report);
 }
 
+// Whether a point overlaps by more than a share of the shortest edge.
+bool overlaps_by(const ContactPatch& patch, double share) {
+  return std::any_of(patch.used().begin(), patch.used().end(),
+                     [&](const ContactPatchPoint& p) { return -p.gap > share * patch.size; });
+}
+
 bool overlaps(const ContactPatch& patch) {
-  return std::any_of(patch.used().begin(), patch.used().end(), [&](const ContactPatchPoint& p) {
-    return -p.gap > tolerance::contact_damped_slop * patch.size;
-  });
+  return overlaps_by(patch, tolerance::contact_damped_slop);
 }
 
 // Sweeps of the overlap correction, from the ground up.
@@ -67,9 +71,14 @@ void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& d
     double most = 0.0;  // [-] as a share of the size
     for (const int contact : island.upward) {
       ContactPatch& patch = island.all_patches[idx(contact)];
-      const double change =
-          correct_overlap(patch, tolerance::repair_rest * patch.size, tolerance::repair_share,
-                          displacements[idx(patch.first)], displacements[idx(patch.second)]);
+      MovingBody& first_body = displacements[idx(patch.first)];
+      MovingBody& second_body = displacements[idx(patch.second)];
+      // Most patches neither overlap nor have a neighbour that does.
+      if (!first_body.changed && !second_body.changed &&
+          !overlaps_by(patch, tolerance::repair_rest))
+        continue;
+      const double change = correct_overlap(patch, tolerance::repair_rest * patch.size,
+                                            tolerance::repair_share, first_body, second_body);
       most = std::max(most, change / patch.size);
     }
     if (k == 0) first = most;

@@ -7,6 +7,7 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/integrate.hpp"
+#include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,29 @@ int parts_of_turn(double turn) {
                                    static_cast<double>(tolerance::parts_of_turn)));
 }
 
+// Into how many parts a step is divided: more than one, if allowed, where bodies that touch move far along each other
+// or into each other. Then a contact found at its start does not stay where it is.
+int parts_of_motion(std::span<const ContactPatch> patches, std::span<const MovingBody> free,
+                    double dt, int allowed) {
+  double most = 0.0;  // [-] way of a point in the step, as a share of the shortest edge
+  for (const ContactPatch& patch : patches) {
+    const Six u = motion_of(patch, free[idx(patch.first)], free[idx(patch.second)]);
+    for (const ContactPatchPoint& p : patch.used()) {
+      const Vec3 way = dt * velocity_at(p, u);
+      if (-way.z() > p.gap) most = std::max(most, way.norm() / patch.size);
+    }
+  }
+  return static_cast<int>(
+      std::clamp(std::ceil(most / tolerance::way_at_once), 1.0, static_cast<double>(allowed)));
+}
+
 }  // namespace
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options) : options_(options) {
   for (const auto& [count, least, name] :
        {std::tuple{options.sweeps, 1, "sweeps"},
         std::tuple{options.admm_iterations, 0, "admm_iterations"},
+        std::tuple{options.parts, 1, "parts"},
         std::tuple{options.correction_sweeps, 1, "correction_sweeps"}})
     require::that(count >= least, std::string(name) + " = " + std::to_string(count) +
                                       ": expected " + std::to_string(least) + " or more");
@@ -55,11 +73,41 @@ StepReport ContactDamped::step(World& world, double dt) {
     }
   }
   // [S6.3.1:step]
-  // 1. Gravity.
+  // Where bodies move far along each other, or into each other, the step
+  // may be divided into parts.
   load(world, dt);
-  // 2. Contact patches, where bodies touch or will within the step, by
-  // islands of bodies that touch each other.
   find_patches(world, dt, report);
+  storage_.parts =
+      parts_of_motion(memory_.manifolds.patches(), velocities_.free, dt, options_.parts);
+  if (storage_.parts > 1) memory_.last_dt = dt;  // of the impulses found just now
+  const double part = dt / storage_.parts;
+  for (int k = 0; k < storage_.parts; ++k) {
+    contact_time_ = world.time() + k * part;
+    const StepReport done = step_part(world, part);
+    add_report(done, report);
+    report.contacts = done.contacts;
+  }
+  // [S6.3.1:step]
+  // 7. Bodies at rest fall asleep.
+  if (options_.sleeping) {
+    const Islands& islands = memory_.order.islands();
+    report.energy.damping +=
+        sleeping.update_with_pairs(world, storage_.touching, islands, dt, slow_bodies()).energy;
+  }
+  world.finish_step(dt);
+  return report;
+}
+
+StepReport ContactDamped::step_part(World& world, double dt) {
+  StepReport report;
+  // [S6.3.1:part]
+  // 1. Gravity, and
+  // 2. contact patches, where bodies touch or will within the part, by islands
+  // of bodies that touch each other. If the step has one part, they are there.
+  if (storage_.parts > 1) {
+    load(world, dt);
+    find_patches(world, dt, report);
+  }
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.solved_directly.clear();
   storage_.in_flight.assign(velocities_.end.size(), 1);
@@ -73,15 +121,8 @@ StepReport ContactDamped::step(World& world, double dt) {
   account(world, report);
   // 6. Overlap is corrected; no body gains kinetic energy.
   correct_overlaps(world, dt, report);
-  // [S6.3.1:step]
-  // 7. Bodies at rest fall asleep.
-  if (options_.sleeping) {
-    const Islands& islands = memory_.order.islands();
-    report.energy.damping +=
-        sleeping.update_with_pairs(world, storage_.touching, islands, dt, slow_bodies()).energy;
-  }
+  // [S6.3.1:part]
   memory_.last_dt = dt;
-  world.finish_step(dt);
   return report;
 }
 
@@ -137,7 +178,7 @@ void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
     const ManifoldsFound found =
         manifolds.find(world, velocities_.free, storage_.candidates, dt, impulse_ratio);
     report.pair_tests += found.pair_tests;
-    report.deepest_overlap = found.deepest_overlap;
+    report.deepest_overlap = std::max(report.deepest_overlap, found.deepest_overlap);
     storage_.touching.clear();
     for (const ContactPatch& patch : manifolds.patches())
       storage_.touching.push_back({patch.first, patch.second});

@@ -17,6 +17,7 @@ void describe(ContactDampedOptions& o, Visitor& v) {
   v.whole("admm_iterations", o.admm_iterations, 0, 10000,
           "iterations of the direct solver, for islands that sweeps do not settle; 0: none");
   v.whole("correction_sweeps", o.correction_sweeps, 1, 1000, "sweeps of the overlap correction");
+  v.whole("parts", o.parts, 1, 100, "parts of a step in which bodies that touch move far, at most");
   v.flag("sleeping", o.sleeping, "do not simulate islands at rest (thesis 4.5)");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
   v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);

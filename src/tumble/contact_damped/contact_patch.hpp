@@ -175,6 +175,15 @@ inline Six motion_of(const ContactPatch& patch, const MovingBody& first, const M
           f.col(0).dot(w), f.col(1).dot(w), f.col(2).dot(w)};
 }
 
+/// The motion of a point of a patch.
+/// \param point  one of the patch's
+/// \param motion  of the patch
+/// \return along, across, normal
+inline Vec3 velocity_at(const ContactPatchPoint& point, const Six& motion) {
+  return {motion[0] - point.across * motion[5], motion[1] + point.along * motion[5],
+          motion[2] + point.across * motion[3] - point.along * motion[4]};
+}
+
 /// The sum of all impulses of a patch.
 /// \param patch the patch
 /// \return in the patch's frame

@@ -121,7 +121,8 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
   return first;
 }
 
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations) {
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations,
+                       int parts) {
   IslandPlan plan;
   if (first.settled) return plan;
   const double negligible = negligible_residual(island);
@@ -156,6 +157,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
                         : large_limits(island, iterations);
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
+  for (int* const count :
+       {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
+    *count = (*count + parts - 1) / parts;
   return plan;
 }
 

@@ -52,7 +52,9 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 /// \param first       what that found
 /// \param sweeps      at most, for a large island
 /// \param iterations  of ADMM, at most, for a large island; 0: the direct solver is not used
+/// \param parts       into which the step is divided: each gets its share of the work
 /// \return the plan
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations);
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations,
+                       int parts);
 
 }  // namespace tumble

@@ -90,8 +90,9 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   patch.along_impulse = impulse[six::along];
   patch.across_impulse = impulse[six::across];
   patch.twist_impulse = impulse[six::twist];
-  update.largest_change =
-      std::sqrt(wrong[0] * wrong[0] + wrong[1] * wrong[1] + wrong[2] * wrong[2]);
+  for (const ContactPatchPoint& point :
+       patch.used())  // they span an area: 0 only if nothing changes
+    update.largest_change = std::max(update.largest_change, velocity_at(point, wrong).norm());
   return true;
 }
 

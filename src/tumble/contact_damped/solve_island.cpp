@@ -80,7 +80,8 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
-  const IslandPlan plan = plan_island(island, first, options_.sweeps, options_.admm_iterations);
+  const IslandPlan plan =
+      plan_island(island, first, options_.sweeps, options_.admm_iterations, storage_.parts);
   if (plan.discard_warm_start) discard_impulses(island);
   bool direct = false;
   switch (plan.method) {
