@@ -3,8 +3,9 @@
 #pragma once
 
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/contact/effective_mass.hpp"
 
-#include <vector>
+#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 
@@ -18,16 +19,31 @@ struct PainleveRod {
 
 // [1/kg] The acceleration of the lower end away from the ground per force N there, while friction mu N
 // pushes it to the right: p = (1 + 3 cos² - 3 mu sin cos) / m. Below 0 a harder push moves the end down.
-double push_response(const PainleveRod& rod);
+inline double push_response(const PainleveRod& rod) {
+  const double cosine = elementary::cos(rod.angle);
+  return 1.0 + 3.0 * cosine * cosine - rod.friction * 3.0 * elementary::sin(rod.angle) * cosine;
+}
 
 // [m/s²] The same without a force there: b = l omega² sin - g.
-double free_acceleration(const PainleveRod& rod);
+inline double free_acceleration(const PainleveRod& rod) {
+  return rod.spin * rod.spin * elementary::sin(rod.angle) - kGravity;
+}
 
 // [N] All forces that obey N >= 0, p N + b >= 0 and N (p N + b) = 0, ascending.
-std::vector<double> possible_forces(const PainleveRod& rod);
+inline std::vector<double> possible_forces(const PainleveRod& rod) {
+  const double p = push_response(rod);
+  const double b = free_acceleration(rod);
+  std::vector<double> forces;
+  if (b >= 0.0) forces.push_back(0.0);                     // the end lifts off
+  if (p != 0.0 && -b / p > 0.0) forces.push_back(-b / p);  // it stays
+  return forces;
+}
 
 // The friction beyond which there may be none or two: (4 + tan²) / (3 tan), where p = 0.
-double critical_friction(double angle);
+inline double critical_friction(double angle) {
+  const double tangent = elementary::sin(angle) / elementary::cos(angle);
+  return (4.0 + tangent * tangent) / (3.0 * tangent);
+}
 
 // A world at the start of a step.
 struct Instant {
@@ -38,10 +54,31 @@ struct Instant {
 };
 
 // Loads the bodies and gravity of a world with contacts.
-void add_gravity(Instant& instant);
+inline void add_gravity(Instant& instant) {
+  load_moving_bodies(instant.world, instant.bodies);
+  instant.free.assign(instant.bodies.size(), Acceleration{});
+  for (std::size_t k = 0; k < instant.bodies.size(); ++k)
+    if (instant.world.bodies()[k].movable()) instant.free[k].linear_w = instant.world.gravity_w;
+}
 
 // The ground and the rod, 0.01 mm thick, whose end slides with 1 m/s to the left.
-Instant rod_on_end(const PainleveRod& rod);
+inline Instant rod_on_end(const PainleveRod& rod) {
+  Instant instant;
+  instant.world.add_ground(rod.friction);
+  const Vec3 to_end(-elementary::cos(rod.angle), -elementary::sin(rod.angle), 0.0);
+  const Vec3 spin_w(0.0, 0.0, rod.spin);
+  const BodyProperties body = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, rod.friction);
+  const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, rod.angle));
+  const Vec3 velocity_w = -Vec3::UnitX() - spin_w.cross(to_end);
+  instant.world.add(body, make_state(body, -to_end, turned, velocity_w, spin_w));
+  Contact contact;
+  contact.second = 1;
+  contact.friction = rod.friction;
+  contact.count = 1;
+  instant.contacts.push_back(contact);
+  add_gravity(instant);
+  return instant;
+}
 
 // The state of the lower end after a time step.
 struct RodStep {
@@ -54,6 +91,16 @@ struct RodStep {
 };
 
 // A step of Stewart and Trinkle with a pyramid of 4 or 8 directions.
-RodStep step_rod(const PainleveRod& rod, double step, int directions);
+inline RodStep step_rod(const PainleveRod& rod, double step, int directions) {
+  Instant instant = rod_on_end(rod);
+  VelocityStepOptions options;
+  options.directions = directions;
+  const VelocityStepResult result = VelocityStep().solve(
+      instant.world, instant.free, instant.contacts, step, options, instant.bodies);
+  const ContactPoint& point = instant.contacts[0].points[0];
+  const Vec3 motion_w = relative_velocity(instant.bodies[0], instant.bodies[1], Vec3::Zero());
+  return {result.solved, point.normal_impulse, point.friction_impulse_w.x(),
+          motion_w.x(),  motion_w.y(),         instant.bodies[1].angular_velocity_w.z()};
+}
 
 }  // namespace tumble::chapters

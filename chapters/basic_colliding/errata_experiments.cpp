@@ -11,7 +11,7 @@
 namespace tumble::chapters {
 namespace {
 
-const IndexPair kPair{0, 1};
+const IndexPair kBodies{0, 1};
 
 // --- T5: what is tested ---------------------------------------------------------------------
 
@@ -71,7 +71,7 @@ enum class Side { apart, overlapping };
 std::optional<double> impact_time(const World& world, double left, double resolution, Side kept) {
   const Flight flight{
       .bodies = world.bodies(), .states = world.states(), .gravity_w = world.gravity_w};
-  const auto gap = [&](double time) { return gap_at(flight, kPair, time).distance; };
+  const auto gap = [&](double time) { return gap_at(flight, kBodies, time).distance; };
   if (gap(left) >= 0.0) return std::nullopt;
   const Bracket last = bisect(gap, Bracket{0.0, left}, resolution, 100).bracket;
   return kept == Side::apart ? last.low : last.high;
@@ -105,7 +105,7 @@ std::vector<LiteralImpact> impacts_in_step(World world, double dt, const Vec3& n
     }
     now += *time;
     const Flight here{.bodies = world.bodies(), .states = world.states()};
-    const double gap = gap_at(here, kPair, 0.0).distance;
+    const double gap = gap_at(here, kBodies, 0.0).distance;
 
     load_moving_bodies(world, moving);
     collide_at_point(moving[0], moving[1], Vec3::Zero(), normal_w, 0.0, how.restitution);

@@ -117,25 +117,16 @@ Result measure_restarts(const Parameters& settings) {
     return over_seeds(name, "-", seeds,
                       [&](int left_out) { return counts[i].uncovered_per_search(left_out); });
   };
-  Table table{
-      "",
-      {{"step_s", "s", "time step"},
-       {"restarts", "-", "restarts of the search per collision"},
-       {"low", "-", "lower end of its interval of 95 % over the seeds"},
-       {"high", "-", "upper end of it"},
-       {"uncovered", "-", "share of searches that uncover what the step's end does not show"},
-       {"uncovered_low", "-", "lower end of its interval"},
-       {"uncovered_high", "-", "upper end of it"},
-       {"collisions", "-", "collisions in a run, on average"}}};
+  Table table{"", {{"step_s", "s", "time step"}}};
+  add_interval_columns("restarts", "-", "restarts of the search per collision", table);
+  add_interval_columns("uncovered", "-",
+                       "share of searches that uncover what the step's end does not show", table);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     for (int seed = 1; seed <= seeds; ++seed)
       run_cage(settings.number("room"), cubes, settings.count("duration"), steps_per_second[i],
                seed, counts[i]);
-    const Quantity restarts = per_collision(i, "");
-    const Quantity uncovered = per_search(i, "");
-    table.add(1.0 / steps_per_second[i], restarts.value, restarts.low, restarts.high,
-              uncovered.value, uncovered.low, uncovered.high,
-              sum_without(counts[i].collisions, -1) / seeds);
+    table.add(1.0 / steps_per_second[i], with_interval(per_collision(i, "")),
+              with_interval(per_search(i, "")));
   }
 
   // The same seeds with every step: the ratio is made of sums that belong together.

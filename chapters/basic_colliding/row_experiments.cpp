@@ -141,17 +141,15 @@ Result measure_stack_convergence(const Parameters& settings) {
               {{"boxes", "-", "in the stack"},
                {"passes", "-", "counted"},
                {"predicted", "-", "ln(accuracy) / ln(cos²(π/2n))"},
-               {"contraction", "-", "share of the speed that the last pass left"},
-               {"error", "-", "of that share against cos²(π/2n)"},
-               {"accepted", "-", "error accepted"},
-               {"after_ten", "-", "share of the speed left after ten passes; empty if fewer do"}}};
+               {"error", "-", "of the share that the last pass left against cos²(π/2n)"},
+               {"accepted", "-", "error accepted"}}};
   Result result;
   for (int n = 2; n <= most; ++n) {
     const Convergence found = converge(n, accuracy);
     const double cosine = elementary::cos(std::numbers::pi / (2.0 * n));
     const double rate = cosine * cosine;
-    table.add(n, found.passes, elementary::log(accuracy) / elementary::log(rate), found.contraction,
-              std::abs(found.contraction - rate), accepted, found.after_ten);
+    table.add(n, found.passes, elementary::log(accuracy) / elementary::log(rate),
+              std::abs(found.contraction - rate), accepted);
     if (n == 5) result.add("left after ten passes, 5 boxes", "-", found.after_ten);
   }
   result.tables = {table};

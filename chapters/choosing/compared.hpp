@@ -11,29 +11,70 @@ namespace tumble::chapters {
 // All techniques of the library, so that none can be forgotten.
 //
 // Each has its standard options, but for chance, which is off: it would blur errors.
-std::vector<PlayedTechnique> compared_techniques();
+inline std::vector<PlayedTechnique> compared_techniques() {
+  std::vector<PlayedTechnique> list;
+  for (const TechniqueRecipe& recipe : technique_library()) {
+    PlayedTechnique played{std::string(recipe.name)};
+    const Parameters options = recipe.options();
+    for (const Parameter& option : options.all())
+      if (option.key == "randomness") played.settings.push_back("randomness=off");
+    // Three times the work with eight.
+    if (recipe.name == "time_stepping") played.settings.push_back("directions=4");
+    list.push_back(std::move(played));
+  }
+  return list;
+}
 
 // The work of a technique, without the clock: everything that its reports count.
 //
 // Sweeps, pivots, impulses, tests of pairs, bodies advanced and evaluations of searches, each as one.
 // pivot: [-] how many others a pivot counts for
 // Returns [-] their sum
-double work_of(const StepReport& report, double pivot = 1.0);
+inline double work_of(const StepReport& report, double pivot = 1.0) {
+  const std::int64_t others = report.iterations + report.impulses + report.pair_tests +
+                              report.integrations + report.searches;
+  return static_cast<double>(others) + pivot * static_cast<double>(report.pivots);
+}
+
+class After : public RunObserver {
+ public:
+  explicit After(const std::function<void(const World&, const Metrics&)>& called)
+      : called_(called) {}
+  void on_step(const World& world, const Technique&, const StepReport&,
+               const Metrics& metrics) override {
+    if (called_) called_(world, metrics);
+  }
+
+ private:
+  const std::function<void(const World&, const Metrics&)>& called_;
+};
 
 // Runs a scene under a technique.
 // dt: [s] the step
 // duration: [s] simulated time
-RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,
-                       double duration,
-                       const std::function<void(const World&, const Metrics&)>& after = {});
+inline RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,
+                              double duration,
+                              const std::function<void(const World&, const Metrics&)>& after = {}) {
+  RunSettings settings;
+  settings.dt = dt;
+  settings.duration = duration;
+  After observer(after);
+  const std::array<RunObserver*, 1> observers = {&observer};
+  return run_scene(scene, *make_technique(played.name, played.settings), settings, observers);
+}
 
 // A cell that holds no number.
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 // The name of a number of a technique.
-std::string number_name(const std::string& technique, const std::string& what);
+inline std::string number_name(const std::string& technique, const std::string& what) {
+  return technique + ": " + what;
+}
 
 // Adds a number unless there is none.
-void add_number(std::vector<Quantity>& list, std::string name, std::string unit, double value);
+inline void add_number(std::vector<Quantity>& list, std::string name, std::string unit,
+                       double value) {
+  if (!std::isnan(value)) list.push_back({std::move(name), std::move(unit), value});
+}
 
 }  // namespace tumble::chapters

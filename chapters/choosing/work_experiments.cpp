@@ -46,12 +46,10 @@ Table runs_table(const std::vector<Try>& tries) {
       "",
       {{"technique", "-", "its row, from 0"},
        {"problem", "-", "0: bounce, 1: slide, 2: rock"},
-       {"step_s", "s", "time step"},
        {"error", "-", "largest over frames, over the length of the problem; empty: stopped"},
        {"work", "-", "everything that step reports count"}}};
   for (const Try& one : tries)
-    table.add(one.technique, one.problem, kFrame / one.per_frame, one.came.error,
-              work_of(one.came.totals));
+    table.add(one.technique, one.problem, one.came.error, work_of(one.came.totals));
   return table;
 }
 

@@ -11,8 +11,6 @@ constexpr std::array<double, 4> kFrames{-0.25, 0.2, 0.4, 1.5};  // [s] since the
 constexpr double kEdge = 1.0;                                   // [m] of the table
 constexpr double kStart = -0.6;                                 // [m] of the crate
 
-double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
-
 const BodyState& crate_of(const PlayedScene& played) {
   return played.world().states()[played.index("crate")];
 }
@@ -36,19 +34,14 @@ CratePath crate_path(const Scene& scene, const PlayedTechnique& technique) {
   const BodyState& crate = crate_of(played);
   const double level = crate.orientation_wb.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
   path.rests = crate.position_w.x();
-  path.tilt = degrees(elementary::acos(std::min(1.0, level)));
+  path.tilt = elementary::acos(std::min(1.0, level)) * 180.0 / std::numbers::pi;
   return path;
 }
 
 std::string frame_key(std::size_t k) { return std::string("t").append(std::to_string(k + 1)); }
 
 Result measure_crate(const Parameters& settings) {
-  Table table{"",
-              {{"technique", "-", "0: damped; 1: Coulomb's friction"},
-               {"time_s", "s", "since the centre of the crate passed the edge"},
-               {"x_m", "m", "centre of the crate, from the edge"},
-               {"y_m", "m", "centre of the crate"},
-               {"turned_deg", "deg", "between its upright axis and the vertical"}}};
+  Table table{"", {{"time_s", "s", "since the centre of the crate passed the edge"}}};
   std::vector<Quantity> quantities;
   std::vector<std::vector<PictureBox>> frames;
   std::vector<PictureBox> all;
@@ -56,7 +49,7 @@ Result measure_crate(const Parameters& settings) {
     return scene_with("crate_off_table", {setting("speed", settings.number(speed)),
                                           setting("friction", settings.number("friction"))});
   };
-  const auto watch = [&](int number, const PlayedTechnique& technique, const char* speed,
+  const auto watch = [&](const PlayedTechnique& technique, const char* speed,
                          const std::string& words) {
     const Scene scene = scene_of(speed);
     const CratePath path = crate_path(scene, technique);
@@ -68,17 +61,14 @@ Result measure_crate(const Parameters& settings) {
     for (std::size_t k = 0; k < kFrames.size(); ++k) {
       const double time = settings.number(frame_key(k));
       played.advance(path.passes + time);
-      const BodyState& crate = crate_of(played);
-      const double up = (crate.orientation_wb * Vec3::UnitY()).y();
-      table.add(number, time, crate.position_w.x() - kEdge, crate.position_w.y(),
-                degrees(elementary::acos(std::clamp(up, -1.0, 1.0))));
+      table.add(time);
       frames.push_back(picture_boxes(played.world()));
       frames.back().back().colour = 0xd55e00;
       all.insert(all.end(), frames.back().begin(), frames.back().end());
     }
   };
-  watch(0, {"damped"}, "damped_speed", "damped");
-  watch(1, {"contact_damped"}, "speed", "Coulomb");
+  watch({"damped"}, "damped_speed", "damped");
+  watch({"contact_damped"}, "speed", "Coulomb");
   quantities.push_back({"how far it slides, damped, with the start of Coulomb's run", "m",
                         crate_path(scene_of("speed"), {"damped"}).rests - kStart});
 

@@ -34,7 +34,6 @@ struct Work {
   double pair_tests = 0.0;
   double impulses = 0.0;
   double integrations = 0.0;
-  double asleep = 0.0;  // boxes, mean
   [[nodiscard]] double all() const { return pair_tests + impulses + integrations; }
 };
 
@@ -58,10 +57,8 @@ Work work_of(const Parameters& settings, int moving, const PlayedTechnique& tech
     work.pair_tests += static_cast<double>(report.pair_tests);
     work.impulses += static_cast<double>(report.impulses);
     work.integrations += static_cast<double>(report.integrations);
-    work.asleep += asleep(played.world());
   });
-  for (double* part : {&work.pair_tests, &work.impulses, &work.integrations, &work.asleep})
-    *part /= steps;
+  for (double* part : {&work.pair_tests, &work.impulses, &work.integrations}) *part /= steps;
   return work;
 }
 
@@ -128,11 +125,7 @@ Result measure_sleeping(const Parameters& settings) {
   Table table{
       "",
       {{"moving", "-", "share of the boxes that are pushed"},
-       {"asleep", "-", "share of the boxes asleep, mean over the steps"},
        {"work", "-", "pair tests, impulses and integrations of a step, resting boxes sleep"},
-       {"pair_tests", "-", "of them, pair tests"},
-       {"impulses", "-", "of them, impulses"},
-       {"integrations", "-", "of them, integrations"},
        {"work_awake", "-", "the same work if nothing sleeps"}}};
   std::vector<Work> works;
   std::vector<Work> awake;
@@ -140,9 +133,7 @@ Result measure_sleeping(const Parameters& settings) {
   for (int part = 0; part <= parts; ++part) {
     works.push_back(work_of(settings, part * count / parts, sleeping(true)));
     awake.push_back(work_of(settings, part * count / parts, sleeping(false)));
-    const Work& w = works.back();
-    table.add(1.0 * part / parts, w.asleep / (count * boxes), w.all(), w.pair_tests, w.impulses,
-              w.integrations, awake.back().all());
+    table.add(1.0 * part / parts, works.back().all(), awake.back().all());
   }
   const Nudge top = nudge();
   const Waking lowest = wake(boxes, 1);

@@ -113,6 +113,40 @@ Parameters settings_of(const Figure& figure, const Request& request) {
   return settings;
 }
 
+// The comment lines that every file of a figure begins with.
+std::string head_of(std::string_view program, const Figure& figure, const Parameters& settings,
+                    bool quick) {
+  std::string command = std::string(program) + " --figure " + figure.name;
+  std::string lines;
+  bool changed = false;
+  for (std::size_t i = 0; i < settings.all().size(); ++i) {
+    const Parameter& parameter = settings.all()[i];
+    if (parameter.value != figure.parameters.all()[i].value) {
+      changed = true;
+      command += " --set " + parameter.key + "=" + parameter.value;
+    }
+    lines += "# parameter: " + parameter.key + " = " + parameter.value + " [" + parameter.unit +
+             "] " + parameter.meaning + '\n';
+  }
+  if (quick) command += " --quick";
+  return "# figure: " + figure.name + "\n# thesis: " + figure.section +
+         "\n# title: " + figure.title + "\n# command: " + command +
+         "\n# settings: " + (changed ? "changed" : "default") + '\n' + lines;
+}
+
+// The numbers of a figure as a file, with everything that the index page shows of it.
+std::string numbers_file(const std::string& head, const Figure& figure, const Result& result) {
+  std::string text = head + "# caption: " + figure.caption + '\n' +
+                     (result.film ? "# film: " + figure.film + '\n' : "") +
+                     "quantity,unit,value,low,high,seeds\n";
+  for (const Quantity& quantity : result.quantities) {
+    text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
+            full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +
+            std::to_string(quantity.seeds) + '\n';
+  }
+  return text;
+}
+
 void compute(std::string_view program, const Figure& figure, const Request& request) {
   const Parameters settings = settings_of(figure, request);
   const Result result = figure.experiment(settings);
@@ -170,38 +204,6 @@ int exit_code_of(std::string_view program, const std::function<void()>& body) {
 }
 
 }  // namespace
-
-std::string head_of(std::string_view program, const Figure& figure, const Parameters& settings,
-                    bool quick) {
-  std::string command = std::string(program) + " --figure " + figure.name;
-  std::string lines;
-  bool changed = false;
-  for (std::size_t i = 0; i < settings.all().size(); ++i) {
-    const Parameter& parameter = settings.all()[i];
-    if (parameter.value != figure.parameters.all()[i].value) {
-      changed = true;
-      command += " --set " + parameter.key + "=" + parameter.value;
-    }
-    lines += "# parameter: " + parameter.key + " = " + parameter.value + " [" + parameter.unit +
-             "] " + parameter.meaning + '\n';
-  }
-  if (quick) command += " --quick";
-  return "# figure: " + figure.name + "\n# thesis: " + figure.section +
-         "\n# title: " + figure.title + "\n# command: " + command +
-         "\n# settings: " + (changed ? "changed" : "default") + '\n' + lines;
-}
-
-std::string numbers_file(const std::string& head, const Figure& figure, const Result& result) {
-  std::string text = head + "# caption: " + figure.caption + '\n' +
-                     (result.film ? "# film: " + figure.film + '\n' : "") +
-                     "quantity,unit,value,low,high,seeds\n";
-  for (const Quantity& quantity : result.quantities) {
-    text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
-            full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +
-            std::to_string(quantity.seeds) + '\n';
-  }
-  return text;
-}
 
 int run_chapter(int argc, const char* const* argv, const std::string& chapter,
                 const std::filesystem::path& folder) {

@@ -33,21 +33,10 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path) {
       throw std::invalid_argument(record.place + "kind '" + texts["kind"] +
                                   "': give misprint or choice");
     }
-    Erratum erratum;
-    erratum.id = texts["id"];
-    erratum.section = texts["section"];
-    erratum.chapter = path.parent_path().filename().string();
-    erratum.kind = texts["kind"];
-    erratum.printed = texts["printed"];
-    erratum.reading = texts["reading"];
-    erratum.scene = texts["scene"];
-    erratum.figure = texts["figure"];
-    erratum.failure = texts["failure"];
-    erratum.mended = texts["mended"];
-    erratum.test = texts["test"];
-    erratum.command = texts["command"];
-    erratum.place = record.place;
-    errata.push_back(erratum);
+    errata.push_back({texts["id"], texts["section"], path.parent_path().filename().string(),
+                      texts["kind"], texts["printed"], texts["reading"], texts["scene"],
+                      texts["figure"], texts["failure"], texts["mended"], texts["test"],
+                      texts["command"], record.place});
   }
   return errata;
 }

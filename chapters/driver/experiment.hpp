@@ -13,7 +13,6 @@
 
 #include "driver/common_numbers.hpp"
 #include "driver/finished.hpp"
-#include "driver/intervals.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"

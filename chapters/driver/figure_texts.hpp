@@ -13,7 +13,7 @@ namespace tumble::chapters {
 // The words about a figure, each text in one line.
 //
 // A computed number in a caption may be followed by a comment that says from where, as on a page: see
-// stale_numbers().
+// read_findings().
 struct FigureText {
   std::string name;     // of the figure: key `id`
   std::string section;  // of the thesis

@@ -2,7 +2,7 @@
 /// \brief The program that checks the numbers of all figures and writes the page that shows them.
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
-#include "driver/index_page.hpp"
+#include "driver/pages.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -1,8 +1,7 @@
 /// \file
 /// \brief The page that shows all figures.
-#include "driver/index_page.hpp"
-
 #include "driver/markup.hpp"
+#include "driver/pages.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -122,32 +122,65 @@ std::vector<long> thesis_place(const std::string& id) {
 
 }  // namespace
 
+std::string verdict_text(Verdict verdict) {
+  static constexpr std::array words{"confirmed", "qualified", "refuted", "not comparable",
+                                    "not measured"};
+  return words[static_cast<std::size_t>(verdict)];
+}
+
+bool Comparison::holds(double value) const {
+  if (value == limit) return inclusive;
+  return below ? value < limit : value > limit;
+}
+
+Comparison read_comparison(const std::string& text) {
+  Comparison comparison;
+  comparison.below = text.rfind('<', 0) == 0;
+  comparison.inclusive = text.size() > 1 && text[1] == '=';
+  const std::size_t number = text.find_first_not_of(' ', comparison.inclusive ? 2 : 1);
+  const bool known = comparison.below || text.rfind('>', 0) == 0;
+  if (known && number != std::string::npos) {
+    comparison.limit = read_number(text.substr(number));
+    if (!std::isnan(comparison.limit)) return comparison;
+  }
+  throw std::invalid_argument("'" + text + "' is no comparison: give < <= > or >= and a number");
+}
+
+Verdict Rule::verdict(double value) const {
+  if (std::isnan(value)) return Verdict::not_measured;
+  if (confirmed.holds(value)) return Verdict::confirmed;
+  return refuted.holds(value) ? Verdict::refuted : Verdict::qualified;
+}
+
+Rule read_rule(const std::string& confirmed, const std::string& refuted) {
+  const Rule rule{read_comparison(confirmed), read_comparison(refuted)};
+
+  // Two half lines are apart if they point away from each other and do not share the limit.
+  const Comparison& low = rule.confirmed.below ? rule.confirmed : rule.refuted;
+  const Comparison& high = rule.confirmed.below ? rule.refuted : rule.confirmed;
+  const bool opposite = low.below && !high.below;
+  const bool apart =
+      low.limit < high.limit || (low.limit == high.limit && !(low.inclusive && high.inclusive));
+  if (!opposite || !apart) {
+    throw std::invalid_argument("'" + confirmed + "' and '" + refuted +
+                                "' can both hold: one number must not confirm and refute");
+  }
+  return rule;
+}
+
 std::vector<Claim> read_claims(const std::filesystem::path& path) {
   const bool open = path.filename() == "open_claims.toml";
   std::vector<Claim> claims;
   for (Record& record : read_records(path, open ? kOpenForm : kMeasuredForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    Claim claim;
-    claim.id = texts["id"];
-    claim.section = texts["section"];
-    claim.chapter = open ? texts["chapter"] : path.parent_path().filename().string();
-    claim.statement = texts["statement"];
-    claim.experiment = texts["experiment"];
-    claim.open = open;
-    claim.technique = texts["technique"];
-    claim.reading = texts["reading"];
-    claim.quantity = texts["quantity"];
-    claim.unit = texts["unit"];
     const auto comparable = record.flags.find("comparable");
-    claim.comparable = comparable == record.flags.end() || comparable->second;
-    claim.confirmed = texts["confirmed"];
-    claim.refuted = texts["refuted"];
-    claim.reason = texts["reason"];
-    claim.figure = texts["figure"];
-    claim.test = texts["test"];
-    claim.place = record.place;
-    check_claim(claim);
-    claims.push_back(claim);
+    claims.push_back(
+        {texts["id"], texts["section"],
+         open ? texts["chapter"] : path.parent_path().filename().string(), texts["statement"],
+         texts["experiment"], open, texts["technique"], texts["reading"], texts["quantity"],
+         texts["unit"], comparable == record.flags.end() || comparable->second, texts["confirmed"],
+         texts["refuted"], texts["reason"], texts["figure"], texts["test"], record.place});
+    check_claim(claims.back());
   }
   return claims;
 }

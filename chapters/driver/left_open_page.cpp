@@ -1,9 +1,8 @@
 /// \file
 /// \brief The page of what the thesis leaves open.
-#include "driver/left_open_page.hpp"
-
 #include "driver/chosen_values.hpp"
 #include "driver/markup.hpp"
+#include "driver/pages.hpp"
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include "driver/csv.hpp"
 
 #include <cmath>
+#include <map>
 #include <regex>
 
 namespace tumble::chapters {
@@ -65,27 +66,12 @@ std::string chapter_title(std::string chapter) {
 }
 
 std::string html_text(const std::string& text) {
+  static const std::map<char, std::string> entities{
+      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\\', "&#92;"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\\':
-        result += "&#92;";
-        break;
-      default:
-        result += c;
-    }
+    const auto entity = entities.find(c);
+    result += entity == entities.end() ? std::string(1, c) : entity->second;
   }
   return result;
 }

@@ -34,4 +34,16 @@ std::string tolerances_page(const std::vector<Tolerance>& tolerances);
 // A figure is at `gallery.html#NAME`.
 std::string gallery_page(const Findings& findings);
 
+// Every choice: value, reason, and what becomes of the numbers with half and twice the value.
+//
+// Other pages refer to it by `\ref left_open`, to a choice by `\ref choice_passes "passes"`.
+std::string left_open_page(const Findings& findings, const std::vector<Tolerance>& constants);
+
+// All figures on one page: picture, caption, claim with its rule and verdict, numbers, how to draw
+// it again with which parameters. The pictures of the gallery come last, as thumbnails.
+//
+// One file without scripts and without anything from elsewhere; it reads on a phone and in the
+// dark. Equal figures give equal bytes.
+std::string index_page(const Findings& findings);
+
 }  // namespace tumble::chapters

@@ -2,9 +2,14 @@
 /// \brief Simulations of built-in scenes for experiments.
 #pragma once
 
+#include "tumble/base/index.hpp"
+#include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 
 #include "driver/common_numbers.hpp"
+#include "driver/csv.hpp"
+#include "driver/finished.hpp"
+#include "driver/settings.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -34,25 +39,43 @@ class PlayedScene : public Simulation {
       : Simulation(std::move(start), std::move(technique)) {}
 
   // One step; boxes that are due then enter and leave after it.
-  StepReport step();
+  StepReport step() {
+    const StepReport report = finished(Simulation::step(kStep));
+    settle();
+    return report;
+  }
 
   // Steps until a time.
   // time: [s] the end, to half a step
-  void advance(double time, const std::function<void(const StepReport&)>& after = {});
+  void advance(double time, const std::function<void(const StepReport&)>& after = {}) {
+    while (world().time() < time - 0.5 * kStep) {
+      const StepReport report = step();
+      if (after) after(report);
+    }
+  }
 
   // The place of a body in the world's arrays.
-  [[nodiscard]] std::size_t index(std::string_view name) const;
+  [[nodiscard]] std::size_t index(std::string_view name) const {
+    return idx(world().index_of(name));
+  }
 
   // Its speed along x.
   // Returns [m/s]
-  [[nodiscard]] double speed(std::string_view name) const;
+  [[nodiscard]] double speed(std::string_view name) const { return body(name).velocity_w().x(); }
 };
 
 // A scene of the library with some of its settings changed.
-Scene scene_with(std::string_view name, const std::vector<std::string>& settings,
-                 std::uint64_t seed = 1);
+inline Scene scene_with(std::string_view name, const std::vector<std::string>& settings,
+                        std::uint64_t seed = 1) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters parameters = recipe.parameters();
+  set_all(parameters, settings);
+  return recipe.build(parameters, Random(seed));
+}
 
 // A setting in the form of the command line.
-std::string setting(std::string_view key, double value);
+inline std::string setting(std::string_view key, double value) {
+  return std::string(key) + '=' + full_text(value);
+}
 
 }  // namespace tumble::chapters

@@ -3,7 +3,6 @@
 #include "driver/appendix_page.hpp"
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
-#include "driver/left_open_page.hpp"
 #include "driver/pages.hpp"
 #include "driver/thesis_map.hpp"
 

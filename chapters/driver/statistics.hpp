@@ -4,6 +4,7 @@
 
 #include "driver/figure.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -65,5 +66,17 @@ double median_of(std::vector<double> values);
 // y: [any] above 0, as many, at least two
 // Returns [-] the exponent of a power law
 double fitted_order(std::span<const double> x, std::span<const double> y);
+
+// A quantity as three cells of a row.
+inline std::array<double, 3> with_interval(const Quantity& quantity) {
+  return {quantity.value, quantity.low, quantity.high};
+}
+
+// The columns of with_interval(): the name, and with "_low" and "_high".
+inline void add_interval_columns(const std::string& name, const std::string& unit,
+                                 const std::string& meaning, Table& table) {
+  for (const char* end : {"", "_low", "_high"})
+    table.columns.push_back({name + end, unit, meaning});
+}
 
 }  // namespace tumble::chapters

@@ -82,15 +82,14 @@ std::vector<ThesisSection> read_thesis_map(const std::filesystem::path& path) {
   std::vector<ThesisSection> sections;
   for (Record& record : read_records(path, kForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    ThesisSection section;
-    section.id = texts["id"];
-    section.title = texts["title"];
-    section.state = texts["state"];
-    section.about = texts["about"];
-    section.because = texts["because"];
-    section.pages = words_of(texts["pages"]);
-    section.figures = words_of(texts["figures"]);
-    section.place = record.place;
+    const ThesisSection section{texts["id"],
+                                texts["title"],
+                                texts["state"],
+                                texts["about"],
+                                texts["because"],
+                                words_of(texts["pages"]),
+                                words_of(texts["figures"]),
+                                record.place};
     check_section(section);
     if (!sections.empty() && !earlier_in_thesis(sections.back().id, section.id))
       throw std::invalid_argument(section.place + "it does not come after " + sections.back().id);

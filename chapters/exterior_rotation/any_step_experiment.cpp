@@ -100,14 +100,13 @@ Result measure_any_step(const Parameters& settings) {
                {"semi_implicit_rad", "rad", "error of the angle, semi-implicit, one twist"},
                {"impulse_rad", "rad", "error of the angle, impulses, one twist"},
                {"leapfrog_rad", "rad", "error of the angle, leapfrog, one twist"},
-               {"ball_rad", "rad", "error of the orientation, leapfrog, one twist, ball joint"},
-               {"path_m", "m", "in flight, the centre's distance from free fall"}}};
+               {"ball_rad", "rad", "error of the orientation, leapfrog, one twist, ball joint"}}};
   Row most;  // over all steps
   std::vector<double> fitted_dt;
   std::array<std::vector<double>, 4> fitted;
   for (const Row& row : rows) {
     table.add(row.dt, row.separate, row.gap, row.ball_gap, row.flight_gap, row.error,
-              row.ball_error, row.flight_path);
+              row.ball_error);
     for (std::size_t k = 0; k < kPlanar.size(); ++k)
       most.gap[k] = std::max(most.gap[k], row.gap[k]);
     most.ball_apart = std::max(most.ball_apart, row.ball_apart);

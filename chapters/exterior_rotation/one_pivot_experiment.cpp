@@ -87,9 +87,7 @@ Table step_table(const std::vector<double>& dts, std::vector<double>& first,
                  double& worst_at_finest) {
   Table table{
       "",
-      {{"spins", "-", "1 to 4: spins of the lower and the upper box as in the next columns"},
-       {"lower_rad_s", "rad/s", "spin of the lower box, anticlockwise"},
-       {"upper_rad_s", "rad/s", "spin of the upper box, anticlockwise"},
+      {{"spins", "-", "1 to 4: spins of the lower and the upper box, see the picture's legend"},
        {"step_s", "s", "length of the step"},
        {"measured_m", "m", "mismatch of the joints after it, one twist for each body"},
        {"predicted_m", "m", "half h² |Δω| |v_p|"},
@@ -99,7 +97,7 @@ Table step_table(const std::vector<double>& dts, std::vector<double>& first,
     for (const double dt : dts) {
       const double measured = mismatch(scene.joints, moved_by_own_twist(scene.world, dt));
       const double ratio = measured / scene.predicted(dt);
-      table.add(s + 1, kSpins[s].lower, kSpins[s].upper, dt, measured, scene.predicted(dt), ratio);
+      table.add(s + 1, dt, measured, scene.predicted(dt), ratio);
       if (dt == dts.front()) worst_at_finest = std::max(worst_at_finest, std::abs(ratio - 1.0));
       if (s == 0) first.push_back(measured);
     }

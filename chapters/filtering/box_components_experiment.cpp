@@ -116,14 +116,13 @@ Result measure_component_means(const Parameters& settings) {
               {{"speed_rad_s", "rad/s", "of the body"},
                {"components", "rad", "mean of components as stored, the sign changes"},
                {"aligned", "rad", "mean of components with one sign, the body stops"},
-               {"shrunk", "-", "by which that mean is shorter than 1"},
                {"tangent", "rad", "mean of rotation vectors, the worse of the two"}}};
   for (int k = 0; k <= speeds; ++k) {
     const double speed =
         slowest * elementary::pow(fastest / slowest, static_cast<double>(k) / speeds);
     const Errors on = errors_of(steady(speed, rate));
     const Errors off = errors_of(stopped(speed, rate));
-    table.add(speed, on.components, std::max(off.aligned, kNearNothing), off.shrunk,
+    table.add(speed, on.components, std::max(off.aligned, kNearNothing),
               std::max({on.tangent, off.tangent, kNearNothing}));
   }
 

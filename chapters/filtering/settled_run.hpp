@@ -2,8 +2,11 @@
 /// \brief The settled clump of figure 6.7, recorded and measured (thesis 5.5).
 #pragma once
 
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/trajectory.hpp"
+#include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/filtering/corner_motion.hpp"
+#include "tumble/record/chatter.hpp"
 
 #include "driver/experiment.hpp"
 
@@ -23,30 +26,65 @@ using MarkTouches = std::function<void(const World& world, std::vector<char>& to
 // Plays a scene on and records it.
 // settling: [s] before bodies should rest
 // watched: [s] after that
-SettledRun record_run(PlayedScene& played, double settling, double watched,
-                      const MarkTouches& touches,
-                      const std::function<void(const StepReport&)>& after = {});
+inline SettledRun record_run(PlayedScene& played, double settling, double watched,
+                             const MarkTouches& touches,
+                             const std::function<void(const StepReport&)>& after = {}) {
+  SettledRun run;
+  const auto record = [&] {
+    run.frames.record(played.world());
+    touches(played.world(), run.touches.emplace_back());
+  };
+  record();
+  played.advance(settling + watched, [&](const StepReport& report) {
+    record();
+    if (after) after(report);
+  });
+  run.first = static_cast<int>(std::lround(settling / kStep));
+  run.world = played.world();
+  return run;
+}
 
 // Plays a scene of 60 steps a second and records it.
 // settling: [s] before bodies should rest
 // watched: [s] after that, a multiple of half a second
-SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
-                        double watched, std::uint64_t seed = 1);
+inline SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
+                               double watched, std::uint64_t seed = 1) {
+  PlayedScene now(scene, played, seed);
+  return record_run(now, settling, watched, [&](const World& world, std::vector<char>& touches) {
+    mark_contacts(world, now.technique().contacts(), touches);
+  });
+}
 
 // The cubes of figure 6.7 at their start.
-Scene clump_scene(int per_edge, std::uint64_t seed = 1);
+inline Scene clump_scene(int per_edge, std::uint64_t seed = 1) {
+  return scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
+}
 
 // Lets the cubes of figure 6.7 fly together and settle, and records them.
 // afterwards: [s] for which the run goes on
-SettledRun settle_clump(const Parameters& settings, int seed,
-                        const PlayedTechnique& technique = {"damped", {}}, double afterwards = 0.0);
+inline SettledRun settle_clump(const Parameters& settings, int seed,
+                               const PlayedTechnique& technique = {"damped", {}},
+                               double afterwards = 0.0) {
+  const auto chance = static_cast<std::uint64_t>(seed);
+  return settle_scene(clump_scene(settings.count("per_edge"), chance), technique,
+                      settings.number("settling"), settings.number("watched") + afterwards, chance);
+}
 
 // Finds the one body that moves, of worlds with one.
-std::size_t first_movable(const World& world);
+inline std::size_t first_movable(const World& world) {
+  std::size_t index = 0;
+  while (!world.bodies()[index].movable()) ++index;
+  return index;
+}
 
 // The corners of a body in the part of a run in which it should rest.
-std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
-                                  std::size_t index);
+inline std::vector<Corners> settled_path(const SettledRun& run, const Trajectory& frames,
+                                         std::size_t index) {
+  std::vector<Corners> path;
+  for (int k = run.first; k < frames.count(); ++k)
+    path.push_back(corners_of(box_of(run.world.bodies()[index], frames.frame(k).states[index])));
+  return path;
+}
 
 // How a body shakes that rests: means over the half seconds of a path, and its squirm.
 struct Shake {
@@ -55,24 +93,71 @@ struct Shake {
   double squirm = 0.0;        // [m/s] see squirm()
 };
 
+inline constexpr std::size_t kWindow = ChatterMeter::kWindow;
+
+// A path as half seconds that share their ends.
+inline std::vector<std::span<const Corners>> half_seconds(const std::vector<Corners>& path) {
+  std::vector<std::span<const Corners>> parts;
+  for (std::size_t begin = 0; begin + kWindow <= path.size(); begin += kWindow - 1)
+    parts.push_back(std::span(path).subspan(begin, kWindow));
+  return parts;
+}
+
 // Measures a path, half second by half second (ChatterMeter::kWindow frames, ends shared).
 // gravity: [m/s²] that accelerations are divided by
-Shake shake_of(const std::vector<Corners>& path, double gravity);
+inline Shake shake_of(const std::vector<Corners>& path, double gravity) {
+  Shake shake;
+  const auto parts = half_seconds(path);
+  for (const std::span<const Corners> part : parts) {
+    shake.amplitude += largest_excursion(part);
+    shake.acceleration += rms_second_difference(part) / (gravity * kStep * kStep);
+  }
+  const double count = static_cast<double>(parts.size());
+  shake.amplitude /= count;
+  shake.acceleration /= count;
+  shake.squirm = squirm(path, kStep);
+  return shake;
+}
 
 // Measures how a body shakes, as computed, in the part of a run in which it should rest.
-Shake settled_shake(const SettledRun& run, std::size_t index);
+inline Shake settled_shake(const SettledRun& run, std::size_t index) {
+  return shake_of(settled_path(run, run.frames, index), run.world.gravity_w.norm());
+}
 
 // Whether two poses are the same, bit by bit.
-bool same_pose(const BodyState& a, const BodyState& b);
+inline bool same_pose(const BodyState& a, const BodyState& b) {
+  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
+}
 
 // Bodies that rest in the watched part, as ChatterMeter says: in every frame in contact, and in each
 // half second with less than a hundredth of the shortest edge as net movement of every corner.
-std::vector<std::size_t> resting_bodies(const SettledRun& run);
+inline std::vector<std::size_t> resting_bodies(const SettledRun& run) {
+  std::vector<std::size_t> resting;
+  for (std::size_t k = 0; k < run.world.bodies().size(); ++k) {
+    const BodyProperties& body = run.world.bodies()[k];
+    if (!body.movable()) continue;
+    bool rests = true;
+    for (std::size_t f = static_cast<std::size_t>(run.first); f < run.touches.size(); ++f)
+      rests = rests && run.touches[f][k] != 0;
+    const std::vector<Corners> path = settled_path(run, run.frames, k);
+    for (const std::span<const Corners> part : half_seconds(path))
+      rests = rests && largest_displacement(part.front(), part.back()) <
+                           tolerance::resting_movement * body.size.minCoeff();
+    if (rests) resting.push_back(k);
+  }
+  return resting;
+}
 
 // [-] Amplitude over the shortest edge from which on a body that rests chatters; claim 6.1b.
 inline constexpr double kChatters = 1e-3;
 
 // Of these, the ones whose amplitude is kChatters of the shortest edge or more.
-std::vector<std::size_t> chattering_bodies(const SettledRun& run);
+inline std::vector<std::size_t> chattering_bodies(const SettledRun& run) {
+  std::vector<std::size_t> chattering;
+  for (const std::size_t k : resting_bodies(run))
+    if (settled_shake(run, k).amplitude >= kChatters * run.world.bodies()[k].size.minCoeff())
+      chattering.push_back(k);
+  return chattering;
+}
 
 }  // namespace tumble::chapters

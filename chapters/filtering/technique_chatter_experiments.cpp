@@ -81,8 +81,7 @@ struct Cell {
   bool tied = false;        // others have this rank too
 };
 
-Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTechnique& technique,
-             double technique_number, double scene_number, Table& seeds) {
+Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTechnique& technique) {
   Cell cell;
   std::vector<double> amplitudes;
   std::vector<double> accelerations;
@@ -107,8 +106,6 @@ Cell cell_of(const Parameters& p, int count, const Start& start, const PlayedTec
       amplitudes.push_back(run.amplitude());
       accelerations.push_back(run.acceleration());
     }
-    seeds.add(technique_number, scene_number, seed, run.amplitude(), run.acceleration(),
-              run.restless(), run.capped, run.displaced);
   }
   cell.amplitude = median_range(amplitudes);
   cell.acceleration = median_range(accelerations).median;
@@ -140,7 +137,7 @@ void rank(std::vector<Cell>& cells) {
   }
 }
 
-Table techniques_without(const Parameters& p, const Start& start, Table& seeds) {
+Table techniques_without(const Parameters& p, const Start& start) {
   Table table{"without",
               {{"technique", "-", "0: basic, then timewarp simple, safer, swept, full"},
                {"amplitude_m", "m", "largest of a box that rests, median over seeds; empty: none"},
@@ -151,8 +148,7 @@ Table techniques_without(const Parameters& p, const Start& start, Table& seeds) 
                {"capped", "-", "share of steps that met the cap of collisions"},
                {"collisions", "-", "in a step, while watched"}}};
   for (std::size_t k = 0; k < kRestless.size(); ++k) {
-    const double number = static_cast<double>(k) + 100.0;
-    const Cell cell = cell_of(p, p.count("others"), start, {kRestless[k]}, number, 0.0, seeds);
+    const Cell cell = cell_of(p, p.count("others"), start, {kRestless[k]});
     table.add(k, cell.amplitude.median, cell.acceleration,
               cell.restless / (cell.cubes * cell.seeds), cell.fell, cell.seeds, cell.capped,
               cell.collisions);
@@ -195,23 +191,13 @@ Result tabulate_chatter(const Parameters& settings) {
        {"rank", "-", "1, and one more for each whose interval is wholly below; empty: none"},
        {"tied", "-", "1: others have this rank too"},
        {"colour", "-", "0xRRGGBB"}}};
-  Table seeds{"seeds",
-              {{"technique", "-", "row of the table; from 100 on: of the table without"},
-               {"scene", "-", "column of the table"},
-               {"seed", "-", "of the start, and of chance in the technique"},
-               {"amplitude_m", "m", "largest of a cube that rests"},
-               {"acceleration", "-", "largest, over that of a free fall"},
-               {"restless", "-", "cubes that do not rest"},
-               {"capped", "-", "steps that met the cap of collisions"},
-               {"displaced_m", "m", "of the centre that got farthest from its start"}}};
   Result result;
   const std::array<std::string, kScenes> words = {"stack", "pyramid", "small clump", "large clump"};
   for (std::size_t s = 0; s < kScenes; ++s) {
     std::vector<Cell> cells(rested.size());
     for (std::size_t t = 0; t < rested.size(); ++t)
       if (rested[t].soon[s] || patient)
-        cells[t] = cell_of(settings, settings.count("seeds"), starts[s], rested[t].technique,
-                           static_cast<double>(t), static_cast<double>(s), seeds);
+        cells[t] = cell_of(settings, settings.count("seeds"), starts[s], rested[t].technique);
     rank(cells);
     const double cubes = cells[kDamped].cubes;
     for (std::size_t t = 0; t < rested.size(); ++t) {
@@ -228,7 +214,7 @@ Result tabulate_chatter(const Parameters& settings) {
                    static_cast<int>(cell.seeds));
     }
   }
-  result.tables = {table, techniques_without(settings, starts[0], seeds), seeds, shades()};
+  result.tables = {table, techniques_without(settings, starts[0]), shades()};
   return result;
 }
 

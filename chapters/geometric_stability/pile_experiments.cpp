@@ -125,8 +125,7 @@ Result measure_confusion(const Parameters& settings) {
                {"found", "-", "share of the movable boxes that are called stable and rest"},
                {"missed", "-", "that are not called stable and rest"},
                {"moving", "-", "that are not called stable and move"},
-               {"false", "-", "that are called stable and move"},
-               {"missed_share", "-", "share of the boxes that rest which are missed"}}};
+               {"false", "-", "that are called stable and move"}}};
   const auto boxes = each([](const PileCount& p) {
     const Cells& c = p.cells[0];
     return c.stable_rests + c.stable_moves + c.other_rests + c.other_moves;
@@ -147,14 +146,13 @@ Result measure_confusion(const Parameters& settings) {
     const auto sum = [&](double Cells::*cell) {
       return all([&](const PileCount& p) { return p.cells[level].*cell; });
     };
-    const auto missed = each([&](const PileCount& p) { return p.cells[level].other_rests; });
-    const Quantity share =
-        ratio_of_sums("share of the resting boxes missed by " + name_of(kStabilityLevels[level]),
-                      "-", missed, resting);
     table.add(level, sum(&Cells::stable_rests) / count, sum(&Cells::other_rests) / count,
-              sum(&Cells::other_moves) / count, sum(&Cells::stable_moves) / count, share.value);
+              sum(&Cells::other_moves) / count, sum(&Cells::stable_moves) / count);
     // Hull and corners agree, as the next number but one shows.
-    if (kStabilityLevels[level] != StabilityLevel::hull) result.add(share);
+    if (kStabilityLevels[level] != StabilityLevel::hull)
+      result.add(ratio_of_sums(
+          "share of the resting boxes missed by " + name_of(kStabilityLevels[level]), "-",
+          each([&](const PileCount& p) { return p.cells[level].other_rests; }), resting));
     wrong += sum(&Cells::stable_moves);
   }
   const double g = 9.81;  // [m/s²]

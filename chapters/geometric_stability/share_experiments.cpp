@@ -189,6 +189,7 @@ Result measure_share_of_gain(const Parameters& settings) {
   const int knocks = static_cast<int>(knocked.size());
   const std::string right = "share of the unknowns removed as printed that may be removed, ";
   const std::string kept = "unknowns removed by the mended listing over those removed as printed, ";
+  const auto kept_of = [](const Points& sum) { return sum.removed[1] / sum.removed[0]; };
   return {
       {table},
       {over_seeds(right + "random piles", "-", piles,
@@ -200,17 +201,11 @@ Result measure_share_of_gain(const Parameters& settings) {
                   "random piles",
                   "-", piles, [&](int k) { return right_share(total(both, k), 1); }),
        over_seeds(kept + "random piles", "-", piles,
-                  [&](int k) {
-                    const Points sum = total(both, k);
-                    return sum.removed[1] / sum.removed[0];
-                  }),
+                  [&](int k) { return kept_of(total(both, k)); }),
        over_seeds(kept + "pyramids that were knocked", "-", knocks,
-                  [&](int k) {
-                    const Points sum = total(knocked, k);
-                    return sum.removed[1] / sum.removed[0];
-                  }),
-       {kept + "figure 5.6, neighbours apart", "-", apart.removed[1] / apart.removed[0]},
-       {kept + "figure 5.6, neighbours touch", "-", close.removed[1] / close.removed[0]},
+                  [&](int k) { return kept_of(total(knocked, k)); }),
+       {kept + "figure 5.6, neighbours apart", "-", kept_of(apart)},
+       {kept + "figure 5.6, neighbours touch", "-", kept_of(close)},
        over_seeds("unknowns of random piles, all over those left by the mended listing", "-", piles,
                   [&](int k) {
                     const Points sum = total(both, k);

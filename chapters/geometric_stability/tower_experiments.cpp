@@ -108,8 +108,7 @@ Table level_table(const RestingPile& series, const Towers& towers) {
               {{"y_m", "m", "height of the contact"},
                {"left_m", "m", "left end of the hull of the contact"},
                {"right_m", "m", "right end"},
-               {"centre_m", "m", "centre of all blocks above, to the right"},
-               {"mass_kg", "kg", "of all blocks above"}}};
+               {"centre_m", "m", "centre of all blocks above, to the right"}}};
   for (const Contact& contact : series.contacts) {
     if (contact.second < kLowest) continue;
     double left = contact.points[0].position_w.x();
@@ -118,8 +117,8 @@ Table level_table(const RestingPile& series, const Towers& towers) {
       left = std::min(left, contact.points[idx(p)].position_w.x());
       right = std::max(right, contact.points[idx(p)].position_w.x());
     }
-    const TowerLoad& above = towers.loads()[idx(contact.second)];
-    table.add(contact.points[0].position_w.y(), left, right, above.centre_w().x(), above.mass);
+    table.add(contact.points[0].position_w.y(), left, right,
+              towers.loads()[idx(contact.second)].centre_w().x());
   }
   return table;
 }

@@ -72,14 +72,12 @@ Result measure_ablation(const Parameters& settings) {
                 "1 to 8: scaling; with alignment; all; all but scaling, but slow "
                 "components, but settling, but turning upright, but small moves undone"},
                {"chatter", "-", "share of the boxes that chatter"},
-               {"restless", "-", "share of the boxes that do not rest in the last half second"},
                {"rest_s", "s", "mean time at which a box last moved by more than a little"}}};
   std::vector<Tried> tried;
   for (const PartSet& set : kSets) {
     tried.push_back(attempt(set, {}, per_edge));
     const Tried& now = tried.back();
-    table.add(tried.size(), now.share(chatters, -1),
-              now.share([](const BoxEnd& end) { return !end.rests; }, -1), now.rest_time(-1));
+    table.add(tried.size(), now.share(chatters, -1), now.rest_time(-1));
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a[1] > b[1]; });

@@ -58,18 +58,14 @@ Damped without_damping(const Method& method) {
 // What the windows of one run or of several showed.
 struct Shaking {
   double amplitude = 0.0;  // [m] sum over the windows in which a box rests
-  double boxes = 0.0;      // that rest, sum over the same
   double windows = 0.0;    // how many these are
-  double restless = 0.0;   // windows in which no box rests
 
   [[nodiscard]] double mean() const {
     return windows > 0.0 ? amplitude / windows : std::numeric_limits<double>::quiet_NaN();
   }
   void add(const Shaking& other) {
     amplitude += other.amplitude;
-    boxes += other.boxes;
     windows += other.windows;
-    restless += other.restless;
   }
 };
 
@@ -107,11 +103,7 @@ Shaking shake(const Stack& stack, const Method& method, int seed) {
     watch.look(world);
     if (step < method.rate || 2 * step % method.rate != 0) continue;
     const Chatter chatter = watch.measure(world.gravity_w.norm());
-    if (chatter.bodies > 0) {
-      out.add({chatter.amplitude, static_cast<double>(chatter.bodies), 1.0, 0.0});
-    } else {
-      out.restless += 1.0;
-    }
+    if (chatter.bodies > 0) out.add({chatter.amplitude, 1.0});
   }
   return out;
 }
@@ -136,9 +128,7 @@ Table all_rules(const Stack& stack, int finest, int seeds) {
                {"normals", "-", "0: closest face of the last step, 1: exact, 2: signed distance"},
                {"dt_s", "s", "time step"},
                {"amplitude_m", "m", "of chatter, mean over the windows in which a box rests"},
-               {"boxes", "-", "that rest in these, mean"},
-               {"windows", "-", "how many these are"},
-               {"restless", "-", "windows in which no box rests"}}};
+               {"windows", "-", "how many these are"}}};
   for (const Shock shock : {Shock::position, Shock::velocity})
     for (const PointRule points : {PointRule::one, PointRule::area})
       for (std::size_t n = 0; n < kNormals.size(); ++n)
@@ -147,7 +137,7 @@ Table all_rules(const Stack& stack, int finest, int seeds) {
           for (const Shaking& run : shake_all(stack, {shock, points, kNormals[n], rate}, seeds))
             all.add(run);
           table.add(shock == Shock::velocity, points == PointRule::area, n, 1.0 / rate, all.mean(),
-                    all.windows > 0.0 ? all.boxes / all.windows : 0.0, all.windows, all.restless);
+                    all.windows);
         }
   return table;
 }

@@ -63,13 +63,7 @@ Result measure_clump_settles(const Parameters& settings) {
   frames.push_back(picture_boxes(played.world()));
 
   constexpr std::uint32_t moving = 0x8a8a8a;  // does not rest, so chatter does not apply
-  Table table{"",
-              {{"box", "-", "its number, from 1"},
-               {"chatter_mm", "mm",
-                "largest distance between two places of a corner in half a "
-                "second; empty: it does not rest"},
-               {"height_m", "m", "of its centre"}}};
-  double worst = 0.0;  // [mm]
+  double worst = 0.0;                         // [mm]
   double travelling = 0.0;
   std::size_t drawn = 0;
   const std::vector<BodyChatter> resting = meter.each(played.world().gravity_w.norm());
@@ -82,8 +76,6 @@ Result measure_clump_settles(const Parameters& settings) {
     frames[1][drawn++].colour = rests ? colour_of(amplitude) : moving;
     worst = std::max(worst, amplitude);
     if (!rests) travelling += 1.0;
-    table.add(drawn, rests ? amplitude : std::numeric_limits<double>::quiet_NaN(),
-              played.world().states()[k].position_w.y());
   }
 
   Table bar{"bar",
@@ -99,7 +91,7 @@ Result measure_clump_settles(const Parameters& settings) {
     const Camera camera = camera_for(frames[k], direction_w, 600.0, k == 0 ? 380.0 : 340.0, true);
     drawings.push_back({k == 0 ? "start" : "settled", to_gnuplot(draw_boxes(frames[k], camera))});
   }
-  return {{table, bar},
+  return {{bar},
           {{"cubes", "-", drawn},
            {"cubes that do not rest", "-", travelling},
            {"largest chatter of those that rest", "mm", worst},

@@ -22,7 +22,6 @@ struct Work {
   int n = 0;
   bool solved = false;
   double multiplications = 0.0;
-  double residual = 0.0;
 };
 
 // One solver, all sizes that it comes to.
@@ -43,7 +42,7 @@ std::vector<Work> work_of(const LcpRecipe& recipe, const Parameters& settings, d
     const bool solved =
         result.status == LcpStatus::solved && result.residual <= tolerance::usable_residual;
     const auto multiplications = static_cast<double>(result.multiplications);
-    all.push_back({n, solved, multiplications, result.residual});
+    all.push_back({n, solved, multiplications});
     const double growth = (row + (row < 8 ? 1.0 : 2.0)) / row;  // squared, of n
     expected = multiplications * growth * growth * growth * growth * growth * growth;
   }
@@ -87,8 +86,7 @@ Result measure_work(const Parameters& settings) {
                  {{"contacts", "-", "rows n of the problem"},
                   {"multiplications", "-", "until the solver gave up or was wrong"},
                   {"noisy", "-", "1 with random velocities, 0 at rest"},
-                  {"solver", "-", "which, from 1, in the order of the other tables' columns"},
-                  {"residual", "-", "of what it returned"}}};
+                  {"solver", "-", "which, from 1, in the order of the other tables' columns"}}};
   for (const double noise : {0.0, settings.number("noise")}) {
     const std::string which = noise > 0.0 ? "noisy" : "rest";
     std::vector<std::vector<Work>> solvers;
@@ -99,8 +97,7 @@ Result measure_work(const Parameters& settings) {
     result.tables.push_back(table_of(noise > 0.0 ? "noisy" : "", solvers));
     for (std::size_t k = 0; k < solvers.size(); ++k)
       for (const Work& work : solvers[k])
-        if (!work.solved)
-          failures.add(work.n, work.multiplications, noise > 0.0, k + 1, work.residual);
+        if (!work.solved) failures.add(work.n, work.multiplications, noise > 0.0, k + 1);
   }
   result.tables.push_back(failures);
   return result;

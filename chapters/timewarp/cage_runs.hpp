@@ -19,15 +19,19 @@ struct TimewarpForm {
 };
 
 // All bodies taken back for each collision; pairs that overlap at the end of the frame are searched.
-TimewarpForm all_taken_back();
+inline TimewarpForm all_taken_back() { return {"basic", {"search=discrete"}}; }
 
 // Full timewarp that is never synchronised.
 // stride: [frames] length of a flight, above 0
-TimewarpForm full_timewarp(double stride = kLongFlight);
+inline TimewarpForm full_timewarp(double stride = kLongFlight) {
+  return {"timewarp_full", {setting("stride", stride), "synchronise_every=0"}, true};
+}
 
 // Full timewarp in which all bodies wait for one another now and then; they fly until then.
 // every: [frames] from one synchronisation to the next, at least 1
-TimewarpForm synchronised_timewarp(int every);
+inline TimewarpForm synchronised_timewarp(int every) {
+  return {"timewarp_full", {"stride=0", "synchronise_every=" + std::to_string(every)}};
+}
 
 // Work of a stretch of a run; sums over seeds can be made of it.
 struct CageWork {
@@ -54,13 +58,50 @@ struct CageStretch {
 };
 
 // The settings that the figures on cages share.
-Parameters cage_settings();
+inline Parameters cage_settings() {
+  return Parameters{}
+      .add_whole("seeds", 20, 2, 1000, "cages of each kind")
+      .add_number("speed", 2.0, 0.01, 100.0, "m/s", "largest component of a velocity at the start")
+      .add_number("spin", 2.0, 0.0, 100.0, "rad/s",
+                  "largest component of an angular velocity at the start")
+      .add_whole("lead", 30, 0, 10000, "frames of 1/60 s before work is counted");
+}
 
 // A stretch with the settings of a figure.
-CageStretch stretch_of(const Parameters& settings, int count);
+inline CageStretch stretch_of(const Parameters& settings, int count) {
+  CageStretch stretch;
+  stretch.count = count;
+  stretch.speed = settings.number("speed");
+  stretch.spin = settings.number("spin");
+  stretch.lead = settings.count("lead");
+  stretch.settle = kLongFlight;
+  return stretch;
+}
+
+// Runs frames and returns what was done in them.
+inline CageWork run(Technique& technique, World& world, double dt, int frames) {
+  CageWork work;
+  for (int k = 0; k < frames; ++k) {
+    const StepReport report = finished(technique.step(world, dt));
+    work.frames += 1.0;
+    work.events += static_cast<double>(report.events);
+    work.integrations += static_cast<double>(report.integrations);
+    work.pair_tests += static_cast<double>(report.pair_tests);
+    work.rewinds += static_cast<double>(report.rewinds);
+  }
+  return work;
+}
 
 // Builds a cage and leads it, by the timewarp with swept volumes.
-World led_cage(const CageStretch& stretch, int seed);
+inline World led_cage(const CageStretch& stretch, int seed) {
+  World world =
+      build_world(scene_with("cage",
+                             {"count=" + std::to_string(stretch.count),
+                              setting("speed", stretch.speed), setting("spin", stretch.spin)},
+                             static_cast<std::uint64_t>(seed)));
+  run(*make_technique("timewarp_swept"), world, stretch.dt, stretch.lead);
+  return world;
+}
 
 // A cage before and after the frames in which a technique with memory settles.
 struct SettledCage {
@@ -69,16 +110,38 @@ struct SettledCage {
 };
 
 // Hurries a cage and lets it settle, by the timewarp with swept volumes.
-SettledCage settled_cage(const World& led, const CageStretch& stretch);
+inline SettledCage settled_cage(const World& led, const CageStretch& stretch) {
+  SettledCage cage{led, led};
+  for (BodyState& state : cage.before.states()) {
+    state.linear_momentum_w *= stretch.factor;
+    state.angular_momentum_w *= stretch.factor;
+  }
+  cage.after = cage.before;
+  run(*make_technique("timewarp_swept"), cage.after, stretch.dt, stretch.settle);
+  return cage;
+}
 
 // Counts what a technique does in the frames of a stretch. One that settles does so first, others
 // begin after that: all go through the same time.
-CageWork work_of(const SettledCage& cage, const CageStretch& stretch, const TimewarpForm& form);
+inline CageWork work_of(const SettledCage& cage, const CageStretch& stretch,
+                        const TimewarpForm& form) {
+  const std::unique_ptr<Technique> technique = make_technique(form.name, form.settings);
+  World world = form.settles ? cage.before : cage.after;
+  if (form.settles) run(*technique, world, stretch.dt, stretch.settle);
+  return run(*technique, world, stretch.dt, stretch.frames);
+}
 
 // One count over all seeds, or over all but one.
-double total(const Works& works, double CageWork::*count, int left_out = -1);
+inline double total(const Works& works, double CageWork::*count, int left_out = -1) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < works.size(); ++k)
+    if (static_cast<int>(k) != left_out) sum += works[k].*count;
+  return sum;
+}
 
 // The same for each event.
-double per_event(const Works& works, double CageWork::*count, int left_out = -1);
+inline double per_event(const Works& works, double CageWork::*count, int left_out = -1) {
+  return total(works, count, left_out) / total(works, &CageWork::events, left_out);
+}
 
 }  // namespace tumble::chapters

@@ -84,11 +84,9 @@ CageStretch hurried(const Parameters& settings, std::size_t factor) {
 }
 
 Table table_by_rate(const std::array<std::array<Works, 5>, 4>& works, int seeds) {
-  Table table{"rates",
-              {{"in_frame", "-", "collisions in a frame"},
-               {"ratio", "-", "integrations per collision, all taken back over simple"},
-               {"low", "-", "lower end of its interval of 95 %"},
-               {"high", "-", "upper end of it"}}};
+  Table table{"rates", {{"in_frame", "-", "collisions in a frame"}}};
+  add_interval_columns("ratio", "-", "integrations per collision, all taken back over simple",
+                       table);
   for (const auto& forms_at_rate : works)
     table.add(1.0 / per_event(forms_at_rate[kAll], &CageWork::frames),
               with_interval(over_seeds("", "-", seeds, [&](int left_out) {

@@ -93,10 +93,8 @@ Table table_by_rate(const std::vector<Costs>& list, int seeds) {
   Table table{"rates",
               {{"bodies", "-", "cubes in the cage"},
                {"factor", "-", "of all speeds"},
-               {"in_frame", "-", "collisions in a frame"},
-               {"lost", "-", "share that is lost by synchronising on every frame"},
-               {"low", "-", "lower end of its interval of 95 %"},
-               {"high", "-", "upper end of it"}}};
+               {"in_frame", "-", "collisions in a frame"}}};
+  add_interval_columns("lost", "-", "share that is lost by synchronising on every frame", table);
   for (const Costs& costs : list)
     table.add(costs.stretch.count, costs.stretch.factor, collisions(costs),
               with_interval(

@@ -18,7 +18,7 @@ set arrow 2 from 1.0/60,0.5*sixtieth_mean to 1.0/60,sixtieth_mean nohead lt 8 dt
 set key at screen 0.56,0.985 center top vertical maxcols 1
 over(x) = x > 0 ? x : 2e-5
 plot stem.'.csv' using 'step_s':'restarts' with lines lt 1 title 'restarts per collision', \
-  '' using 'step_s':'restarts':'low':'high' with yerrorbars lt 1 notitle, \
+  '' using 'step_s':'restarts':'restarts_low':'restarts_high' with yerrorbars lt 1 notitle, \
   '' using 'step_s':'uncovered' with lines lt 2 title 'searches that uncover a hidden collision', \
   '' using 'step_s':'uncovered':(over(column('uncovered_low'))):'uncovered_high' with yerrorbars lt 2 notitle, \
   sixtieth_mean*60*x with lines lt 8 dt (2,4) title 'slopes 1 and 2', \

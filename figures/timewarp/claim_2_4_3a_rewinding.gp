@@ -42,4 +42,4 @@ set arrow 3 from standard_mean,1 to standard_mean,100 nohead lt 8 dt (6,4)
 set label 3 'speeds of the' at standard_mean,5.4 left offset 0.5,0 textcolor rgb soft
 set label 4 'panels above' at standard_mean,3.6 left offset 0.5,0 textcolor rgb soft
 plot 512*(x + 1)/(4*x + 512) with lines lt 8, \
-  rates using 'in_frame':'ratio':'low':'high' with yerrorbars lt 1
+  rates using 'in_frame':'ratio':'ratio_low':'ratio_high' with yerrorbars lt 1

@@ -49,5 +49,5 @@ set label 3 "panel\nabove" at standard_mean,0.9 left offset 0.7,-0.3 textcolor r
 set arrow 3 from standard_mean,0.01 to standard_mean,1 nohead lt 8 dt (6,4)
 set key at graph 0.02,graph 0.04 left bottom vertical maxrows 3
 plot 1/(1 + x) with lines lt 8 title '1/(1 + collisions)', \
-  rates using 'in_frame':(of(bodies_max, column('lost'))):'low':'high' with yerrorbars lt 1 title many, \
-  rates using 'in_frame':(of(bodies_min, column('lost'))):'low':'high' with yerrorbars lt 2 title few
+  rates using 'in_frame':(of(bodies_max, column('lost'))):'lost_low':'lost_high' with yerrorbars lt 1 title many, \
+  rates using 'in_frame':(of(bodies_min, column('lost'))):'lost_low':'lost_high' with yerrorbars lt 2 title few

@@ -2,7 +2,7 @@
 /// \brief Choices that the thesis leaves open: reading, verdicts of other values, refusals.
 #include "chapters/scratch.hpp"
 #include "driver/chosen_values.hpp"
-#include "driver/left_open_page.hpp"
+#include "driver/pages.hpp"
 #include "support/catch.hpp"
 
 #include <set>

@@ -3,7 +3,6 @@
 #include "driver/pages.hpp"
 
 #include "chapters/scratch.hpp"
-#include "driver/index_page.hpp"
 #include "driver/markup.hpp"
 #include "support/catch.hpp"
 
