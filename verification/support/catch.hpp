@@ -1,5 +1,5 @@
 /// \file
-/// \brief Catch2, version 2 (Debian 12) or 3.
+/// \brief Catch2, version 2 (Debian 12) or 3, and the parts of the standard library that most tests use.
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -8,6 +8,34 @@ using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 #endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using Catch::Matchers::Contains;
+
+// How often each promise was broken, for tests of many cases: CHECK(wrong == Failures{}) shows all of them.
+using Failures = std::map<std::string, int>;
 
 // A number to compare with that allows for what its margin says and nothing else.
 //
