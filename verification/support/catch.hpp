@@ -34,7 +34,7 @@ using Catch::Approx;
 
 using Catch::Matchers::Contains;
 
-// How often each promise was broken, for tests of many cases: CHECK(wrong == Failures{}) shows all of them.
+// How often each promise was broken in a test of many cases; CHECK(wrong == Failures{}) shows them all.
 using Failures = std::map<std::string, int>;
 
 // A number to compare with that allows for what its margin says and nothing else.

@@ -121,7 +121,7 @@ TEST_CASE("A warm step of every technique but two asks for no memory",
                                               {stack, {{"pose", "exponential"}}},
                                               {stack, {{"shock", "position"}}}};
   for (const TechniqueRecipe& recipe : all_techniques()) {
-    // They do not promise it: joints and flights are new lists in each step.
+    // These ask for some in each step (measured), and do not promise otherwise.
     if (recipe.name == "glued" || recipe.name == "timewarp_full") continue;
     for (const auto& [start, set] : cases) {
       if (!set.empty() && !recipe.options().has(set[0].first)) continue;
