@@ -7,9 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace {
 
 using namespace tumble;

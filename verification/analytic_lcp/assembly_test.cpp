@@ -5,7 +5,6 @@
 
 #include "analytic_lcp/instant.hpp"
 #include "dynamics/random_bodies.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/touching.hpp"
 
 #include <array>
@@ -256,18 +255,6 @@ TEST_CASE("A point that separates faster than asked has no row", "[unit][assembl
   assemble(0.0);
   CHECK(cube.problem.lcp().size() == 0);
   CHECK(cube.problem.fastest_approach() == 0.0);
-}
-
-TEST_CASE("Assembling a problem of the same size again takes no memory",
-          "[unit][assembly][analytic_lcp]") {
-  Instant heap = random_heap(4);
-  heap.solve();
-  const AllocationCount allocations;
-  free_accelerations(heap.world, heap.bodies, heap.accelerations);
-  heap.problem.assemble(heap.world, heap.bodies, heap.accelerations, heap.contacts, kAll);
-  heap.problem.add_wrenches(heap.answer.f, heap.wrenches);
-  accelerate(heap.bodies, heap.wrenches, heap.accelerations);
-  CHECK(allocations.value() == 0);
 }
 
 TEST_CASE("A problem that does not fit its world is refused", "[unit][assembly][analytic_lcp]") {

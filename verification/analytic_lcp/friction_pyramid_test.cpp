@@ -8,21 +8,13 @@
 #include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/touching.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -286,14 +278,4 @@ TEST_CASE("The problem with friction refuses what makes no sense",
   assemble(4);
   std::vector<Vec3> pushes;
   CHECK_THROWS_WITH(pyramid.pushes(std::vector<double>(5), pushes), Contains("give 6"));
-}
-
-TEST_CASE("A warm problem with friction asks for no memory", "[unit][pyramid][analytic_lcp]") {
-  Random random(67);
-  const Heap heap = random_heap(random, 6, true);
-  FrictionPyramid pyramid;
-  pyramid.assemble(heap.bodies, heap.contacts, heap.points, 8);
-  const AllocationCount count;
-  pyramid.assemble(heap.bodies, heap.contacts, heap.points, 8);
-  CHECK(count.value() == 0);
 }

@@ -2,14 +2,10 @@
 /// \brief Contact with friction by sweeps over the points: closed forms, and that it always ends.
 #include "tumble/analytic_lcp/friction_sweeps.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
-
-#include <cmath>
-#include <vector>
 
 namespace {
 

@@ -11,9 +11,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace tumble::test {
 
 inline constexpr double kG = 9.81;       // [m/s²]

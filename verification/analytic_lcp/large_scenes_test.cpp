@@ -8,12 +8,7 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <ctime>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -8,10 +8,6 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 namespace {
 
 using namespace tumble;

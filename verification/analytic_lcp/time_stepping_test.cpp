@@ -6,21 +6,14 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/techniques.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 #include "support/runs.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 constexpr double kG = 9.81;
 constexpr double kStep = 1.0 / 60.0;
@@ -297,17 +290,4 @@ TEST_CASE("Time stepping can be made by name", "[unit][time_stepping][analytic_l
   TimeStepping technique(posed<TimeSteppingOptions>());
   CHECK_THROWS_WITH(technique.step(world, 0.0), Contains("dt"));
   CHECK(technique.unsolved_problem() == nullptr);
-}
-
-TEST_CASE("A warm time step at the level of velocities asks for no memory",
-          "[unit][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  // A stack at rest: its problems keep their sizes. Where other points rub in each step they do not,
-  // and matrices of another size need another place.
-  World world = stack_of(3);
-  TimeStepping technique(posed<TimeSteppingOptions>());
-  run(world, technique, 5);
-  const AllocationCount count;
-  run(world, technique, 5);
-  CHECK(count.value() == 0);
 }

@@ -9,15 +9,10 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 constexpr double kStep = 1.0 / 60.0;
 

@@ -3,8 +3,6 @@
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,15 +5,10 @@
 #include "support/catch.hpp"
 #include "support/files.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <string>
 #include <sys/wait.h>
-#include <vector>
 
 #ifndef TUMBLE_COMMAND
 #define TUMBLE_COMMAND "tumble"  // where the build does not say: the one that is installed

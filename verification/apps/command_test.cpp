@@ -4,8 +4,6 @@
 
 #include "support/catch.hpp"
 
-#include <vector>
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,23 +183,6 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       c.arguments += " --out " + folder.text();
   check_refused(cases);
   CHECK(!fs::exists(folder.path));
-}
-
-TEST_CASE("A folder that is no run's is not written into", "[unit][command]") {
-  const Folder folder("taken");
-  fs::create_directories(folder.path);
-  std::ofstream(folder.path / "thesis.txt") << "years of work";
-  for (const std::string command : {"run bouncing_box --out ", "compare bouncing_box --out "}) {
-    const Outcome outcome = run_tumble(command + folder.text());
-    INFO(outcome.text);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.text.find("not empty") != std::string::npos);
-    const Outcome file = run_tumble(command + folder.text() + "/thesis.txt");
-    CHECK(file.code == 2);
-    CHECK(file.text.find("is a file: give a folder") != std::string::npos);
-  }
-  CHECK(content(folder.path / "thesis.txt") == "years of work");
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
 }
 
 TEST_CASE("Scenes and techniques are listed, described and printed", "[unit][command]") {

@@ -4,8 +4,6 @@
 #include "live/json.hpp"
 #include "support/catch.hpp"
 
-#include <utility>
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,8 +3,6 @@
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
-#include <vector>
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -7,13 +7,10 @@
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
-#include <vector>
-
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 // A problem in files of a folder of its own, and the command that solves it.
 struct Files {
@@ -112,15 +109,6 @@ TEST_CASE("Rows may be equalities, whose force has any sign", "[unit][command]")
   CHECK(list_of(glued.text, "f")[0] < -2.6);  // -8/3, and contact 2 pushes with 4/3
   CHECK(list_of(files.solve("--equalities 1,3-3").text, "f")[2] == -1.0);
   CHECK(list_of(files.solve("--equalities 1-3").text, "a") == std::vector<double>{0, 0, 0});
-}
-
-TEST_CASE("A problem of no rows is solved", "[unit][command]") {
-  const Files files("lcp_empty");
-  files.write(MatX(0, 0), MatX(0, 1));
-  const Outcome outcome = files.solve();
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
-  CHECK_THAT(outcome.text, Contains("\"f\": []") && Contains("\"status\": \"solved\""));
 }
 
 TEST_CASE("A problem that cannot be read ends with code 2 and one line that says why",

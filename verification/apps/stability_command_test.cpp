@@ -3,13 +3,9 @@
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 // The line of the table that begins with a name.
 std::string line_of(const std::string& text, const std::string& name) {

@@ -4,10 +4,6 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <stdexcept>
-#include <string>
-
 using namespace tumble;
 
 namespace {

@@ -6,9 +6,6 @@
 
 #include "support/catch.hpp"
 
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {

@@ -5,10 +5,7 @@
 #include "support/catch.hpp"
 
 #include <clocale>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <string>
 
 namespace {
 

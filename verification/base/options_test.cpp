@@ -4,12 +4,9 @@
 
 #include "support/catch.hpp"
 
-#include <string>
-
 namespace {
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 enum class Colour { red, green, blue };
 

@@ -4,9 +4,6 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-
 using namespace tumble;
 
 namespace {

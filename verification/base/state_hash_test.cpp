@@ -5,9 +5,6 @@
 #include "support/catch.hpp"
 
 #include <cstring>
-#include <limits>
-#include <string>
-#include <vector>
 
 using namespace tumble;
 

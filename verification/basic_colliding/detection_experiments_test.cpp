@@ -7,9 +7,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

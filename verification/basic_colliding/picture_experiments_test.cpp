@@ -7,11 +7,7 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -5,10 +5,7 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <vector>
 
 namespace {
 

@@ -3,11 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -3,9 +3,6 @@
 #include "driver/statistics.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <vector>
-
 using namespace tumble::chapters;
 
 TEST_CASE("A share of trials has Wilson's interval", "[exact][basic_colliding]") {

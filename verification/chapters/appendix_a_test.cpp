@@ -5,12 +5,8 @@
 #include "driver/csv.hpp"
 #include "support/catch.hpp"
 
-#include <set>
-
 namespace tumble::chapters {
 namespace {
-
-using Catch::Matchers::Contains;
 
 const std::string kMeant =
     "// [COLLIDE:1-3]\n  // Why.\n  if (a <\n      b)\n    c();\n  d();\n// [COLLIDE:1-3]\n";

@@ -5,12 +5,8 @@
 #include "driver/pages.hpp"
 #include "support/catch.hpp"
 
-#include <set>
-
 namespace tumble::chapters {
 namespace {
-
-using Catch::Matchers::Contains;
 
 const char* const kExpected =
     "figure,quantity,unit,value,tolerance,reason\n"

@@ -6,14 +6,10 @@
 #include "driver/registry.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 
 namespace tumble::chapters {
 namespace {
-
-using Catch::Matchers::Contains;
 
 std::string text_of_figure(const std::string& id) {
   return "[[figure]]\nid = \"" + id + "\"\nsection = \"2.1\"\ntitle = \"It falls\"\n" +

@@ -6,12 +6,8 @@
 #include "driver/csv.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-
 namespace tumble::chapters {
 namespace {
-
-using Catch::Matchers::Contains;
 
 const char* const kExpected =
     "figure,quantity,unit,value,tolerance,reason\n"

@@ -6,15 +6,11 @@
 #include "driver/csv.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <set>
 
 namespace tumble::chapters {
 namespace {
 
-using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 
 const char* const kClaim = R"([[claim]]

@@ -9,8 +9,6 @@
 namespace tumble::chapters {
 namespace {
 
-using Catch::Matchers::Contains;
-
 const std::string kClaims = claim_on_speed("A < B \\\\ref C.");
 
 Findings findings_with(const std::string& rows) {

@@ -5,12 +5,8 @@
 #include "chapters/scratch.hpp"
 #include "support/catch.hpp"
 
-#include <set>
-
 namespace tumble::chapters {
 namespace {
-
-using Catch::Matchers::Contains;
 
 std::vector<ThesisSection> map_of(const std::string& text) {
   const Scratch scratch("thesis_map");

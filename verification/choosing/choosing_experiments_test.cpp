@@ -9,12 +9,7 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -2,18 +2,11 @@
 /// \brief Tests of how contacts are gathered, and of loading and storing velocities.
 #include "tumble/contact/gather.hpp"
 
-#include "tumble/base/random.hpp"
-
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <limits>
-#include <utility>
-
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -143,23 +136,6 @@ TEST_CASE("The remembered axis keeps a contact on its face", "[unit][gather]") {
   CHECK(after[0].normal_w.x() == near(1.0).margin(1e-12));
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, after);
   CHECK(after[0].normal_w.y() == near(1.0).margin(1e-12));
-}
-
-TEST_CASE("Gathering again allocates nothing", "[unit][gather]") {
-  const World world = small_world();
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
-  const std::vector<IndexPair> pairs = all_pairs(world);
-  ContactList before;
-  ContactList after;
-  gather_contacts(world, bodies, pairs, 0.001, {}, before);
-  gather_contacts(world, bodies, pairs, 0.001, before, after);
-  const AllocationCount count;
-  load_moving_bodies(world, bodies);
-  std::swap(before, after);
-  gather_contacts(world, bodies, pairs, 0.001, before, after);
-  carry_over_impulses(before, after);
-  CHECK(count.value() == 0);
 }
 
 TEST_CASE("Bad candidates, bodies and margins are refused", "[unit][gather]") {

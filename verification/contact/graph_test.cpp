@@ -4,17 +4,11 @@
 
 #include "tumble/base/random.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
-
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 const Vec3 kGravity(0.0, -9.81, 0.0);
 
@@ -211,21 +205,6 @@ TEST_CASE("A tower of 100 000 boxes does not overflow the stack", "[unit][contac
   CHECK(graph.level(count - 1) == 1);
   CHECK(graph.component(count - 1) == 1);
   CHECK(graph.level_count() == 2);
-}
-
-TEST_CASE("A warm contact graph asks for no memory", "[unit][contact_graph]") {
-  const auto bodies = some_bodies(1, 50);
-  std::vector<SupportEdge> edges;
-  std::vector<Contact> contacts;
-  for (int b = 0; b + 1 < 50; ++b) contacts.push_back(contact_of(b, b + 1, Vec3::UnitY()));
-  contacts.push_back(contact_of(49, 10, Vec3::UnitY()));
-  ContactGraph graph;
-  for (int warm = 0; warm < 2; ++warm) {
-    const AllocationCount requests;
-    support_edges(contacts, kGravity, edges);
-    graph.build(bodies, edges);
-    if (warm == 1) CHECK(requests.value() == 0);
-  }
 }
 
 TEST_CASE("An edge to nowhere is refused", "[unit][contact_graph]") {

@@ -2,6 +2,7 @@
 /// \brief Bodies and contacts without geometry, for tests of islands.
 #pragma once
 
+#include "tumble/base/random.hpp"
 #include "tumble/contact/contact.hpp"
 
 #include <span>
@@ -31,5 +32,22 @@ inline Contact touching(int first, int second) {
 inline std::vector<int> list(std::span<const int> numbers) {
   return {numbers.begin(), numbers.end()};
 }
+
+// Bodies, a quarter of them immovable, and contacts between some of them.
+struct RandomContacts {
+  explicit RandomContacts(Random& random) {
+    const std::uint32_t count = 2 + random.below(25);
+    for (std::uint32_t b = 0; b < count; ++b)
+      bodies.push_back(random.below(4) == 0 ? fixed_box_properties(Vec3::Ones())
+                                            : box_properties(Vec3::Ones(), 1.0));
+    for (std::uint32_t k = random.below(2 * count); k > 0; --k) {
+      const auto first = static_cast<int>(random.below(count));
+      const auto second = static_cast<int>(random.below(count));
+      if (first != second) contacts.push_back(touching(first, second));
+    }
+  }
+  std::vector<BodyProperties> bodies;
+  std::vector<Contact> contacts;
+};
 
 }  // namespace tumble::test

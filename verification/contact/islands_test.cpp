@@ -2,22 +2,11 @@
 /// \brief Tests of groups of touching bodies.
 #include "tumble/contact/islands.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "contact/island_cases.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
-namespace {
-
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
-
-}  // namespace
 
 TEST_CASE("Two heaps on one ground are two islands", "[unit][islands]") {
   Islands islands;
@@ -40,18 +29,8 @@ TEST_CASE("Islands agree with brute force on random contacts, in any order",
   Islands again;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     Random random(seed);
-    const std::uint32_t count = 2 + random.below(25);
-    std::vector<BodyProperties> bodies;
-    for (std::uint32_t b = 0; b < count; ++b)
-      bodies.push_back(random.below(4) == 0 ? fixed_box_properties(Vec3::Ones())
-                                            : box_properties(Vec3::Ones(), 1.0));
-    std::vector<Contact> contacts;
-    const std::uint32_t contact_count = random.below(2 * count);
-    for (std::uint32_t c = 0; c < contact_count; ++c) {
-      const auto first = static_cast<int>(random.below(count));
-      const auto second = static_cast<int>(random.below(count));
-      if (first != second) contacts.push_back(touching(first, second));
-    }
+    auto [bodies, contacts] = RandomContacts(random);
+    const std::size_t count = bodies.size();
     islands.build(bodies, contacts);
 
     // Brute force: spread the smallest index along contacts until nothing changes.
@@ -106,4 +85,42 @@ TEST_CASE("A contact of a body that there is not is refused", "[unit][islands]")
                     Contains("0 and 2") && Contains("below 2"));
   CHECK_THROWS_AS(islands.build(bodies, std::vector<Contact>{touching(-1, 1)}),
                   std::invalid_argument);
+}
+
+TEST_CASE("A wall counts as an immovable body does, on random contacts and on pairs",
+          "[exact][islands]") {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    const RandomContacts fixed(random);
+    std::vector<BodyProperties> bodies;  // the same, but movable
+    std::vector<char> walls;
+    for (const BodyProperties& body : fixed.bodies) {
+      bodies.push_back(box_properties(Vec3::Ones(), 1.0));
+      walls.push_back(body.movable() ? 0 : 1);
+    }
+    std::vector<IndexPair> pairs;
+    for (const Contact& contact : fixed.contacts) pairs.push_back({contact.first, contact.second});
+    Islands expected;
+    expected.build(fixed.bodies, fixed.contacts);
+    Islands by_contacts;
+    by_contacts.build(bodies, fixed.contacts, walls);
+    Islands by_pairs;
+    by_pairs.build_from_pairs(bodies, pairs, walls);
+    INFO("seed " << seed);
+    for (const Islands* found : {&by_contacts, &by_pairs}) {
+      REQUIRE(found->count() == expected.count());
+      for (int i = 0; i < expected.count(); ++i) {
+        CHECK(list(found->bodies(i)) == list(expected.bodies(i)));
+        CHECK(list(found->contacts(i)) == list(expected.contacts(i)));
+      }
+    }
+  }
+}
+
+TEST_CASE("Walls of another number than bodies are refused", "[unit][islands]") {
+  Islands islands;
+  const std::vector<char> two(2, 0);
+  CHECK_THROWS_WITH(islands.build(bodies_from("mmm"), {}, two), Contains("2 entries for 3 bodies"));
+  CHECK_THROWS_WITH(islands.build_from_pairs(bodies_from("m"), {}, two),
+                    Contains("2 entries for 1 bodies"));
 }

@@ -8,11 +8,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-
 namespace {
 
 using namespace tumble;

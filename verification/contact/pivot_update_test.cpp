@@ -12,14 +12,9 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace {
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 // Bodies with their momenta, and the pairs that push each other.
 struct Scene {

@@ -4,12 +4,7 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
-
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -6,9 +6,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 using namespace tumble;
 
 namespace {

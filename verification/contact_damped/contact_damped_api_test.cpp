@@ -171,23 +171,6 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
   CHECK(turned_most_of(rough, start) < 1e-4);
 }
 
-TEST_CASE("Immovable bodies alone, and no bodies at all, do nothing", "[unit][contact_damped]") {
-  BOTH_POSES;
-  World nothing;
-  const std::unique_ptr<Technique> technique = contact_damped();
-  CHECK(technique->step(nothing, kFrame).status == StepStatus::done);
-  World world;
-  world.add_ground();
-  const BodyProperties wall = fixed_box_properties(Vec3::Ones(), 0.5);
-  for (int k = 0; k < 3; ++k) world.add(wall, make_state(wall, Vec3(0.5 * k, 0.4, 0.0)));
-  const World start = world;
-  const std::unique_ptr<Technique> other = contact_damped({{"sleeping", "on"}});
-  const Course course = run(world, *other, 1.0);
-  CHECK(distance_of(world, start) == 0.0);
-  CHECK(course.failed == 0);
-  CHECK(other->contacts().empty());
-}
-
 TEST_CASE("A box that is wedged between two walls too close for it comes to rest",
           "[unit][contact_damped]") {
   BOTH_POSES;
@@ -233,12 +216,8 @@ TEST_CASE(
   CHECK(sleepers(world) == 11);
 }
 
-TEST_CASE("Bad options and steps are refused", "[unit][contact_damped]") {
+TEST_CASE("Bad options of contact_damped are refused", "[unit][contact_damped]") {
   for (const char* option : {"sweeps", "correction_sweeps", "parts"})
     CHECK_THROWS_AS(contact_damped({{option, "0"}}), std::invalid_argument);
   CHECK_THROWS_AS(contact_damped({{"admm_iterations", "-1"}}), std::invalid_argument);
-  World world = two_stacks(1);
-  const std::unique_ptr<Technique> technique = contact_damped();
-  for (const double dt : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-    CHECK_THROWS_AS(technique->step(world, dt), std::invalid_argument);
 }

@@ -6,8 +6,6 @@
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
-#include <numbers>
-
 namespace {
 
 using namespace tumble;

@@ -14,13 +14,6 @@ namespace {
 
 const BodyProperties kCube = box_properties(Vec3::Ones(), 1.0);
 
-World column(int boxes) {
-  World world;
-  world.add_ground();
-  for (int k = 0; k < boxes; ++k) world.add(kCube, make_state(kCube, Vec3(0.0, 0.5 + k, 0.0)));
-  return world;
-}
-
 }  // namespace
 
 TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
@@ -56,7 +49,7 @@ TEST_CASE("A point without friction does not pull", "[exact][contact_damped]") {
 
 TEST_CASE("A copy of the technique reports the same contacts", "[unit][contact_damped]") {
   BOTH_POSES;
-  World world = column(2);
+  World world = stack_of(2);
   const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 0.1);
   const std::unique_ptr<Technique> copy = technique->clone();
@@ -68,7 +61,7 @@ TEST_CASE("A copy of the technique reports the same contacts", "[unit][contact_d
 TEST_CASE("A box that is replaced by an immovable one in its place disturbs no other body",
           "[unit][contact_damped]") {
   BOTH_POSES;
-  World world = column(10);
+  World world = stack_of(10);
   const std::unique_ptr<Technique> technique = contact_damped();
   run(world, *technique, 1.0);
   world.remove(world.ids()[10]);
@@ -84,7 +77,7 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs no o
 TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own masses",
           "[unit][contact_damped]") {
   BOTH_POSES;
-  World world = column(3);
+  World world = stack_of(3);
   const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[3].asleep);
@@ -98,7 +91,7 @@ TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own 
 TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed out",
           "[unit][contact_damped]") {
   BOTH_POSES;
-  World world = column(1);
+  World world = stack_of(1);
   const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
@@ -110,7 +103,7 @@ TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed
 
 TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped]") {
   BOTH_POSES;
-  World world = column(5);
+  World world = stack_of(5);
   run(world, *contact_damped({{"sleeping", "on"}}), 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
   world.remove(world.ids()[3]);

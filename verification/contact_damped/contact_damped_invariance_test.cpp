@@ -3,12 +3,9 @@
 #include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/changed_world.hpp"
 #include "support/pose.hpp"
-
-#include <numbers>
 
 namespace {
 
@@ -250,20 +247,5 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
     CHECK(spread < 1e-3);  // [m] settling from scattered places, in another order
     CHECK(fastest_of(world) < 1e-3);
     CHECK(fastest_of(reversed) < 1e-3);
-  }
-}
-
-TEST_CASE("A warm step of contact_damped allocates nothing", "[unit][contact_damped]") {
-  BOTH_POSES;
-  const Example examples[] = {{"stack", {}}, {"pyramid", {{"rows", "5"}}}, {"leaning", {}}};
-  for (const Example& example : examples) {
-    World world = world_of(example.scene, example.settings);
-    const std::unique_ptr<Technique> technique = contact_damped();
-    for (int k = 0; k < 60; ++k) technique->step(world, kFrame);
-    const AllocationCount count;
-    for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
-    const auto asked = count.value();  // before the message, which asks for some itself
-    INFO(example.scene);
-    CHECK(asked == 0);
   }
 }

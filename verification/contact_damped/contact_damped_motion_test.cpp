@@ -8,10 +8,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 namespace {
 
 using namespace tumble;

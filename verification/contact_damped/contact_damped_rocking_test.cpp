@@ -8,7 +8,6 @@
 #include "support/shared_data.hpp"
 
 #include <fstream>
-#include <numbers>
 
 namespace {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "impulse_damped/scene_runs.hpp"
+#include "support/runs.hpp"
 #include "support/touching.hpp"
 
 #include <memory>

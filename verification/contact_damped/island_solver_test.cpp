@@ -9,8 +9,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-
 using namespace tumble;
 using namespace tumble::test;
 

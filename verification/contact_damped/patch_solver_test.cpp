@@ -2,14 +2,11 @@
 /// \brief One contact patch: sticking, the bounds of friction, restitution and overlap correction.
 #include "tumble/contact_damped/patch_solver.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "support/catch.hpp"
-
-#include <cmath>
 
 using namespace tumble;
 

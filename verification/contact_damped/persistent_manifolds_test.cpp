@@ -6,10 +6,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
-
-#include <cmath>
 
 using namespace tumble;
 using namespace tumble::test;
@@ -17,15 +14,6 @@ using namespace tumble::test;
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;
-
-// A stack of cubes of 1 kg on the ground.
-World stack(int count) {
-  World world;
-  world.add_ground(0.5);
-  const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
-  for (int k = 0; k < count; ++k) world.add(body, make_state(body, Vec3(0.0, 0.5 + k, 0.0)));
-  return world;
-}
 
 ManifoldsFound find(PersistentManifolds& manifolds, const World& world,
                     double impulse_ratio = 1.0) {
@@ -56,7 +44,7 @@ std::pair<Vec3, Vec3> wrench_of(const ContactPatch& patch) {
 }  // namespace
 
 TEST_CASE("Patches of resting bodies are built once", "[unit][contact_damped]") {
-  const World world = stack(4);
+  const World world = stack_of(4);
   PersistentManifolds manifolds;
   const ManifoldsFound first = find(manifolds, world);
   CHECK(manifolds.patches().size() == 4);
@@ -74,7 +62,7 @@ TEST_CASE("Patches of resting bodies are built once", "[unit][contact_damped]") 
 }
 
 TEST_CASE("Gaps of a kept patch follow the small motion of its bodies", "[exact][contact_damped]") {
-  World world = stack(2);
+  World world = stack_of(2);
   PersistentManifolds manifolds;
   find(manifolds, world);
   const std::uint64_t stamp = manifolds.patches()[1].stamp;
@@ -100,7 +88,7 @@ TEST_CASE("Gaps of a kept patch follow the small motion of its bodies", "[exact]
 
 TEST_CASE("A patch that is built again takes over force and moment of the previous one",
           "[exact][contact_damped]") {
-  World world = stack(2);
+  World world = stack_of(2);
   PersistentManifolds manifolds;
   find(manifolds, world);
   for (ContactPatch& patch : manifolds.patches()) push(patch);
@@ -124,7 +112,7 @@ TEST_CASE("A patch that is built again takes over force and moment of the previo
 
 TEST_CASE("Impulses scale with the length of the step, and belong to bodies by their ids",
           "[exact][contact_damped]") {
-  World world = stack(3);
+  World world = stack_of(3);
   PersistentManifolds manifolds;
   find(manifolds, world);
   for (ContactPatch& patch : manifolds.patches()) push(patch);
@@ -144,7 +132,7 @@ TEST_CASE("Impulses scale with the length of the step, and belong to bodies by t
 TEST_CASE("A pair is tested again when a body has moved by more than a millionth of its edge",
           "[unit][contact_damped]") {
   for (const double share : {0.9, 1.1}) {
-    World world = stack(1);
+    World world = stack_of(1);
     PersistentManifolds manifolds;
     find(manifolds, world);
     BodyState state = world.states()[1];
@@ -175,17 +163,4 @@ TEST_CASE(
       CHECK(manifolds.patches()[0].points[0].target ==
             near(-(0.101 - tolerance::contact_damped_slop) / kStep).margin(1e-10));
   }
-}
-
-TEST_CASE("Kept patches allocate nothing", "[unit][contact_damped]") {
-  const World world = stack(5);
-  PersistentManifolds manifolds;
-  std::vector<IndexPair> candidates;
-  for (int k = 0; k < 5; ++k) candidates.push_back({k, k + 1});
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
-  for (int k = 0; k < 3; ++k) manifolds.find(world, bodies, candidates, kStep, 1.0);
-  const AllocationCount count;
-  manifolds.find(world, bodies, candidates, kStep, 1.0);
-  CHECK(count.value() == 0);
 }

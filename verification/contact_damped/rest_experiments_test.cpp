@@ -3,9 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-
 using namespace tumble::chapters;
 
 TEST_CASE("Most boxes of a settled clump have a face down", "[claims][contact_damped]") {

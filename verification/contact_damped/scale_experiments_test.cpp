@@ -3,8 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-
 using namespace tumble::chapters;
 
 TEST_CASE(

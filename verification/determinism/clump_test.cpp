@@ -7,8 +7,6 @@
 #include "support/catch.hpp"
 #include "support/layer_stepper.hpp"
 
-#include <cmath>
-
 namespace {
 
 using namespace tumble;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Free rotation against GSL: elliptic functions, and an integration of high order.
+/// \brief Free rotation against GSL's integration of high order.
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -8,11 +8,6 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
 
 using namespace tumble;
 

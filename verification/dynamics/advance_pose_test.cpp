@@ -7,12 +7,6 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {

@@ -7,11 +7,6 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {

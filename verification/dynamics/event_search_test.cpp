@@ -8,13 +8,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
 using namespace tumble;
 
 namespace {

@@ -6,13 +6,7 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 using namespace tumble;
 

@@ -7,9 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <memory>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {

@@ -5,13 +5,7 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 using namespace tumble;
 

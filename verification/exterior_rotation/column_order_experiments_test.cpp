@@ -4,11 +4,6 @@
 #include "exterior_rotation/column_runs.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <string_view>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -4,10 +4,6 @@
 #include "exterior_rotation/column_runs.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -5,9 +5,6 @@
 #include "exterior_rotation/falling_column.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -4,11 +4,6 @@
 #include "exterior_rotation/falling_column.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

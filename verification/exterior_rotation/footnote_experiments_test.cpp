@@ -10,10 +10,6 @@
 #include "exterior_rotation/unilateral_run.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -6,9 +6,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -8,10 +8,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <limits>
-#include <stdexcept>
-
 namespace {
 
 using namespace tumble;

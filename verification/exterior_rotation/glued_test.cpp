@@ -9,36 +9,8 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <limits>
-#include <stdexcept>
-
-namespace {
-
 using namespace tumble;
 using namespace tumble::test;
-
-}  // namespace
-
-TEST_CASE("A copy of the glued technique made during a run goes on to the same bits",
-          "[unit][exterior_rotation]") {
-  for (const GluedJoints joints : {GluedJoints::bilateral, GluedJoints::unilateral})
-    for (GluedOptions options : all_ways()) {
-      INFO(text_of(options));
-      options.joints = joints;
-      World world = world_of("fig6_1", {{"angle", "0.5"}});
-      Glued technique(options);
-      run(world, technique, 40);
-      World other = world;
-      const std::unique_ptr<Technique> copy = technique.clone();
-      for (int k = 0; k < 30; ++k) {
-        technique.step(world, (1 + k % 3) * 0.5 * kFrame);
-        copy->step(other, (1 + k % 3) * 0.5 * kFrame);
-      }
-      CHECK(world.hash().value() == other.hash().value());
-      CHECK(copy->contacts().size() == technique.contacts().size());
-    }
-}
 
 TEST_CASE("Finding the joints before the first step changes nothing", "[unit][exterior_rotation]") {
   for (const char* spin : {"0", "2"})

@@ -11,11 +11,6 @@
 #include "exterior_rotation/glued_runs.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -8,10 +8,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::test;
 

@@ -4,15 +4,12 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
-
-#include <array>
 
 namespace {
 

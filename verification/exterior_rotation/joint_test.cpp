@@ -10,9 +10,6 @@
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
-#include <limits>
-#include <stdexcept>
-
 namespace {
 
 using namespace tumble;

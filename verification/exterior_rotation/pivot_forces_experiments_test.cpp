@@ -5,12 +5,6 @@
 #include "exterior_rotation/column_runs.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -10,9 +10,6 @@
 #include "exterior_rotation/side_view.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

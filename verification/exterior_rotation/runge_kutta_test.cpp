@@ -8,12 +8,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -9,9 +9,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-
 namespace {
 
 using namespace tumble;

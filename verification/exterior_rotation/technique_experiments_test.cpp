@@ -9,14 +9,6 @@
 #include "exterior_rotation/falling_column.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

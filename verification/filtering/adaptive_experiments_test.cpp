@@ -7,12 +7,6 @@
 #include "filtering/adaptive_runs.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

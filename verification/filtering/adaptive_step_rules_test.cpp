@@ -5,15 +5,6 @@
 #include "filtering/adaptive_cases.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::adaptive_cases;
 

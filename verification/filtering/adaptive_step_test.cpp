@@ -8,13 +8,6 @@
 #include "filtering/adaptive_cases.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::adaptive_cases;
 

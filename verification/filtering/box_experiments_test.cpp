@@ -10,11 +10,6 @@
 #include "filtering/shown_clump.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

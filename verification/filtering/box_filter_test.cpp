@@ -9,17 +9,7 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -27,7 +17,6 @@ using namespace tumble;
 using namespace one_body;
 
 constexpr std::array<int, 8> kWidths = {1, 3, 5, 7, 9, 11, 13, 15};
-constexpr double kGravity = 9.81;  // [m/s²]
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -177,68 +166,6 @@ TEST_CASE("A box filter shows steady motion, straight and turning, where it was 
   }
 }
 
-TEST_CASE("A box filter shows a free fall too low by g dt² n (n + 1)/6", "[exact][filtering]") {
-  // The mean of -g k² dt²/2 over k = -n ... n; for n = 2 it is g dt², 2.725 mm at 60 frames a second.
-  const auto height = [](int k) { return 5.0 - 0.5 * kGravity * k * k * kFrameTime * kFrameTime; };
-  const Trajectory run = run_of(40, [&](int n) {
-    BodyState state;
-    state.position_w.y() = height(n);
-    return state;
-  });
-  for (const int width : kWidths) {
-    const int half = width / 2;
-    const double too_low = kGravity * kFrameTime * kFrameTime * half * (half + 1) / 6.0;
-    const Trajectory shown = boxed(run, width);
-    for (int n = half; n < run.count() - half; ++n)
-      CHECK(body_in(shown, n).position_w.y() == near(height(n) - too_low).margin(1e-14));
-  }
-  CHECK(height(10) - body_in(boxed(run, 5), 10).position_w.y() == near(2.725e-3).margin(1e-14));
-}
-
-TEST_CASE("A box filter rounds a bounce off by v dt n (n + 1)/(2n + 1)", "[exact][filtering]") {
-  // The mean of |k| v dt over k = -n ... n; for n = 2 it is 6/5 v dt above the floor.
-  constexpr double kSpeed = 3.0;  // [m/s]
-  const Trajectory run = run_of(61, [&](int n) {
-    BodyState state;
-    state.position_w.y() = std::abs(n - 30) * kSpeed * kFrameTime;
-    return state;
-  });
-  for (const int width : kWidths) {
-    const int half = width / 2;
-    const double above = kSpeed * kFrameTime * half * (half + 1) / width;
-    CHECK(body_in(boxed(run, width), 30).position_w.y() == near(above).margin(1e-15));
-  }
-  CHECK(body_in(boxed(run, 5), 30).position_w.y() == near(1.2 * kSpeed * kFrameTime).margin(1e-15));
-}
-
-TEST_CASE("At the ends of a run the window of a box filter shrinks symmetrically",
-          "[exact][filtering]") {
-  // Squares: over 2n + 1 frames the mean is n (n + 1)/3 too large.
-  const Trajectory run = run_of(30, [](int n) { return at(n * n); });
-  for (const int width : kWidths) {
-    const Trajectory shown = boxed(run, width);
-    for (int n = 0; n < run.count(); ++n) {
-      const int half = std::min({width / 2, n, run.count() - 1 - n});
-      CHECK(body_in(shown, n).position_w.x() ==
-            near(n * n + half * (half + 1) / 3.0).margin(1e-12));
-    }
-  }
-}
-
-TEST_CASE("A run shorter than the window is filtered with the windows that fit in it",
-          "[exact][filtering]") {
-  for (int count = 0; count <= 6; ++count) {
-    const Trajectory run = run_of(count, [](int n) { return at(n * n); });
-    const Trajectory shown = boxed(run, 15);
-    REQUIRE(shown.count() == count);
-    for (int n = 0; n < count; ++n) {
-      const int half = std::min(n, count - 1 - n);
-      CHECK(body_in(shown, n).position_w.x() ==
-            near(n * n + half * (half + 1) / 3.0).margin(1e-12));
-    }
-  }
-}
-
 TEST_CASE(
     "A box filter treats a body from its first frame to its last, and anew when it comes back",
     "[exact][filtering]") {
@@ -355,49 +282,6 @@ TEST_CASE("A run played backwards is shown with the same bits backwards", "[exac
     for (int n = 0; n < run.count(); ++n)
       same = same && same_bits(body_in(shown, n), body_in(other, run.count() - 1 - n));
     CHECK(same);
-  }
-}
-
-TEST_CASE("The causal box filter shows what the centred one does half a window later",
-          "[exact][filtering]") {
-  // Also where windows are shortened because the body turns fast.
-  for (const double turn : {0.1, 2.0}) {
-    const Trajectory run = random_walk(80, 0.1, turn, 14);
-    for (const int width : kWidths) {
-      const Trajectory shown = boxed(run, width);
-      const Trajectory late = boxed(run, width, BoxWindow::causal);
-      bool same = true;
-      for (int n = 0; n < run.count(); ++n) {
-        const BodyState& now = body_in(late, n);
-        same = same && same_pose(now, body_in(shown, std::max(0, n - width / 2))) &&
-               late.frame(n).time == run.frame(n).time;
-      }
-      CHECK(same);
-      CHECK(BoxFilter(width, BoxWindow::causal).latency() == 0);
-      CHECK(BoxFilter(width).latency() == width / 2);
-    }
-  }
-}
-
-TEST_CASE("A box filter changes poses only", "[exact][filtering]") {
-  Random chance(15);
-  const Trajectory run = run_of(30, [&](int) {
-    BodyState state;
-    state.position_w = chance.in_cube(0.01);
-    state.linear_momentum_w = chance.in_cube(3.0);
-    state.angular_momentum_w = chance.in_cube(3.0);
-    return state;
-  });
-  for (const BoxWindow window : {BoxWindow::centred, BoxWindow::causal}) {
-    const Trajectory shown = boxed(run, 5, window);
-    REQUIRE(shown.count() == run.count());
-    for (int n = 0; n < run.count(); ++n) {
-      CHECK(shown.frame(n).time == run.frame(n).time);
-      CHECK(shown.frame(n).step == run.frame(n).step);
-      CHECK(body_in(shown, n).linear_momentum_w == body_in(run, n).linear_momentum_w);
-      CHECK(body_in(shown, n).angular_momentum_w == body_in(run, n).angular_momentum_w);
-    }
-    CHECK(body_in(shown, 10).position_w != body_in(run, 10).position_w);
   }
 }
 

@@ -9,13 +9,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

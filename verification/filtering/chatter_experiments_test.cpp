@@ -8,11 +8,6 @@
 #include "filtering/chatter_run.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

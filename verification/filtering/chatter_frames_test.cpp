@@ -6,10 +6,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <functional>
-#include <limits>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -7,12 +7,6 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace one_body;
 

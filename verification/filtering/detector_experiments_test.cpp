@@ -4,8 +4,6 @@
 #include "filtering/motion_corpus.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -3,10 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -7,11 +7,6 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 using namespace tumble;
 using namespace one_body;
 
@@ -174,29 +169,6 @@ TEST_CASE("A body that comes back after frames without it is a new one to an env
   CHECK(shown.frame(3).states[1].position_w.x() == 1.003);  // not 1
   CHECK(shown.frame(4).states[1].position_w.x() == 1.003);
   CHECK(shown.frame(4).states[0].position_w.x() == 0.0);  // it was present all the time
-}
-
-TEST_CASE("An envelope leaves times, momenta and runs that do not move as they are",
-          "[exact][filtering]") {
-  BodyState still;
-  still.position_w = Vec3(0.1, 1e5, -1e-7);
-  still.orientation_wb.coeffs() = Vec3(0.1, -0.7, 0.3).homogeneous().normalized() * (1.0 + 4e-10);
-  const Trajectory run = run_of(30, [&](int n) {
-    BodyState state = still;
-    state.linear_momentum_w = Vec3(n, 1.0, 2.0);
-    state.angular_momentum_w = Vec3(0.0, n, 0.5);
-    return state;
-  });
-  for (const Trajectory& shown :
-       {filtered(run, EnvelopeFilter()), filtered(run, SoftEnvelopeFilter())}) {
-    REQUIRE(shown.count() == run.count());
-    for (int n = 0; n < run.count(); ++n) {
-      CHECK(body_in(shown, n) == body_in(run, n));
-      CHECK(shown.frame(n).time == run.frame(n).time);
-      CHECK(shown.frame(n).step == run.frame(n).step);
-    }
-  }
-  CHECK(EnvelopeFilter().latency() == 0);
 }
 
 TEST_CASE("An envelope without a radius or an angle above 0 is refused", "[unit][filtering]") {

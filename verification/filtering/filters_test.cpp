@@ -9,12 +9,6 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace one_body;
 

@@ -2,7 +2,6 @@
 /// \brief Sleep for islands that only chatter.
 #include "tumble/filtering/freezing.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/dynamics/energy.hpp"
@@ -13,11 +12,6 @@
 
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
 
 namespace {
 

@@ -7,10 +7,6 @@
 #include "filtering/live_runs.hpp"
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

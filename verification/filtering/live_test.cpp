@@ -7,12 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

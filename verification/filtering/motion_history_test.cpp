@@ -8,11 +8,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -7,11 +7,6 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 using namespace tumble;
 using namespace one_body;
 

@@ -9,12 +9,6 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -6,10 +6,6 @@
 #include "filtering/one_body.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <numbers>
-
 using namespace tumble;
 using namespace one_body;
 

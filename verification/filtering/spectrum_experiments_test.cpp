@@ -6,13 +6,6 @@
 #include "filtering/spectrum.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -5,12 +5,7 @@
 #include "support/catch.hpp"
 #include "support/files.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace tumble::fuzz {
 namespace {

@@ -6,10 +6,6 @@
 #include "fuzz/random_world.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <string>
-
 namespace tumble::fuzz {
 namespace {
 

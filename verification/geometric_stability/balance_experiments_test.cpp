@@ -5,11 +5,6 @@
 #include "geometric_stability/tower_experiments.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <string_view>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

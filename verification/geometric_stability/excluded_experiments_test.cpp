@@ -3,9 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

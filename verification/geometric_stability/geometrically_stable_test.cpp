@@ -10,11 +10,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -11,13 +11,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <algorithm>
-#include <array>
-#include <initializer_list>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -7,9 +7,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <numeric>
-#include <vector>
-
 namespace tumble {
 namespace {
 

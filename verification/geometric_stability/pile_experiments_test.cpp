@@ -15,12 +15,6 @@
 #include "geometric_stability/random_piles.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <set>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -4,9 +4,6 @@
 #include "geometric_stability/sliding_run.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -7,11 +7,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::test;
 
@@ -126,17 +121,4 @@ TEST_CASE("A list of bodies of the wrong length is refused", "[unit][geometric_s
   std::vector<PrintedStability> one(1);
   CHECK_THROWS_WITH(set_geometrically_stable_as_printed(world, {&beyond, 1}, all, one),
                     Catch::Matchers::Contains("contact of body 1: there are 1"));
-}
-
-TEST_CASE("As printed, one of two cubes side by side is stable, and none if both are cleared",
-          "[exact][geometric_stability]") {
-  // No other erratum is mended: the upper points of the contact come last.
-  World world;
-  world.add_ground();
-  add_cube(world, Vec3(-0.5, 0.5, 0.0));
-  add_cube(world, Vec3(0.5, 0.5, 0.0));
-  CHECK(stable(world, contacts_within(world, 1e-9), {}) == std::vector<bool>{true, true, false});
-  PrintedStabilityRepairs both;
-  both.both_bodies = true;
-  CHECK(stable(world, contacts_within(world, 1e-9), both) == std::vector<bool>{true, false, false});
 }

@@ -6,22 +6,13 @@
 #include "tumble/contact/gather.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/touching.hpp"
-
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 constexpr char kFree = static_cast<char>(Hold::free);
 constexpr char kUpright = static_cast<char>(Hold::upright);
@@ -363,19 +354,6 @@ TEST_CASE("Forgetting which bodies are stable changes no bit",
       INFO("seed " << seed << ", change " << k);
       CHECK(heaps.find(memory) == heaps.find(StableRule::equilibrium));
     }
-  }
-}
-
-TEST_CASE("Searching an unchanged pile allocates nothing", "[unit][geometric_stability]") {
-  for (const StableRule rule : {StableRule::corners, StableRule::hull, StableRule::equilibrium}) {
-    Bridge bridge(1.0);
-    StableBoxes boxes(rule);
-    bridge.find(boxes);
-    boxes.find(bridge.world, bridge.moving, bridge.contacts);
-    const AllocationCount count;
-    boxes.find(bridge.world, bridge.moving, bridge.contacts);
-    CHECK(boxes.report().remembered);
-    CHECK(count.value() == 0);
   }
 }
 

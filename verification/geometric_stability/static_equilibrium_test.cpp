@@ -11,15 +11,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -3,10 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

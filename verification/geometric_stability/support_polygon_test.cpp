@@ -7,12 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -11,10 +11,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

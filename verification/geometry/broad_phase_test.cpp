@@ -8,13 +8,7 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -8,12 +8,6 @@
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
-#include <stdexcept>
-
 namespace {
 
 using namespace tumble;

@@ -7,10 +7,6 @@
 #include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace {
 
 using namespace tumble;

@@ -7,11 +7,6 @@
 #include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
 

@@ -8,18 +8,11 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 
 namespace {
 
 constexpr double kDt = 1.0 / 60.0;  // [s]
-constexpr double kGravity = 9.81;   // [m/s²]
 
 const char* const kSlips =
     "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2,"
@@ -152,49 +145,6 @@ TEST_CASE("With all misprints mended the printed listings follow the reading as 
     }
     CHECK(most < 1e-11);  // [m] rounding that tumbling has enlarged; measured 3e-16
   }
-}
-
-TEST_CASE("A cube that falls freely is only moved by the printed listings",
-          "[exact][impulse_damped]") {
-  // Semi-implicit Euler: y = 10 - g N(N+1)/2 dt², and with D5 once more g dt in each step.
-  for (const bool once : {true, false}) {
-    World world;
-    add_cube(world, Vec3(0.0, 10.0, 0.0));
-    DampedAsPrinted technique = with(once ? DampedErrata(kSlips) : DampedErrata());
-    for (int step = 0; step < 60; ++step) CHECK(technique.step(world, kDt).energy.total() == 0.0);
-    const double fall = kGravity * kDt * kDt * (60.0 * 61.0 / 2.0 + (once ? 0.0 : 60.0));
-    CHECK(std::abs(world.states()[0].position_w.y() - (10.0 - fall)) < 1e-12);  // [m] rounding
-  }
-}
-
-TEST_CASE("COLLIDE without gravity is Newton's impulse and keeps momentum",
-          "[exact][impulse_damped]") {
-  World world;
-  add_cube(world, Vec3::Zero(), Vec3(1.0, 0.0, 0.0));
-  add_cube(world, Vec3(1.0, 0.3, 0.2), Vec3(-0.5, 0.0, 0.0));
-  PrintedObjects objects;
-  const std::vector<std::uint8_t> stable(2, 0);
-  const std::vector<Vec3> fixed(2, Vec3::Zero());
-  Contact contact;
-  contact.normal_w = Vec3::UnitX();
-  contact.count = 2;
-  contact.points[0].position_w = Vec3(0.5, 0.1, 0.0);
-  contact.points[0].distance = -0.03;
-  contact.points[1].position_w = Vec3(0.5, 0.5, 0.4);
-  contact.points[1].distance = -0.01;
-  objects.begin(world, stable, fixed, DampedErrata());
-  PrintedObject& first = objects.all()[0];
-  PrintedObject& second = objects.all()[1];
-  const PrintedCollision done =
-      collide_as_printed(first, second, contact, 0.5, PrintedGravity::velocity_no_gravity, {});
-  // Three quarters of the weight are at the deeper point.
-  CHECK((done.point_w - Vec3(0.5, 0.2, 0.1)).norm() < 1e-15);  // [m] measured 3e-17
-  // K = 1 + 6 (0.2² + 0.1²) + 1 + 6 (0.1² + 0.1²), and j = 1.5 (1 + 0.5) / K.
-  CHECK(std::abs(done.impulse - 2.25 / 2.42) < 1e-14);  // [N s] rounding
-  CHECK(std::abs((first.linear_momentum_w + second.linear_momentum_w).x() - 0.5) < 1e-15);
-  // Energy of an impulse: j (u + u') / 2 with u = -1.5 and u' = 0.75.
-  CHECK(std::abs(done.energy - 2.25 / 2.42 * (-0.375)) < 1e-14);  // [J] rounding
-  CHECK(done.damping == 0.0);
 }
 
 TEST_CASE("A step of the printed listings keeps no memory but its own",

@@ -3,8 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <string>
-
 using namespace tumble::chapters;
 
 TEST_CASE("Chance in slow collisions does not keep dice jumping, nor does it in fast ones",

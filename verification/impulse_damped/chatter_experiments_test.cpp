@@ -3,10 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <stdexcept>
-#include <string_view>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -5,12 +5,8 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/runs.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace {
 
@@ -273,21 +269,6 @@ TEST_CASE("A heap sleeps with damped integration and wakes when its support is h
   add_cube(world, Vec3(-1.1, 0.5, 0.0), Vec3(8.0, 0.0, 0.0));
   run(world, damped, 10);
   CHECK_FALSE(world.sleep_states()[1].asleep);
-}
-
-TEST_CASE("A warm step of damped integration asks for no memory", "[unit][impulse_damped]") {
-  for (const bool area : {false, true}) {
-    World world = stack_of(5, 0.0);
-    DampedOptions options;
-    options.points = area ? PointRule::area : PointRule::one;
-    options.stable_boxes = StableRule::hull;
-    options.sleeping = false;
-    Damped damped(options);
-    run(world, damped, 60);
-    const AllocationCount count;
-    run(world, damped, 60);
-    CHECK(count.value() == 0);
-  }
 }
 
 TEST_CASE("Damped integration says that it has no friction and refuses a bad step",

@@ -6,9 +6,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace {
 
 using namespace tumble;

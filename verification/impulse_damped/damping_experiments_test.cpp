@@ -7,10 +7,6 @@
 #include "impulse_damped/settled_boxes.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

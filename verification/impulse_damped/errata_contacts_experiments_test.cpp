@@ -5,9 +5,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

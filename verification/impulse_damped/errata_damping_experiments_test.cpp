@@ -6,10 +6,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <string>
-#include <string_view>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

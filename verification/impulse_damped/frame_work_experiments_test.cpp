@@ -3,8 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <vector>
-
 using namespace tumble::chapters;
 
 TEST_CASE("More boxes in a clump mean more pairs to test, and fewer than all",

@@ -6,10 +6,6 @@
 #include "support/pose.hpp"
 #include "support/runs.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace {
 
 using namespace tumble;

@@ -7,10 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

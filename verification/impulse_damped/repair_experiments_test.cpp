@@ -3,8 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

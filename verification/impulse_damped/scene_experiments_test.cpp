@@ -4,8 +4,6 @@
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
-#include <string>
-
 using namespace tumble::chapters;
 
 TEST_CASE("The pyramid of figure 6.6 stands still until it is shot at",

@@ -5,8 +5,6 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <cmath>
-
 using namespace tumble;
 using namespace tumble::chapters;
 using namespace tumble::test;

@@ -11,13 +11,8 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

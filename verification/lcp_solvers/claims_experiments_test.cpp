@@ -4,8 +4,6 @@
 #include "lcp_solvers/redundant_contacts.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -10,13 +10,6 @@
 #include "lcp_solvers/planks.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 using namespace tumble::test;

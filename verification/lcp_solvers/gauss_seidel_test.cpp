@@ -8,10 +8,6 @@
 #include "lcp_solvers/random_contacts.hpp"
 #include "support/catch.hpp"
 
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
 

@@ -14,15 +14,8 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -12,10 +12,6 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
 

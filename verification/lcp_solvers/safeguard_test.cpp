@@ -12,12 +12,6 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <string>
-
 using namespace tumble;
 using namespace tumble::test;
 

@@ -15,10 +15,7 @@
 #include "support/catch.hpp"
 #include "support/shared_data.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
-#include <string>
 
 using namespace tumble;
 using namespace tumble::test;

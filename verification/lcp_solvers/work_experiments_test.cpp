@@ -4,9 +4,6 @@
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

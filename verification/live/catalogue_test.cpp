@@ -10,9 +10,6 @@
 #include "session.hpp"
 #include "support/catch.hpp"
 
-#include <functional>
-#include <string>
-
 namespace {
 
 using namespace tumble;

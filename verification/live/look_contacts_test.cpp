@@ -4,17 +4,8 @@
 #include "session.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <set>
-#include <string>
-#include <vector>
-
-namespace {
-
 using namespace tumble;
 using namespace tumble::live;
-
-}  // namespace
 
 TEST_CASE("Contact points of a look are those of the technique's last step", "[unit][live]") {
   const std::string technique =

@@ -9,13 +9,6 @@
 #include "support/catch.hpp"
 #include "support/touching.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -5,11 +5,6 @@
 #include "session.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace tumble::live {
 
 // [s] Steps of the tests; sums of it are not rounded.

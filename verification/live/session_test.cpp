@@ -8,15 +8,8 @@
 #include "live/seen.hpp"
 #include "support/catch.hpp"
 
-#include <string>
-
-namespace {
-
 using namespace tumble;
 using namespace tumble::live;
-using Catch::Matchers::Contains;
-
-}  // namespace
 
 TEST_CASE("Looking changes nothing of what follows", "[determinism][live]") {
   Session looked("scene projectile\nset scene.rows=3\nset scene.appears=0.1");

@@ -9,10 +9,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

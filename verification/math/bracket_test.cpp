@@ -4,10 +4,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 TEST_CASE("Bisecting a frame to a microsecond takes 15 evaluations", "[exact][bracket]") {

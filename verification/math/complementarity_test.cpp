@@ -7,11 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {
@@ -51,32 +46,7 @@ bool near(const std::vector<double>& got, const VecX& want, double tolerance) {
   return true;
 }
 
-void check_infeasible(const MatX& A, const VecX& b) {
-  CHECK(solve_by_enumeration(A, b).status == ComplementarityStatus::infeasible);
-  const ComplementarityResult result = solved(A, b);
-  REQUIRE(result.status == ComplementarityStatus::infeasible);
-  const auto ray = view(result.ray);
-  CHECK(ray.minCoeff() >= 0.0);
-  CHECK((A * ray).cwiseAbs().maxCoeff() <= rounding);
-  CHECK(b.dot(ray) < 0.0);
-}
-
 }  // namespace
-
-TEST_CASE("Without contacts there is nothing to solve", "[unit][lcp]") {
-  const ComplementarityResult result = solved(MatX(0, 0), VecX(0));
-  CHECK(result.status == ComplementarityStatus::solved);
-  CHECK(result.f.empty());
-  CHECK(result.residual == 0.0);
-  CHECK(solve_by_enumeration(MatX(0, 0), VecX(0)).status == ComplementarityStatus::solved);
-}
-
-TEST_CASE("Problems without a solution are detected, with a proof", "[exact][lcp]") {
-  check_infeasible(square({0}), vector({-1}));
-  check_infeasible(square({1, -1, -1, 1}), vector({-1, -1}));  // squeezed by two walls
-  // The same walls beside a contact that has a solution.
-  check_infeasible(square({2, 0, 0, 0, 1, -1, 0, -1, 1}), vector({-1, -1, -1}));
-}
 
 TEST_CASE("A matrix that is not positive semidefinite is detected where it shows", "[unit][lcp]") {
   const auto status = ComplementarityStatus::not_positive_semidefinite;
@@ -85,29 +55,6 @@ TEST_CASE("A matrix that is not positive semidefinite is detected where it shows
   CHECK(solved(square({1, 2, 2, 1}), vector({-1, -1})).status == status);
   // All minors of size 2 are right, the determinant is -0.28: seen while pivoting.
   CHECK(solved(square({1, 0.8, 0.8, 0.8, 1, 0, 0.8, 0, 1}), vector({-1, -1, -4})).status == status);
-}
-
-TEST_CASE("Trying everything also solves problems that are not symmetric", "[exact][lcp]") {
-  const auto f_is = [](const MatX& A, const VecX& b, const VecX& f) {
-    const ComplementarityResult result = solve_by_enumeration(A, b);
-    return result.status == ComplementarityStatus::solved && near(result.f, f, rounding);
-  };
-  CHECK(f_is(square({1, 0, 2, 3, 2, -1, -2, 1, 0}), vector({-3, 2, -1}), vector({0, 1, 4})));
-  CHECK(f_is(square({1, 2, 0, 0, 1, 2, 2, 0, 1}), vector({-1, -1, -1}),
-             vector({1.0 / 3, 1.0 / 3, 1.0 / 3})));
-  // A particle that slides and stops, in the form of Stewart and Trinkle.
-  CHECK(f_is(square({1, 0, 0, 0, 0, 1, -1, 1, 0, -1, 1, 1, 0.3, -1, -1, 0}),
-             vector({-0.1635, 3, -3, 0}), vector({0.1635, 0, 0.04905, 2.95095})));
-  // Three solutions, (1,0), (0,1), (1/3,1/3): any of them will do.
-  const MatX three = square({1, 2, 2, 1});
-  const ComplementarityResult one = solve_by_enumeration(three, vector({-1, -1}));
-  CHECK(one.status == ComplementarityStatus::solved);
-  CHECK(one.residual <= rounding);
-  CHECK(solve_by_enumeration(square({-1}), vector({-1})).status ==
-        ComplementarityStatus::infeasible);
-  CHECK(solve_by_enumeration(square({-1}), vector({1})).status == ComplementarityStatus::solved);
-  // The force is free for its own row; another contact's row determines it.
-  CHECK(f_is(square({0, 0, 1, 0}), vector({0, -1}), vector({1, 0})));
 }
 
 TEST_CASE("A family that takes other methods 2^n pivots takes one here", "[exact][lcp]") {

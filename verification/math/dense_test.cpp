@@ -2,11 +2,7 @@
 /// \brief Factors that grow and shrink, against products written out.
 #include "tumble/math/dense.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "support/catch.hpp"
-
-#include <cmath>
 
 using namespace tumble;
 

@@ -8,10 +8,6 @@
 
 #include "support/catch.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
-
 using namespace tumble;
 
 namespace {

@@ -8,10 +8,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {
@@ -83,9 +79,7 @@ TEST_CASE("Non-negative least squares agrees with trying every set of columns",
   NonNegativeLeastSquares solver;
   LeastSquaresResult result;
   LeastSquaresResult warm;
-  int wrong_distance = 0;
-  int wrong_conditions = 0;
-  int wrong_warm = 0;
+  Failures wrong;
   int busy_warm = 0;
   int most_pivots = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -93,7 +87,8 @@ TEST_CASE("Non-negative least squares agrees with trying every set of columns",
     solver.solve(p.G, p.d, result);
     most_pivots = std::max(most_pivots, result.pivots);
     // 1e-9: the slope that counts as none, 1e-11 of |d| <= 10, times factors up to some 10.
-    if (!(std::abs(result.distance - distance_by_enumeration(p.G, p.d)) <= 1e-9)) ++wrong_distance;
+    if (!(std::abs(result.distance - distance_by_enumeration(p.G, p.d)) <= 1e-9))
+      ++wrong["wrong distance"];
 
     // Karush, Kuhn and Tucker: f >= 0, slopes G'(d - G f) <= 0, and f is 0 where they are not 0.
     const VecX slope = p.G.transpose() * view(result.rest);
@@ -104,15 +99,13 @@ TEST_CASE("Non-negative least squares agrees with trying every set of columns",
       const double f = result.f[static_cast<std::size_t>(j)];
       if (!(f >= 0.0) || slope[j] > 1e-9 || (f > 0.0 && slope[j] < -1e-9)) good = false;
     }
-    if (!good) ++wrong_conditions;
+    if (!good) ++wrong["wrong conditions"];
 
     solver.solve(p.G, p.d, warm, result.pushing);
-    if (!(std::abs(warm.distance - result.distance) <= 1e-12)) ++wrong_warm;
+    if (!(std::abs(warm.distance - result.distance) <= 1e-12)) ++wrong["wrong warm"];
     if (warm.pivots != 0) ++busy_warm;
   }
-  CHECK(wrong_distance == 0);
-  CHECK(wrong_conditions == 0);
-  CHECK(wrong_warm == 0);
+  CHECK(wrong == Failures{});
   // Factors that are 0 in exact numbers may be negative by rounding in another order.
   CHECK(busy_warm <= 10);    // measured 2 of 10000
   CHECK(most_pivots <= 40);  // of a cap of 400; measured 8

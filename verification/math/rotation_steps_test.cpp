@@ -5,10 +5,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 using namespace tumble;
 
 namespace {

@@ -6,10 +6,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 
 namespace {
@@ -48,16 +44,14 @@ TEST_CASE("The logarithm takes back the exponential for angles up to half a turn
 TEST_CASE("The logarithm goes the shortest way and takes q and -q for one orientation",
           "[unit][rotation]") {
   Random random(2);
-  int different = 0;
-  int long_way = 0;
+  Failures wrong;
   for (int i = 0; i < 2000; ++i) {
     const Quat q = random.orientation();
     const Quat minus(-q.w(), -q.x(), -q.y(), -q.z());
-    if (rotation_vector(q) != rotation_vector(minus)) ++different;
-    if (rotation_vector(q).norm() > pi + 1e-15) ++long_way;
+    if (rotation_vector(q) != rotation_vector(minus)) ++wrong["different"];
+    if (rotation_vector(q).norm() > pi + 1e-15) ++wrong["long way"];
   }
-  CHECK(different == 0);
-  CHECK(long_way == 0);
+  CHECK(wrong == Failures{});
   // Half a turn, where both ways are equally short.
   for (const double w : {0.0, -0.0})
     for (const double sign : {1.0, -1.0}) {

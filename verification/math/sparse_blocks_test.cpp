@@ -8,8 +8,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <cmath>
-
 using namespace tumble;
 
 namespace {

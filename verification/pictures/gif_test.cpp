@@ -7,14 +7,7 @@
 
 #include "support/catch.hpp"
 
-#include <numeric>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -8,15 +8,9 @@
 #include "live/json.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 using test::JsonReader;
 using test::JsonValue;
 

@@ -8,15 +8,8 @@
 #include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 using namespace tumble;
 using namespace tumble::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -13,15 +13,7 @@
 #include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <set>
-#include <stdexcept>
-
 using namespace tumble;
-using Catch::Matchers::Contains;
 using test::Stretch;
 using test::stretch_in;
 
@@ -251,8 +243,7 @@ TEST_CASE("Boxes that overlap are drawn as the line of sight meets them", "[exac
 
 TEST_CASE("A camera has all boxes and shadows in its picture and touches the free air on two sides",
           "[exact][picture]") {
-  int outside = 0;
-  int loose = 0;
+  Failures wrong;
   for (int number = 0; number < 40; ++number) {
     Random random = Random(3).fork(static_cast<std::uint64_t>(number));
     const std::vector<PictureBox> boxes = falling_boxes(random, 20);
@@ -275,13 +266,12 @@ TEST_CASE("A camera has all boxes and shadows in its picture and touches the fre
     const double slack = 1e-9;
     const Vec2 free =
         (low - Vec2::Constant(air)).cwiseMin(Vec2(camera.width - air, camera.height - air) - high);
-    if (free.minCoeff() < -slack) ++outside;
+    if (free.minCoeff() < -slack) ++wrong["outside"];
     const Vec2 room =
         (low - Vec2::Constant(air)).cwiseMax(Vec2(camera.width - air, camera.height - air) - high);
-    if (room.minCoeff() > slack) ++loose;
+    if (room.minCoeff() > slack) ++wrong["loose"];
   }
-  CHECK(outside == 0);
-  CHECK(loose == 0);
+  CHECK(wrong == Failures{});
 }
 
 TEST_CASE(

@@ -7,13 +7,7 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <set>
-#include <string>
-
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 namespace {
 

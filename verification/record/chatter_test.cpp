@@ -7,12 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

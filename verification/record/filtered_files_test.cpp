@@ -10,10 +10,7 @@
 #include "support/catch.hpp"
 #include "support/files.hpp"
 
-#include <array>
 #include <fstream>
-#include <limits>
-#include <sstream>
 
 namespace {
 

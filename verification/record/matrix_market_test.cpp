@@ -7,15 +7,11 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <string>
 
 namespace {
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 const std::string kArray = "%%MatrixMarket matrix array real general\n";

@@ -7,11 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <limits>
-#include <set>
-#include <string>
-
 namespace {
 
 using namespace tumble;

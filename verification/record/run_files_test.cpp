@@ -11,10 +11,7 @@
 #include "support/catch.hpp"
 #include "support/files.hpp"
 
-#include <array>
 #include <fstream>
-#include <functional>
-#include <sstream>
 
 namespace {
 

@@ -4,16 +4,10 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/basic_colliding/basic.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/record/table_file.hpp"
 #include "tumble/scenes/library.hpp"
 
 #include "support/catch.hpp"
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <vector>
 
 namespace {
 

@@ -7,14 +7,10 @@
 #include "support/catch.hpp"
 #include "support/files.hpp"
 
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <sstream>
-#include <string>
 #include <sys/resource.h>
 
 namespace {

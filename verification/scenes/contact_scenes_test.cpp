@@ -8,14 +8,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -4,15 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
-
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace tumble;
 using namespace tumble::test;

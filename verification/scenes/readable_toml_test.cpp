@@ -5,8 +5,6 @@
 #include "scenes/refusal.hpp"
 #include "support/catch.hpp"
 
-#include <string>
-
 using namespace tumble;
 using tumble::test::kBox, tumble::test::refusal;
 

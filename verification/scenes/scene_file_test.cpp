@@ -8,11 +8,8 @@
 #include "scenes/refusal.hpp"
 #include "support/catch.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <string>
-#include <vector>
 
 namespace {
 

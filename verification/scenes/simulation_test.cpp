@@ -10,17 +10,9 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;
-using Catch::Matchers::Contains;
 
 constexpr double kDt = 1.0 / 64.0;  // [s] times are sums of it without rounding
 

@@ -8,12 +8,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -8,11 +8,6 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace tumble;

@@ -3,13 +3,8 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <regex>
-#include <set>
-#include <string_view>
-#include <utility>
 
 namespace tumble::structure {
 namespace {

@@ -3,8 +3,6 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-
 namespace tumble::structure {
 
 TEST_CASE("README shows the first example as it is compiled", "[structure]") {

@@ -4,9 +4,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace tumble::structure {
 namespace {
 

@@ -6,10 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace tumble {
 namespace {
 

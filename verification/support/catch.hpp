@@ -1,5 +1,5 @@
 /// \file
-/// \brief Catch2, version 2 (Debian 12) or 3.
+/// \brief Catch2, version 2 (Debian 12) or 3, and the parts of the standard library that most tests use.
 #pragma once
 
 // An exception in an assertion ends its test case, so assertions compile to less.
@@ -10,6 +10,34 @@ using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 #endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using Catch::Matchers::Contains;
+
+// How often each promise was broken in a test of many cases; CHECK(wrong == Failures{}) shows them all.
+using Failures = std::map<std::string, int>;
 
 // A number to compare with that allows for what its margin says and nothing else.
 //

@@ -7,8 +7,6 @@
 
 #include "support/catch.hpp"
 
-#include <cmath>
-
 namespace tumble::test {
 
 // The pose update of the techniques that a test makes by posed(), or by name.

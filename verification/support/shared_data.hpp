@@ -5,9 +5,6 @@
 #include "support/catch.hpp"
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <system_error>
 
 #ifndef TUMBLE_SHARED_DATA

@@ -2,7 +2,6 @@
 /// \brief Further promises of the example's technique, and its weaknesses.
 #include "add_a_technique/penalty.hpp"
 #include "impulse_damped/scene_runs.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
 #include "support/changed_world.hpp"
 
@@ -148,16 +147,6 @@ TEST_CASE("The four corners of a cube on springs carry a quarter of its weight e
     CHECK_FALSE(contact.is_impulse);
     CHECK(contact.push_w.y() == near(0.25 * kGravity).margin(1e-9));  // [N] a quarter of 1 kg
   }
-}
-
-TEST_CASE("A warm step on springs asks for no memory", "[unit][technique]") {
-  World world = world_of("pyramid", {{"rows", "4"}});
-  Penalty technique;
-  run(world, technique, 1.0);
-  const AllocationCount count;
-  for (int k = 0; k < 10; ++k) technique.step(world, kFrame);
-  const auto asked = count.value();
-  CHECK(asked == 0);
 }
 
 TEST_CASE("Springs that would gain energy are refused, and restitution is said to be ignored",

@@ -5,11 +5,6 @@
 #include "support/catch.hpp"
 #include "timewarp/cases.hpp"
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 namespace {
 
 using namespace tumble;

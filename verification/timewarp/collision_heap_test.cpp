@@ -6,8 +6,6 @@
 
 #include "support/catch.hpp"
 
-#include <algorithm>
-
 namespace {
 
 using namespace tumble;

@@ -9,9 +9,6 @@
 #include "support/catch.hpp"
 #include "timewarp/cases.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace {
 
 using namespace tumble;
@@ -120,22 +117,24 @@ TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timew
         const World start = world;
         const double energy = energy_of(world).total();
         const auto technique = make_timewarp(name);
-        Listener heard;
-        technique->observe(&heard);
+        std::int64_t events = 0;
         double highest = energy;
         double deepest = 0.0;
         double fastest = 0.0;
         for (int k = 0; k < 300; ++k) {
-          technique->step(world, kFrame);
+          const StepReport report = technique->step(world, kFrame);
           highest = std::max(highest, energy_of(world).total());
           deepest = std::max(deepest, deepest_overlap(world));
           if (k < 60) continue;  // until it has settled
+          if (count == 1) CHECK(report.fallbacks == 1);
+          events += report.events;
           for (int body = 1; body <= count; ++body)
             fastest = std::max(
                 fastest, velocity(world.bodies()[idx(body)], world.states()[idx(body)]).norm());
         }
         const double slop = tolerance::repair_slop * (1.0 + tolerance::repair_closeness);
-        CAPTURE(deepest, fastest, highest - energy, heard.events.size());
+        CAPTURE(deepest, fastest, highest - energy, events);
+        if (count == 1) CHECK(events == 0);
         CHECK(deepest <= slop);
         // Each cube overlaps the one below by the permitted slop.
         for (int body = 1; body <= count; ++body) {
@@ -149,28 +148,6 @@ TEST_CASE("A box and a stack of five at rest stay where they are", "[unit][timew
         CHECK(fastest < 1e-9);
       }
     }
-  }
-}
-
-TEST_CASE("A box at rest has no collisions", "[unit][timewarp]") {
-  for (const char* name : kTimewarps) {
-    CAPTURE(name);
-    World world = tower(1, 0.5);
-    const auto technique = make_timewarp(name);
-    Listener heard;
-    technique->observe(&heard);
-    for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
-    heard.events.clear();
-    std::int64_t events = 0;
-    std::int64_t left = 0;
-    for (int k = 0; k < 60; ++k) {
-      const StepReport report = technique->step(world, kFrame);
-      events += report.events;
-      left += report.fallbacks;
-    }
-    CHECK(events == 0);
-    CHECK(heard.events.empty());
-    CHECK(left == 60);
   }
 }
 

@@ -8,12 +8,6 @@
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -9,13 +9,6 @@
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

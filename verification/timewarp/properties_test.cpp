@@ -1,15 +1,10 @@
 /// \file
 /// \brief Properties in every scene: time stamps, mirrors, momentum, counters, termination of each step.
 #include "tumble/base/index.hpp"
-#include "tumble/basic_colliding/basic.hpp"
 #include "tumble/dynamics/energy.hpp"
 
 #include "support/catch.hpp"
 #include "timewarp/cases.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace {
 
@@ -51,19 +46,6 @@ class DeadReckoning {
   std::vector<double> times_;
 };
 
-Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
-
-// Axial vectors keep their x and change the other signs.
-BodyState mirrored(const BodyState& state) {
-  BodyState out = state;
-  out.position_w = mirrored(state.position_w);
-  out.linear_momentum_w = mirrored(state.linear_momentum_w);
-  const Quat& q = state.orientation_wb;
-  out.orientation_wb = Quat(q.w(), q.x(), -q.y(), -q.z());
-  out.angular_momentum_w = -mirrored(state.angular_momentum_w);
-  return out;
-}
-
 // A cage of bricks with unequal edges.
 World cage_of_bricks(int count, std::uint64_t seed) {
   const SceneRecipe& recipe = scene_recipe("cage");
@@ -79,35 +61,6 @@ double momentum_sum(const World& world) {
   double sum = 0.0;
   for (const BodyState& state : world.states()) sum += state.linear_momentum_w.norm();
   return sum;
-}
-
-struct Counts {
-  double integrations =
-      0.0;                  // beyond one for each body and flight without collision, per collision
-  double pair_tests = 0.0;  // per collision
-  double rewinds = 0.0;     // per collision
-};
-
-bool technique_is_full(std::string_view name) { return name == "timewarp_full"; }
-
-Counts count_in_cage(Technique& technique, const char* count, int frames) {
-  World world = world_of("cage", {{"count", count}});
-  StepReport sum;
-  for (int k = 0; k < frames; ++k) {
-    const StepReport report = technique.step(world, kFrame);
-    sum.events += report.events;
-    sum.integrations += report.integrations;
-    sum.pair_tests += report.pair_tests;
-    sum.rewinds += report.rewinds;
-  }
-  // A flight takes one frame; in full timewarp it takes eight, or as many as there are until a
-  // collision.
-  const double frames_of_flight =
-      technique_is_full(technique.name()) ? TimewarpFullOptions{}.stride : 1.0;
-  const double flights = std::stod(count) * frames / frames_of_flight;
-  const auto events = static_cast<double>(sum.events);
-  return {(static_cast<double>(sum.integrations) - flights) / events,
-          static_cast<double>(sum.pair_tests) / events, static_cast<double>(sum.rewinds) / events};
 }
 
 // A small form of a scene.
@@ -173,43 +126,6 @@ TEST_CASE("Swept volumes leave no two bodies overlapping", "[exact][timewarp]") 
   CHECK(left_over == 0);
 }
 
-TEST_CASE("A mirrored scene has the mirrored collisions", "[exact][timewarp]") {
-  double worst_time = 0.0;
-  double worst_place = 0.0;
-  for (const char* name : kTimewarps) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      CAPTURE(name, seed);
-      World world = world_of("cage", {{"count", "10"}}, seed);
-      if (seed % 2 == 0) world.gravity_w = Vec3(0.0, -9.81, 0.0);
-      World mirror = world;
-      for (BodyState& state : mirror.states()) state = mirrored(state);
-      const auto one = make_timewarp(name, {.resolution = 1e-12});
-      const auto two = one->clone();
-      Listener here;
-      Listener there;
-      one->observe(&here);
-      two->observe(&there);
-      for (int k = 0; k < 60 && here.events.size() < 15; ++k) {
-        one->step(world, kFrame);
-        two->step(mirror, kFrame);
-      }
-      REQUIRE(here.events.size() == there.events.size());
-      for (std::size_t k = 0; k < here.events.size(); ++k) {
-        REQUIRE(names_of(world, here.events[k]) == names_of(mirror, there.events[k]));
-        worst_time = std::max(worst_time, std::abs(here.events[k].time - there.events[k].time));
-      }
-      for (std::size_t k = 0; k < world.states().size(); ++k) {
-        const Vec3 there_w = mirrored(mirror.states()[k].position_w);
-        worst_place = std::max(worst_place, (world.states()[k].position_w - there_w).norm());
-      }
-    }
-  }
-  // A reflection changes signs, and signs change no rounding.
-  INFO("times " << worst_time << " s, places " << worst_place << " m");
-  CHECK(worst_time == 0.0);
-  CHECK(worst_place == 0.0);
-}
-
 TEST_CASE("Elastic cubes in a cage keep their energy, and their momentum up to the walls",
           "[exact][timewarp]") {
   for (const char* name : kTimewarps) {
@@ -270,33 +186,6 @@ TEST_CASE("Elastic bricks in a cage lose or gain no more energy than their fligh
     CHECK(worst < of_flights);
     CHECK(worst < 3e-6);  // 1.3e-6 measured
   }
-}
-
-TEST_CASE("The cost of a collision does not depend on the number of bodies", "[unit][timewarp]") {
-  for (const char* name : {"timewarp_simple", "timewarp_swept", "timewarp_full"}) {
-    CAPTURE(name);
-    const Counts few = count_in_cage(*make_timewarp(name), "27", 120);
-    const Counts more = count_in_cage(*make_timewarp(name), "125", 60);
-    const Counts many = count_in_cage(*make_timewarp(name), "512", 30);
-    CAPTURE(few.integrations, more.integrations, many.integrations);
-    CAPTURE(few.pair_tests, more.pair_tests, many.pair_tests);
-    CAPTURE(few.rewinds, more.rewinds, many.rewinds);
-    // Two flights for each cube of a collision; one with a wall has one cube. Full timewarp flies to a
-    // collision, and the next flight continues from there.
-    for (const Counts& counts : {few, more, many}) {
-      CHECK(counts.integrations >= (technique_is_full(name) ? 0.5 : 2.0));
-      CHECK(counts.integrations <= 4.0 + 1e-12);
-      CHECK(counts.rewinds <= 2.0);
-    }
-    // Fewer are near a wall, so that a collision has more cubes.
-    CHECK(more.pair_tests < 1.5 * few.pair_tests);
-    CHECK(many.pair_tests < 1.5 * few.pair_tests);
-  }
-  // Where all bodies are rolled back the cost depends on their number.
-  Basic basic;
-  const Counts few = count_in_cage(basic, "27", 60);
-  const Counts more = count_in_cage(basic, "125", 10);
-  CHECK(more.integrations > 4.0 * few.integrations);
 }
 
 TEST_CASE("No scene makes a timewarp hang or lose a body", "[unit][timewarp]") {

@@ -4,11 +4,6 @@
 #include "support/catch.hpp"
 #include "timewarp/cage_runs.hpp"
 
-#include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

@@ -6,11 +6,6 @@
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
 using namespace tumble;
 using namespace tumble::chapters;
 

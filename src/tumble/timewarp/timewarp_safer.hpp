@@ -22,7 +22,6 @@ namespace tumble {
 /// \algorithm{SAFERSYNCTIMEWARP: section 5.1 and appendix A.1}
 /// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
 /// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
-/// \verified{A body that flies past keeps its time and its place}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
 class TimewarpSafer final : public SynchronisedTimewarp {
  public:
