@@ -21,9 +21,11 @@ struct Island {
   std::span<const int> patch_indices;   ///< of its patches in `all_patches`, ascending
   std::span<const int> upward;          ///< the same from the ground up, the order of sweeps
   std::span<ContactPatch> all_patches;  ///< of all islands
-  std::span<const MovingBody> start;    ///< velocities before gravity
-  std::span<const MovingBody> free;     ///< with gravity, without contacts
-  std::span<MovingBody> now;            ///< with the impulses so far
+  std::span<const Quat> start_wb;       ///< orientations at the start of the step
+  std::span<const MovingBody>
+      start;                         ///< velocities before gravity, places at the start of the step
+  std::span<const MovingBody> free;  ///< with gravity, without contacts
+  std::span<MovingBody> now;         ///< with the impulses so far
 };
 
 /// The shortest edge of a body in an island's patches.
@@ -107,10 +109,24 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \param island  `now` is `free` again
 void discard_impulses(const Island& island);
 
-/// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
-/// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.
-/// \param island  impulses and velocities in and out
-/// \param report  counts it, if it had to
-void limit_energy(const Island& island, StepReport& report);
+/// Energy guard: impulses that are not quite solved could raise the energy, and are scaled back to where they do not.
+/// What counts is the kinetic energy less the work of gravity on the way that bodies will go: with their velocities
+/// at the end, or on the parabola. It is a parabola in the scale, and at 0 bodies fall freely.
+/// \param island     impulses and velocities in and out
+/// \param in_flight  by body index: not 0 for a body without an impulse
+/// \param report     counts it, if it had to
+void limit_energy(const Island& island, std::span<const char> in_flight, StepReport& report);
+
+/// Energy guard of restitution, after bodies have moved. Newton's law at several points may ask for more energy
+/// than there is. What there is, is the kinetic energy at the start of the step and the work of gravity on the way
+/// that bodies have really gone. Velocities and impulses go back together towards those before the bounce, as far as
+/// needed: the energy on this way is a parabola, and at its start there is not too much. So velocities stay
+/// those of the impulses, and momentum is kept.
+/// \param island    with the bounce; impulses and velocities in and out
+/// \param before    velocities before the bounce, with which bodies have moved, by body index
+/// \param impulses  of all patches then, by their index
+/// \param report    counts it, if it had to
+void limit_bounce(const Island& island, std::span<const MovingBody> before,
+                  std::span<const PatchImpulses> impulses, StepReport& report);
 
 }  // namespace tumble
