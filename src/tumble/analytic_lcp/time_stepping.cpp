@@ -78,16 +78,14 @@ StepReport TimeStepping::step(World& world, double dt) {
   return report;
 }
 
+// Bodies that nothing is near. The others move as the problem has assumed, whether they are pushed or not.
 void TimeStepping::find_flying(const World& world) {
   flying_.assign(world.bodies().size(), 1);
   for (const Contact& contact : contacts_)
-    for (const ContactPoint& point : contact.points)
-      if (point.normal_impulse > 0.0)
-        flying_[idx(contact.first)] = flying_[idx(contact.second)] = 0;
+    flying_[idx(contact.first)] = flying_[idx(contact.second)] = 0;
 }
 
-// [J] Bodies that are pushed move with the velocity of the step's end instead of the mean of both: what this lifts
-// them by.
+// [J] Bodies near others move with the velocity of the step's end instead of the mean of both: what this lifts them by.
 double TimeStepping::moved_against_gravity(const World& world, double dt) const {
   double work = 0.0;
   for (std::size_t k = 0; k < moving_.size(); ++k) {
@@ -99,7 +97,7 @@ double TimeStepping::moved_against_gravity(const World& world, double dt) const 
   return work;
 }
 
-// Each by itself, on its parabola if nothing pushes it, or about what it stands on.
+// Each by itself, on its parabola if nothing is near, or about what it stands on.
 void TimeStepping::move(World& world, double dt, StepReport& report) {
   pushed_.clear();
   if (options_.pose == PoseUpdate::exponential)

@@ -48,7 +48,7 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// them.
 ///
 /// VelocityStep takes resting contacts and impacts of a step together, one complementarity problem
-/// for each group of bodies. Poses of bodies that are pushed follow by the semi-implicit rule
+/// for each group of bodies. Poses of bodies near others follow by the semi-implicit rule
 /// \f$x^+ = x + h\,v^+\f$; the others fly their parabola. Orientations follow by the new angular momentum. The
 /// remaining overlap, of order (hω)² of a body's size because points move on arcs and the problem
 /// assumes straight lines, is removed by moving bodies.
@@ -69,11 +69,11 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// **Restitution** is Newton's at all points at once, see VelocityStep: bodies turn back up to a step before they touch.
 /// In a row of bodies that touch, those that do not approach part only as far as they are pushed apart.
 ///
-/// **Energy.** No step raises it, but for the repair of overlap. A free body keeps it; one that is pushed moves
+/// **Energy.** No step raises it, but for the repair of overlap. A body that nothing is near keeps it; others move
 /// with the velocity of the step's end, so that gravity does \f$\tfrac h2 m\,g\cdot(v^+ - v^-)\f$ more than at
-/// the mean velocity. This is booked with the impulses along the normals, whose doing it is, and a bounce
-/// that would gain by it is reduced: a cube with e = 1 leaves with the speed
-/// \f$\sqrt{v^2 + g^2h^2} - g\,h\f$ and rises as high as it was.
+/// the mean velocity. This is booked with the impulses along the normals. A bounce leaves e² of the energy, what lifts
+/// the body in the rest of the step included: a cube that comes with v leaves with the speed
+/// \f$\sqrt{e^2v^2 + g^2h^2} - g\,h\f$.
 ///
 /// **How far it looks.** Points count up to the distance that the two fastest bodies can close in a step.
 /// Bodies without a contact area as long as they are apart (corner to corner) touch where they would
@@ -133,7 +133,7 @@ class TimeStepping : public Technique {
   std::vector<Acceleration> free_;
   ContactList contacts_;
   std::vector<PushedPair> pushed_;
-  std::vector<char> flying_;  // by body index: nothing pushes it
+  std::vector<char> flying_;  // by body index: nothing is near it
   std::vector<ContactRecord> records_;
 };
 

@@ -114,7 +114,11 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
                                 pair_size(*task.world, contact.first, contact.second), task.dt};
         const double e = sticky_restitution(contact.restitution, point.approach_speed, scale,
                                             task.options.sticky);
-        if (e > 0.0) candidate.bounce_floor = -e * point.approach_speed;
+        // What is lifted in the rest of the step needs its energy: w²/2 + w c = (e u)²/2, c the speed that
+        // gravity takes in a step.
+        const double bounce = -e * point.approach_speed;
+        const double fall = std::max(point.approach_speed - contact.normal_w.dot(u_free), 0.0);
+        if (e > 0.0) candidate.bounce_floor = std::sqrt(bounce * bounce + fall * fall) - fall;
       }
       bounces = bounces || candidate.bounce_floor > candidate.floor;
       speed_ = std::max({speed_, u_free.norm(), std::abs(point.approach_speed)});

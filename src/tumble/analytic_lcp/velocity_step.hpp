@@ -73,8 +73,9 @@ struct VelocityStepResult {
 /// kinetic energy does not rise.
 ///
 /// **Restitution** is not part of the method. Newton's is added: a point that approaches with
-/// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge -e\,u_n^-\f$ instead,
-/// unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
+/// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge w\f$ instead,
+/// \f$\tfrac12 w^2 + w\,c = \tfrac12 (e\,u_n^-)^2\f$ with the speed c that gravity takes from it in a step, so that
+/// e² of the energy stays, unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
 /// collide together can ask for what no motion gives, and restitution at several points or with friction
 /// may add energy. What counts is the energy at the end of the step if pushed bodies then move by \f$h\,v^+\f$,
 /// \f[ \Delta E = \sum p\cdot\tfrac12(u^- + u^+) - \tfrac h2 \sum m\,g\cdot(v^+ - v^-) : \f]

@@ -42,7 +42,7 @@ VelocityStep::Work VelocityStep::work(const Task& task) const {
 }
 
 // [J] What gravity does to the energy of the bodies that are pushed, without their pushes: they fall by g h² and gain
-// the speed g h, which is m g² h²/2 less than free fall. Bodies that nothing pushes fly their parabola.
+// the speed g h, which is m g² h²/2 less than free fall. The others lose as much, or fly their parabola.
 double VelocityStep::work_of_gravity(const Task& task, int island) {
   pushed_.resize(free_.size());
   for (const int body : islands_.bodies(island)) pushed_[idx(body)] = 0;

@@ -178,22 +178,9 @@ void discard_impulses(const Island& island) {
   for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
 }
 
-void limit_energy(const Island& island, std::span<const char> in_flight, StepReport& report) {
+void limit_energy(const Island& island, StepReport& report) {
   EnergyOnTheWay way = kinetic_energy_from(island, island.free);
-  const Vec3 fallen_w = island.dt * island.world.gravity_w;  // [m/s]
-  for (const int k : island.bodies) {
-    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
-    const double mass = island.world.bodies()[idx(k)].mass;
-    const Vec3& free_w = island.free[idx(k)].velocity_w;
-    // The work of gravity: on a parabola, or with the velocity of the end.
-    way.start -= mass * fallen_w.dot(free_w);
-    if (in_flight[idx(k)] != 0) {
-      way.start += 0.5 * mass * fallen_w.squaredNorm();
-    } else {
-      way.slope -= mass * fallen_w.dot(island.now[idx(k)].velocity_w - free_w);
-      way.error += tolerance::energy_unsettled * mass * fallen_w.squaredNorm();
-    }
-  }
+  way.start = 0.0;  // compared with `free`
   const double share = way.allowed();
   if (share == 1.0) return;
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);

@@ -109,13 +109,11 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \param island  `now` is `free` again
 void discard_impulses(const Island& island);
 
-/// Energy guard: impulses that are not quite solved could raise the energy, and are scaled back to where they do not.
-/// What counts is the kinetic energy less the work of gravity on the way that bodies will go: with their velocities
-/// at the end, or on the parabola. It is a parabola in the scale, and at 0 bodies fall freely.
-/// \param island     impulses and velocities in and out
-/// \param in_flight  by body index: not 0 for a body without an impulse
-/// \param report     counts it, if it had to
-void limit_energy(const Island& island, std::span<const char> in_flight, StepReport& report);
+/// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
+/// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.
+/// \param island  impulses and velocities in and out
+/// \param report  counts it, if it had to
+void limit_energy(const Island& island, StepReport& report);
 
 /// Energy guard of restitution, after bodies have moved. Newton's law at several points may ask for more energy
 /// than there is. What there is, is the kinetic energy at the start of the step and the work of gravity on the way

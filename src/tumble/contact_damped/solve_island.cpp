@@ -100,7 +100,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   }
   if (direct) storage_.solved_directly.push_back(id);
   decide_flight(island, storage_.in_flight);
-  limit_energy(island, storage_.in_flight, report);
+  limit_energy(island, report);
   // [S6.3.1:island]
 }
 

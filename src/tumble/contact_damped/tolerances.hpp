@@ -245,10 +245,6 @@ inline constexpr double line_search_cut = 0.1;
 
 // --- restitution and overlap ---------------------------------------------------------------------
 
-/// [-] An energy that impulses add is none below this share of m (g dt)². Reason: what an island at rest may be
-/// wrong by (contact_settled) is a hundredth of it, and a thousand such steps lift by g dt². (6.3.1)
-inline constexpr double energy_unsettled = 1e-3;
-
 /// [-] Sweeps over an island after restitution, at most. Reason: a bounce does not spread through a stack. (4.3)
 inline constexpr int bounce_sweeps = 10;
 
