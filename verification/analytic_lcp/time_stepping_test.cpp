@@ -199,7 +199,8 @@ TEST_CASE("A box bounces with Newton's restitution and comes to rest",
       technique.step(world, kStep);
       const double after = velocity(world.bodies()[1], world.states()[1]).y();
       if (after > 0.0) {
-        CHECK(after == Approx(-e * before));
+        // e² times the energy, less what lifts it in the rest of the step.
+        CHECK(after == Approx(std::hypot(e * before, kG * kStep) - kG * kStep));
         break;
       }
       before = after;

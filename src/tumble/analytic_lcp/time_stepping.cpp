@@ -60,7 +60,9 @@ StepReport TimeStepping::step(World& world, double dt) {
     return report;
   }
   record(world);
-  report.energy.repair += moved_against_gravity(world, dt);
+  find_flying(world);
+  report.energy.restitution = result.restitution_energy + moved_against_gravity(world, dt);
+  report.energy.friction = result.friction_energy;
   store_moving_bodies(moving_, world);
 
   // Then all bodies move with these.
@@ -72,25 +74,30 @@ StepReport TimeStepping::step(World& world, double dt) {
   report.impulses = result.impulses;
   report.fallbacks = result.fallbacks;
   report.contacts = static_cast<std::int64_t>(records_.size());
-  report.energy.restitution = result.restitution_energy;
-  report.energy.friction = result.friction_energy;
   world.finish_step(dt);
   return report;
 }
 
-// [J] Bodies move with the velocity of the step's end instead of the mean of both: what this lifts them by.
+// Bodies that nothing is near. The others move as the problem has assumed, whether they are pushed or not.
+void TimeStepping::find_flying(const World& world) {
+  flying_.assign(world.bodies().size(), 1);
+  for (const Contact& contact : contacts_)
+    flying_[idx(contact.first)] = flying_[idx(contact.second)] = 0;
+}
+
+// [J] Bodies near others move with the velocity of the step's end instead of the mean of both: what this lifts them by.
 double TimeStepping::moved_against_gravity(const World& world, double dt) const {
   double work = 0.0;
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    if (!body.movable()) continue;
+    if (!body.movable() || flying_[k] != 0) continue;
     const Vec3 gained_w = body.mass * moving_[k].velocity_w - world.states()[k].linear_momentum_w;
     work -= 0.5 * dt * world.gravity_w.dot(gained_w);
   }
   return work;
 }
 
-// Each by itself, or about what it stands on.
+// Each by itself, on its parabola if nothing is near, or about what it stands on.
 void TimeStepping::move(World& world, double dt, StepReport& report) {
   pushed_.clear();
   if (options_.pose == PoseUpdate::exponential)
@@ -102,7 +109,9 @@ void TimeStepping::move(World& world, double dt, StepReport& report) {
     if (carried_.carries(b)) {
       report.energy.repair += carried_.move(b, dt, world);
     } else {
-      advance_pose(world.bodies()[idx(b)], world.states()[idx(b)], dt, options_.rotation);
+      BodyState& state = world.states()[idx(b)];
+      advance_pose(world.bodies()[idx(b)], state, dt, options_.rotation);
+      if (flying_[idx(b)] != 0) state.position_w -= 0.5 * dt * dt * world.gravity_w;  // a parabola
     }
     ++report.integrations;
   }

@@ -48,8 +48,8 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// them.
 ///
 /// VelocityStep takes resting contacts and impacts of a step together, one complementarity problem
-/// for each group of bodies. Poses follow by the semi-implicit rule
-/// \f$x^+ = x + h\,v^+\f$, and orientations by the new angular momentum. The
+/// for each group of bodies. Poses of bodies near others follow by the semi-implicit rule
+/// \f$x^+ = x + h\,v^+\f$; the others fly their parabola. Orientations follow by the new angular momentum. The
 /// remaining overlap, of order (hω)² of a body's size because points move on arcs and the problem
 /// assumes straight lines, is removed by moving bodies.
 ///
@@ -66,11 +66,14 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// With 4, along the axes of the world for level or upright faces, it is exact along them, weaker by up
 /// to 29 % between them, and takes about a third of the work.
 ///
-/// **Restitution** is Newton's, see VelocityStep: bodies turn back up to a step before they touch.
+/// **Restitution** is Newton's at all points at once, see VelocityStep: bodies turn back up to a step before they touch.
+/// In a row of bodies that touch, those that do not approach part only as far as they are pushed apart.
 ///
-/// **Energy.** Positions follow the new velocities, not the mean of old and new ones. What this lifts
-/// bodies by, \f$-\tfrac h2 m\,g\cdot(v^+ - v^-)\f$, is booked with the repair: a bounce adds it, and the
-/// flight after it takes it away again.
+/// **Energy.** No step raises it, but for the repair of overlap. A body that nothing is near keeps it; others move
+/// with the velocity of the step's end, so that gravity does \f$\tfrac h2 m\,g\cdot(v^+ - v^-)\f$ more than at
+/// the mean velocity. This is booked with the impulses along the normals. A bounce leaves e² of the energy, what lifts
+/// the body in the rest of the step included: a cube that comes with v leaves with the speed
+/// \f$\sqrt{e^2v^2 + g^2h^2} - g\,h\f$.
 ///
 /// **How far it looks.** Points count up to the distance that the two fastest bodies can close in a step.
 /// Bodies without a contact area as long as they are apart (corner to corner) touch where they would
@@ -111,6 +114,7 @@ class TimeStepping : public Technique {
   void gather(const World& world, double dt, StepReport& report);
   void find_pairs(const World& world, double margin);
   void record(const World& world);
+  void find_flying(const World& world);
   [[nodiscard]] double moved_against_gravity(const World& world, double dt) const;
   void move(World& world, double dt, StepReport& report);
 
@@ -129,6 +133,7 @@ class TimeStepping : public Technique {
   std::vector<Acceleration> free_;
   ContactList contacts_;
   std::vector<PushedPair> pushed_;
+  std::vector<char> flying_;  // by body index: nothing is near it
   std::vector<ContactRecord> records_;
 };
 

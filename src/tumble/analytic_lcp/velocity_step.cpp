@@ -6,8 +6,6 @@
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerances.hpp"
-#include "tumble/contact/collision_law.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
@@ -15,14 +13,6 @@
 #include <limits>
 
 namespace tumble {
-namespace {
-
-// Velocity of the second body against the first at a point.
-Vec3 motion(std::span<const MovingBody> bodies, const Contact& contact, const Vec3& place_w) {
-  return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)], place_w);
-}
-
-}  // namespace
 
 VelocityStepResult VelocityStep::solve(const World& world, std::span<const Acceleration> free,
                                        std::span<Contact> contacts, double dt,
@@ -67,17 +57,17 @@ bool VelocityStep::solve_island(const Task& task, int island, VelocityStepResult
   first_ = candidates_.size();
   const bool bounces = list_candidates(task, islands_.contacts(island));
   bool bounced = false;
-  double bounce_work = 0.0;
+  Work bounce;
   if (bounces) {
     bounced = find_pushes(task, island, true, result);
-    bounce_work = work(task);
-    if (bounced && bounce_work <= 0.0) return true;
+    bounce = work(task);
+    if (bounced && bounce.of_pushes + work_of_gravity(task, island) <= bounce.rounding) return true;
     ++result.fallbacks;
     for (Candidate& candidate : candidates()) candidate.bounce_w = candidate.push_w;
   }
   if (!find_pushes(task, island, false, result)) return false;
   if (bounced) {
-    go_towards_bounce(task, bounce_work);
+    go_towards_bounce(task, island, bounce);
     apply_pushes(task, island);
   }
   return true;
@@ -124,7 +114,11 @@ bool VelocityStep::list_candidates(const Task& task, std::span<const int> contac
                                 pair_size(*task.world, contact.first, contact.second), task.dt};
         const double e = sticky_restitution(contact.restitution, point.approach_speed, scale,
                                             task.options.sticky);
-        if (e > 0.0) candidate.bounce_floor = -e * point.approach_speed;
+        // What is lifted in the rest of the step needs its energy: w²/2 + w c = (e u)²/2, c the speed that
+        // gravity takes in a step.
+        const double bounce = -e * point.approach_speed;
+        const double fall = std::max(point.approach_speed - contact.normal_w.dot(u_free), 0.0);
+        if (e > 0.0) candidate.bounce_floor = std::sqrt(bounce * bounce + fall * fall) - fall;
       }
       bounces = bounces || candidate.bounce_floor > candidate.floor;
       speed_ = std::max({speed_, u_free.norm(), std::abs(point.approach_speed)});
@@ -238,38 +232,6 @@ bool VelocityStep::take_up_missed(std::span<const Contact> contacts, bool bounce
     any = true;
   }
   return any;
-}
-
-// [J] what the impulses do to the energy, p·(u- + u+)/2: gravity's share of the step is not to bounce with.
-double VelocityStep::work(const Task& task) const {
-  double sum = 0.0, terms = 0.0;
-  for (const Candidate& candidate : candidates()) {
-    const Contact& contact = task.contacts[idx(candidate.contact)];
-    const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
-    const double before = candidate.push_w.dot(motion(task.start, contact, place_w));
-    const double after = candidate.push_w.dot(motion(ended_, contact, place_w));
-    sum += before + after;
-    terms += std::abs(before) + std::abs(after);
-  }
-  return std::abs(sum) > tolerance::rounding * terms ? 0.5 * sum : 0.0;
-}
-
-// On the way from the answer without restitution, the present one, to that with it the work is a
-// parabola E0 + b t + a t², with b = dp·(u+ + (u- - u_free)/2) at its start, and E1 at its end.
-void VelocityStep::go_towards_bounce(const Task& task, double bounce_work) {
-  const double start = std::min(work(task), 0.0);
-  double slope = 0.0;
-  for (const Candidate& candidate : candidates()) {
-    const Contact& contact = task.contacts[idx(candidate.contact)];
-    const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
-    const Vec3 u = motion(ended_, contact, place_w) +
-                   0.5 * (motion(task.start, contact, place_w) - motion(free_, contact, place_w));
-    slope += (candidate.bounce_w - candidate.push_w).dot(u);
-  }
-  const double curvature = std::max(bounce_work - start - slope, 0.0);
-  const double share = largest_share(start, slope, curvature);
-  for (Candidate& candidate : candidates())
-    candidate.push_w += share * (candidate.bounce_w - candidate.push_w);
 }
 
 // Hands out velocities and impulses. The work is booked between the start and the end of the step,

@@ -8,6 +8,7 @@
 #include "tumble/analytic_lcp/friction_lemke.hpp"
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 #include "tumble/analytic_lcp/friction_sweeps.hpp"
+#include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
@@ -72,14 +73,17 @@ struct VelocityStepResult {
 /// kinetic energy does not rise.
 ///
 /// **Restitution** is not part of the method. Newton's is added: a point that approaches with
-/// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge -e\,u_n^-\f$ instead,
-/// unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
+/// u_n⁻ < 0 and touches, or would by the end of the step, has \f$n\cdot u^+ \ge w\f$ instead,
+/// \f$\tfrac12 w^2 + w\,c = \tfrac12 (e\,u_n^-)^2\f$ with the speed c that gravity takes from it in a step, so that
+/// e² of the energy stays, unless it is slow enough to stick. It so turns back up to \f$h\,|u_n^-|\f$ early. Points that
 /// collide together can ask for what no motion gives, and restitution at several points or with friction
-/// may add energy, \f$p\cdot(u^- + u^+)/2 > 0\f$: gravity's share h a is no energy to bounce with.
+/// may add energy. What counts is the energy at the end of the step if pushed bodies then move by \f$h\,v^+\f$,
+/// \f[ \Delta E = \sum p\cdot\tfrac12(u^- + u^+) - \tfrac h2 \sum m\,g\cdot(v^+ - v^-) : \f]
+/// neither gravity's share h g nor the height of an early turn is for nothing.
 /// Corners of a face that arrive together but for a slop bounce together.
 /// Then (`fallbacks`) the group of bodies is solved with e = 0 as well, and the answer is the
 /// point of the straight line from there to the other solution that is closest to the latter among
-/// those whose work is not above 0, or the solution for e = 0 if there is no other. Every convex combination of two answers holds points apart and friction in its pyramid.
+/// those whose \f$\Delta E\f$ is not above 0, or the solution for e = 0 if there is no other. Every convex combination of two answers holds points apart and friction in its pyramid.
 /// \par How it is solved
 /// Each island by itself, with no more of it than matters. Points that are apart and would not meet are
 /// left out, and so is friction; BaraffSolver solves that. If points then meet they are taken up, and if
@@ -140,6 +144,18 @@ class VelocityStep {
     VelocityStepOptions options;
   };
 
+  // What pushes do to the energy.
+  struct Work {
+    double of_pushes = 0.0;  // [J]
+    double rounding = 0.0;   // [J] of it
+  };
+
+  // [m/s] Velocity of the second body against the first at a point.
+  static Vec3 motion(std::span<const MovingBody> bodies, const Contact& contact,
+                     const Vec3& place_w) {
+    return relative_velocity(bodies[static_cast<std::size_t>(contact.first)],
+                             bodies[static_cast<std::size_t>(contact.second)], place_w);
+  }
   bool solve_island(const Task& task, int island, VelocityStepResult& result);
   bool list_candidates(const Task& task, std::span<const int> contacts);
   bool find_pushes(const Task& task, int island, bool bounce, VelocityStepResult& result);
@@ -153,8 +169,10 @@ class VelocityStep {
   void apply_pushes(const Task& task, int island);
   bool take_up_friction(std::span<const Contact> contacts);
   bool take_up_missed(std::span<const Contact> contacts, bool bounce);
-  void go_towards_bounce(const Task& task, double bounce_work);
-  [[nodiscard]] double work(const Task& task) const;
+  void go_towards_bounce(const Task& task, int island, const Work& bounce);
+  [[nodiscard]] static Vec3 gain_of(const Task& task, const Contact& contact, const Vec3& mean_w);
+  [[nodiscard]] Work work(const Task& task) const;
+  [[nodiscard]] double work_of_gravity(const Task& task, int island);
   [[nodiscard]] double least_gap(const Task& task, const Contact& contact) const;
   void store(std::span<Contact> contacts, std::span<MovingBody> bodies,
              VelocityStepResult& result) const;
@@ -170,6 +188,7 @@ class VelocityStep {
   Islands islands_;
   std::vector<MovingBody> free_;   // at the end of the step if nothing pushes
   std::vector<MovingBody> ended_;  // with the pushes found so far
+  std::vector<char> pushed_;       // by body index: not 0 if something pushes it
   std::vector<Candidate> candidates_;
   std::size_t first_ = 0;  // where those of the present island begin
   std::vector<FrictionPoint> points_;

@@ -47,7 +47,7 @@ void describe(BasicOptions& o, Visitor& v) {
 /// it again and again, in ever shorter hops. The number of impacts in a step is capped; when the cap
 /// is met the rest of the step is flown without them, the overlap that comes of it is repaired by
 /// moving bodies, and the report says so. Bodies that overlap at the start of a step and go deeper
-/// collide at once.
+/// collide at once. No impact adds energy; repair may, as much as is booked.
 /// \par Cost
 /// Each moment of impact rewinds and advances all bodies and tests all near pairs again.
 /// \algorithm{The basic colliding technique: section 2.1}

@@ -27,15 +27,16 @@ bool was_hit(const ContactPatch& patch, double gravity, double dt) {
   });
 }
 
-// Points that were hit separate with the speed that restitution gives them. If friction makes that raise the
-// energy, the impulses are scaled back.
+// Points that were hit separate with the speed that restitution gives them, all at once.
 void bounce_island(const Island& island, StepReport& report) {
   const double g = island.world.gravity_w.norm();
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];
     require_separation(sticky_speed(g, patch.size, island.dt), patch);
   }
-  for (int k = 0; k < tolerance::bounce_sweeps; ++k) {
+  const int most_sweeps =
+      is_small(island) ? tolerance::small_bounce_sweeps : tolerance::bounce_sweeps;
+  for (int k = 0; k < most_sweeps; ++k) {
     double most = 0.0;
     for (const int contact : island.patch_indices) {
       ContactPatch& patch = island.all_patches[idx(contact)];
@@ -47,7 +48,6 @@ void bounce_island(const Island& island, StepReport& report) {
     report.impulses += static_cast<std::int64_t>(island.patch_indices.size());
     if (most < negligible_residual(island)) break;
   }
-  limit_energy(island, report);
 }
 
 // Whether a point overlaps by more than a share of the shortest edge.
@@ -106,9 +106,16 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
       bounces = bounces || patch.restitution > 0.0;
     }
     if (!bounces) continue;
-    if (!any_bounced) velocities_.before_bounce = velocities_.end;
+    if (!any_bounced) {
+      velocities_.before_bounce = velocities_.end;
+      storage_.before_bounce.resize(patches.size());
+    }
     any_bounced = true;
-    bounce_island(view_of_island(world, k, dt), report);
+    const Island island = view_of_island(world, k, dt);
+    for (const int contact : island.patch_indices)
+      storage_.before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
+    bounce_island(island, report);
+    limit_bounce(island, velocities_.before_bounce, storage_.before_bounce, report);
   }
   if (any_bounced) store_bounced_velocities(world);
   if (observer() == nullptr) return;

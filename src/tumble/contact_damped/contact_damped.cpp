@@ -200,6 +200,7 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
           islands.contacts(k),
           memory_.order.upward(k),
           memory_.manifolds.patches(),
+          storage_.start_wb,
           velocities_.start,
           velocities_.free,
           velocities_.end};

@@ -67,7 +67,10 @@ struct ContactDampedOptions {
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    With PoseUpdate::exponential, bodies that turn together are moved together (PivotUpdate).
-/// 5. Fast impacts bounce: Newton's restitution, by more sweeps.
+/// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
+///    push and were approached part with e times the speed on arrival, those that push without approach stay
+///    together. A row of touching bodies so parts in one piece but for the first. Where that asks for more energy
+///    than there is, limit_bounce() takes as much of it as there is.
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
@@ -125,15 +128,16 @@ class ContactDamped : public Technique {
   struct Storage {
     int parts = 1;  // into which the step is divided
     std::vector<Bounds> bounds;
-    std::vector<IndexPair> candidates;      // pairs that may touch
-    std::vector<IndexPair> touching;        // bodies of the patches
-    std::vector<BodyId> solved_directly;    // as in Memory, of this step
-    std::vector<char> in_flight;            // by body index: without an impulse
-    std::vector<char> hit;                  // by patch: an impact too fast to stick
-    std::vector<PushedPair> pushed;         // pairs with an impulse
-    std::vector<Quat> start_wb;             // orientations at the start of the step
-    PivotUpdate pivots;                     // bodies that are moved together
-    std::vector<MovingBody> displacements;  // of the overlap correction
+    std::vector<IndexPair> candidates;         // pairs that may touch
+    std::vector<IndexPair> touching;           // bodies of the patches
+    std::vector<BodyId> solved_directly;       // as in Memory, of this step
+    std::vector<char> in_flight;               // by body index: without an impulse
+    std::vector<char> hit;                     // by patch: an impact too fast to stick
+    std::vector<PushedPair> pushed;            // pairs with an impulse
+    std::vector<Quat> start_wb;                // orientations at the start of the step
+    std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
+    PivotUpdate pivots;                        // bodies that are moved together
+    std::vector<MovingBody> displacements;     // of the overlap correction
   };
 
   StepReport step_part(World& world, double dt);

@@ -204,6 +204,22 @@ void transfer_impulses(const ContactPatch& before, ContactPatch& patch) {
   }
 }
 
+PatchImpulses impulses_in(const ContactPatch& patch) {
+  PatchImpulses all{patch.along_impulse, patch.across_impulse, patch.twist_impulse};
+  std::transform(patch.used().begin(), patch.used().end(), all.begin() + 3,
+                 [](const ContactPatchPoint& p) { return p.impulse; });
+  return all;
+}
+
+void go_back(const PatchImpulses& before, double share, ContactPatch& patch) {
+  const auto between = [share](double from, double to) { return from + share * (to - from); };
+  patch.along_impulse = between(before[0], patch.along_impulse);
+  patch.across_impulse = between(before[1], patch.across_impulse);
+  patch.twist_impulse = between(before[2], patch.twist_impulse);
+  const double* from = before.data() + 3;
+  for (ContactPatchPoint& p : patch.used()) p.impulse = between(*from++, p.impulse);
+}
+
 void scale_impulses(double factor, ContactPatch& patch) {
   patch.along_impulse *= factor;
   patch.across_impulse *= factor;

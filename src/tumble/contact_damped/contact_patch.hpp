@@ -132,6 +132,20 @@ bool distribute_evenly(const Six& impulse, const ContactPatch& patch,
 /// \param patch   the new one; impulses are overwritten
 void transfer_impulses(const ContactPatch& before, ContactPatch& patch);
 
+/// The impulses of a patch by themselves: friction along, across and about the normal, then those of its points.
+using PatchImpulses = std::array<double, 3 + ContactPatch::kMostPoints>;
+
+/// Copies the impulses of a patch.
+/// \param patch the patch
+/// \return [N s], [N m s]; 0 for points that are not in use
+[[nodiscard]] PatchImpulses impulses_in(const ContactPatch& patch);
+
+/// Goes back towards earlier impulses of a patch.
+/// \param before  the earlier ones, of the same points
+/// \param share   [-] of the way from there to the present ones that is kept, 0 to 1
+/// \param patch   impulses in and out
+void go_back(const PatchImpulses& before, double share, ContactPatch& patch);
+
 /// Multiplies all impulses of a patch.
 /// \param factor  [-] at least 0
 /// \param patch   impulses in and out

@@ -3,9 +3,11 @@
 #include "tumble/contact_damped/island.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/collision_law.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/patch_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/math/sparse_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +16,49 @@
 namespace tumble {
 namespace {
 
-// Kinetic energy of velocities, with the body's own inertia: 1/2 m v² + 1/2 omega·I omega.
-double kinetic_energy_of(const BodyProperties& body, const Mat3& inertia_w,
-                         const MovingBody& moving) {
-  return 0.5 * body.mass * moving.velocity_w.squaredNorm() +
-         0.5 * moving.angular_velocity_w.dot(inertia_w * moving.angular_velocity_w);
+// Velocity in the world's frame and angular velocity in a body's own one at the start of the step.
+Vec6 motion_in(const Island& island, int k, const MovingBody& moving) {
+  Vec6 u;
+  u << moving.velocity_w, island.start_wb[idx(k)].conjugate() * moving.angular_velocity_w;
+  return u;
+}
+
+// What the kinetic energy of a body is in these coordinates: the sum of each squared times its weight.
+Vec6 energy_weights(const BodyProperties& body) {
+  Vec6 weights;
+  weights << Vec3::Constant(0.5 * body.mass), 0.5 * body.inertia_b;
+  return weights;
+}
+
+// The energy over what is allowed at a share t of the way from one state of motion to another: start + b t + a t².
+struct EnergyOnTheWay {
+  double start = 0.0;      // [J]
+  double slope = 0.0;      // [J] b
+  double curvature = 0.0;  // [J] a
+  double error = 0.0;      // [J] what counts as none
+
+  // The largest share of the way on which there is not too much.
+  [[nodiscard]] double allowed() const {
+    if (start + slope + curvature <= error || curvature == 0.0) return 1.0;  // 0: nothing changes
+    return largest_share(std::min(start, 0.0), slope, curvature);
+  }
+};
+
+// The kinetic energy on the way from earlier velocities to the present ones, over that of the start of the step.
+EnergyOnTheWay kinetic_energy_from(const Island& island, std::span<const MovingBody> from) {
+  EnergyOnTheWay way;
+  for (const int k : island.bodies) {
+    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
+    const Vec6 weights = energy_weights(island.world.bodies()[idx(k)]);
+    const Vec6 had = motion_in(island, k, island.start[idx(k)]);
+    const Vec6 u = motion_in(island, k, from[idx(k)]);
+    const Vec6 more = motion_in(island, k, island.now[idx(k)]) - u;
+    way.start += weights.dot(u.cwiseAbs2() - had.cwiseAbs2());
+    way.slope += 2.0 * weights.dot(u.cwiseProduct(more));
+    way.curvature += weights.dot(more.cwiseAbs2());
+    way.error += tolerance::energy_rounding * weights.dot(u.cwiseAbs2() + had.cwiseAbs2());
+  }
+  return way;
 }
 
 // Velocities at a share of the way from one state of motion to another.
@@ -139,25 +179,29 @@ void discard_impulses(const Island& island) {
 }
 
 void limit_energy(const Island& island, StepReport& report) {
-  double before = 0.0, after = 0.0, halfway = 0.0;
-  for (const int k : island.bodies) {
-    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
-    const BodyProperties& body = island.world.bodies()[idx(k)];
-    const Mat3 axes_w = island.world.states()[idx(k)].orientation_wb.toRotationMatrix();
-    const Mat3 inertia_w = axes_w * body.inertia_b.asDiagonal() * axes_w.transpose();
-    before += kinetic_energy_of(body, inertia_w, island.free[idx(k)]);
-    after += kinetic_energy_of(body, inertia_w, island.now[idx(k)]);
-    MovingBody middle = island.now[idx(k)];
-    interpolate(island.free[idx(k)], 0.5, middle);
-    halfway += kinetic_energy_of(body, inertia_w, middle);
-  }
-  if (after <= before * (1.0 + tolerance::energy_rounding)) return;
-  // E(t) = before + b t + a t², E(1) = after, E(1/2) = halfway.
-  const double a = 2.0 * (before + after - 2.0 * halfway);
-  const double share = std::clamp(1.0 - (after - before) / a, 0.0, 1.0);
+  EnergyOnTheWay way = kinetic_energy_from(island, island.free);
+  way.start = 0.0;  // compared with `free`
+  const double share = way.allowed();
+  if (share == 1.0) return;
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
   for (const int contact : island.patch_indices)
     scale_impulses(share, island.all_patches[idx(contact)]);
+  ++report.fallbacks;
+}
+
+void limit_bounce(const Island& island, std::span<const MovingBody> before,
+                  std::span<const PatchImpulses> impulses, StepReport& report) {
+  EnergyOnTheWay way = kinetic_energy_from(island, before);
+  for (const int k : island.bodies) {
+    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
+    const Vec3 moved_w = island.world.states()[idx(k)].position_w - island.start[idx(k)].position_w;
+    way.start -= island.world.bodies()[idx(k)].mass * island.world.gravity_w.dot(moved_w);
+  }
+  const double share = way.allowed();
+  if (share == 1.0) return;
+  for (const int k : island.bodies) interpolate(before[idx(k)], share, island.now[idx(k)]);
+  for (const int contact : island.patch_indices)
+    go_back(impulses[idx(contact)], share, island.all_patches[idx(contact)]);
   ++report.fallbacks;
 }
 

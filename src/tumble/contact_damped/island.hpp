@@ -21,9 +21,11 @@ struct Island {
   std::span<const int> patch_indices;   ///< of its patches in `all_patches`, ascending
   std::span<const int> upward;          ///< the same from the ground up, the order of sweeps
   std::span<ContactPatch> all_patches;  ///< of all islands
-  std::span<const MovingBody> start;    ///< velocities before gravity
-  std::span<const MovingBody> free;     ///< with gravity, without contacts
-  std::span<MovingBody> now;            ///< with the impulses so far
+  std::span<const Quat> start_wb;       ///< orientations at the start of the step
+  std::span<const MovingBody>
+      start;                         ///< velocities before gravity, places at the start of the step
+  std::span<const MovingBody> free;  ///< with gravity, without contacts
+  std::span<MovingBody> now;         ///< with the impulses so far
 };
 
 /// The shortest edge of a body in an island's patches.
@@ -112,5 +114,17 @@ void discard_impulses(const Island& island);
 /// \param island  impulses and velocities in and out
 /// \param report  counts it, if it had to
 void limit_energy(const Island& island, StepReport& report);
+
+/// Energy guard of restitution, after bodies have moved. Newton's law at several points may ask for more energy
+/// than there is. What there is, is the kinetic energy at the start of the step and the work of gravity on the way
+/// that bodies have really gone. Velocities and impulses go back together towards those before the bounce, as far as
+/// needed: the energy on this way is a parabola, and at its start there is not too much. So velocities stay
+/// those of the impulses, and momentum is kept.
+/// \param island    with the bounce; impulses and velocities in and out
+/// \param before    velocities before the bounce, with which bodies have moved, by body index
+/// \param impulses  of all patches then, by their index
+/// \param report    counts it, if it had to
+void limit_bounce(const Island& island, std::span<const MovingBody> before,
+                  std::span<const PatchImpulses> impulses, StepReport& report);
 
 }  // namespace tumble

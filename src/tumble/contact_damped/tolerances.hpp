@@ -253,6 +253,9 @@ inline constexpr double line_search_cut = 0.1;
 /// [-] Sweeps over an island after restitution, at most. Reason: a bounce does not spread through a stack. (4.3)
 inline constexpr int bounce_sweeps = 10;
 
+/// [-] The same over a small island. Reason: a row of twenty bodies parts by Newton's law at all points at once. (4.3)
+inline constexpr int small_bounce_sweeps = 100;
+
 /// [-] Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
 inline constexpr int bounce_patch_iterations = 20;
 

@@ -87,6 +87,10 @@ void describe(DampedOptions& o, Visitor& v) {
 ///
 /// There is no friction but the damping.
 ///
+/// **Energy** may rise, as the thesis has it: impulses are made one pair after the other at velocities that include
+/// gravity of the step, and pushes lift bodies. Pushes, damping and impulses are booked; the rest is the error of the
+/// semi-implicit rule.
+///
 /// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
 /// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
 /// damping gets the step; a body that is pushed or moved between two steps, or gets another gravity, has no
