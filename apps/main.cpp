@@ -14,7 +14,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 
 namespace {
 
@@ -43,6 +46,34 @@ CLI::Validator whole(std::uint64_t most) {
                     : text + ": expected a whole number from 0 to " + std::to_string(most);
       },
       "");
+}
+
+// An option that takes items separated by commas, none of them empty.
+// \param take  called with each item, from first to last
+void add_list(CLI::App& command, const std::string& option, const std::string& help,
+              const std::function<void(const std::string&)>& take) {
+  const auto take_all = [option, take](const std::string& list) {
+    for (std::size_t at = 0; at <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', at), list.size());
+      if (comma == at)
+        throw CLI::ValidationError(option, '"' + list + "\": expected words between the commas");
+      take(list.substr(at, comma - at));
+      at = comma + 1;
+    }
+  };
+  command.add_option_function<std::string>(option, take_all, help);
+}
+
+// The same for numbers, which replace those that were there.
+void add_numbers(CLI::App& command, const std::string& option, const std::string& help,
+                 std::vector<double>& numbers) {
+  auto given = std::make_shared<std::vector<double>>();
+  add_list(command, option, help, [option, given, &numbers](const std::string& item) {
+    const std::optional<double> value = tumble::parse_number(item);
+    if (!value) throw CLI::ValidationError(option, item + ": expected a finite number");
+    given->push_back(*value);
+    numbers = *given;
+  });
 }
 
 // The options of `run` alone.
@@ -93,15 +124,10 @@ void add_render_options(CLI::App& command, tumble::app::RenderRequest& request) 
   command.add_option("--at", request.at, "picture: time of the frame [s]; default: the last one")
       ->expected(1)
       ->check(number());
-  command
-      .add_option("--strip", request.strip,
-                  "picture: times of several frames, separated by commas [s]")
-      ->delimiter(',')
-      ->check(number());
+  add_numbers(command, "--strip", "picture: times of several frames, separated by commas [s]",
+              request.strip);
   command.add_flag("--filtered", request.filtered, "draw the filtered trajectory of the run");
-  command.add_option("--view", request.view, "direction from the boxes to the camera, X,Y,Z")
-      ->delimiter(',')
-      ->check(number());
+  add_numbers(command, "--view", "direction from the boxes to the camera, X,Y,Z", request.view);
   command.add_option("--from", request.from, "film, gltf: start time [s]")->check(number());
   command.add_option("--to", request.to, "film, gltf: end time [s]")->check(number());
   command
@@ -156,8 +182,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> techniques;
   double limit = 60.0;
   add_run_options(*compare, request);
-  compare->add_option("--techniques", techniques, "names, separated by commas; default: all")
-      ->delimiter(',');
+  add_list(*compare, "--techniques", "names, separated by commas; default: all",
+           [&techniques](const std::string& name) { techniques.push_back(name); });
   compare->add_option("--limit", limit, "wall-clock limit of each technique [s]")
       ->check(number())
       ->capture_default_str();

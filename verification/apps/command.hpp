@@ -53,6 +53,7 @@ inline void check_refused(const std::vector<Refusal>& refusals) {
     INFO(refusal.arguments << '\n' << outcome.text);
     CHECK(outcome.code == 2);
     CHECK(outcome.text.find(refusal.message) != std::string::npos);
+    CHECK(outcome.text.find("tumble: tumble:") == std::string::npos);
     CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
   }
 }

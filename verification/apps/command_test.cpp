@@ -122,6 +122,12 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
   std::ofstream(files.path / "zero.toml")
       << "[[box]]\nname = \"a\"\nsize = [1,0,1]\nmass = 1\nposition = [0,1,0]\n";
   std::ofstream(files.path / "binary.toml", std::ios::binary) << std::string(4096, '\xfe');
+  for (const auto& [name, scene] : std::vector<std::pair<std::string, std::string>>{
+           {"pull", "gravity = [0, -1e300, 0]\n[ground]\n[[box]]\nsize = [1,1,1]"},
+           {"spin", "[[box]]\nangular_velocity = [0, 1e300, 0]\nsize = [1,1,1]"},
+           {"small", "[[box]]\nsize = [1e-300,1,1]"},
+           {"large", "[[box]]\nsize = [1e155,1,1]"}})
+    std::ofstream(files.path / (name + ".toml")) << scene << "\nmass = 1\nposition = [0,1,0]\n";
   const std::string in = " " + files.text() + "/";
   std::vector<Refusal> cases = {
       {"run piramid", "unknown scene piramid: did you mean pyramid? Expected one of: box_drop,"},
@@ -140,6 +146,7 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run stack --set =3", "--set =3: expected key=value"},
       {"run stack --dt 0", "dt = 0: expected a finite number above 0"},
       {"run stack --dt -0.1", "dt = -0.1: expected a finite number above 0"},
+      {"run stack --dt 1e300 --duration 1e301", "dt = 1e+300: expected a number from 0 to 1e+20"},
       {"run stack --dt nan", "--dt: nan: expected a finite number"},
       {"run stack --dt fast", "--dt: fast: expected a finite number"},
       {"run stack --dt 0.1s", "--dt: 0.1s: expected a finite number"},
@@ -160,6 +167,11 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run" + in + "empty.toml", "empty.toml:1: box: a scene needs at least one [[box]]"},
       {"run" + in + "torn.toml", "torn.toml:1: not TOML"},
       {"run" + in + "zero.toml", "zero.toml:3: box[1].size = [1, 0, 1]: expected three numbers"},
+      {"run" + in + "pull.toml", "pull.toml:1: gravity = [0, -1e+300, 0]: expected three numbers"},
+      {"run" + in + "spin.toml",
+       "box1: angular_velocity_w = [0, 1e+300, 0]: expected three numbers"},
+      {"run" + in + "small.toml", "box1: shortest edge of size = 1e-300: expected a number from"},
+      {"run" + in + "large.toml", "box1: longest edge of size = 1e+155: expected a number from"},
       {"run" + in + "binary.toml", "binary.toml:1: not TOML"},
       {"run" + in + "file", "file:1: not TOML"},
       {"run cradle --set moving=5", "moving = 5: expected fewer than count = 5"},
@@ -170,12 +182,19 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"scenes piramid", "did you mean pyramid?"},
       {"scenes --toml", "need the name of a scene"},
       {"techniques bsic", "unknown technique bsic: did you mean basic?"},
+      {"compare stack --techniques ,, --duration 1",
+       "--techniques: \",,\": expected words between the commas"},
+      {"compare stack --techniques basic, --duration 1",
+       "--techniques: \"basic,\": expected words"},
       {"compare stack --techniques basic,magic", "unknown technique magic"},
       {"compare stack --techniques basic,basic", "basic is there twice"},
       {"compare stack --limit 0", "limit = 0: expected a finite number above 0"},
       {"render" + in + "folder.toml --as svg", "trajectory.csv: cannot be read: give the folder"},
       {"render" + in + "folder.toml --as gif", "trajectory.csv: cannot be read: give the folder"},
       {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg, png, gif, mp4 or gltf"},
+      {"render" + in + "folder.toml --as svg --strip ,, --width 300", "--strip: \",,\": expected"},
+      {"render" + in + "folder.toml --as svg --view 1,,2,3", "--view: \"1,,2,3\": expected words"},
+      {"render" + in + "folder.toml --as svg --strip 0,soon", "--strip: soon: expected a finite"},
       {"render" + in + "folder.toml --as svg --at soon", "--at: soon: expected a finite number"},
   };
   for (Refusal& c : cases)

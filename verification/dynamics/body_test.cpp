@@ -99,8 +99,17 @@ TEST_CASE("Bodies refuse sizes, masses and coefficients that make no sense", "[u
                     "tumble: mass = 1e+31: expected a number from 1e-30 to 1e+30");
   for (const double mass : {1e-320, 1e-300, 9e-31, 1.1e30, 1e300})
     CHECK_THROWS_AS(box_properties(size, mass), std::invalid_argument);
-  CHECK_THROWS_AS(box_properties(1e-200 * size, 1.0), std::invalid_argument);  // I underflows
-  CHECK_THROWS_AS(box_properties(1e200 * size, 1.0), std::invalid_argument);   // I overflows
+  CHECK_THROWS_WITH(
+      box_properties(1e-200 * size, 1.0),
+      "tumble: shortest edge of size = 1e-200: expected a number from 1e-20 to 1e+20");
+  CHECK_THROWS_WITH(box_properties(Vec3(1.0, 1e200, 1.0), 1.0),
+                    "tumble: longest edge of size = 1e+200: expected a number from 1e-20 to 1e+20");
+  CHECK_THROWS_WITH(
+      box_properties(1e-19 * Vec3::Ones(), 12.0),
+      "tumble: smallest moment of inertia, of a box of 12 kg with edges from 1e-19 to "
+      "1e-19 m, = 2e-38: expected a number from 1e-30 to 1e+30");
+  CHECK_THROWS_WITH(fixed_box_properties(Vec3(1.0, 1.0, 1e155)),
+                    Catch::Contains("longest edge of size = 1e+155"));
   CHECK_THROWS_AS(box_properties(size, 1.0, -0.1), std::invalid_argument);
   CHECK_THROWS_WITH(box_properties(size, 1.0, 0.5, 1.5),
                     "tumble: restitution = 1.5: expected a number from 0 to 1");

@@ -1,5 +1,8 @@
 /// \file
 /// \brief Promises of every technique, those of the library and the one of the example.
+#include "tumble/dynamics/tolerances.hpp"
+#include "tumble/scenes/simulation.hpp"
+
 #include "add_a_technique/penalty.hpp"
 #include "impulse_damped/scene_runs.hpp"
 #include "support/allocation_counter.hpp"
@@ -78,6 +81,42 @@ TEST_CASE("A step of every technique takes its time, whatever there is to step",
       CHECK(technique->step(world, kFrame).status == StepStatus::done);
       CHECK(world.time() == kFrame);
       CHECK(world.steps() == 1);
+    }
+  }
+}
+
+TEST_CASE("A scene at the limits of its values is stepped, or refused for a value that was given",
+          "[unit][technique]") {
+  const double most =
+      tolerance::largest_value;  // with as long a step a spin is refused as a rotation
+  SceneBox box;
+  box.position_w = Vec3(0.0, 0.6, 0.0);
+  SceneBox beside = box;
+  beside.position_w.x() = 2.0;
+  Scene still;
+  still.ground.emplace();
+  still.boxes = {box, beside};
+  std::vector<Scene> scenes(4, still);
+  scenes[0].gravity_w *= most / 10.0;
+  scenes[1].boxes[0].velocity_w = Vec3(most, -most, 0.0);
+  scenes[2].boxes[0].angular_velocity_w = Vec3(0.0, most, most);
+  scenes[3].boxes[0].position_w = Vec3(most, most, 0.0);
+  for (const TechniqueRecipe& recipe : all_techniques()) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      for (const double dt : {kFrame, most}) {
+        INFO(recipe.name << ", scene " << k << ", dt " << dt);
+        Simulation run(scenes[k], made(recipe));
+        std::string refusal;
+        try {
+          for (int step = 0; step < 3 && run.step(dt).status < StepStatus::unsolved;) ++step;
+        } catch (const std::invalid_argument& error) {
+          refusal = error.what();
+        }
+        INFO(refusal);
+        CHECK(refusal.find("margin") == std::string::npos);
+        CHECK(refusal.find("= nan") == std::string::npos);
+        CHECK(refusal.find("= inf") == std::string::npos);
+      }
     }
   }
 }

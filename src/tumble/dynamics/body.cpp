@@ -3,10 +3,13 @@
 #include "tumble/dynamics/body.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace tumble {
 namespace {
@@ -32,6 +35,20 @@ void require_size(const Vec3& size) {
   require::positive(size.x(), "size.x");
   require::positive(size.y(), "size.y");
   require::positive(size.z(), "size.z");
+  require::within(size.minCoeff(), tolerance::smallest_edge, tolerance::largest_value,
+                  "shortest edge of size");
+  require::within(size.maxCoeff(), tolerance::smallest_edge, tolerance::largest_value,
+                  "longest edge of size");
+}
+
+// A moment of inertia follows from what was given, so the message names that too.
+void require_moment(double moment, std::string_view which, const BodyProperties& body) {
+  if (moment >= tolerance::smallest_mass && moment <= tolerance::largest_mass) return;
+  std::string name(which);
+  name.append(" moment of inertia, of a box of ").append(shortest_text(body.mass));
+  name.append(" kg with edges from ").append(shortest_text(body.size.minCoeff()));
+  name.append(" to ").append(shortest_text(body.size.maxCoeff())).append(" m,");
+  require::within(moment, tolerance::smallest_mass, tolerance::largest_mass, name);
 }
 
 }  // namespace
@@ -52,10 +69,8 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction, do
   body.friction = friction;
   body.restitution = restitution;
   require::within(mass, tolerance::smallest_mass, tolerance::largest_mass, "mass");
-  require::within(body.inertia_b.minCoeff(), tolerance::smallest_mass, tolerance::largest_mass,
-                  "smallest moment of inertia");
-  require::within(body.inertia_b.maxCoeff(), tolerance::smallest_mass, tolerance::largest_mass,
-                  "largest moment of inertia");
+  require_moment(body.inertia_b.minCoeff(), "smallest", body);
+  require_moment(body.inertia_b.maxCoeff(), "largest", body);
   return body;
 }
 

@@ -71,7 +71,7 @@ struct BodyState {
 /// A box of uniform density.
 ///
 /// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).
-/// \param size         [m] full edge lengths, each above 0
+/// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
@@ -81,7 +81,7 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction = 0
                               double restitution = 0.0);
 
 /// An immovable box.
-/// \param size         [m] full edge lengths, each above 0
+/// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
 /// \return its properties

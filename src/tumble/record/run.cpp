@@ -119,7 +119,7 @@ void keep_worst(const Metrics& now, Metrics& worst) {
 }  // namespace
 
 void require_valid(const RunSettings& settings) {
-  require::positive(settings.dt, "dt");
+  require_time_step(settings.dt);
   require::not_negative(settings.duration, "duration");
   require::that(settings.every >= 1,
                 "every = " + std::to_string(settings.every) + ": expected 1 or more");

@@ -26,7 +26,7 @@ struct RunSettings {
 
 /// Checks settings before anything is made of them.
 /// \param settings  what a user asks for
-/// \throws std::invalid_argument naming the value: dt not above 0, duration below 0, every below 1,
+/// \throws std::invalid_argument naming the value: dt as require_time_step() refuses it, duration below 0, every below 1,
 ///         10^12 steps or more
 void require_valid(const RunSettings& settings);
 

@@ -92,7 +92,20 @@ void settle_names(Scene& scene) {
   }
 }
 
+// Squares and products of larger numbers would not be numbers.
+void require_limited(const Vec3& value, std::string_view name) {
+  require::finite(value, name);
+  if (value.cwiseAbs().maxCoeff() <= tolerance::largest_value) return;
+  require::that(false, std::string(name) + " = " + text_of(value) +
+                           ": expected three numbers from -" +
+                           shortest_text(tolerance::largest_value) + " to " +
+                           shortest_text(tolerance::largest_value));
+}
+
 BodyState state_of(const SceneBox& box, const BodyProperties& body) {
+  require_limited(box.position_w, "position_w");
+  require_limited(box.velocity_w, "velocity_w");
+  require_limited(box.angular_velocity_w, "angular_velocity_w");
   return make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
                     box.angular_velocity_w);
 }
@@ -123,7 +136,7 @@ World start_world(Scene& scene) {
   if (scene.boxes.empty()) throw SceneMistake(-1, "box", ": a scene needs at least one");
   World world;
   try {
-    require::finite(scene.gravity_w, "gravity");
+    require_limited(scene.gravity_w, "gravity");
     if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
   } catch (const std::invalid_argument& error) {
     throw SceneMistake(-1, "", std::string(message_of(error)));
@@ -140,8 +153,6 @@ World start_world(Scene& scene) {
                         shortest_text(box.appears) + " s, when it appears");
       const BodyProperties body = properties_of(box);
       const BodyState state = state_of(box, body);
-      require::finite(state.linear_momentum_w, "mass times velocity");
-      require::finite(state.angular_momentum_w, "inertia times angular_velocity");
       masses.add(body, box.name);
       if (!(box.appears > 0.0)) world.add(body, state, box.name);
     } catch (const std::invalid_argument& error) {

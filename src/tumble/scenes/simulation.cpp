@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/dynamics/tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -83,7 +84,13 @@ void Simulation::settle() {
   settled_ = world_.time();
 }
 
+void require_time_step(double dt) {
+  require::positive(dt, "dt");
+  require::within(dt, 0.0, tolerance::largest_value, "dt");
+}
+
 StepReport Simulation::step(double dt) {
+  require_time_step(dt);
   settle();
   StepReport report;
   {
@@ -97,7 +104,7 @@ StepReport Simulation::step(double dt) {
 
 StepStatus Simulation::run_for(double seconds, double dt) {
   require::not_negative(seconds, "seconds");
-  require::positive(dt, "dt");
+  require_time_step(dt);
   const double end = world_.time() + seconds;
   StepStatus worst = StepStatus::done;
   while (world_.time() < end - 0.5 * dt && worst < StepStatus::unsolved)

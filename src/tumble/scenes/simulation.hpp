@@ -16,6 +16,11 @@ namespace tumble {
 /// [s] The time step of scenes unless another one is given.
 inline constexpr double kTimeStep = 1.0 / 60.0;
 
+/// Checks the length of a step.
+/// \param dt [s] above 0, at most tolerance::largest_value
+/// \throws std::invalid_argument naming the value, for another one
+void require_time_step(double dt);
+
 /// A scene and the technique that steps it.
 ///
 /// Boxes that appear later come in, and boxes that disappear go, before the first step that begins at their
@@ -57,14 +62,14 @@ class Simulation {
   void settle();
 
   /// Simulates a step: lets boxes enter and leave that are due, then steps.
-  /// \param dt [s] above 0
+  /// \param dt [s] as require_time_step() takes it
   /// \return what the technique did; StepStatus::not_finite as well if a state is not finite after it
-  /// \throws std::invalid_argument if the technique refuses; it may have moved bodies before it does
+  /// \throws std::invalid_argument for another dt, or if the technique refuses; it may have moved bodies before it does
   StepReport step(double dt = kTimeStep);
 
   /// Simulates for a while; ends early after a step that was not solved or is not finite.
   /// \param seconds  [s] how long, to half a step
-  /// \param dt       [s] above 0
+  /// \param dt       [s] as require_time_step() takes it
   /// \return the worst status of a step
   /// \throws std::invalid_argument as step()
   StepStatus run_for(double seconds, double dt = kTimeStep);
