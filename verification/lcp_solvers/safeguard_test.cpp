@@ -4,6 +4,7 @@
 #include "tumble/lcp_solvers/safeguard.hpp"
 
 #include "tumble/base/random.hpp"
+#include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/math/elementary.hpp"
 #include "tumble/math/enumeration.hpp"
 #include "tumble/record/matrix_market.hpp"
@@ -305,4 +306,33 @@ TEST_CASE("Of 8000 semidefinite problems in any units no solver calls a wrong an
     else
       CHECK(tally.unsolved == 0);
   }
+}
+
+TEST_CASE("Baraff's method by itself solves problems whose rows are in units from 1e-3 to 1e3",
+          "[unit][lcp][lcp_solvers]") {
+  Random random(32);
+  BaraffSolver solver;
+  LcpResult result;
+  int unsolved = 0;
+  for (int trial = 0; trial < 8000; ++trial) {
+    const int n = 1 + static_cast<int>(random.below(10));
+    MatX J(n, 1 + static_cast<int>(random.below(10)));
+    for (int i = 0; i < n; ++i) {
+      const double unit = elementary::pow(10.0, random.uniform(-3.0, 3.0));
+      for (int k = 0; k < J.cols(); ++k) J(i, k) = unit * random.uniform(-1.0, 1.0);
+    }
+    LcpProblem problem{J * J.transpose(), VecX::Zero(n), {}};
+    // Forces of one size, whatever the units: the accelerations differ by 1e12.
+    VecX f = VecX::Zero(n);
+    for (int i = 0; i < n; ++i) {
+      f[i] = std::max(0.0, random.uniform(-1.0, 1.0));
+      if (f[i] == 0.0) problem.b[i] = random.uniform(0.0, 1.0) * problem.A(i, i);
+    }
+    problem.b -= problem.A * f;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < j; ++i) problem.A(i, j) = problem.A(j, i);
+    solver.solve(problem, result);
+    if (result.status != LcpStatus::solved || !holds(problem, result)) ++unsolved;
+  }
+  CHECK(unsolved == 0);  // 176 when the largest row decided for all
 }

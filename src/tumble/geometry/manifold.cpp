@@ -7,6 +7,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/edge_crossing.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
+#include "tumble/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -188,6 +189,15 @@ void write_nearest(const BoxPair& pair, const Separation& found, Manifold& out) 
   out.count = 2;
 }
 
+// Whether two edges that are parallel but for rounding lie far from each other, although the boxes just touch: along
+// the axis between them rounding alone sees a distance, and other edges are nearest.
+bool lie_elsewhere(const BoxPair& pair, const Separation& found, const EdgeContact& contact) {
+  if (found.distance <= -pair.rounding()) return false;
+  const double longest = 2.0 * std::max(pair.first.half.maxCoeff(), pair.second.half.maxCoeff());
+  return std::sqrt(contact.apart2) >
+         std::max(found.distance, 0.0) + tolerance::beside_the_normal * longest;
+}
+
 // Says whether the axis leads to a contact, or the boxes are too far apart along it to have one.
 bool find_points(const BoxPair& pair, const Separation& found, double margin, Manifold& out) {
   out.normal_w = found.normal_w;
@@ -198,7 +208,7 @@ bool find_points(const BoxPair& pair, const Separation& found, double margin, Ma
     const EdgeContact contact =
         cross_edges(pair, found.normal_w, (found.axis - 6) / 3, (found.axis - 6) % 3);
     write_point(contact, found, out);
-    return contact.within;
+    return contact.within && !lie_elsewhere(pair, found, contact);
   }
   clip_along(pair, found, margin, out);
   return out.count > 0;

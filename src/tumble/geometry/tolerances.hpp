@@ -16,4 +16,8 @@ inline constexpr double edges_side_by_side = 1e-7;
 /// a size. (3.2)
 inline constexpr double nearly_parallel_edges = 1e-4;
 
+/// [-] Edges that touch along an axis are a contact if their points are no farther apart beside it than this share of the
+/// longest edge. Reason: a contact point may lie off a box by so much; edges side by side leave rounding. (4.1)
+inline constexpr double beside_the_normal = 1e-6;
+
 }  // namespace tumble::tolerance

@@ -2,9 +2,12 @@
 /// \brief Baraff's pivoting, with equalities.
 #include "tumble/lcp_solvers/baraff.hpp"
 
+#include "tumble/lcp_solvers/row_scaling.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace tumble {
 namespace {
@@ -21,6 +24,27 @@ LcpStatus translated(ComplementarityStatus status) {
       break;
   }
   return LcpStatus::not_positive_semidefinite;
+}
+
+// Which contact sinks and which matrix is singular is decided by the largest row. What failed so is tried again in
+// rows of unit diagonal.
+void solve_in_units(const LcpProblem& problem, LcpResult& result) {
+  ScaledProblem units;
+  units.assign(problem);
+  TwinProblem twins;
+  twins.assign(units.problem());
+  ComplementarityResult answer;
+  ComplementaritySolver().solve(twins.A(), twins.b(), answer);
+  if (answer.status != ComplementarityStatus::solved) return;
+  LcpResult second;
+  std::vector<double> f;
+  twins.forces(answer.f, f);
+  units.forces(f, second.f);
+  second.status = LcpStatus::solved;
+  second.pivots = result.pivots + answer.pivots;
+  second.multiplications = result.multiplications + answer.multiplications;
+  conclude(problem, second);
+  if (second.status == LcpStatus::solved) std::swap(result, second);
 }
 
 }  // namespace
@@ -45,9 +69,13 @@ void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span
   result.multiplications = answer_.multiplications;
   conclude(problem, result);
 
+  const bool solved = result.status == LcpStatus::solved;
+  if (problem.factors.rows.empty()) {
+    if (!solved) solve_in_units(problem, result);
+    return;
+  }
   // A holds only the squares of what J holds: half of the digits. Where that is too few, J is used.
-  const bool good = result.status == LcpStatus::solved && result.residual <= tolerance::lost_in_A;
-  if (good || problem.factors.rows.empty()) return;
+  if (solved && result.residual <= tolerance::lost_in_A) return;
   const int pivots = result.pivots;
   const std::int64_t multiplications = result.multiplications;
   with_factors_.solve(problem, result);

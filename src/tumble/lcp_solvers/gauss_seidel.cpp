@@ -64,6 +64,7 @@ void GaussSeidelSolver::solve(const LcpProblem& problem, LcpResult& result,
   complete(problem, result);
   if (result.status == LcpStatus::solved && !(result.residual <= options_.residual))
     result.status = LcpStatus::cap_reached;
+  conclude(problem, result);  // rows in units much smaller than the others' may still be wrong
 }
 
 // The forces to begin with. Those of contacts may not pull.

@@ -175,7 +175,7 @@ void complete(const LcpProblem& problem, LcpResult& result) {
 
 void conclude(const LcpProblem& problem, LcpResult& result) {
   complete(problem, result);
-  if (result.status == LcpStatus::solved && !(result.residual <= tolerance::usable_residual))
+  if (result.status == LcpStatus::solved && !holds(problem, result))
     result.status = LcpStatus::singular;
 }
 

@@ -104,8 +104,8 @@ inline bool is_equality(const LcpProblem& problem, int row) {
 /// \param result  f of length n, given
 void complete(const LcpProblem& problem, LcpResult& result);
 
-/// complete(), and `solved` becomes `singular` if the residual is above `tolerance::usable_residual` or is not
-/// a number.
+/// complete(), and `solved` becomes `singular` unless the answer passes holds(), the judge of every
+/// answer.
 /// \param problem the problem
 /// \param result  f of length n and a status, given
 void conclude(const LcpProblem& problem, LcpResult& result);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace tumble {
 namespace {
@@ -31,20 +32,20 @@ bool invert(const MatX& A, MatX& inverse) {
 }  // namespace
 
 bool LemkeRestarts::solve(const LcpProblem& problem, LcpResult& result) {
-  const int n = problem.size();
-  for (int i = 0; i < n; ++i)
-    if (is_equality(problem, i)) return false;
-  if (n == 0) return false;
+  if (problem.size() == 0) return false;
   units_.assign(problem);
-  const LcpProblem& scaled = units_.problem();
+  twins_.assign(units_.problem());
+  scaled_.A = twins_.A();
+  scaled_.b = twins_.b();
+  const int n = twins_.size();
   int left = std::min(kMostAttempts, static_cast<int>(kMostWork / (2.0 * n * n * n)));
   for (LemkeSolver& solver : solvers_)
-    if (attempt(scaled, {}, solver, problem, result)) return true;
+    if (attempt({}, solver, problem, result)) return true;
   for (int i = 0; i < n && left > 0; ++i, --left)
-    if (attempt(scaled, std::array{i}, solvers_[0], problem, result)) return true;
+    if (attempt(std::array{i}, solvers_[0], problem, result)) return true;
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n && left > 0; ++j, --left)
-      if (attempt(scaled, std::array{i, j}, solvers_[0], problem, result)) return true;
+      if (attempt(std::array{i, j}, solvers_[0], problem, result)) return true;
   return false;
 }
 
@@ -52,7 +53,8 @@ LemkeRestarts::LemkeRestarts()
     : solvers_{LemkeSolver(), LemkeSolver({.slack = tolerance::lost_in_A}),
                LemkeSolver({.slack = tolerance::lost_digits})} {}
 
-bool LemkeRestarts::exchange(const LcpProblem& problem, std::span<const int> exchanged) {
+bool LemkeRestarts::exchange(std::span<const int> exchanged) {
+  const LcpProblem& problem = scaled_;
   transformed_.A = problem.A;
   transformed_.b = problem.b;
   if (exchanged.empty()) return true;
@@ -90,14 +92,16 @@ bool LemkeRestarts::exchange(const LcpProblem& problem, std::span<const int> exc
   return transformed_.A.allFinite() && transformed_.b.allFinite();
 }
 
-bool LemkeRestarts::attempt(const LcpProblem& scaled, std::span<const int> exchanged,
-                            LemkeSolver& solver, const LcpProblem& problem, LcpResult& result) {
-  if (!exchange(scaled, exchanged)) return false;
+bool LemkeRestarts::attempt(std::span<const int> exchanged, LemkeSolver& solver,
+                            const LcpProblem& problem, LcpResult& result) {
+  if (!exchange(exchanged)) return false;
   solver.solve(transformed_, answer_);
   if (answer_.status != LcpStatus::solved) return false;
   for (const int i : exchanged) answer_.f[idx(i)] = answer_.a[idx(i)];
   for (double& f : answer_.f) f = std::max(f, 0.0);
-  units_.forces(answer_.f, answer_.f);
+  std::vector<double> f;
+  twins_.forces(answer_.f, f);
+  units_.forces(f, answer_.f);
   conclude(problem, answer_);
   if (answer_.status != LcpStatus::solved || !holds(problem, answer_)) return false;
   std::swap(result, answer_);
