@@ -126,47 +126,6 @@ TEST_CASE("A filter that there is not ends with code 2 and one line, before anyt
   CHECK(!fs::exists(folder.path));
 }
 
-TEST_CASE("A run that becomes infinite leaves the filtered frames before it and says so",
-          "[unit][command][filtering]") {
-  const Folder folder("filter_infinite");
-  const Folder scene("filter_infinite_scene");
-  fs::create_directories(scene.path);
-  std::ofstream(scene.path / "fast.toml") << "gravity = [0, -1e306, 0]\n[[box]]\nsize = [1,1,1]\n"
-                                             "mass = 1\nposition = [0,5,0]\n";
-  const Outcome outcome = run_tumble("run " + scene.text() +
-                                     "/fast.toml --dt 1 --duration 40 --quiet "
-                                     "--filter box:5 --out " +
-                                     folder.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 3);
-  CHECK(outcome.text.find("trajectory_filtered.csv has only the frames before") !=
-        std::string::npos);
-  CHECK(outcome.text.find("not_finite") != std::string::npos);
-  const auto computed = rows_of(folder.path / "trajectory.csv");
-  const auto shown = rows_of(folder.path / "trajectory_filtered.csv");
-  REQUIRE(computed.size() > 3);
-  CHECK(shown.size() == computed.size() - 1);
-  CHECK(cell(shown.back(), 0) == cell(computed[computed.size() - 2], 0));
-  CHECK(content(folder.path / "summary.json").find("\"end\": \"failed\"") != std::string::npos);
-}
-
-TEST_CASE("A technique that stops at an infinite state leaves the folder of its run",
-          "[unit][command]") {
-  const Folder folder("stopped");
-  const Folder scene("stopped_scene");
-  fs::create_directories(scene.path);
-  std::ofstream(scene.path / "fast.toml") << "gravity = [0, -1e306, 0]\n[[box]]\nsize = [1,1,1]\n"
-                                             "mass = 1\nposition = [0,5,0]\n";
-  const Outcome outcome = run_tumble(
-      "run " + scene.text() + "/fast.toml --technique damped --dt 1 --duration 40 --quiet --out " +
-      folder.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 3);
-  CHECK(outcome.text.find("damped stopped at") != std::string::npos);
-  CHECK(rows_of(folder.path / "trajectory.csv").size() > 3);
-  CHECK(content(folder.path / "summary.json").find("\"end\": \"failed\"") != std::string::npos);
-}
-
 TEST_CASE("An interrupted run has as many filtered frames as recorded ones",
           "[unit][command][filtering]") {
   const Folder folder("filter_interrupted");
