@@ -79,11 +79,11 @@ Attempt attempt(const Problem& problem, const PlayedTechnique& played, int per_f
   int steps = 0;
   const auto look = [&](const World& world, const Metrics&) {
     if (++steps % per_frame != 0) return;
-    const double time = kFrame * (steps / per_frame);
+    const double time = kComparedEvery * (steps / per_frame);
     worst = std::max(worst, std::abs(problem.value(world) - problem.exact(time)));
   };
-  const RunResult run =
-      run_compared(problem.scene, played, kFrame / per_frame, kFrame * problem.frames, look);
+  const RunResult run = run_compared(problem.scene, played, kComparedEvery / per_frame,
+                                     kComparedEvery * problem.frames, look);
   out.totals = run.totals;
   if (run.end == RunEnd::complete) out.error = worst / problem.scale;
   return out;

@@ -11,14 +11,14 @@ namespace tumble::chapters {
 struct Problem {
   std::string name;                             // in a word
   Scene scene;                                  // start of the simulation
-  int frames = 0;                               // how long, in frames of kFrame
+  int frames = 0;                               // how long, in frames of kComparedEvery
   double scale = 1.0;                           // errors are over it [as value]
   std::function<double(const World&)> value{};  // the compared value: a height, a way, an angle
   std::function<double(double)> exact{};        // the same at a time [s]
 };
 
 // [s] Paths are compared at multiples of it, which all steps reach.
-inline constexpr double kFrame = 1.0 / 30.0;
+inline constexpr double kComparedEvery = 1.0 / 30.0;
 
 // A cube dropped flat that bounces three times.
 //

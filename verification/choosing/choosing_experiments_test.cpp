@@ -120,16 +120,16 @@ TEST_CASE("The paths that techniques are compared with are the closed forms", "[
   CHECK(std::abs(bounce.exact(fall)) < 1e-15);                  // [m] rounding
   CHECK(std::abs(bounce.exact(1.5 * fall) - 0.25) < 1e-14);     // e² of the height
   CHECK(std::abs(bounce.exact(2.25 * fall) - 0.0625) < 1e-14);  // and again
-  CHECK(bounce.frames * kFrame > 2.5 * fall);                   // three impacts
+  CHECK(bounce.frames * kComparedEvery > 2.5 * fall);           // three impacts
   const Problem slide = slide_problem();
   CHECK(std::abs(slide.exact(10.0) - 9.0 / (2.0 * 0.3 * g)) < 1e-15);  // v²/(2 μ g)
   CHECK(std::abs(slide.exact(10.0) - slide.scale) < 1e-15);
-  CHECK(slide.frames * kFrame > 3.0 / (0.3 * g));  // it has stopped
+  CHECK(slide.frames * kComparedEvery > 3.0 / (0.3 * g));  // it has stopped
   const Problem rock = rock_problem();
   CHECK(std::abs(rock.exact(0.0) - rock.scale) < 1e-14);
   // [s] a quarter period by elliptic integrals, evaluated apart; 12 digits were written down
   CHECK(std::abs(rock.exact(0.490864457850)) < 1e-11);
-  CHECK(rock.frames * kFrame < 0.490864457850);
+  CHECK(rock.frames * kComparedEvery < 0.490864457850);
 }
 
 TEST_CASE("Everything that a report counts as work is counted once", "[unit][choosing]") {
