@@ -29,11 +29,12 @@ int parts_of_turn(double turn) {
 // or into each other. Then a contact found at its start does not stay where it is.
 int parts_of_motion(std::span<const ContactPatch> patches, std::span<const MovingBody> free,
                     double dt, int allowed) {
+  if (allowed == 1) return 1;
   double most = 0.0;  // [-] way of a point in the step, as a share of the shortest edge
   for (const ContactPatch& patch : patches) {
     const Six u = motion_of(patch, free[idx(patch.first)], free[idx(patch.second)]);
     for (const ContactPatchPoint& p : patch.used()) {
-      const Vec3 way = dt * velocity_at(p, u);
+      const Vec3 way = dt * velocity_at(p.along, p.across, u);
       if (-way.z() > p.gap) most = std::max(most, way.norm() / patch.size);
     }
   }

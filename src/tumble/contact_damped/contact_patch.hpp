@@ -190,12 +190,13 @@ inline Six motion_of(const ContactPatch& patch, const MovingBody& first, const M
 }
 
 /// The motion of a point of a patch.
-/// \param point  one of the patch's
+/// \param along   [m] its place
+/// \param across  [m] ditto
 /// \param motion  of the patch
-/// \return along, across, normal
-inline Vec3 velocity_at(const ContactPatchPoint& point, const Six& motion) {
-  return {motion[0] - point.across * motion[5], motion[1] + point.along * motion[5],
-          motion[2] + point.across * motion[3] - point.along * motion[4]};
+/// \return [m/s] along, across, normal
+inline Vec3 velocity_at(double along, double across, const Six& motion) {
+  return {motion[0] - across * motion[5], motion[1] + along * motion[5],
+          motion[2] + across * motion[3] - along * motion[4]};
 }
 
 /// The sum of all impulses of a patch.

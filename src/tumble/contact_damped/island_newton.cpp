@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::raise;
+using island_math::add_push, island_math::into_cone, island_math::raise;
 
 namespace {
 
@@ -36,7 +36,7 @@ void IslandSolver::evaluate_springs(std::span<const ContactPatch> patches) {
     for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[idx(i)];
       const double rho = tolerance::newton_stiffness / p.inverse_mass;
-      p.motion = motion_at(p.along, p.across, motion);
+      p.motion = velocity_at(p.along, p.across, motion);
       p.motion[2] += p.shift - p.target;
       const Vec3 asked = p.impulse - rho * p.motion;
       p.spring_impulse = into_cone(asked, p.friction);

@@ -43,15 +43,6 @@ inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse
   return w;
 }
 
-/// The motion of a point of a patch.
-/// \param along   [m] its place
-/// \param across  [m] ditto
-/// \param u       motion of the patch
-/// \return [m/s] along, across, normal
-inline Vec3 motion_at(double along, double across, const Six& u) {
-  return {u[0] - across * u[5], u[1] + along * u[5], u[2] + across * u[3] - along * u[4]};
-}
-
 /// Adds an impulse at a point to that of the patch.
 /// \param along   [m] its place
 /// \param across  [m] ditto

@@ -11,8 +11,8 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::motion_of,
-    island_math::Spring, island_math::velocities_of, island_math::wrench_of;
+using island_math::add_push, island_math::into_cone, island_math::motion_of, island_math::Spring,
+    island_math::velocities_of, island_math::wrench_of;
 
 namespace {
 
@@ -156,7 +156,7 @@ void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, doubl
     for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[idx(i)];
       const double rho = stiffness_ / p.inverse_mass;
-      Vec3 u = motion_at(p.along, p.across, motion);
+      Vec3 u = velocity_at(p.along, p.across, motion);
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
       p.slides =

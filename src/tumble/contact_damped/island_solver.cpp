@@ -11,7 +11,7 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::motion_at, island_math::raise;
+using island_math::add_push, island_math::into_cone, island_math::raise;
 
 // First half of an ADMM iteration: the velocities of all bodies, with all springs on.
 void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
@@ -39,7 +39,7 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
     for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[idx(i)];
       const double rho = stiffness_ / p.inverse_mass;
-      Vec3 u = motion_at(p.along, p.across, motion);
+      Vec3 u = velocity_at(p.along, p.across, motion);
       if (p.slides) {
         u[2] -= p.target;
         const double further =

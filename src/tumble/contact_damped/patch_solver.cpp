@@ -92,7 +92,8 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   patch.twist_impulse = impulse[six::twist];
   for (const ContactPatchPoint& point :
        patch.used())  // they span an area: 0 only if nothing changes
-    update.largest_change = std::max(update.largest_change, velocity_at(point, wrong).norm());
+    update.largest_change =
+        std::max(update.largest_change, velocity_at(point.along, point.across, wrong).norm());
   return true;
 }
 
