@@ -79,7 +79,7 @@ TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",
     Parameters parameters = recipe.parameters();
     parameters.set("per_edge", "4");
     double sum = 0.0;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
       Simulation simulation(recipe.build(parameters, Random(seed)), "contact_damped", settings);
       double most = 0.0;
       for (int k = 0; k < 120; ++k) most = std::max(most, simulation.step().deepest_overlap);
