@@ -40,7 +40,7 @@ TimewarpAsPrintedOptions printed(const TimewarpErrata& repaired, TimewarpListing
 struct Frame {
   Frame(const World& start, const TimewarpAsPrintedOptions& options, double dt = 1.0)
       : world(start), technique(options) {
-    technique.observe(&told);
+    technique.observe(&observed);
     report = technique.step(world, dt);
   }
 
@@ -51,12 +51,12 @@ struct Frame {
     return velocity(world.bodies()[body], technique.test_states()[body]).x();
   }
   [[nodiscard]] double valid_time(std::size_t body) const { return technique.valid_times()[body]; }
-  [[nodiscard]] std::size_t events() const { return told.events.size(); }
+  [[nodiscard]] std::size_t events() const { return observed.events.size(); }
   [[nodiscard]] bool capped() const { return report.status == StepStatus::event_cap; }
 
   World world;
   TimewarpAsPrinted technique;
-  Listener told;
+  Listener observed;
   StepReport report;
 };
 
@@ -87,10 +87,10 @@ World ball_above_ground(double height, double speed_down) {
 // Compares a run with another one, bit by bit.
 void check_same(World world, Technique& one, Technique& other, double dt, int steps) {
   World twin = world;
-  Listener told;
-  Listener told_too;
-  one.observe(&told);
-  other.observe(&told_too);
+  Listener observed;
+  Listener also_observed;
+  one.observe(&observed);
+  other.observe(&also_observed);
   for (int k = 0; k < steps; ++k) {
     const StepReport a = one.step(world, dt);
     const StepReport b = other.step(twin, dt);
@@ -100,13 +100,13 @@ void check_same(World world, Technique& one, Technique& other, double dt, int st
     REQUIRE(a.fallbacks == b.fallbacks);
     REQUIRE(world.hash().value() == twin.hash().value());
   }
-  REQUIRE(told.events.size() == told_too.events.size());
-  for (std::size_t k = 0; k < told.events.size(); ++k) {
-    REQUIRE(told.events[k].time == told_too.events[k].time);
-    REQUIRE(told.events[k].first == told_too.events[k].first);
-    REQUIRE(told.events[k].second == told_too.events[k].second);
-    REQUIRE(told.events[k].impulse_w == told_too.events[k].impulse_w);
-    REQUIRE(told.events[k].rewinds == told_too.events[k].rewinds);
+  REQUIRE(observed.events.size() == also_observed.events.size());
+  for (std::size_t k = 0; k < observed.events.size(); ++k) {
+    REQUIRE(observed.events[k].time == also_observed.events[k].time);
+    REQUIRE(observed.events[k].first == also_observed.events[k].first);
+    REQUIRE(observed.events[k].second == also_observed.events[k].second);
+    REQUIRE(observed.events[k].impulse_w == also_observed.events[k].impulse_w);
+    REQUIRE(observed.events[k].rewinds == also_observed.events[k].rewinds);
   }
 }
 
@@ -231,8 +231,8 @@ TEST_CASE("T3, T4, T6 and T10 do to the safer listing what they do to the simple
   CHECK(frame("T3", pair).valid_time(0) == near(1.0).margin(kFound));
   CHECK(frame(nullptr, pair).valid_time(0) == near(0.25).margin(kFound));
   const World three = line_of("0:2,1.5:0,3.4:-1");
-  CHECK(frame("T4", three).told.events[1].time == near(0.3).margin(kFound));
-  CHECK(frame(nullptr, three).told.events[1].time == near(7.0 / 15.0).margin(kFound));
+  CHECK(frame("T4", three).observed.events[1].time == near(0.3).margin(kFound));
+  CHECK(frame(nullptr, three).observed.events[1].time == near(7.0 / 15.0).margin(kFound));
   const World landing = ball_above_ground(0.0, 0.05);
   CHECK(frame("T6", landing, kFrame).capped());
   CHECK_FALSE(frame(nullptr, landing, kFrame).capped());
