@@ -30,7 +30,7 @@ double TechniqueGaps::gap() const { return std::max(opening, overlap); }
 
 std::span<const ComparedTechnique> techniques_with_pose() {
   static const std::array<ComparedTechnique, 6> list{{
-      {"contact_damped", {"contact_damped"}},
+      {"contact_damped", {"contact_damped", {"pose=separate"}}},
       {"analytic", {"analytic"}},
       {"time_stepping", {"time_stepping", {"directions=4"}}},
       {"impulse", {"impulse"}},

@@ -152,6 +152,47 @@ TEST_CASE("Two crossing edges touch in the one point between them", "[exact][man
   CHECK((point(m, 0).position_w - Vec3(0.0, 0.7, 0.2)).norm() < 1e-15);
 }
 
+TEST_CASE("A beam across an edge gets a point at each end of the edge", "[unit][manifold]") {
+  // It rolls on the cube's edge by 0.02 rad, and touches it with one of its own edges.
+  const Box cube = cube_at(Vec3::Zero());
+  const Quat roll = about(Vec3::UnitX(), 0.02) * about(Vec3::UnitZ(), -0.3);
+  const Box beam =
+      make_box(Vec3(0.5, 0.5, 0.0) + roll * Vec3(0.1, 0.145, 0.0), roll, Vec3(1.4, 0.3, 0.4));
+  Manifold m = collided(cube, beam);
+  REQUIRE(m.axis >= 6);
+  REQUIRE(m.count == 1);
+  const ManifoldPoint first = point(m, 0);
+  add_face_points(cube, beam, 0.02, m);
+  REQUIRE(m.count == 2);
+  CHECK(point(m, 0).position_w == first.position_w);
+  CHECK(std::abs(point(m, 1).position_w.z() + first.position_w.z()) < 0.01);
+  // Lower by the height of the cube's edge across the beam at this angle.
+  CHECK(std::abs(point(m, 1).distance - first.distance - 0.4 * std::tan(0.02)) < 1e-3);
+}
+
+TEST_CASE("Points of faces beside crossing edges are as far apart as a ray along the normal says",
+          "[unit][manifold]") {
+  Random random(7);
+  int looked_at = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Box a = random_box(random, 0.6, 1.0, 0.3);
+    const Box b = random_box(random, 0.6, 1.0, 0.3);
+    Manifold m = collided(a, b, 0.1);
+    if (m.axis < 6 || m.count != 1 || point(m, 0).distance < 0.0) continue;
+    add_face_points(a, b, 0.1, m);
+    for (int i = 1; i < m.count; ++i) {
+      const Vec3 from_w = point(m, i).position_w - 5.0 * m.normal_w;
+      const Stretch in_a = stretch_in(a, from_w, m.normal_w);
+      const Stretch in_b = stretch_in(b, from_w, m.normal_w);
+      CHECK(point(m, i).distance <= 0.1);
+      if (in_a.empty() || in_b.empty()) continue;  // it lies on the border of a face
+      ++looked_at;
+      CHECK(std::abs(in_b.enter - in_a.leave - point(m, i).distance) < 1e-6);
+    }
+  }
+  CHECK(looked_at > 1000);
+}
+
 TEST_CASE("Boxes exactly on each other touch with margin 0, and 1e-9 above only with a margin",
           "[exact][manifold]") {
   CHECK(collided(cube_at({0, 0, 0}), cube_at({0, 1, 0})).count == 4);

@@ -25,14 +25,15 @@ int parts_of_turn(double turn) {
                                    static_cast<double>(tolerance::parts_of_turn)));
 }
 
-// Into how many parts a step is divided: more than one, if allowed, where bodies that touch move far along each other
-// or into each other. Then a contact found at its start does not stay where it is.
+// Into how many parts a step is divided: more than one, if allowed, where bodies that touch move far into each other, or
+// edges far along each other. Then a contact found at its start does not stay where it is. On a face it does.
 int parts_of_motion(std::span<const ContactPatch> patches, std::span<const MovingBody> free,
                     double dt, int allowed) {
   if (allowed == 1) return 1;
   double most = 0.0;  // [-] way of a point in the step, as a share of the shortest edge
   for (const ContactPatch& patch : patches) {
-    const Six u = motion_of(patch, free[idx(patch.first)], free[idx(patch.second)]);
+    Six u = motion_of(patch, free[idx(patch.first)], free[idx(patch.second)]);
+    if (patch.axis < 6) u[0] = u[1] = u[5] = 0.0;  // a face, or the ground
     for (const ContactPatchPoint& p : patch.used()) {
       const Vec3 way = dt * velocity_at(p.along, p.across, u);
       if (-way.z() > p.gap) most = std::max(most, way.norm() / patch.size);
@@ -114,6 +115,8 @@ StepReport ContactDamped::step_part(World& world, double dt) {
   storage_.in_flight.assign(velocities_.end.size(), 1);
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
+  // Where they send a body into one that was out of reach, with that one.
+  solve_missed(world, dt, report);
   std::swap(memory_.solved_directly, storage_.solved_directly);
   // 4. Bodies move with these velocities.
   move(world, dt, report);
@@ -147,12 +150,13 @@ void ContactDamped::load(const World& world, double dt) {
 }
 
 // Pairs that may touch within the step: bounds that reach as far as the bodies move in it.
-void ContactDamped::find_candidates(const World& world, double dt) {
+void ContactDamped::find_candidates(const World& world, std::span<const MovingBody> moves,
+                                    double dt) {
   std::vector<Bounds>& bounds = storage_.bounds;
   bounds.resize(idx(world.count()));
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    const MovingBody& moving = velocities_.free[k];
+    const MovingBody& moving = moves[k];
     if (!body.movable()) {
       bounds[k] = bounds_of(body, world.states()[k]);
       continue;
@@ -175,7 +179,7 @@ void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
   PersistentManifolds& manifolds = memory_.manifolds;
   double impulse_ratio = memory_.last_dt > 0.0 ? dt / memory_.last_dt : 1.0;
   for (;;) {
-    find_candidates(world, dt);
+    find_candidates(world, velocities_.free, dt);
     const ManifoldsFound found =
         manifolds.find(world, velocities_.free, storage_.candidates, dt, impulse_ratio);
     report.pair_tests += found.pair_tests;
@@ -209,9 +213,14 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
 
 // Which bodies turn about which: patches push at their centre of pressure. A patch whose friction is below its bound
 // holds, and what it slips is the error of the solver. One at its bound stays `unknown`: whether it slips
-// the pivot update finds out by itself.
-void ContactDamped::find_pivots(const World& world) {
+// the pivot update finds out by itself. Where nothing turns, every body can be moved by itself.
+void ContactDamped::find_pivots(const World& world, double dt) {
   storage_.pushed.clear();
+  storage_.pivots.clear();
+  const auto turns = [dt](const MovingBody& body) {
+    return dt * body.angular_velocity_w.norm() > tolerance::least_turn;
+  };
+  if (std::none_of(velocities_.end.begin(), velocities_.end.end(), turns)) return;
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     PushedPair pair{patch.first, patch.second, Vec3::Zero(), patch.frame_w.col(2)};
     const Six all = impulse_of(patch);
@@ -234,7 +243,7 @@ void ContactDamped::find_pivots(const World& world) {
 void ContactDamped::move(World& world, double dt, StepReport& report) {
   const std::vector<MovingBody>& end = velocities_.end;
   store_moving_bodies(end, world);
-  if (options_.pose == PoseUpdate::exponential) find_pivots(world);
+  if (options_.pose == PoseUpdate::exponential) find_pivots(world, dt);
   for (std::size_t k = 0; k < end.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (end[k].inverse_mass.x() == 0.0) continue;

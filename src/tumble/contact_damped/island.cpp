@@ -78,14 +78,17 @@ double approach_of(const ContactPatchPoint& p, const Six& before, const Six& aft
   return -std::sqrt(std::max(start * start + gained, 0.0));
 }
 
-// Speed of a body's fastest point, as a share of sqrt(g L).
-double scaled_speed(const Island& island, int k, std::span<const MovingBody> moving) {
-  const BodyProperties& body = island.world.bodies()[idx(k)];
+// Speed of the fastest point of a patch, of its two bodies along each other or apart, as a share of sqrt(g L).
+double scaled_speed(const Island& island, const ContactPatch& patch,
+                    std::span<const MovingBody> moving) {
   const double g = island.world.gravity_w.norm();
-  const double size = body.size.minCoeff();
-  const double unit = g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
-  return fastest_point_speed(body, moving[idx(k)].velocity_w, moving[idx(k)].angular_velocity_w) /
-         unit;
+  const double unit =
+      g > 0.0 ? std::sqrt(g * patch.size) : tolerance::weightless_unit * patch.size / island.dt;
+  const Six u = motion_of(patch, moving[idx(patch.first)], moving[idx(patch.second)]);
+  double most = 0.0;
+  for (const ContactPatchPoint& p : patch.used())
+    most = std::max(most, velocity_at(p.along, p.across, u).norm());
+  return most / unit;
 }
 
 }  // namespace
@@ -106,24 +109,21 @@ double negligible_residual(const Island& island) {
 
 SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
-  for (const int k : island.bodies) {
-    before = std::max(before, scaled_speed(island, k, island.start));
-    now = std::max(now, scaled_speed(island, k, island.now));
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    before = std::max(before, scaled_speed(island, patch, island.start));
+    now = std::max(now, scaled_speed(island, patch, island.now));
   }
   return {std::min(before, now), std::max(before, now)};
 }
 
-bool moves_fast(const Island& island, int k) {
-  return island.world.bodies()[idx(k)].movable() &&
-         scaled_speed(island, k, island.start) >= tolerance::fast_speed &&
-         scaled_speed(island, k, island.now) >= tolerance::fast_speed;
-}
-
-double approach_of_slow_bodies(const Island& island) {
+double approach_of_slow_patches(const Island& island) {
   double most = 0.0;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
-    if (moves_fast(island, patch.first) || moves_fast(island, patch.second)) continue;
+    if (scaled_speed(island, patch, island.start) >= tolerance::fast_speed &&
+        scaled_speed(island, patch, island.now) >= tolerance::fast_speed)
+      continue;
     const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
     for (const ContactPatchPoint& p : patch.used())
       most = std::max(most, p.target - (u[2] + p.across * u[3] - p.along * u[4]));
@@ -178,10 +178,14 @@ void discard_impulses(const Island& island) {
   for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
 }
 
-void limit_energy(const Island& island, StepReport& report) {
+double share_without_gain(const Island& island) {
   EnergyOnTheWay way = kinetic_energy_from(island, island.free);
   way.start = 0.0;  // compared with `free`
-  const double share = way.allowed();
+  return way.allowed();
+}
+
+void limit_energy(const Island& island, StepReport& report) {
+  const double share = share_without_gain(island);
   if (share == 1.0) return;
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
   for (const int contact : island.patch_indices)

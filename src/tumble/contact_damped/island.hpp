@@ -39,7 +39,8 @@ struct Island {
 /// \return [m/s] see tolerance::contact_settled
 [[nodiscard]] double negligible_residual(const Island& island);
 
-/// Two speeds of an island's fastest point: before the step and with the impulses so far, in ascending order.
+/// How fast an island's bodies move along each other or apart, at the fastest point of a patch: before the step and with
+/// the impulses so far, in ascending order. What moves as one, as a tower on a sled, is at rest.
 ///
 /// A landing island is fast before and slow then; one at rest may be thrown about by impulses that are far from
 /// right. So an island moves fast if the lower one is high, and is quiet if the higher one is low.
@@ -57,12 +58,6 @@ struct SpeedRange {
                                                 const Vec3& angular_velocity_w) {
   return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
 }
-
-/// Whether a body moves fast for its size, both before the step and with the impulses so far: see SpeedRange.
-/// \param island  the island
-/// \param k       index of the body
-/// \return false for an immovable body
-[[nodiscard]] bool moves_fast(const Island& island, int k);
 
 /// How fast an island moves.
 /// \param island  the island
@@ -99,15 +94,21 @@ enum class SweepOrder : std::uint8_t {
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report);
 
-/// The largest error of the contacts between bodies that do not move fast. However fast others move, bodies that
-/// carry something must go on carrying it.
+/// The largest error of the patches whose bodies do not move fast along each other. However fast others move, bodies
+/// that carry something must go on carrying it.
 /// \param island  with the impulses so far
 /// \return [m/s] by how much a point approaches faster than its target; 0 or above
-[[nodiscard]] double approach_of_slow_bodies(const Island& island);
+[[nodiscard]] double approach_of_slow_patches(const Island& island);
 
 /// Sets all impulses to 0.
 /// \param island  `now` is `free` again
 void discard_impulses(const Island& island);
+
+/// The share of the impulses so far with which the kinetic energy is not above that of `free`. Those of a solver that has
+/// not converged may add some.
+/// \param island  the island
+/// \return [-] 1 if all of them add none
+[[nodiscard]] double share_without_gain(const Island& island);
 
 /// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
 /// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.

@@ -157,6 +157,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
                         : large_limits(island, iterations);
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
+  if (small) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + parts - 1) / parts;

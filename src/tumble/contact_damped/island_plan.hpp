@@ -36,7 +36,7 @@ struct IslandPlan {
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
   bool large_and_fast = false;      ///< then they are also enough if `slow_approach` is met
-  double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_bodies()
+  double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
   IslandLimits direct;              ///< of the direct solver
 };
 
@@ -52,7 +52,7 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 /// \param first       what that found
 /// \param sweeps      at most, for a large island
 /// \param iterations  of ADMM, at most, for a large island; 0: the direct solver is not used
-/// \param parts       into which the step is divided: each gets its share of the work
+/// \param parts       into which the step is divided: in a large island each gets its share of the work
 /// \return the plan
 IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations,
                        int parts);

@@ -32,11 +32,13 @@ double size_of(const BodyProperties& a, const BodyProperties& b) {
 }
 
 // How far points of two bodies can come by turning in a step, and a margin that keeps a resting contact.
-double margin_of(const BodyProperties& a, const BodyProperties& b, const MovingBody& first,
-                 const MovingBody& second, double size, double dt) {
-  return dt * (half_diagonal(a) * first.angular_velocity_w.norm() +
-               half_diagonal(b) * second.angular_velocity_w.norm()) +
-         tolerance::kept_margin * size;
+double margin_of(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
+                 double dt) {
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
+  return dt * (half_diagonal(a) * bodies[idx(pair.first)].angular_velocity_w.norm() +
+               half_diagonal(b) * bodies[idx(pair.second)].angular_velocity_w.norm()) +
+         tolerance::kept_margin * size_of(a, b);
 }
 
 // The velocity of a stopped body: that of immovable bodies, or if there are none the mean one, since
@@ -69,6 +71,37 @@ double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody
 Vec3 velocity_before_gravity(const World& world, const MovingBody& body, double dt) {
   return body.inverse_mass.x() == 0.0 ? body.velocity_w
                                       : Vec3(body.velocity_w - dt * world.gravity_w);
+}
+
+// Where two edges cross, the places at which the boxes could come together next.
+void add_face_points_of_pair(const World& world, const IndexPair& pair, double reach,
+                             Manifold& manifold) {
+  if (manifold.axis == kNoAxis) return;  // one of the two is the ground
+  add_face_points(box_of(world.bodies()[idx(pair.first)], world.states()[idx(pair.first)]),
+                  box_of(world.bodies()[idx(pair.second)], world.states()[idx(pair.second)]), reach,
+                  manifold);
+}
+
+// Indices and targets of a patch in this step.
+void set_for_step(const IndexPair& pair, std::span<const MovingBody> bodies, double dt,
+                  ContactPatch& patch) {
+  patch.first = pair.first;
+  patch.second = pair.second;
+  set_targets(tolerance::contact_damped_slop * patch.size, dt, patch);
+  correct_targets_for_rotation(bodies[idx(pair.first)], bodies[idx(pair.second)], dt, patch);
+}
+
+// Whether its bodies overlap at the end of the step.
+bool will_overlap(const ContactPatch& patch, std::span<const MovingBody> bodies, double dt) {
+  const Six u = motion_of(patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
+  return std::any_of(patch.used().begin(), patch.used().end(), [&](const ContactPatchPoint& p) {
+    const double end = p.gap + dt * velocity_at(p.along, p.across, u).z();
+    return end < -tolerance::contact_damped_slop * patch.size;
+  });
+}
+
+bool in_order(const ContactPatch& a, const ContactPatch& b) {
+  return a.first_id != b.first_id ? a.first_id < b.first_id : a.second_id < b.second_id;
 }
 
 bool has_point_within(const Manifold& found, double reach) {
@@ -142,6 +175,28 @@ ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair
   return patch;
 }
 
+// Looks where a pair can come together within the step. If it can, a patch is added at the end.
+bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pair,
+                                         std::span<const MovingBody> bodies, const Vec3& rest_w,
+                                         double dt, AxisIndex axis) {
+  const MovingBody& first = bodies[idx(pair.first)];
+  const MovingBody& second = bodies[idx(pair.second)];
+  const double margin = margin_of(world, pair, bodies, dt);
+  const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
+  Manifold manifold;
+  if (!touch_pair(world, world.states(), pair, reach, axis, manifold)) return false;
+  add_face_points_of_pair(world, pair, reach, manifold);
+  const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
+  if (!has_point_within(manifold, approach + margin)) return false;
+  const double size = size_of(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
+  const MeetingFound met = find_meeting(
+      world, pair, manifold, size,
+      velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt));
+  if (met.meeting == Meeting::pass) return false;
+  add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
+  return true;
+}
+
 ManifoldsFound PersistentManifolds::find(const World& world, std::span<const MovingBody> bodies,
                                          std::span<const IndexPair> candidates, double dt,
                                          double impulse_ratio) {
@@ -150,15 +205,13 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
   patches_.clear();
   next_ = 0;
   const Vec3 rest_w = velocity_of_rest(bodies);
-  Manifold manifold;
   for (const IndexPair& pair : candidates) {
-    const BodyProperties& a = world.bodies()[idx(pair.first)];
-    const BodyProperties& b = world.bodies()[idx(pair.second)];
-    if (!a.movable() && !b.movable()) continue;
     const MovingBody& first = bodies[idx(pair.first)];
     const MovingBody& second = bodies[idx(pair.second)];
-    const double margin = margin_of(a, b, first, second, size_of(a, b), dt);
-    const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
+    if (!world.bodies()[idx(pair.first)].movable() && !world.bodies()[idx(pair.second)].movable())
+      continue;
+    const double reach =
+        approach_of_pair(rest_w, first, second, dt) + margin_of(world, pair, bodies, dt);
     ContactPatch* const previous =
         previous_patch(world.ids()[idx(pair.first)], world.ids()[idx(pair.second)]);
     if (previous != nullptr && still_valid(world, pair, first, second, reach, *previous)) {
@@ -166,22 +219,11 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     } else {
       ++found.pair_tests;
       const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
-      if (!touch_pair(world, world.states(), pair, reach, axis, manifold)) continue;
-      const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
-      if (!has_point_within(manifold, approach + margin)) continue;
-      const MeetingFound met = find_meeting(
-          world, pair, manifold, size_of(a, b),
-          velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt));
-      if (met.meeting == Meeting::pass) continue;
-      ContactPatch& patch = add_patch(world, pair, manifold, first, second, reach);
-      patch.flat_w = met.flat_w;
-      if (previous != nullptr) transfer_impulses(*previous, patch);
+      if (!look_for_patch(world, pair, bodies, rest_w, dt, axis)) continue;
+      if (previous != nullptr) transfer_impulses(*previous, patches_.back());
     }
     ContactPatch& patch = patches_.back();
-    patch.first = pair.first;
-    patch.second = pair.second;
-    set_targets(tolerance::contact_damped_slop * patch.size, dt, patch);
-    correct_targets_for_rotation(first, second, dt, patch);
+    set_for_step(pair, bodies, dt, patch);
     scale_impulses(impulse_ratio, patch);
     for (const ContactPatchPoint& p : patch.used())
       found.deepest_overlap = std::max(found.deepest_overlap, -p.gap);
@@ -189,6 +231,38 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
   drop_grazed_edges(bodies, patches_);
   for (const ContactPatch& patch : patches_) found.points += patch.count;
   return found;
+}
+
+int PersistentManifolds::add_missed(const World& world, std::span<const MovingBody> bodies,
+                                    std::span<const IndexPair> candidates, double dt) {
+  const std::size_t found = patches_.size();
+  const Vec3 rest_w = velocity_of_rest(bodies);
+  const auto stays = [&](int body) { return bodies[idx(body)].inverse_mass.x() == 0.0; };
+  // A sleeping body has to wake up first, in the next step.
+  const auto sleeps = [&](int body) { return world.bodies()[idx(body)].movable() && stays(body); };
+  std::size_t next = 0;
+  for (const IndexPair& pair : candidates) {
+    const BodyId first_id = world.ids()[idx(pair.first)];
+    const BodyId second_id = world.ids()[idx(pair.second)];
+    while (next < found &&
+           (patches_[next].first_id != first_id ? patches_[next].first_id < first_id
+                                                : patches_[next].second_id < second_id))
+      ++next;
+    if (next < found && patches_[next].first_id == first_id &&
+        patches_[next].second_id == second_id)
+      continue;
+    if ((stays(pair.first) && stays(pair.second)) || sleeps(pair.first) || sleeps(pair.second))
+      continue;
+    if (!look_for_patch(world, pair, bodies, rest_w, dt, kNoAxis)) continue;
+    set_for_step(pair, bodies, dt, patches_.back());
+    if (!will_overlap(patches_.back(), bodies, dt)) patches_.pop_back();
+  }
+  if (patches_.size() == found) return 0;
+  std::inplace_merge(patches_.begin(), patches_.begin() + static_cast<std::ptrdiff_t>(found),
+                     patches_.end(), in_order);
+  const std::size_t all = patches_.size();
+  drop_grazed_edges(bodies, patches_);
+  return static_cast<int>(all - found) - static_cast<int>(all - patches_.size());
 }
 
 }  // namespace tumble

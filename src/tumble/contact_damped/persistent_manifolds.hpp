@@ -45,6 +45,20 @@ class PersistentManifolds {
   ManifoldsFound find(const World& world, std::span<const MovingBody> bodies,
                       std::span<const IndexPair> candidates, double dt, double impulse_ratio);
 
+  /// Adds the patches of pairs that find() left out, since they did not come near each other, and that overlap at the
+  /// end of the step with the velocities that impulses have given them.
+  /// \param world       where the bodies are
+  /// \param bodies      how they move now, by index
+  /// \param candidates  pairs by index, first < second, sorted, each once
+  /// \param dt          [s] of the step
+  /// \return how many were added; their stamps are above all earlier ones
+  int add_missed(const World& world, std::span<const MovingBody> bodies,
+                 std::span<const IndexPair> candidates, double dt);
+
+  /// The stamp of the last patch that was built.
+  /// \return rises with each
+  [[nodiscard]] std::uint64_t last_stamp() const { return built_; }
+
   /// The patches of the last step, sorted by the ids of their bodies.
   /// \return may be changed; the next step starts from their impulses
   [[nodiscard]] std::vector<ContactPatch>& patches() { return patches_; }
@@ -57,6 +71,8 @@ class PersistentManifolds {
   ContactPatch* previous_patch(BodyId first, BodyId second);
   static bool still_valid(const World& world, const IndexPair& pair, const MovingBody& first,
                           const MovingBody& second, double reach, ContactPatch& patch);
+  bool look_for_patch(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
+                      const Vec3& rest_w, double dt, AxisIndex axis);
   ContactPatch& add_patch(const World& world, const IndexPair& pair, const Manifold& manifold,
                           const MovingBody& first, const MovingBody& second, double reach);
 

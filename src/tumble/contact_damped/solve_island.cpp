@@ -4,6 +4,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace tumble {
 namespace {
 
 // Goes on sweeping after the first two sweeps, up and down in turn. Returns whether that was enough. In an island
-// that moves fast it is, if bodies that do not are held.
+// that moves fast it is, if patches that do not are held.
 bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
               StepReport& report) {
   double residual = first.up;
@@ -21,7 +22,7 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
     if (residual < plan.residual) return true;
   }
   return residual < plan.fair_residual ||
-         (plan.large_and_fast && approach_of_slow_bodies(island) < plan.slow_approach);
+         (plan.large_and_fast && approach_of_slow_patches(island) < plan.slow_approach);
 }
 
 // All patches together. Returns whether the direct solver accepted the island.
@@ -32,6 +33,16 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
   return result.accepted;
+}
+
+// Sweeps that begin without impulses. Each patch takes energy, none adds any, whatever the number of sweeps.
+void sweep_from_nothing(const Island& island, const IslandPlan& plan, StepReport& report) {
+  discard_impulses(island);
+  ++report.fallbacks;
+  for (int k = 0; k < tolerance::sweeps_from_nothing; ++k)
+    if (sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
+              plan.skipped_residual, report) < plan.residual)
+      return;
 }
 
 // Clears `in_flight` of the bodies that do not fly their parabola. A body on which no point pushes flies, if its
@@ -99,10 +110,48 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       if (!direct) sweep_on(island, plan, first, report);
       break;
   }
+  if (share_without_gain(island) < tolerance::least_share) {
+    sweep_from_nothing(island, plan, report);
+    direct = false;
+  }
   if (direct) storage_.solved_directly.push_back(id);
   decide_flight(island, storage_.in_flight);
   limit_energy(island, report);
   // [S6.3.1:island]
+}
+
+// Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
+void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
+  const auto hit = [&](std::size_t k) {
+    const BodyProperties& body = world.bodies()[k];
+    const Vec3 push_w = velocities_.end[k].velocity_w - velocities_.start[k].velocity_w;
+    const Vec3 turn_w =
+        velocities_.end[k].angular_velocity_w - velocities_.start[k].angular_velocity_w;
+    return body.movable() && dt * fastest_point_speed(body, push_w, turn_w) >
+                                 tolerance::kept_margin * body.size.minCoeff();
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < velocities_.end.size() && !any; ++k) any = hit(k);
+  if (!any) return;
+  PersistentManifolds& manifolds = memory_.manifolds;
+  const std::uint64_t last = manifolds.last_stamp();
+  find_candidates(world, velocities_.end, dt);
+  if (manifolds.add_missed(world, velocities_.end, storage_.candidates, dt) == 0) return;
+  storage_.touching.clear();
+  for (const ContactPatch& patch : manifolds.patches())
+    storage_.touching.push_back({patch.first, patch.second});
+  memory_.order.update(world, manifolds.patches(), storage_.touching);
+  for (int k = 0; k < memory_.order.islands().count(); ++k) {
+    const Island island = view_of_island(world, k, dt);
+    if (std::none_of(island.patch_indices.begin(), island.patch_indices.end(),
+                     [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
+      continue;
+    for (const int body : island.bodies) {
+      velocities_.end[idx(body)] = velocities_.free[idx(body)];
+      storage_.in_flight[idx(body)] = 1;
+    }
+    solve_island(island, report);
+  }
 }
 
 }  // namespace tumble

@@ -251,6 +251,32 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
   return out.count > 0;
 }
 
+void add_face_points(const Box& first, const Box& second, double margin, Manifold& manifold) {
+  require::not_negative(margin, "margin");
+  if (manifold.axis < 6 || manifold.count != 1) return;
+  // The face that looks most along the normal, and what of the other box lies before it.
+  Separation face;
+  double along = 0.0;  // [-] cosine between the face's normal and that of the contact
+  for (int k = 0; k < 6; ++k) {
+    const Vec3 axis_w = k < 3 ? first.axes_w.col(k) : second.axes_w.col(k - 3);
+    const double cosine = axis_w.dot(manifold.normal_w);
+    if (std::abs(cosine) <= along) continue;
+    along = std::abs(cosine);
+    face.axis = k;
+    face.normal_w = std::copysign(1.0, cosine) * axis_w;
+  }
+  Manifold found;
+  clip_along(BoxPair(first, second), face, margin * along, found);
+  const double longest = 2.0 * std::max(first.half.maxCoeff(), second.half.maxCoeff());
+  const double near = tolerance::beside_the_normal * longest;
+  const Vec3 crossing_w = manifold.points[0].position_w;
+  for (std::size_t k = 0; k < idx(found.count) && manifold.count < Manifold::kMostPoints; ++k) {
+    ManifoldPoint p = found.points[k];
+    p.distance /= along;  // along the contact's normal
+    if ((p.position_w - crossing_w).norm() > near) manifold.points[idx(manifold.count++)] = p;
+  }
+}
+
 void flip(Manifold& manifold) {
   manifold.normal_w = -manifold.normal_w;
   const AxisIndex axis = manifold.axis;

@@ -89,6 +89,21 @@ void find_manifold(const Box& first, const Box& second, const Separation& found,
 bool collide(const Box& first, const Box& second, double margin, AxisIndex remembered,
              Manifold& out);
 
+/// Adds to the one point where two edges cross those where the faces beside these edges come near each other.
+///
+/// A box that rocks on an edge touches in one point at a time, first at one end, then at the other. A step that knows
+/// only the first lets the second go in. Of the faces of both boxes the one is taken that looks most along the
+/// normal; the other box's face opposite is clipped to it, and each corner of what is left is a point, with its distance
+/// along the normal of the contact. Boxes with plane faces overlap exactly if one of these distances is below 0.
+/// \param first     the first box
+/// \param second    the second box
+/// \param margin    [m] points up to this far apart are added, at least 0
+/// \param manifold  as collide() found it; changed only if its axis is one of two edges and it has one point, which
+///                  stays the first
+/// \throws std::invalid_argument if the margin is negative or not finite
+/// \verified{A beam across an edge gets a point at each end of the edge}
+void add_face_points(const Box& first, const Box& second, double margin, Manifold& manifold);
+
 /// Exchanges the roles of the two bodies: the normal turns round; points and names stay.
 /// \param manifold is changed in place
 void flip(Manifold& manifold);
