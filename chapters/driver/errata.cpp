@@ -14,8 +14,8 @@ namespace tumble::chapters {
 namespace {
 
 const RecordForm kForm{"erratum",
-                       {"id", "section", "kind", "printed", "reading", "scene", "figure", "failure",
-                        "mended", "test", "command"}};
+                       {"id", "title", "section", "kind", "printed", "reading", "scene", "figure",
+                        "failure", "mended", "test", "command"}};
 
 // A figure drawn with other settings than its defaults measures nothing.
 CheckedNumber measured(CheckedNumber number) {
@@ -33,10 +33,10 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path) {
       throw std::invalid_argument(record.place + "kind '" + texts["kind"] +
                                   "': give misprint or choice");
     }
-    errata.push_back({texts["id"], texts["section"], path.parent_path().filename().string(),
-                      texts["kind"], texts["printed"], texts["reading"], texts["scene"],
-                      texts["figure"], texts["failure"], texts["mended"], texts["test"],
-                      texts["command"], record.place});
+    errata.push_back({texts["id"], texts["title"], texts["section"],
+                      path.parent_path().filename().string(), texts["kind"], texts["printed"],
+                      texts["reading"], texts["scene"], texts["figure"], texts["failure"],
+                      texts["mended"], texts["test"], texts["command"], record.place});
   }
   return errata;
 }

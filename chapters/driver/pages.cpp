@@ -54,17 +54,34 @@ std::string finding(const CheckedNumber& number) {
 std::string erratum_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
   const bool misprint = erratum.kind == "misprint";
-  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
-         erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
+  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + ". " +
+         html_text(erratum.title) + "</strong><br>\n" + erratum.kind + " · thesis " +
+         html_text(erratum.section) + "</p>\n<dl>\n" +
          row_html("Printed", html_text(erratum.printed)) +
          row_html("Read as", html_text(erratum.reading)) +
          row_html("Shown by", html_text(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
-         row_html(misprint ? "Mended" : "Otherwise", finding(entry.mended)) +
+         row_html(misprint ? "Corrected" : "Otherwise", finding(entry.mended)) +
          row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
                                 html_text(erratum.figure) + "</a>") +
          row_html("Test", html_text(erratum.test)) +
          row_html("Command", "<code>" + html_text(erratum.command) + "</code>") + "</dl>\n</div>\n";
+}
+
+// All errata with their titles, section by section of the thesis.
+std::string errata_list_html(const std::vector<ErratumEntry>& errata) {
+  std::string text;
+  std::string section;
+  for (const ErratumEntry& entry : errata) {
+    const Erratum& erratum = entry.erratum;
+    if (erratum.section != section)
+      text += (text.empty() ? "" : "</ul>\n") + ("<p>Thesis " + html_text(erratum.section)) +
+              "</p>\n<ul>\n";
+    section = erratum.section;
+    text += "<li><a href=\"#" + label_of("erratum", erratum.id) + "\">" + html_text(erratum.id) +
+            "</a> " + html_text(erratum.title) + "</li>\n";
+  }
+  return text.empty() ? text : as_is(text + "</ul>\n");
 }
 
 std::string tolerance_html(const Tolerance& tolerance) {
@@ -134,18 +151,13 @@ std::string errata_page(const Findings& findings) {
   std::string text = R"(# Errata of the thesis {#errata}
 
 A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
-techniques mend it. A *choice* was meant by the author: the techniques of the thesis keep it, and
-cures are in our own. Each has a scene in which it shows and two numbers: the text taken literally,
-and what we do.
+techniques correct it. A *choice* was meant by the author: the techniques of the thesis keep it, and
+other solutions are in our own. Each has a scene in which it shows and two numbers: with the text taken literally,
+and with our reading. They are in the order of the thesis.
 
 )";
   if (findings.errata.empty()) text += "No chapter has found one yet.\n\n";
-  std::string jumps;
-  for (const ErratumEntry& entry : findings.errata) {
-    const std::string& id = entry.erratum.id;
-    jumps += "<a href=\"#" + label_of("erratum", id) + "\">" + html_text(id) + "</a>\n";
-  }
-  if (!jumps.empty()) text += as_is("<p>" + jumps + "</p>\n");
+  text += errata_list_html(findings.errata);
   for (const ErratumEntry& entry : findings.errata) {
     text += "\\anchor " + label_of("erratum", entry.erratum.id) + '\n' + as_is(erratum_html(entry));
   }

@@ -18,6 +18,7 @@ const std::string kClaims = claim_on_speed("It falls.");
 
 const char* const kErratum = R"([[erratum]]
 id = "C1"
+title = "Down is <up>"
 section = "A.1"
 kind = "misprint"
 printed = "Down is up."

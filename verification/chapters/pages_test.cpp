@@ -80,17 +80,21 @@ TEST_CASE("A number that left its tolerance is marked on both pages", "[unit][le
 TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
   const Scratch scratch("without");
   Findings findings = read_findings(
-      "/nowhere", {scratch.file("falling/expected.csv",
-                                "figure,quantity,unit,value,tolerance,reason\n"
-                                "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
-                   scratch.file("falling/claims.toml", kClaims),
-                   scratch.file("falling/errata.toml",
-                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"misprint\"\n"
-                                "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
-                                "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
-                                "test = \"t\"\ncommand = \"c\"\n")});
+      "/nowhere",
+      {scratch.file("falling/expected.csv",
+                    "figure,quantity,unit,value,tolerance,reason\n"
+                    "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
+       scratch.file("falling/claims.toml", kClaims),
+       scratch.file("falling/errata.toml",
+                    "[[erratum]]\nid = \"C1\"\ntitle = \"A < b\"\nsection = \"A.1\"\nkind = "
+                    "\"misprint\"\n"
+                    "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
+                    "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
+                    "test = \"t\"\ncommand = \"c\"\n")});
   CHECK_THAT(ledger_page(findings), Contains("not measured"));
   CHECK_THAT(errata_page(findings), Contains("\\anchor erratum_C1\n"));
+  CHECK_THAT(errata_page(findings),
+             Contains("<p>Thesis A.1</p>\n<ul>\n<li><a href=\"#erratum_C1\">C1</a> A &lt; b</li>"));
   for (const std::string& page :
        {ledger_page(findings), errata_page(findings), gallery_page(findings)}) {
     CHECK_THAT(page, Contains("make figures"));
