@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     std::fprintf(
         stderr,
         "usage: figures_index DIR FILE...\n"
-        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, figures.toml, page.md, "
+        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, figures.toml, NAME.md, "
         "open_claims.toml, NAME.gif\n");
     return 2;
   }
