@@ -3,6 +3,7 @@
 #include "driver/pages.hpp"
 
 #include "driver/markup.hpp"
+#include "driver/reads.hpp"
 
 #include <cmath>
 
@@ -22,6 +23,11 @@ std::string counts_of(const std::vector<LedgerEntry>& ledger) {
   return text;
 }
 
+// "40 verdicts stand, ...": how the verdicts read; nothing without verdicts.
+std::string reads_of(const std::vector<LedgerEntry>& ledger) {
+  return "Read with the thesis in hand: " + reads_counts(ledger);
+}
+
 // The measured claims at a glance.
 std::string overview_html(const std::vector<LedgerEntry>& ledger) {
   std::string text;
@@ -29,7 +35,7 @@ std::string overview_html(const std::vector<LedgerEntry>& ledger) {
     if (entry.verdict == Verdict::not_measured) continue;
     const Claim& claim = entry.claim;
     text += "<p><a href=\"#" + label_of("claim", claim.id) + "\">" + claim.id + "</a> " +
-            verdict_html(entry.verdict) + ' ' + html_text(claim.statement) + "</p>\n";
+            words_html(entry) + ' ' + html_text(claim.statement) + "</p>\n";
   }
   return text.empty() ? text : as_is("<div class=\"entry overview\">\n" + text + "</div>\n");
 }
@@ -107,8 +113,8 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
 
 std::string counts_text(const Findings& findings) {
   return "Of " + std::to_string(findings.ledger.size()) +
-         " claims of the thesis: " + counts_of(findings.ledger) + "; " +
-         std::to_string(findings.errata.size()) +
+         " claims of the thesis: " + counts_of(findings.ledger) + ". " + reads_of(findings.ledger) +
+         ". " + std::to_string(findings.errata.size()) +
          " errata, each with the two numbers that show it.\n";
 }
 
@@ -119,6 +125,14 @@ The thesis argues from experience and prints hardly a number. Here each thing th
 experiment: one number decides, by a rule that was written down before the experiment ran for the
 first time. Of )";
   text += std::to_string(findings.ledger.size()) + " claims: " + counts_of(findings.ledger) + R"(.
+
+A rule can be a bad reading of its sentence, and a number can depend on a value that is ours. The rules stay as they are, and so each
+verdict has a second word, from a reading with the thesis in hand: it *stands*; or its *rule misread the sentence*; or it *hangs on* a
+choice that the thesis leaves open (\ref left_open). )";
+  text +=
+      reads_of(findings.ledger) +
+      R"(. Where a verdict needs a fairer scene or a comparison, a second measurement stands beside the
+first, with its own rule and the day on which it was made.
 
 The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endhtmlonly
 
