@@ -5,6 +5,7 @@
 #include "driver/markup.hpp"
 #include "driver/reads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble::chapters {
@@ -57,20 +58,26 @@ std::string finding(const CheckedNumber& number) {
   return html_text(number.quantity) + ": " + value;
 }
 
-std::string erratum_html(const ErratumEntry& entry) {
+// Where an erratum shows, and its two numbers.
+std::string experiment_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
   const bool misprint = erratum.kind == "misprint";
-  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
-         erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
-         row_html("Printed", html_text(erratum.printed)) +
-         row_html("Read as", html_text(erratum.reading)) +
-         row_html("Shown by", html_text(erratum.scene)) +
+  return row_html("Shown by", html_text(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
          row_html(misprint ? "Mended" : "Otherwise", finding(entry.mended)) +
          row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
                                 html_text(erratum.figure) + "</a>") +
          row_html("Test", html_text(erratum.test)) +
          row_html("Command", "<code>" + html_text(erratum.command) + "</code>") + "</dl>\n</div>\n";
+}
+
+std::string erratum_html(const ErratumEntry& entry) {
+  const Erratum& erratum = entry.erratum;
+  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
+         erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
+         row_html("Printed", html_text(erratum.printed)) +
+         row_html("Read as", html_text(erratum.reading)) +
+         (erratum.kind == "wording" ? "</dl>\n</div>\n" : experiment_html(entry));
 }
 
 std::string tolerance_html(const Tolerance& tolerance) {
@@ -112,10 +119,14 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
 }  // namespace
 
 std::string counts_text(const Findings& findings) {
+  const auto words = static_cast<std::size_t>(
+      std::count_if(findings.errata.begin(), findings.errata.end(),
+                    [](const ErratumEntry& one) { return one.erratum.kind == "wording"; }));
   return "Of " + std::to_string(findings.ledger.size()) +
          " claims of the thesis: " + counts_of(findings.ledger) + ". " + reads_of(findings.ledger) +
-         ". " + std::to_string(findings.errata.size()) +
-         " errata, each with the two numbers that show it.\n";
+         ". " + std::to_string(findings.errata.size() - words) +
+         " errata, each with the two numbers that show it, and " + std::to_string(words) +
+         " slips of wording.\n";
 }
 
 std::string ledger_page(const Findings& findings) {
@@ -147,10 +158,10 @@ The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endh
 std::string errata_page(const Findings& findings) {
   std::string text = R"(# Errata of the thesis {#errata}
 
-A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
-techniques mend it. A *choice* was meant by the author: the techniques of the thesis keep it, and
-cures are in our own. Each has a scene in which it shows and two numbers: the text taken literally,
-and what we do.
+A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end, under every plausible
+reading: the techniques mend it. A *choice* was meant by the author, or the text leaves it open: the techniques of the thesis
+keep it, in the milder reading, and cures are in our own. Each of both has a scene in which it shows and two numbers: the text
+taken literally, or in its worst reading, and what we do. A slip of *wording* changes nothing that is computed.
 
 )";
   if (findings.errata.empty()) text += "No chapter has found one yet.\n\n";
