@@ -16,7 +16,8 @@ struct Erratum {
   std::string title;    // what goes wrong, in some words
   std::string section;  // of the thesis
   std::string chapter;  // the folder of the chapter
-  std::string kind;     // "misprint": contradicts the thesis itself; "choice": the author meant it
+  std::string
+      kind;  // "misprint": contradicts the thesis itself; "choice": meant, or left open; "wording"
   std::string printed;  // what the thesis says, retold
   std::string reading;  // what we do instead
   std::string scene;    // where it shows

@@ -66,6 +66,8 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
   const std::string ledger = ledger_page(findings);
   CHECK(ledger.rfind("# Ledger of claims {#ledger}\n", 0) == 0);
   CHECK_THAT(ledger, Contains("Of 1 claims: 1 confirmed."));
+  CHECK_THAT(ledger, Contains("1 verdict stands, in 0 the rule misread the sentence, 0 hang on"));
+  CHECK_THAT(ledger, Contains("confirmed</span> <span class=\"reads\">stands</span>"));
   CHECK_THAT(ledger, Contains("\\anchor claim_2_1a\n\\htmlonly\n"));
   CHECK_THAT(ledger, Contains("href=\"gallery.html#claim_2_1a_fall\""));
   CHECK_FALSE(findings.ledger.at(0).number.value != 3.25);
