@@ -21,14 +21,19 @@ import urllib.parse
 sys.dont_write_bytecode = True
 from browser import PATIENCE, Browser  # noqa: E402, beside this file
 
-PAGES = ("index", "how_to_read", "thesis_map", "notation", "glossary", "basic_colliding", "lcp_solvers", "analytic_lcp",
-         "impulse_damped", "contact_damped", "geometric_stability", "timewarp", "filtering", "exterior_rotation", "gallery", "ledger",
-         "errata", "appendix_a", "left_open", "tolerances", "live_page", "choose_a_technique", "use_the_library",
+# Chapters of three pages: idea, algorithm, measured.
+SPLIT = [f"{chapter}{page}"
+         for chapter in ("basic_colliding", "lcp_solvers", "analytic_lcp", "geometric_stability", "timewarp", "filtering",
+                         "exterior_rotation")
+         for page in ("", "_algorithm", "_measured")]
+PAGES = ("index", "how_to_read", "thesis_map", "notation", "glossary",
+         "impulse_damped", "contact_damped", *SPLIT, "gallery", "ledger", "errata",
+         "appendix_a", "left_open", "tolerances", "live_page", "choose_a_technique", "use_the_library",
          "add_a_technique", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
 SIZES = {"desk": (1400, 900), "phone": (390, 800)}  # CSS pixels
-FORMULAS = {"add_a_technique", "choose_a_technique", "notation", "basic_colliding", "lcp_solvers", "analytic_lcp",
-            "impulse_damped", "contact_damped", "geometric_stability", "timewarp", "filtering", "exterior_rotation", "namespacetumble"}  # pages that must have some
+FORMULAS = {"add_a_technique", "choose_a_technique", "notation",
+            "impulse_damped", "contact_damped", *SPLIT, "namespacetumble"}  # pages that must have some
 WORD = "bisection"
 
 # Resolves when MathJax has nothing left to do.

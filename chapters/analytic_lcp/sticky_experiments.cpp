@@ -14,6 +14,7 @@ constexpr double kLongest = 20.0;  // [s] by when every die rests
 constexpr double kQuiet = 0.5;     // [s] a die that is slow for so long rests
 constexpr double kSlow = 1e-3;     // [m/s]
 constexpr double kEdge = 1.0;      // [m] of the die
+constexpr int kFresh = 100;        // dice of a second measurement have the seeds after this one
 
 // A die of 1 m that falls with a random orientation and a random spin, or flat.
 World die(double height, double restitution, int seed, bool flat) {
@@ -86,9 +87,10 @@ Fall drop(World world, double threshold) {
 }
 
 // Dice of all seeds.
-std::vector<Fall> drop_all(const Parameters& settings, double threshold) {
+// after: the seeds are those that follow this one
+std::vector<Fall> drop_all(const Parameters& settings, double threshold, int after = 0) {
   std::vector<Fall> falls;
-  for (int seed = 1; seed <= settings.count("seeds"); ++seed)
+  for (int seed = after + 1; seed <= after + settings.count("seeds"); ++seed)
     falls.push_back(drop(
         die(settings.number("height"), settings.number("restitution"), seed, false), threshold));
   return falls;
@@ -161,6 +163,9 @@ Result measure_sticky(const Parameters& settings) {
       {table, flat},
       {over_lowest("collisions until rest with sticky collisions over those without",
                    &Fall::collisions, usual),
+       ratio("collisions until rest with sticky collisions over those without, fresh dice",
+             &Fall::collisions, drop_all(settings, usual, kFresh),
+             drop_all(settings, tolerance::resting_speed, kFresh)),
        {"thresholds at which a flat drop misses its closed form", "-", wrong},
        over_lowest("the same collisions, half the threshold", &Fall::collisions, 0.5 * usual),
        over_lowest("the same collisions, twice the threshold", &Fall::collisions, 2.0 * usual)}};

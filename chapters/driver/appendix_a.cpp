@@ -13,7 +13,8 @@
 namespace tumble::chapters {
 namespace {
 
-const RecordForm kListingForm{"listing", {"id", "section", "chapter", "about"}, {}, {}, "line"};
+const RecordForm kListingForm{
+    "listing", {"id", "section", "chapter", "about"}, {"mends"}, {}, "line"};
 const RecordForm kLineForm{
     "line", {"id", "says"}, {"printed", "meant", "errata", "why"}, {}, "listing"};
 constexpr std::size_t kMostLines = 10;  // of a region that is shown as a whole
@@ -159,7 +160,8 @@ std::vector<AppendixListing> read_appendix(const std::filesystem::path& path,
   std::vector<AppendixListing> listings;
   for (Record& record : read_records(path, kListingForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    listings.push_back({texts["id"], texts["section"], texts["chapter"], texts["about"], {}});
+    listings.push_back(
+        {texts["id"], texts["section"], texts["chapter"], texts["about"], texts["mends"], {}});
   }
   for (Record& record : read_records(path, kLineForm)) {
     std::map<std::string, std::string>& texts = record.texts;

@@ -31,10 +31,11 @@ struct AppendixLine {
 
 // One listing.
 struct AppendixListing {
-  std::string name;                 // as in the marks: "COLLIDE"
-  std::string section;              // of the thesis
-  std::string chapter;              // the folder of the chapter that describes it
-  std::string about;                // what it does, in a sentence
+  std::string name;     // as in the marks: "COLLIDE"
+  std::string section;  // of the thesis
+  std::string chapter;  // the folder of the chapter that describes it
+  std::string about;    // what it does, in a sentence
+  std::string mends;    // what the source as printed mends though it is no erratum; may be empty
   std::vector<AppendixLine> lines;  // all of them, from 1
 };
 
@@ -43,8 +44,8 @@ std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folde
 
 // Reads the listings and finds the code of each of their lines.
 //
-// The file has a table `[[listing]]` for each, with the keys `id` (its name), `section`, `chapter` and
-// `about`, and a table `[[line]]` for each numbered line, with `id` ("COLLIDE 3"), `says` and, where
+// The file has a table `[[listing]]` for each, with the keys `id` (its name), `section`, `chapter`,
+// `about` and, where it mends something silently, `mends`, and a table `[[line]]` for each numbered line, with `id` ("COLLIDE 3"), `says` and, where
 // needed, `errata` (ids with blanks between), `why`, `printed` and `meant`. The last two show which of
 // the lines between the marks are meant: a piece of each, one below the other; the statement that
 // begins there is taken. Without them it is all that stands between the marks; "-" says that nothing

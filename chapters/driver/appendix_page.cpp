@@ -92,9 +92,11 @@ std::string files_html(const AppendixListing& listing,
 }
 
 std::string listing_md(const AppendixListing& listing, const std::vector<ErratumEntry>& errata) {
-  std::string text = "## " + listing.name + " {#appendix_a_" + lower(listing.name) + "}\n\n" +
-                     html_text(listing.about) + " Thesis " + listing.section +
-                     "; described in the chapter \\ref " + listing.chapter + ".\n\n";
+  std::string text =
+      "## " + listing.name + " {#appendix_a_" + lower(listing.name) + "}\n\n" +
+      html_text(listing.about) + " Thesis " + listing.section +
+      "; described in the chapter \\ref " + listing.chapter + ".\n\n" +
+      (listing.mends.empty() ? "" : "**Mended also as printed:** " + listing.mends + "\n\n");
   std::string table =
       "<table class=\"listing\">\n<thead><tr><th scope=\"col\">Line</th><th scope=\"col\">What it "
       "says</th><th scope=\"col\">As printed<br>" +

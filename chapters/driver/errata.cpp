@@ -14,8 +14,19 @@ namespace tumble::chapters {
 namespace {
 
 const RecordForm kForm{"erratum",
-                       {"id", "section", "kind", "printed", "reading", "scene", "figure", "failure",
-                        "mended", "test", "command"}};
+                       {"id", "title", "section", "kind", "printed", "reading"},
+                       {"scene", "figure", "failure", "mended", "test", "command"}};
+
+// A slip of wording shows in no number; every other erratum is an experiment.
+void check_experiment(std::map<std::string, std::string>& texts, const std::string& place) {
+  const bool wording = texts["kind"] == "wording";
+  for (const char* key : {"scene", "figure", "failure", "mended", "test", "command"}) {
+    if (wording && !texts[key].empty())
+      throw std::invalid_argument(place + key + ": a slip of wording has no experiment");
+    if (!wording && texts[key].empty())
+      throw std::invalid_argument(place + "the key '" + key + "' is missing");
+  }
+}
 
 // A figure drawn with other settings than its defaults measures nothing.
 CheckedNumber measured(CheckedNumber number) {
@@ -29,14 +40,15 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path) {
   std::vector<Erratum> errata;
   for (Record& record : read_records(path, kForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    if (texts["kind"] != "misprint" && texts["kind"] != "choice") {
+    if (texts["kind"] != "misprint" && texts["kind"] != "choice" && texts["kind"] != "wording") {
       throw std::invalid_argument(record.place + "kind '" + texts["kind"] +
-                                  "': give misprint or choice");
+                                  "': give misprint, choice or wording");
     }
-    errata.push_back({texts["id"], texts["section"], path.parent_path().filename().string(),
-                      texts["kind"], texts["printed"], texts["reading"], texts["scene"],
-                      texts["figure"], texts["failure"], texts["mended"], texts["test"],
-                      texts["command"], record.place});
+    check_experiment(texts, record.place);
+    errata.push_back({texts["id"], texts["title"], texts["section"],
+                      path.parent_path().filename().string(), texts["kind"], texts["printed"],
+                      texts["reading"], texts["scene"], texts["figure"], texts["failure"],
+                      texts["mended"], texts["test"], texts["command"], record.place});
   }
   return errata;
 }
@@ -49,6 +61,10 @@ std::vector<ErratumEntry> find_errata(const std::vector<Erratum>& errata,
     const auto [other, is_new] = known.emplace(erratum.id, &erratum);
     if (!is_new) {
       throw std::invalid_argument(erratum.place + "this id stands also at " + other->second->place);
+    }
+    if (erratum.kind == "wording") {
+      entries.push_back({erratum, {}, {}});
+      continue;
     }
     const auto number = [&](const std::string& quantity) {
       return measured(find_number(figures, erratum.figure, quantity, erratum.place));

@@ -13,9 +13,11 @@ namespace tumble::chapters {
 // One erratum, as a chapter's `errata.toml` describes it.
 struct Erratum {
   std::string id;       // short name, as `repaired=` takes it where a technique can read as printed
+  std::string title;    // what goes wrong, in some words
   std::string section;  // of the thesis
   std::string chapter;  // the folder of the chapter
-  std::string kind;     // "misprint": contradicts the thesis itself; "choice": the author meant it
+  std::string
+      kind;  // "misprint": contradicts the thesis itself; "choice": meant, or left open; "wording"
   std::string printed;  // what the thesis says, retold
   std::string reading;  // what we do instead
   std::string scene;    // where it shows

@@ -3,6 +3,7 @@
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
 #include "driver/pages.hpp"
+#include "driver/reads.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
     std::fprintf(
         stderr,
         "usage: figures_index DIR FILE...\n"
-        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, figures.toml, page.md, "
+        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, figures.toml, NAME.md, "
         "open_claims.toml, NAME.gif\n");
     return 2;
   }
@@ -30,6 +31,7 @@ int main(int argc, char** argv) {
     for (const std::string& line : wrong) std::fprintf(stderr, "%s\n", line.c_str());
     const std::string others = others_text(findings);
     if (!others.empty()) std::printf("%s\n", others.c_str());
+    std::printf("%s\n", reads_counts(findings.ledger).c_str());
     std::printf("%s\n", summary_text(findings).c_str());
     return wrong.empty() ? 0 : 3;
   } catch (const FileError& error) {

@@ -4,6 +4,7 @@
 
 #include "driver/csv.hpp"
 #include "driver/figure_texts.hpp"
+#include "driver/reads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,7 @@ Findings read_findings(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& files) {
   std::vector<std::filesystem::path> expected;
   std::vector<Claim> claims;
+  std::vector<Second> seconds;
   std::vector<Erratum> errata;
   Choices choices;
   std::vector<std::filesystem::path> pages;
@@ -131,6 +133,7 @@ Findings read_findings(const std::filesystem::path& folder,
       expected.push_back(file);
     } else if (name == "claims.toml" || name == "open_claims.toml") {
       append(claims, read_claims(file));
+      if (name == "claims.toml") append(seconds, read_seconds(file));
     } else if (name == "errata.toml") {
       append(errata, read_errata(file));
     } else if (name == "choices.toml") {
@@ -151,12 +154,15 @@ Findings read_findings(const std::filesystem::path& folder,
   Findings findings;
   findings.figures = std::filesystem::exists(folder) ? check_figures(folder, expected)
                                                      : expected_figures(expected);
-  findings.ledger = judge(claims, findings.figures);
+  findings.ledger = judge(claims, findings.figures, seconds);
   findings.errata = find_errata(errata, findings.figures);
   findings.choices = find_choices(choices, findings.figures, findings.ledger);
+  require_choices(findings.ledger, findings.choices);
+  append(findings.stale, doubtful_reads(findings.ledger, findings.choices));
   for (const std::filesystem::path& page : pages) {
     const std::string text = page.extension() == ".md" ? read_file(page) : captions_of(page);
     append(findings.stale, stale_numbers(text, page.string(), findings.figures));
+    append(findings.stale, stale_verdicts(text, page.string(), findings.ledger));
   }
   for (const std::filesystem::path& film : films) append(findings.stale, stale_film(film, folder));
   return findings;

@@ -2,6 +2,7 @@
 /// \brief The page that shows all figures.
 #include "driver/markup.hpp"
 #include "driver/pages.hpp"
+#include "driver/reads.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -50,6 +51,7 @@ dt { color: var(--soft); } dd { margin: 0 0 0.4rem; }
            font-size: 0.9rem; white-space: nowrap; color: var(--soft); }
 .verdict.confirmed { color: var(--link); } .verdict.qualified { color: var(--partly); }
 .verdict.refuted { color: var(--bad); }
+.reads { font-size: 0.9rem; font-style: italic; color: var(--soft); }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr));
            gap: 1rem; }
 .gallery figure, .film { margin: 0; } figcaption { font-size: 0.9rem; margin-top: 0.3rem; }
@@ -80,8 +82,8 @@ std::string index_page(const Findings& findings) {
       "<h1>Figures of Tumble</h1>\n<p>Every picture is drawn by gnuplot from numbers that the "
       "library has just computed; every number in a table is compared with the value that "
       "was written down for it beforehand. The verdict on a claim of the thesis follows from its "
-      "number by a rule that was fixed before the first run.</p>\n<p>" +
-      html_text(summary_text(findings)) +
+      "number by a rule; beside it stands how it reads with the thesis in hand.</p>\n<p>" +
+      html_text(summary_text(findings)) + ". " + html_text(reads_counts(findings.ledger)) +
       ". <a href=\"claims.csv\">claims.csv</a> has every claim.</p>\n";
   text += "<nav><ul>\n" + contents + "</ul></nav>\n" + articles;
   if (!gallery.empty()) text += "<h2 id=\"gallery\">Gallery</h2>\n" + gallery;

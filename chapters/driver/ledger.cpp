@@ -5,6 +5,7 @@
 #include "tumble/record/csv_cells.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/reads.hpp"
 #include "driver/records.hpp"
 
 #include <algorithm>
@@ -18,8 +19,6 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr int kFewestSeeds = 20;  // random scenes that a number must come from, if any
-
 // A rule may be fixed ahead of the experiment.
 const RecordForm kOpenForm{"claim",
                            {"id", "chapter", "section", "statement", "experiment"},
@@ -28,8 +27,9 @@ const RecordForm kOpenForm{"claim",
 const RecordForm kMeasuredForm{"claim",
                                {"id", "section", "statement", "experiment", "technique", "reading",
                                 "quantity", "unit", "reason", "figure", "test"},
-                               {"confirmed", "refuted"},
-                               {"comparable"}};
+                               {"confirmed", "refuted", "reads", "reads_because", "ruled"},
+                               {"comparable"},
+                               "second"};
 
 // The rule must be there exactly if the claim is comparable, and be one.
 void check_rule(const Claim& claim) {
@@ -71,6 +71,7 @@ void check_claim(const Claim& claim) {
                                 "': give as_printed, as_meant, ours or -");
   }
   check_rule(claim);
+  check_reads(claim.reads, claim.reads_because, claim.place);
 }
 
 LedgerEntry without_number(const Claim& claim, const std::string& note) {
@@ -87,17 +88,19 @@ LedgerEntry judged(const Claim& claim, const std::vector<DrawnFigure>& figures) 
     throw std::invalid_argument(claim.place + "the unit is " + claim.unit + ", but " +
                                 claim.figure + " computes it in " + number.unit);
   }
-  if (!number.compared) return without_number(claim, "drawn with other settings");
-  if (std::isnan(number.value)) return without_number(claim, "not computed here: run make figures");
-  const bool interval = number.low <= number.high;  // false for NaN
-  if (number.seeds > 0 && (number.seeds < kFewestSeeds || !interval)) {
-    throw std::invalid_argument(claim.place + "measured over " + std::to_string(number.seeds) +
-                                " random scenes: take at least " + std::to_string(kFewestSeeds) +
-                                " and give the interval");
-  }
+  const std::string missing = why_no_verdict(number);
+  if (!missing.empty()) return without_number(claim, missing);
+  require_seeds(number, claim.place);
   if (!claim.comparable) return {claim, Verdict::not_comparable, number, claim.reason};
   const Rule rule = read_rule(claim.confirmed, claim.refuted);
   return {claim, rule.verdict(number.value), number, ""};
+}
+
+// The claim that is measured a second time.
+LedgerEntry& entry_of(std::vector<LedgerEntry>& ledger, const Second& second) {
+  for (LedgerEntry& entry : ledger)
+    if (entry.claim.id == second.claim) return entry;
+  throw std::invalid_argument(second.place + "there is no claim " + second.claim);
 }
 
 // "2.4.3a" gives 2, 4, 3 and a letter. A claim on a section comes before those on its parts, and
@@ -122,71 +125,40 @@ std::vector<long> thesis_place(const std::string& id) {
 
 }  // namespace
 
-std::string verdict_text(Verdict verdict) {
-  static constexpr std::array words{"confirmed", "qualified", "refuted", "not comparable",
-                                    "not measured"};
-  return words[static_cast<std::size_t>(verdict)];
-}
-
-bool Comparison::holds(double value) const {
-  if (value == limit) return inclusive;
-  return below ? value < limit : value > limit;
-}
-
-Comparison read_comparison(const std::string& text) {
-  Comparison comparison;
-  comparison.below = text.rfind('<', 0) == 0;
-  comparison.inclusive = text.size() > 1 && text[1] == '=';
-  const std::size_t number = text.find_first_not_of(' ', comparison.inclusive ? 2 : 1);
-  const bool known = comparison.below || text.rfind('>', 0) == 0;
-  if (known && number != std::string::npos) {
-    comparison.limit = read_number(text.substr(number));
-    if (!std::isnan(comparison.limit)) return comparison;
-  }
-  throw std::invalid_argument("'" + text + "' is no comparison: give < <= > or >= and a number");
-}
-
-Verdict Rule::verdict(double value) const {
-  if (std::isnan(value)) return Verdict::not_measured;
-  if (confirmed.holds(value)) return Verdict::confirmed;
-  return refuted.holds(value) ? Verdict::refuted : Verdict::qualified;
-}
-
-Rule read_rule(const std::string& confirmed, const std::string& refuted) {
-  const Rule rule{read_comparison(confirmed), read_comparison(refuted)};
-
-  // Two half lines are apart if they point away from each other and do not share the limit.
-  const Comparison& low = rule.confirmed.below ? rule.confirmed : rule.refuted;
-  const Comparison& high = rule.confirmed.below ? rule.refuted : rule.confirmed;
-  const bool opposite = low.below && !high.below;
-  const bool apart =
-      low.limit < high.limit || (low.limit == high.limit && !(low.inclusive && high.inclusive));
-  if (!opposite || !apart) {
-    throw std::invalid_argument("'" + confirmed + "' and '" + refuted +
-                                "' can both hold: one number must not confirm and refute");
-  }
-  return rule;
-}
-
 std::vector<Claim> read_claims(const std::filesystem::path& path) {
   const bool open = path.filename() == "open_claims.toml";
   std::vector<Claim> claims;
   for (Record& record : read_records(path, open ? kOpenForm : kMeasuredForm)) {
     std::map<std::string, std::string>& texts = record.texts;
     const auto comparable = record.flags.find("comparable");
-    claims.push_back(
-        {texts["id"], texts["section"],
-         open ? texts["chapter"] : path.parent_path().filename().string(), texts["statement"],
-         texts["experiment"], open, texts["technique"], texts["reading"], texts["quantity"],
-         texts["unit"], comparable == record.flags.end() || comparable->second, texts["confirmed"],
-         texts["refuted"], texts["reason"], texts["figure"], texts["test"], record.place});
+    claims.push_back({texts["id"],
+                      texts["section"],
+                      open ? texts["chapter"] : path.parent_path().filename().string(),
+                      texts["statement"],
+                      texts["experiment"],
+                      open,
+                      texts["technique"],
+                      texts["reading"],
+                      texts["quantity"],
+                      texts["unit"],
+                      comparable == record.flags.end() || comparable->second,
+                      texts["confirmed"],
+                      texts["refuted"],
+                      texts["reason"],
+                      texts["figure"],
+                      texts["test"],
+                      texts["reads"],
+                      texts["reads_because"],
+                      texts["ruled"],
+                      record.place});
     check_claim(claims.back());
   }
   return claims;
 }
 
 std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
-                               const std::vector<DrawnFigure>& figures) {
+                               const std::vector<DrawnFigure>& figures,
+                               const std::vector<Second>& seconds) {
   std::map<std::string, const Claim*> known;
   std::vector<LedgerEntry> ledger;
   for (const Claim& claim : claims) {
@@ -196,22 +168,18 @@ std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
     }
     ledger.push_back(judged(claim, figures));
   }
+  for (const Second& second : seconds)
+    entry_of(ledger, second).seconds.push_back(judge_second(second, figures));
   std::sort(ledger.begin(), ledger.end(), [](const LedgerEntry& a, const LedgerEntry& b) {
     return earlier_in_thesis(a.claim.id, b.claim.id);
   });
   return ledger;
 }
 
-std::string rule_text(const Claim& claim) {
-  if (claim.confirmed.empty()) return "";
-  return "confirmed if " + claim.confirmed + ", refuted if " + claim.refuted +
-         ", qualified in between";
-}
-
 std::string ledger_csv(const std::vector<LedgerEntry>& ledger) {
   std::string text =
       "id,section,statement,technique,reading,quantity,unit,value,low,high,seeds,rule,verdict,"
-      "figure,test\n";
+      "reads,reads_because,second,figure,test\n";
   for (const LedgerEntry& entry : ledger) {
     const Claim& claim = entry.claim;
     const bool measured = entry.verdict != Verdict::not_measured;
@@ -226,8 +194,11 @@ std::string ledger_csv(const std::vector<LedgerEntry>& ledger) {
                                          full_text(entry.number.low),
                                          full_text(entry.number.high),
                                          measured ? std::to_string(entry.number.seeds) : "",
-                                         rule_text(claim),
+                                         rule_text(claim.confirmed, claim.refuted),
                                          verdict_text(entry.verdict),
+                                         claim.reads,
+                                         claim.reads_because,
+                                         seconds_text(entry.seconds),
                                          claim.figure,
                                          claim.test};
     for (std::size_t i = 0; i < cells.size(); ++i) {

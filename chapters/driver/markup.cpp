@@ -36,10 +36,26 @@ std::string finding_html(const LedgerEntry& entry) {
   return number.agrees() ? text : text + ", <span class=\"bad\">not as expected</span>";
 }
 
+// A second measurement: its number, its verdict, its day, what it compares, and what would have turned it.
+std::string second_html(const SecondEntry& entry) {
+  const Second& second = entry.second;
+  const bool measured = entry.verdict != Verdict::not_measured;
+  return html_text(second.quantity) + ": " +
+         (measured ? "<strong>" + number_html(entry.number.value, second.unit) + "</strong>" +
+                         interval_html(entry.number) + ' ' + verdict_html(entry.verdict) + " on " +
+                         second.run
+                   : html_text(entry.note)) +
+         "<br><span class=\"soft\">" + prose_html(second.scene) +
+         " Control: " + prose_html(second.control) + " Rule of " + second.ruled + ": " +
+         printed_rule(rule_text(second.confirmed, second.refuted)) + ". " +
+         prose_html(second.otherwise) + "</span>";
+}
+
 std::string rule_html(const Claim& claim) {
   const std::string reason = "<br><span class=\"soft\">" + prose_html(claim.reason) + "</span>";
   if (!claim.comparable) return "none" + reason;
-  return printed_rule(rule_text(claim)) + "; fixed before the first run" + reason;
+  return printed_rule(rule_text(claim.confirmed, claim.refuted)) + "; fixed " +
+         (claim.ruled.empty() ? "before the first run" : html_text(claim.ruled)) + reason;
 }
 
 }  // namespace
@@ -102,6 +118,13 @@ std::string verdict_html(Verdict verdict) {
   return "<span class=\"verdict " + name + "\">" + words + "</span>";
 }
 
+std::string words_html(const LedgerEntry& entry) {
+  const std::string verdict = verdict_html(entry.verdict);
+  const std::string& reads = entry.claim.reads;
+  if (reads.empty()) return verdict;
+  return verdict + " <span class=\"reads\">" + html_text(reads) + "</span>";
+}
+
 std::string row_html(const std::string& name, const std::string& html) {
   return "<dt>" + name + "</dt><dd>" + html + "</dd>\n";
 }
@@ -109,10 +132,12 @@ std::string row_html(const std::string& name, const std::string& html) {
 std::string claim_html(const LedgerEntry& entry, const std::string& figure_link) {
   const Claim& claim = entry.claim;
   std::string text = "<div class=\"entry\">\n<p><strong>Claim " + claim.id + "</strong> " +
-                     verdict_html(entry.verdict) + "<br>\n" + html_text(claim.statement) +
-                     "</p>\n<dl>\n";
+                     words_html(entry) + "<br>\n" + html_text(claim.statement) + "</p>\n<dl>\n";
   if (!claim.open) {
-    text += row_html("Number", finding_html(entry)) + row_html("Rule", rule_html(claim));
+    text += row_html("Number", finding_html(entry)) + row_html("Rule", rule_html(claim)) +
+            row_html("Reads",
+                     "<em>" + html_text(claim.reads) + "</em>: " + prose_html(claim.reads_because));
+    for (const SecondEntry& second : entry.seconds) text += row_html("Second", second_html(second));
   }
   text += row_html("Experiment", html_text(claim.experiment));
   if (claim.open) {

@@ -35,6 +35,9 @@ std::string interval_html(const CheckedNumber& number);
 // A verdict in colour and in words.
 std::string verdict_html(Verdict verdict);
 
+// The verdict of a claim with its second word.
+std::string words_html(const LedgerEntry& entry);
+
 // A line of a list of properties.
 std::string row_html(const std::string& name, const std::string& html);
 

@@ -3,7 +3,9 @@
 #include "driver/pages.hpp"
 
 #include "driver/markup.hpp"
+#include "driver/reads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble::chapters {
@@ -22,6 +24,11 @@ std::string counts_of(const std::vector<LedgerEntry>& ledger) {
   return text;
 }
 
+// "40 verdicts stand, ...": how the verdicts read; nothing without verdicts.
+std::string reads_of(const std::vector<LedgerEntry>& ledger) {
+  return "Read with the thesis in hand: " + reads_counts(ledger);
+}
+
 // The measured claims at a glance.
 std::string overview_html(const std::vector<LedgerEntry>& ledger) {
   std::string text;
@@ -29,7 +36,7 @@ std::string overview_html(const std::vector<LedgerEntry>& ledger) {
     if (entry.verdict == Verdict::not_measured) continue;
     const Claim& claim = entry.claim;
     text += "<p><a href=\"#" + label_of("claim", claim.id) + "\">" + claim.id + "</a> " +
-            verdict_html(entry.verdict) + ' ' + html_text(claim.statement) + "</p>\n";
+            words_html(entry) + ' ' + html_text(claim.statement) + "</p>\n";
   }
   return text.empty() ? text : as_is("<div class=\"entry overview\">\n" + text + "</div>\n");
 }
@@ -51,20 +58,43 @@ std::string finding(const CheckedNumber& number) {
   return html_text(number.quantity) + ": " + value;
 }
 
-std::string erratum_html(const ErratumEntry& entry) {
+// Where an erratum shows, and its two numbers.
+std::string experiment_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
   const bool misprint = erratum.kind == "misprint";
-  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + "</strong> · " +
-         erratum.kind + " · thesis " + html_text(erratum.section) + "</p>\n<dl>\n" +
-         row_html("Printed", html_text(erratum.printed)) +
-         row_html("Read as", html_text(erratum.reading)) +
-         row_html("Shown by", html_text(erratum.scene)) +
+  return row_html("Shown by", html_text(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
-         row_html(misprint ? "Mended" : "Otherwise", finding(entry.mended)) +
+         row_html(misprint ? "Corrected" : "Otherwise", finding(entry.mended)) +
          row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
                                 html_text(erratum.figure) + "</a>") +
          row_html("Test", html_text(erratum.test)) +
          row_html("Command", "<code>" + html_text(erratum.command) + "</code>") + "</dl>\n</div>\n";
+}
+
+std::string erratum_html(const ErratumEntry& entry) {
+  const Erratum& erratum = entry.erratum;
+  return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + ". " +
+         html_text(erratum.title) + "</strong><br>\n" + erratum.kind + " · thesis " +
+         html_text(erratum.section) + "</p>\n<dl>\n" +
+         row_html("Printed", html_text(erratum.printed)) +
+         row_html("Read as", html_text(erratum.reading)) +
+         (erratum.kind == "wording" ? "</dl>\n</div>\n" : experiment_html(entry));
+}
+
+// All errata with their titles, section by section of the thesis.
+std::string errata_list_html(const std::vector<ErratumEntry>& errata) {
+  std::string text;
+  std::string section;
+  for (const ErratumEntry& entry : errata) {
+    const Erratum& erratum = entry.erratum;
+    if (erratum.section != section)
+      text += (text.empty() ? "" : "</ul>\n") + ("<p>Thesis " + html_text(erratum.section)) +
+              "</p>\n<ul>\n";
+    section = erratum.section;
+    text += "<li><a href=\"#" + label_of("erratum", erratum.id) + "\">" + html_text(erratum.id) +
+            "</a> " + html_text(erratum.title) + "</li>\n";
+  }
+  return text.empty() ? text : as_is(text + "</ul>\n");
 }
 
 std::string tolerance_html(const Tolerance& tolerance) {
@@ -106,10 +136,14 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
 }  // namespace
 
 std::string counts_text(const Findings& findings) {
+  const auto words = static_cast<std::size_t>(
+      std::count_if(findings.errata.begin(), findings.errata.end(),
+                    [](const ErratumEntry& one) { return one.erratum.kind == "wording"; }));
   return "Of " + std::to_string(findings.ledger.size()) +
-         " claims of the thesis: " + counts_of(findings.ledger) + "; " +
-         std::to_string(findings.errata.size()) +
-         " errata, each with the two numbers that show it.\n";
+         " claims of the thesis: " + counts_of(findings.ledger) + ". " + reads_of(findings.ledger) +
+         ". " + std::to_string(findings.errata.size() - words) +
+         " errata, each with the two numbers that show it, and " + std::to_string(words) +
+         " slips of wording.\n";
 }
 
 std::string ledger_page(const Findings& findings) {
@@ -119,6 +153,14 @@ The thesis argues from experience and prints hardly a number. Here each thing th
 experiment: one number decides, by a rule that was written down before the experiment ran for the
 first time. Of )";
   text += std::to_string(findings.ledger.size()) + " claims: " + counts_of(findings.ledger) + R"(.
+
+A rule can be a bad reading of its sentence, and a number can depend on a value that is ours. The rules stay as they are, and so each
+verdict has a second word, from a reading with the thesis in hand: it *stands*; or its *rule misread the sentence*; or it *hangs on* a
+choice that the thesis leaves open (\ref left_open). )";
+  text +=
+      reads_of(findings.ledger) +
+      R"(. Where a verdict needs a fairer scene or a comparison, a second measurement stands beside the
+first, with its own rule and the day on which it was made.
 
 The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endhtmlonly
 
@@ -133,19 +175,14 @@ The same as a table: \htmlonly <a href="figures/claims.csv">claims.csv</a> \endh
 std::string errata_page(const Findings& findings) {
   std::string text = R"(# Errata of the thesis {#errata}
 
-A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end: the
-techniques mend it. A *choice* was meant by the author: the techniques of the thesis keep it, and
-cures are in our own. Each has a scene in which it shows and two numbers: the text taken literally,
-and what we do.
+A *misprint* contradicts what the thesis itself says elsewhere, cannot be computed, or does not end, under every plausible
+reading: the techniques correct it. A *choice* was meant by the author, or the text leaves it open: the techniques of the thesis
+keep it, in the milder reading, and other solutions are in our own. Each of both has a scene in which it shows and two numbers: the text
+taken literally, or in its worst reading, and what we do. A slip of *wording* changes nothing that is computed.
 
 )";
   if (findings.errata.empty()) text += "No chapter has found one yet.\n\n";
-  std::string jumps;
-  for (const ErratumEntry& entry : findings.errata) {
-    const std::string& id = entry.erratum.id;
-    jumps += "<a href=\"#" + label_of("erratum", id) + "\">" + html_text(id) + "</a>\n";
-  }
-  if (!jumps.empty()) text += as_is("<p>" + jumps + "</p>\n");
+  text += errata_list_html(findings.errata);
   for (const ErratumEntry& entry : findings.errata) {
     text += "\\anchor " + label_of("erratum", entry.erratum.id) + '\n' + as_is(erratum_html(entry));
   }

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     std::fprintf(
         stderr,
         "usage: site_pages OUT FIGURES src/tumble chapters FILE...\n"
-        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, page.md, open_claims.toml\n");
+        "FILE: expected.csv, claims.toml, errata.toml, choices.toml, NAME.md, open_claims.toml\n");
     return 2;
   }
   try {

@@ -49,7 +49,7 @@ std::string claims_html(const ThesisSection& section, const Findings& findings) 
     const Claim& claim = entry.claim;
     if (claim.section != section.id) continue;
     claims += "<a href=\"ledger.html#" + label_of("claim", claim.id) + "\">" + claim.id + "</a> " +
-              verdict_html(entry.verdict) + "<br>";
+              words_html(entry) + "<br>";
     if (claim.test.empty()) continue;
     tests += "<br>" + html_text(claim.test);
     ++count;
@@ -110,7 +110,7 @@ std::string thesis_map_page(const std::vector<ThesisSection>& sections, const Fi
 The thesis's table of contents on the left; beside it what this book has of each section, and what was measured: its numbered
 figures, its claims with their verdicts, and the tests that hold them.
 
-Where to get the thesis: K. Egan, *Techniques for Real-Time Rigid Body Simulation*, Master's thesis, Department of Computer
+Where to get the thesis: K. Egan, *Techniques for Real-Time Rigid Body Simulation*, honors thesis, Department of Computer
 Science, Brown University, 2003. A search for author and title finds it; it is not part of this project. Nothing here needs it, but all
 of it is meant to be read beside it.
 

@@ -42,6 +42,18 @@ World on_parabola(double speed, double dt) {
   return world;
 }
 
+// How far the top cube's centre is from its place on the circle, after a step along the parabola: a second measurement
+// of claim 6.2d. The circle is exact.
+double top_off_circle(double speed, double dt) {
+  const World start = turning_column(speed);
+  const World end = on_parabola(speed, dt);
+  const std::size_t top = start.states().size() - 1;
+  const Vec3 arm_w = start.states()[top].position_w - column_pivot();
+  const Vec3 spin_w = angular_velocity(start.bodies()[top], start.states()[top]);
+  const Vec3 place_w = column_pivot() + rotation_from_vector(Vec3(dt * spin_w)) * arm_w;
+  return (end.states()[top].position_w - place_w).norm();
+}
+
 // [N] That a joint has to pull with: at the far side of an area for one that holds an area, and along the
 // normal for an edge.
 double pull_in(const World& world, std::span<const Joint> joints) {
@@ -123,6 +135,9 @@ Result measure_rotation_errata(const Parameters& settings) {
        after(PoseUpdate::exponential)},
       {"the same, centres moved along parabolas", "m",
        std::abs(column_gap(on_parabola(speed, 1.0 / rate)))},
+      {"distance of the top cube's centre from its place on the circle after a step under one held "
+       "force, over an edge",
+       "-", top_off_circle(speed, 1.0 / rate)},
       {"P15b: largest pull in a joint while the column falls, boxes that stay connected", "N",
        largest(glue.pull)},
       {"P15b: largest pull in a joint while the column falls, boxes that can come apart", "N",

@@ -8,6 +8,7 @@ namespace tumble::chapters {
 namespace {
 
 const char* const kOurSolver = "augmented_lagrangian";
+constexpr int kTouchingRows = 7;  // of the pyramid without gaps, a second measurement
 
 // The work of a solver with all boxes and without the stable ones.
 struct Work {
@@ -160,6 +161,9 @@ Result measure_excluded(const Parameters& settings) {
            std::to_string(rows) + " rows, all boxes over the boxes that are not stable",
        "-", baraff.saved()},
       saved_in_any_order(settings.count("shuffled_rows"), gap, settings.count("seeds")),
+      {"multiplications of Baraff's method for the pyramid of figure 5.6 with 7 rows that touch, "
+       "all boxes over the boxes that are not stable",
+       "-", work_of(pyramid_without_middle(kTouchingRows, 0.0), "baraff").saved()},
       {"the same, unknowns", "-", cut},
       {"the same, the cube of the unknowns", "-", cut * cut * cut},
       {"the same, our default solver", "-", ours.saved()},

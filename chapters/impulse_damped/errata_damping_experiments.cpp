@@ -37,6 +37,18 @@ void add_thresholds(Result& result) {
           "indices 0 to 2", DampedErrata::all(), left_of(0.5 * usual.still));
 }
 
+// DM18. What a step leaves of a small momentum of a leaning cube. For level boxes only, no threshold is its own.
+double leaning_momentum_left(bool for_all) {
+  PrintedNumbers numbers;
+  numbers.eps.slow = for_all ? usual_thresholds().slow : 0.0;
+  numbers.eps.still = for_all ? usual_thresholds().still : 0.0;
+  const double momentum = 0.5 * usual_thresholds().still;
+  World world = world_with_cube(Vec3(momentum, 0.0, 0.0));
+  world.states()[0].orientation_wb = turned_about_z(std::numbers::pi / 6.0);
+  dampen(world, true, numbers, DampedErrata::all());
+  return world.states()[0].linear_momentum_w.x() / momentum;
+}
+
 // DM3. What is left of a spin about the vertical, less that of its mirror image.
 double one_sided_spin(const DampedErrata& mended) {
   PrintedNumbers numbers;
@@ -217,6 +229,10 @@ void add_momentum_errata(double k1, Result& result) {
   result.add(slide + "its own thresholds", "-", ended_slide(true));
   compare(result, "DM16: largest tilt that counts as aligned, ", "rad", "no tolerance", "with one",
           all, aligned_tilt);
+  const std::string leaning =
+      "DM18: share of a small momentum left of a leaning cube, lines 11 to 21 for ";
+  result.add(leaning + "level boxes only", "-", leaning_momentum_left(false));
+  result.add(leaning + "all", "-", leaning_momentum_left(true));
 }
 
 // A misprint is put back into a listing in which all others are mended; what the author meant is compared

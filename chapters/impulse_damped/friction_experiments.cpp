@@ -190,6 +190,21 @@ Result measure_friction_on_upper(const Parameters& settings) {
   for (const OtherFriction& other : other_frictions("fig5_2"))
     quantities.push_back({"the same, " + other.words, "-", difference({speed, other.setting})});
 
+  // The mass below is a choice, and the push that B does not get is no friction on A: a second measurement.
+  double of_masses = 0.0;
+  for (const double mass : {0.5, 1.0, 5.0, 20.0, 100.0}) {
+    const std::string below = setting("lower_mass", mass);
+    const Speeds free = blocks({speed, below}, coulomb_technique(), duration);
+    of_masses = std::max(of_masses, largest_difference(blocks({speed, below}, {"damped"}, duration),
+                                                       free, end_of_slide(free)));
+  }
+  quantities.push_back(
+      {"largest difference between the speeds of the upper block while it slides on the lower one, "
+       "damped and with Coulomb's friction, over its speed at the start, of five mass ratios",
+       "-", of_masses});
+  quantities.push_back({"the same, the lower block being held", "-",
+                        largest_difference(blocks({speed, held}, {"damped"}, duration),
+                                           coulomb_held, end_of_slide(coulomb_held))});
   // Is there a friction that damping comes close to? It knows none.
   Table friction{"friction",
                  {{"friction", "-", "Coulomb's coefficient"},

@@ -128,6 +128,9 @@ Result measure_overlap_left(const Parameters& settings) {
     heaps.push_back(overlaps(heap(per_edge, restitution, seed), usual, duration));
     loose_heaps.push_back(overlaps(heap(per_edge, restitution, seed), loose, duration));
   }
+  std::vector<std::vector<Overlap>> fresh_heaps;
+  for (int seed = seeds + 1; seed <= 2 * seeds; ++seed)
+    fresh_heaps.push_back(overlaps(heap(per_edge, restitution, seed), usual, duration));
   Table table{"",
               {{"time_s", "s", "middle of a tenth of a second"},
                {"free_m", "m", "overlap if no impulse had acted, mean over steps and heaps"},
@@ -169,6 +172,9 @@ Result measure_overlap_left(const Parameters& settings) {
           {removed("overlap that the pass removes, over all overlap that would be there without "
                    "any response",
                    heaps),
+           removed("overlap that the pass removes, over all overlap that would be there without "
+                   "any response, fresh seeds",
+                   fresh_heaps),
            removed("the same without damping", loose_heaps),
            removed("the same for a stack of five at rest", stack),
            removed("the same for that stack without damping", loose_stack),

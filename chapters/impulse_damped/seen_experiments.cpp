@@ -72,9 +72,9 @@ Quantity median_difference(const std::string& name, const std::vector<double>& d
 using SceneOfSeed = std::function<Scene(int seed)>;
 
 std::vector<double> play_all(const SceneOfSeed& scene, const PlayedTechnique& technique, int seeds,
-                             double duration) {
+                             double duration, int after = 0) {
   std::vector<double> runs;
-  for (int seed = 1; seed <= seeds; ++seed)
+  for (int seed = after + 1; seed <= after + seeds; ++seed)
     runs.push_back(play(scene(seed), technique, seed, duration));
   return runs;
 }
@@ -104,6 +104,9 @@ Result measure_what_is_seen(const Parameters& settings) {
         variant.words.empty() ? decides : "the same, " + variant.words, runs, coulomb));
     if (variant.words.empty()) damped = runs;
   }
+  quantities.push_back(median_difference(
+      decides + ", fresh seeds", play_all(shots, {"damped"}, seeds, duration, seeds),
+      play_all(shots, coulomb_technique(), seeds, duration, seeds)));
   const std::vector<double> clump_coulomb = play_all(clumps, coulomb_technique(), seeds, duration);
   const std::vector<double> clump_damped = play_all(clumps, {"damped"}, seeds, duration);
   quantities.push_back(

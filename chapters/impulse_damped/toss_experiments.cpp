@@ -35,11 +35,12 @@ void toss(const PlayedTechnique& technique, std::uint64_t seed, Tosses& tosses) 
 }
 
 // A technique gets the same starts as every other.
-Outcomes toss_all(const PlayedTechnique& technique, int seeds, int count) {
+// after: groups of starts that are passed over
+Outcomes toss_all(const PlayedTechnique& technique, int seeds, int count, int after = 0) {
   Outcomes all(static_cast<std::size_t>(seeds));
   for (int seed = 0; seed < seeds; ++seed)
     for (int k = 0; k < count; ++k)
-      toss(technique, static_cast<std::uint64_t>(1 + seed * count + k),
+      toss(technique, static_cast<std::uint64_t>(1 + (after + seed) * count + k),
            all[static_cast<std::size_t>(seed)]);
   return all;
 }
@@ -115,6 +116,11 @@ Result measure_tosses(const Parameters& settings) {
       "distance of travel and time to rest from the measured quartiles, with randomness over "
       "without",
       with, without, both);
+  compared(
+      "distance of travel and time to rest from the measured quartiles, with randomness over "
+      "without, fresh seeds",
+      toss_all(damped("fast"), seeds, count, seeds), toss_all(damped("off"), seeds, count, seeds),
+      both);
   compared("the same, travel only", with, without, travel_distance);
   compared("the same, time to rest only", with, without, time_distance);
   for (const DampedVariant& variant : damped_variants())

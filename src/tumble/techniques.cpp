@@ -77,16 +77,35 @@ std::unique_ptr<Technique> make_freezable(const Parameters& p, std::uint64_t /*s
 struct Reading {
   bool as_printed = false;
   std::string repaired = "none";
+  bool traps = false;
 };
 
+// Errata of kind "choice" whose worse reading is a trap: the text leaves them open, and the milder reading is plainer.
+constexpr const char* kDampedTraps = "D5,D6,C7,RK1,RC4,DM4,DM5,DM8";
+constexpr const char* kTimewarpTraps = "T6";
+
+// What is mended in a listing as printed: what was asked for, and each trap that is not taken.
+template <class Errata>
+Errata mended_in(const Reading& o, const char* traps) {
+  Errata mended(o.repaired);
+  const Errata avoided(traps);
+  for (const std::string& id : Errata::known())
+    if (!o.traps && avoided.has(id)) mended = mended.with(id);
+  return mended;
+}
+
 template <class Visitor>
-void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata) {
+void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata,
+              std::string_view traps) {
   v.word("reading", o.as_printed, {{"as_meant", false}, {"as_printed", true}},
          "the listings of appendix " + std::string(appendix) +
              " with their misprints mended, or as they are printed");
   v.text("repaired", o.repaired,
          "reading=as_printed: errata that are mended all the same, as " + std::string(errata) +
              "; or all, or none");
+  v.word("traps", o.traps, {{"avoided", false}, {"taken", true}},
+         "reading=as_printed: what the text leaves open (" + std::string(traps) +
+             ") in its milder reading, or in the one that fails");
 }
 
 void refuse_unless_printed(std::string_view key, const std::string& given,
@@ -103,7 +122,7 @@ struct DampedSettings {
 template <class Visitor>
 void describe(DampedSettings& o, Visitor& v) {
   describe(o.meant, v);
-  describe(o.reading, v, "A.2", "C1,DM3");
+  describe(o.reading, v, "A.2", "C1,DM3", kDampedTraps);
 }
 
 // The listings as printed have no other options than these; a value that they do not have is refused.
@@ -123,7 +142,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const Dam
   require::that(!meant.sleeping, "sleeping = on: reading=as_printed has no sleeping");
   require::that(!o.meant.freeze, "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
-  options.repaired = DampedErrata(o.reading.repaired);
+  options.repaired = mended_in<DampedErrata>(o.reading, kDampedTraps);
   options.numbers = meant.numbers;
   options.collision_passes = meant.collision_passes;
   options.contact_passes = meant.contact_passes;
@@ -137,6 +156,7 @@ std::unique_ptr<Technique> make_damped(const Parameters& p, std::uint64_t seed) 
   auto o = read_options<DampedSettings>(p);
   if (o.reading.as_printed) return make_damped_as_printed(p, o);
   refuse_unless_printed("repaired", o.reading.repaired, "none");
+  refuse_unless_printed("traps", p.word("traps"), "avoided");
   o.meant.options.seed = seed;
   return freezable<Damped>(o.meant);
 }
@@ -150,7 +170,7 @@ struct TimewarpSettings {
 template <class Visitor>
 void describe(TimewarpSettings& o, Visitor& v) {
   describe(o.meant, v);
-  describe(o.reading, v, "A.1", "T1,F6");
+  describe(o.reading, v, "A.1", "T1,F6", kTimewarpTraps);
   describe(o.printed, v);
 }
 
@@ -160,6 +180,7 @@ std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*see
   const auto o = read_options<TimewarpSettings>(p);
   if (!o.reading.as_printed) {
     refuse_unless_printed("repaired", o.reading.repaired, "none");
+    refuse_unless_printed("traps", p.word("traps"), "avoided");
     refuse_unless_printed("cap", std::to_string(o.printed.cap),
                           std::to_string(TimewarpAsPrintedOptions{}.cap));
     refuse_unless_printed("separating", p.word("separating"), "ignored");
@@ -167,7 +188,7 @@ std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*see
   }
   TimewarpAsPrintedOptions options = o.printed;
   options.listing = listing;
-  options.repaired = TimewarpErrata(o.reading.repaired);
+  options.repaired = mended_in<TimewarpErrata>(o.reading, kTimewarpTraps);
   options.resolution = o.meant.resolution;
   options.pair_events = o.meant.pair_events;
   options.rotation = o.meant.rotation;

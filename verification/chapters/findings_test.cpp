@@ -18,6 +18,7 @@ const std::string kClaims = claim_on_speed("It falls.");
 
 const char* const kErratum = R"([[erratum]]
 id = "C1"
+title = "Down is <up>"
 section = "A.1"
 kind = "misprint"
 printed = "Down is up."
@@ -138,8 +139,9 @@ TEST_CASE("Every mistake in a file of errata is named with file, line and id", "
                                       scratch.file("falling/errata.toml", text)});
   };
   CHECK_NOTHROW(read(good));
-  CHECK_THROWS_WITH(read(replaced(good, "misprint", "error")),
-                    Contains("errata.toml:1: erratum C1: kind 'error': give misprint or choice"));
+  CHECK_THROWS_WITH(
+      read(replaced(good, "misprint", "error")),
+      Contains("errata.toml:1: erratum C1: kind 'error': give misprint, choice or wording"));
   CHECK_THROWS_WITH(read(replaced(good, "scene = \"drop\"\n", "")),
                     Contains("erratum C1: the key 'scene' is missing"));
   CHECK_THROWS_WITH(read(replaced(good, "\"depth\"", "\"height\"")),

@@ -66,6 +66,8 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
   const std::string ledger = ledger_page(findings);
   CHECK(ledger.rfind("# Ledger of claims {#ledger}\n", 0) == 0);
   CHECK_THAT(ledger, Contains("Of 1 claims: 1 confirmed."));
+  CHECK_THAT(ledger, Contains("1 verdict stands, in 0 the rule misread the sentence, 0 hang on"));
+  CHECK_THAT(ledger, Contains("confirmed</span> <span class=\"reads\">stands</span>"));
   CHECK_THAT(ledger, Contains("\\anchor claim_2_1a\n\\htmlonly\n"));
   CHECK_THAT(ledger, Contains("href=\"gallery.html#claim_2_1a_fall\""));
   CHECK_FALSE(findings.ledger.at(0).number.value != 3.25);
@@ -80,17 +82,21 @@ TEST_CASE("A number that left its tolerance is marked on both pages", "[unit][le
 TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
   const Scratch scratch("without");
   Findings findings = read_findings(
-      "/nowhere", {scratch.file("falling/expected.csv",
-                                "figure,quantity,unit,value,tolerance,reason\n"
-                                "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
-                   scratch.file("falling/claims.toml", kClaims),
-                   scratch.file("falling/errata.toml",
-                                "[[erratum]]\nid = \"C1\"\nsection = \"A.1\"\nkind = \"misprint\"\n"
-                                "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
-                                "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
-                                "test = \"t\"\ncommand = \"c\"\n")});
+      "/nowhere",
+      {scratch.file("falling/expected.csv",
+                    "figure,quantity,unit,value,tolerance,reason\n"
+                    "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
+       scratch.file("falling/claims.toml", kClaims),
+       scratch.file("falling/errata.toml",
+                    "[[erratum]]\nid = \"C1\"\ntitle = \"A < b\"\nsection = \"A.1\"\nkind = "
+                    "\"misprint\"\n"
+                    "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
+                    "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
+                    "test = \"t\"\ncommand = \"c\"\n")});
   CHECK_THAT(ledger_page(findings), Contains("not measured"));
   CHECK_THAT(errata_page(findings), Contains("\\anchor erratum_C1\n"));
+  CHECK_THAT(errata_page(findings),
+             Contains("<p>Thesis A.1</p>\n<ul>\n<li><a href=\"#erratum_C1\">C1</a> A &lt; b</li>"));
   for (const std::string& page :
        {ledger_page(findings), errata_page(findings), gallery_page(findings)}) {
     CHECK_THAT(page, Contains("make figures"));

@@ -63,6 +63,8 @@ refuted = "< 1"
 reason = "One is fast."
 figure = "claim_2_1a_fall"
 test = "A box falls"
+reads = "stands"
+reads_because = "Because."
 )";
 }
 

@@ -5,6 +5,7 @@
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/techniques.hpp"
 
 #include "support/catch.hpp"
 
@@ -196,4 +197,27 @@ TEST_CASE("Options of the printed listings that make no sense are refused",
   World world;
   DampedAsPrinted technique;
   CHECK_THROWS_AS(technique.step(world, 0.0), std::invalid_argument);
+}
+
+TEST_CASE("What the listings leave open is read in the milder way unless traps are taken",
+          "[unit][impulse_damped]") {
+  const auto places_after = [](const char* repaired, const char* traps) {
+    Parameters p = technique_recipe("damped").options();
+    p.set("reading", "as_printed");
+    p.set("repaired", repaired);
+    p.set("traps", traps);
+    World world = busy_world();
+    const std::unique_ptr<Technique> technique = technique_recipe("damped").make(p, 1);
+    for (int k = 0; k < 30; ++k) technique->step(world, kDt);
+    double sum = 0.0;
+    for (const BodyState& state : world.states()) sum += state.position_w.sum();
+    return sum;
+  };
+  const double milder = places_after("none", "avoided");
+  CHECK(milder == places_after("D5,D6,C7,RK1,RC4,DM4,DM5,DM8", "taken"));
+  CHECK(milder != places_after("none", "taken"));
+  CHECK(places_after("all", "avoided") == places_after("all", "taken"));
+  Parameters meant = technique_recipe("damped").options();
+  meant.set("traps", "taken");
+  CHECK_THROWS_AS(technique_recipe("damped").make(meant, 1), std::invalid_argument);
 }

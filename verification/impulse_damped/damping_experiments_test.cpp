@@ -92,6 +92,12 @@ TEST_CASE("With all of the damping fewer boxes chatter than with the scaling of 
   CHECK(run.number("mean time to rest, all parts") < run.number("mean time to rest, scaling only"));
 }
 
+TEST_CASE("Without any damping no box of a heap rests, so that none chatters",
+          "[claims][impulse_damped]") {
+  const FigureUnderTest run("claim_5_3b_ablation");
+  CHECK(run.number("share of the boxes of heaps that chatter without any damping") == 0.0);
+}
+
 TEST_CASE("The alignment test catches chattering boxes that lie flat and none that lean",
           "[claims][impulse_damped]") {
   const FigureUnderTest leaning("claim_5_3e_leaning");

@@ -47,6 +47,14 @@ TEST_CASE("A one-sided test ends a spin and not its mirror image", "[exact][impu
   CHECK(number(share + "test of upward momentum") == 0.0);
 }
 
+TEST_CASE("A leaning cube keeps a small momentum if the loop is for level boxes only",
+          "[exact][impulse_damped]") {
+  const std::string leaning =
+      "DM18: share of a small momentum left of a leaning cube, lines 11 to 21 for ";
+  CHECK(number(leaning + "level boxes only") == 1.0);
+  CHECK(number(leaning + "all") == 0.0);
+}
+
 TEST_CASE("A comparison with a sign takes a fast fall for a slow one", "[exact][impulse_damped]") {
   CHECK(number("DM4: share left of the speed of a fall, x < eps") == 0.0);
   CHECK(number("DM4: share left of the speed of a fall, |x| < eps") == 1.0);

@@ -256,10 +256,11 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
   for (const char* name : {"timewarp_simple", "timewarp_safer"}) {
     const TechniqueRecipe& recipe = technique_recipe(name);
     Parameters p = recipe.options();
-    for (const char* key : {"repaired", "cap", "separating"}) {
+    for (const char* key : {"repaired", "cap", "separating", "traps"}) {
       Parameters refused = p;
       refused.set(key, std::string(key) == "cap"        ? "20"
                        : std::string(key) == "repaired" ? "T1"
+                       : std::string(key) == "traps"    ? "taken"
                                                         : "collided");
       CHECK_THROWS_AS(recipe.make(refused, 1), std::invalid_argument);
       refused.set("reading", "as_printed");

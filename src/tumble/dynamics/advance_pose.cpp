@@ -24,6 +24,7 @@ Vec3 omega_w(const BodyProperties& body, const Quat& q_wb, const Vec3& momentum_
   return rotation_wb * body.inverse_inertia_b.cwiseProduct(momentum_b);
 }
 
+// [S3.1:constant]
 Quat frozen(const BodyProperties& body, const BodyState& state, double dt) {
   const Quat& q = state.orientation_wb;
   return turned(q, omega_w(body, q, state.angular_momentum_w), dt);
@@ -35,6 +36,7 @@ Quat midpoint(const BodyProperties& body, const BodyState& state, double dt) {
   const Quat half_way = turned(q, omega_w(body, q, momentum_w), 0.5 * dt);
   return turned(q, omega_w(body, half_way, momentum_w), dt);
 }
+// [S3.1:constant]
 
 // dq/dt = 1/2 (0, ω) q. Stages of a Runge-Kutta step leave the unit sphere; ω depends on the
 // direction of q only, which keeps the field smooth around the sphere and the order at 4.
@@ -88,6 +90,7 @@ void turn_about_axis(int k, double coefficient, double dt, Quat& q_wb, Vec3& mom
   momentum_b[j] = cosine * momentum_b[j] - sine * old_i;
 }
 
+// [S3.1:splitting]
 Quat splitting(const BodyProperties& body, const BodyState& state, double dt) {
   const auto [a, b, c] = axes_by_moment(body.inertia_b);
   const double middle = body.inverse_inertia_b[b];
@@ -102,6 +105,7 @@ Quat splitting(const BodyProperties& body, const BodyState& state, double dt) {
   // The part L²/(2 I_b) turns the body about L and does not change Π: it commutes with the others.
   return turned(q, middle * state.angular_momentum_w, dt);
 }
+// [S3.1:splitting]
 
 }  // namespace
 

@@ -95,6 +95,7 @@ LcpStatus LemkeSolver::follow_path(LcpResult& result) {
   int row = most_negative_row();
   if (row < 0) return LcpStatus::solved;
 
+  // [S3.3.1:path]
   // The lift is as large as it must be: it takes the place of the acceleration that sinks fastest.
   int entering = lift;
   basis_.answer_to(lift, answer_);
@@ -113,6 +114,7 @@ LcpStatus LemkeSolver::follow_path(LcpResult& result) {
     row = row_to_leave();
     if (row < 0) return LcpStatus::ray;
   }
+  // [S3.3.1:path]
 }
 
 // The row that has to be lifted most; the last of equal ones, which is what the lexicographic rule

@@ -1,0 +1,128 @@
+/// \file
+/// \brief The history of the repository: no rule is younger than the number that it judges.
+#include "chapters/scratch.hpp"
+#include "driver/csv.hpp"
+#include "driver/ledger.hpp"
+#include "support/catch.hpp"
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <sstream>
+
+namespace tumble::chapters {
+namespace {
+
+const std::filesystem::path kSource = TUMBLE_SOURCE_DIR;
+
+// From this moment on each rule is committed before its number; some older ones say that they were not.
+const std::string kFrom = "2026-11-26 02:00";
+
+// What git prints; empty if it fails.
+std::string git(const std::string& arguments) {
+  const std::string command = "git -C '" + kSource.string() + "' " + arguments + " 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  char piece[4096];
+  while (pipe && std::fgets(piece, sizeof piece, pipe.get()) != nullptr) text += piece;
+  return text;
+}
+
+// Where a number is first in the history.
+struct FirstCommit {
+  std::string hash;
+  std::string date;  // of its author: it stays if commits are put on others
+};
+
+// By "chapter: quantity".
+using FirstCommits = std::map<std::string, FirstCommit>;
+
+FirstCommits first_commits() {
+  FirstCommits first;
+  std::istringstream history(
+      git("log --reverse --topo-order -p -U0 --date=format:'%Y-%m-%d %H:%M' "
+          "--format='commit %H %ad' -- 'chapters/*/expected.csv'"));
+  FirstCommit now;
+  std::string chapter;
+  for (std::string line; std::getline(history, line);) {
+    if (line.rfind("commit ", 0) == 0) {
+      now = {line.substr(7, 40), line.substr(48)};
+    } else if (line.rfind("+++ b/chapters/", 0) == 0) {
+      chapter = line.substr(15, line.find('/', 15) - 15);
+    } else if (line.rfind('+', 0) == 0) {
+      const auto cells = split_csv("head\n" + line.substr(1) + '\n');
+      if (cells.size() == 2 && cells[1].size() > 1)
+        first.emplace(chapter + ": " + cells[1][1], now);
+    }
+  }
+  return first;
+}
+
+// A file of claims as it was in a commit, or just before it.
+std::filesystem::path file_at(const Scratch& scratch, const std::string& commit,
+                              const std::string& name) {
+  return scratch.file(name, git("show '" + commit + ":" + name + "'"));
+}
+
+template <class Rule>
+bool same_rule(const Rule& a, const Rule& b) {
+  return a.quantity == b.quantity && a.unit == b.unit && a.confirmed == b.confirmed &&
+         a.refuted == b.refuted;
+}
+
+// Whether the second measurement had its rule before its number, word by word.
+bool was_ruled(const Second& second, const std::vector<Second>& before) {
+  return std::any_of(before.begin(), before.end(), [&](const Second& rule) {
+    return rule.id == second.id && same_rule(rule, second) && rule.scene == second.scene &&
+           rule.control == second.control && rule.otherwise == second.otherwise &&
+           rule.ruled == second.ruled;
+  });
+}
+
+bool was_ruled(const Claim& claim, const std::vector<Claim>& before) {
+  return std::any_of(before.begin(), before.end(), [&](const Claim& rule) {
+    return rule.id == claim.id && same_rule(rule, claim);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("No rule is younger than its number", "[unit][ledger]") {
+  if (git("rev-parse --is-shallow-repository") != "false\n" ||
+      git("ls-files chapters/open_claims.toml").empty()) {
+    WARN("there is no history here to compare rules with: skipped");
+    return;
+  }
+  const FirstCommits first = first_commits();
+  REQUIRE(first.size() > 500);
+  const Scratch scratch("history");
+  int compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "chapters")) {
+    const std::string chapter = entry.path().filename().string();
+    const std::string name = "chapters/" + chapter + "/claims.toml";
+    if (!std::filesystem::exists(kSource / name)) continue;
+    // The state before the commit of a number; a number that no commit has needs its rule in the last one.
+    const auto before = [&](const std::string& quantity) {
+      const auto found = first.find(chapter + ": " + quantity);
+      return found == first.end() ? FirstCommit{"HEAD", kFrom}
+                                  : FirstCommit{found->second.hash + '^', found->second.date};
+    };
+    for (const Second& second : read_seconds(kSource / name)) {
+      if (second.run.empty()) continue;
+      INFO(second.place << "its rule has to be committed, alone, before its number");
+      CHECK(was_ruled(second, read_seconds(file_at(scratch, before(second.quantity).hash, name))));
+      ++compared;
+    }
+    for (const Claim& claim : read_claims(kSource / name)) {
+      const FirstCommit commit = before(claim.quantity);
+      if (!claim.comparable || commit.date < kFrom) continue;
+      INFO(claim.place << "its rule has to be committed, in open_claims.toml, before its number");
+      CHECK(was_ruled(claim,
+                      read_claims(file_at(scratch, commit.hash, "chapters/open_claims.toml"))));
+      ++compared;
+    }
+  }
+  CHECK(compared > 0);
+}
+
+}  // namespace tumble::chapters

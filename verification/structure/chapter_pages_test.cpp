@@ -1,0 +1,105 @@
+/// \file
+/// \brief A chapter has one page or three, in the order of the side bar, and none is too long.
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+namespace tumble::structure {
+namespace {
+
+constexpr std::size_t kMostWords = 5000;  // on a page, those that are folded included
+
+const std::vector<std::string> kThree{"algorithm.md", "idea.md", "measured.md"};
+
+// Words that a reader sees: no comments, formulas, drawings or rules of tables.
+std::size_t words_of(std::string page) {
+  static const std::vector<std::regex> hidden{
+      std::regex(R"(<!--[\s\S]*?-->)"), std::regex(R"(\\f\[[\s\S]*?\\f\])"),
+      std::regex(R"(\\f\$[\s\S]*?\\f\$)"), std::regex(R"(<[^>]*>)")};
+  static const std::regex word(R"([A-Za-z0-9][\w'.%-]*)");
+  for (const std::regex& one : hidden) page = std::regex_replace(page, one, " ");
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(page.begin(), page.end(), word), std::sregex_iterator()));
+}
+
+// The pages of each chapter: names of files by folder, in alphabetical order.
+std::map<std::string, std::vector<std::string>> pages_of(const std::vector<SourceFile>& files) {
+  static const std::regex page(R"(chapters/(\w+)/(\w+\.md))");
+  std::map<std::string, std::vector<std::string>> pages;
+  for (const SourceFile& file : files) {
+    std::smatch match;
+    if (std::regex_match(file.path, match, page)) pages[match[1]].push_back(match[2]);
+  }
+  for (auto& [chapter, names] : pages) std::sort(names.begin(), names.end());
+  return pages;
+}
+
+Complaints incomplete_chapters(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  for (const auto& [chapter, names] : pages_of(files))
+    if (names != kThree && names != std::vector<std::string>{"page.md"})
+      complaints.push_back("chapters/" + chapter +
+                           ": give idea.md, algorithm.md and measured.md, or page.md alone");
+  return complaints;
+}
+
+Complaints long_pages(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const std::string name = file.path.substr(file.path.rfind('/') + 1);
+    if (file.path.rfind("chapters/", 0) != 0 || std::count(kThree.begin(), kThree.end(), name) == 0)
+      continue;
+    if (const std::size_t words = words_of(file.text); words > kMostWords)
+      complaints.push_back(file.path + ": " + std::to_string(words) + " words, more than " +
+                           std::to_string(kMostWords));
+  }
+  return complaints;
+}
+
+}  // namespace
+
+TEST_CASE("A chapter has one page or three", "[structure]") {
+  const SourceFile idea{"chapters/falling/idea.md", ""};
+  const SourceFile algorithm{"chapters/falling/algorithm.md", ""};
+  const SourceFile measured{"chapters/falling/measured.md", ""};
+  const SourceFile page{"chapters/falling/page.md", ""};
+  CHECK(incomplete_chapters({idea, measured, algorithm}).empty());
+  CHECK(incomplete_chapters({page}).empty());
+  CHECK(incomplete_chapters({idea, measured}).size() == 1);
+  CHECK(incomplete_chapters({idea, measured, algorithm, page}).size() == 1);
+
+  const Complaints complaints = incomplete_chapters(project_files());
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("No page of a chapter of three pages has more than 5000 words", "[structure]") {
+  std::string words;
+  for (std::size_t i = 0; i < kMostWords; ++i) words += "word ";
+  const std::string unseen = R"(\f$ a b \f$ \f[ c \f] <b> <!-- figure: its number --> | --- |)";
+  CHECK(long_pages({{"chapters/falling/idea.md", words + unseen}}).empty());
+  CHECK(long_pages({{"chapters/falling/idea.md", words + "more"}}).size() == 1);
+  CHECK(long_pages({{"chapters/falling/page.md", words + "more"}}).empty());
+
+  const Complaints complaints = long_pages(project_files());
+  INFO(joined(complaints));
+  CHECK(complaints.empty());
+}
+
+TEST_CASE("Each page of a chapter is read by Doxygen", "[structure]") {
+  const auto files = project_files();
+  const auto doxyfile = std::find_if(
+      files.begin(), files.end(), [](const SourceFile& file) { return file.path == "Doxyfile"; });
+  REQUIRE(doxyfile != files.end());
+  for (const auto& [chapter, names] : pages_of(files)) {
+    for (const std::string& name : names) {
+      INFO("chapters/" << chapter << '/' << name);
+      CHECK(doxyfile->text.find("chapters/" + chapter + '/' + name + ' ') != std::string::npos);
+    }
+  }
+}
+
+}  // namespace tumble::structure
