@@ -239,7 +239,7 @@ Result measure_negative_forces(const Parameters& settings) {
           {{"exponent of the depth against time, negative forces being left", "-", exponent(table)},
            {"depth of stacks of 2, 4, 5 and 6 cubes with negative forces set to zero, over the "
             "same with them left",
-            "-", clamped_over_left(duration, dt)},
+            "-", clamped_over_left(settings.number("others"), dt)},
            {"depth at the end, negative forces left", "m", left.depth()},
            {"P5: depth of a load below the tolerance, at the end", "m", below.depth()},
            {"P5: the same with a tolerance relative to the load", "m", below_relative.depth()},
@@ -254,8 +254,10 @@ const Registered claim_3_3_1b_negative_forces_figure{
     {.name = "claim_3_3_1b_negative_forces",
      .parameters = Parameters{}
                        .add_number("duration", 600.0, 10.0, 36000.0, "s", "length of the runs")
-                       .add_whole("cubes", 3, 1, 20, "in the stack"),
-     .quick = {"duration=60"},
+                       .add_whole("cubes", 3, 1, 20, "in the stack")
+                       .add_number("others", 600.0, 1.0, 36000.0, "s",
+                                   "length of the runs of stacks of 2, 4, 5 and 6 cubes"),
+     .quick = {"duration=60", "others=5"},
      .experiment = measure_negative_forces}};
 
 }  // namespace
