@@ -87,7 +87,7 @@ Complaints unkept_promises(const std::vector<SourceFile>& files,
 Complaints unkept_records(const std::vector<SourceFile>& files,
                           const std::vector<TestCase>& tests) {
   const std::set<std::string> names = names_of(tests);
-  static const std::regex form(R"x(^\s*test\s*=\s*"((?:[^"\\]|\\.)*)")x");
+  static const std::regex form(R"x(^(?:\s*test\s*=\s*|- )"((?:[^"\\]|\\.)*)")x");
   static const std::regex escape(R"(\\(.))");
   Complaints complaints;
   for (const SourceFile& file : files) {
