@@ -114,9 +114,8 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
   if (pieces.empty()) {
     for (const MarkedRegion* region : regions) {
       code.push_back(whole_region(*region, source.lines.at(region->path)));
-      if (code.back().lines.empty()) {
+      if (code.back().lines.empty())
         throw std::invalid_argument(line.place + "there is no code between the marks " + reading);
-      }
     }
     return code;
   }
@@ -189,10 +188,9 @@ std::vector<AppendixListing> read_appendix(const std::filesystem::path& path,
     int last = 0;
     for (const MarkedRegion& region : source.regions)
       if (region.name == listing.name) last = std::max(last, region.last_line);
-    if (last != static_cast<int>(listing.lines.size())) {
+    if (last != static_cast<int>(listing.lines.size()))
       throw std::invalid_argument(listing.lines.back().place + "the marks go on to line " +
                                   std::to_string(last));
-    }
   }
   return listings;
 }

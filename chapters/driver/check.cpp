@@ -82,9 +82,8 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
   }
   // A figure that no expected file knows shows its chapter by its command.
   const std::string command = figure.head["command"];
-  if (figure.chapter.empty() && command.rfind(kProgram, 0) == 0) {
+  if (figure.chapter.empty() && command.rfind(kProgram, 0) == 0)
     figure.chapter = command.substr(kProgram.size(), command.find(' ') - kProgram.size());
-  }
   const auto lines = split_csv(text);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (lines[i].size() != 6) throw FileError("not a file of numbers: " + path.string());
@@ -95,9 +94,8 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
     number.high = read_number(lines[i][4]);
     number.seeds = static_cast<int>(read_number(lines[i][5]));
   }
-  for (CheckedNumber& number : figure.numbers) {
+  for (CheckedNumber& number : figure.numbers)
     number.compared = figure.head["settings"] == "default";
-  }
 }
 
 }  // namespace
@@ -119,9 +117,8 @@ std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
   // The order of a directory is up to the file system: sort.
   std::vector<std::filesystem::path> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     files.push_back(entry.path());
-  }
   if (error) throw FileError("cannot read " + folder.string());
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& path : files) {

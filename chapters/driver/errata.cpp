@@ -29,10 +29,9 @@ std::vector<Erratum> read_errata(const std::filesystem::path& path) {
   std::vector<Erratum> errata;
   for (Record& record : read_records(path, kForm)) {
     std::map<std::string, std::string>& texts = record.texts;
-    if (texts["kind"] != "misprint" && texts["kind"] != "choice") {
+    if (texts["kind"] != "misprint" && texts["kind"] != "choice")
       throw std::invalid_argument(record.place + "kind '" + texts["kind"] +
                                   "': give misprint or choice");
-    }
     errata.push_back({texts["id"], texts["section"], path.parent_path().filename().string(),
                       texts["kind"], texts["printed"], texts["reading"], texts["scene"],
                       texts["figure"], texts["failure"], texts["mended"], texts["test"],
@@ -47,9 +46,8 @@ std::vector<ErratumEntry> find_errata(const std::vector<Erratum>& errata,
   std::vector<ErratumEntry> entries;
   for (const Erratum& erratum : errata) {
     const auto [other, is_new] = known.emplace(erratum.id, &erratum);
-    if (!is_new) {
+    if (!is_new)
       throw std::invalid_argument(erratum.place + "this id stands also at " + other->second->place);
-    }
     const auto number = [&](const std::string& quantity) {
       return measured(find_number(figures, erratum.figure, quantity, erratum.place));
     };

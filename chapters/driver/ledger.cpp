@@ -39,9 +39,7 @@ void check_rule(const Claim& claim) {
   }
   for (const auto& [key, text] :
        {std::pair{"confirmed", claim.confirmed}, {"refuted", claim.refuted}}) {
-    if (text.empty()) {
-      throw std::invalid_argument(claim.place + "the key '" + key + "' is missing");
-    }
+    if (text.empty()) throw std::invalid_argument(claim.place + "the key '" + key + "' is missing");
   }
   try {
     read_rule(claim.confirmed, claim.refuted);
@@ -54,10 +52,9 @@ void check_claim(const Claim& claim) {
   const bool lettered = claim.id.size() == claim.section.size() + 1 &&
                         claim.id.rfind(claim.section, 0) == 0 && claim.id.back() >= 'a' &&
                         claim.id.back() <= 'z';
-  if (!lettered) {
+  if (!lettered)
     throw std::invalid_argument(claim.place + "the id is not section " + claim.section +
                                 " and a letter");
-  }
   if (claim.open) {
     const bool ruled = !(claim.confirmed + claim.refuted + claim.quantity + claim.unit).empty();
     if (ruled && (claim.quantity.empty() || claim.unit.empty() || claim.reason.empty()))
@@ -66,10 +63,9 @@ void check_claim(const Claim& claim) {
     return;
   }
   static constexpr std::array readings{"as_printed", "as_meant", "ours", "-"};
-  if (std::find(readings.begin(), readings.end(), claim.reading) == readings.end()) {
+  if (std::find(readings.begin(), readings.end(), claim.reading) == readings.end())
     throw std::invalid_argument(claim.place + "reading '" + claim.reading +
                                 "': give as_printed, as_meant, ours or -");
-  }
   check_rule(claim);
 }
 
@@ -83,10 +79,9 @@ LedgerEntry without_number(const Claim& claim, const std::string& note) {
 LedgerEntry judged(const Claim& claim, const std::vector<DrawnFigure>& figures) {
   if (claim.open) return without_number(claim, "no chapter measures it yet");
   const CheckedNumber& number = find_number(figures, claim.figure, claim.quantity, claim.place);
-  if (number.unit != claim.unit) {
+  if (number.unit != claim.unit)
     throw std::invalid_argument(claim.place + "the unit is " + claim.unit + ", but " +
                                 claim.figure + " computes it in " + number.unit);
-  }
   if (!number.compared) return without_number(claim, "drawn with other settings");
   if (std::isnan(number.value)) return without_number(claim, "not computed here: run make figures");
   const bool interval = number.low <= number.high;  // false for NaN
@@ -161,10 +156,9 @@ Rule read_rule(const std::string& confirmed, const std::string& refuted) {
   const bool opposite = low.below && !high.below;
   const bool apart =
       low.limit < high.limit || (low.limit == high.limit && !(low.inclusive && high.inclusive));
-  if (!opposite || !apart) {
+  if (!opposite || !apart)
     throw std::invalid_argument("'" + confirmed + "' and '" + refuted +
                                 "' can both hold: one number must not confirm and refute");
-  }
   return rule;
 }
 
@@ -191,9 +185,8 @@ std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
   std::vector<LedgerEntry> ledger;
   for (const Claim& claim : claims) {
     const auto [other, is_new] = known.emplace(claim.id, &claim);
-    if (!is_new) {
+    if (!is_new)
       throw std::invalid_argument(claim.place + "this id stands also at " + other->second->place);
-    }
     ledger.push_back(judged(claim, figures));
   }
   std::sort(ledger.begin(), ledger.end(), [](const LedgerEntry& a, const LedgerEntry& b) {

@@ -19,9 +19,8 @@ std::string end_html(double value) {
 // "<= 5" as it is printed.
 std::string printed_rule(std::string rule) {
   for (const auto& [typed, printed] : {std::pair{"<=", "≤"}, {">=", "≥"}}) {
-    for (std::size_t at = rule.find(typed); at != std::string::npos; at = rule.find(typed)) {
+    for (std::size_t at = rule.find(typed); at != std::string::npos; at = rule.find(typed))
       rule.replace(at, 2, printed);
-    }
   }
   return html_text(rule);
 }
@@ -57,9 +56,8 @@ std::string label_of(const std::string& kind, const std::string& id) {
 
 std::string chapter_title(std::string chapter) {
   for (char& c : chapter) c = c == '_' ? ' ' : c;
-  if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
+  if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z')
     chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
-  }
   if (const std::size_t at = chapter.find(" lcp"); at != std::string::npos)
     chapter.replace(at, 4, " LCP");  // letters that stand for words
   return chapter.empty() ? "Others" : chapter;
@@ -111,19 +109,17 @@ std::string claim_html(const LedgerEntry& entry, const std::string& figure_link)
   std::string text = "<div class=\"entry\">\n<p><strong>Claim " + claim.id + "</strong> " +
                      verdict_html(entry.verdict) + "<br>\n" + html_text(claim.statement) +
                      "</p>\n<dl>\n";
-  if (!claim.open) {
+  if (!claim.open)
     text += row_html("Number", finding_html(entry)) + row_html("Rule", rule_html(claim));
-  }
   text += row_html("Experiment", html_text(claim.experiment));
   if (claim.open) {
     text += row_html("Chapter", html_text(claim.chapter));
   } else {
     const std::string reading = claim.reading == "-" ? "" : " (" + claim.reading + ')';
     text += row_html("Technique", html_text(claim.technique + reading));
-    if (!figure_link.empty()) {
+    if (!figure_link.empty())
       text += row_html("Figure", "<a href=\"" + html_text(figure_link) + "\">" +
                                      html_text(claim.figure) + "</a>");
-    }
     text += row_html("Test", html_text(claim.test));
   }
   return text + "</dl>\n</div>\n";

@@ -146,9 +146,8 @@ and what we do.
     jumps += "<a href=\"#" + label_of("erratum", id) + "\">" + html_text(id) + "</a>\n";
   }
   if (!jumps.empty()) text += as_is("<p>" + jumps + "</p>\n");
-  for (const ErratumEntry& entry : findings.errata) {
+  for (const ErratumEntry& entry : findings.errata)
     text += "\\anchor " + label_of("erratum", entry.erratum.id) + '\n' + as_is(erratum_html(entry));
-  }
   return text;
 }
 

@@ -82,10 +82,9 @@ std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
     }
     within = within || line == kBegin;
   }
-  if (!within || !ended || reader.found.empty()) {
+  if (!within || !ended || reader.found.empty())
     throw std::invalid_argument(path.string() + ": no constants between '" + kBegin + "' and '" +
                                 kEnd + '\'');
-  }
   return reader.found;
 }
 

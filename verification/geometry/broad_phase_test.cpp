@@ -29,10 +29,9 @@ std::vector<IndexPair> pairs_by_definition(const std::vector<Bounds>& bounds) {
   for (std::size_t a = 0; a < bounds.size(); ++a) {
     for (std::size_t b = a + 1; b < bounds.size(); ++b) {
       bool touch = true;
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
         touch = touch && !(bounds[a].high[k] < bounds[b].low[k]) &&
                 !(bounds[b].high[k] < bounds[a].low[k]);
-      }
       if (touch) out.push_back({static_cast<int>(a), static_cast<int>(b)});
     }
   }
