@@ -143,18 +143,12 @@ std::vector<PictureBox> scene_boxes(const char* name, const char* key, const cha
 std::vector<PictureBox> scene_number(int number, Random& random) {
   const auto seed = static_cast<std::uint64_t>(number);
   switch (number % 8) {
-    case 0:
-      return scene_boxes("clump", "per_edge", "3", 40, seed);  // settling
-    case 1:
-      return scene_boxes("dice", "count", "20", 25, seed);  // bouncing
-    case 2:
-      return scene_boxes("pyramid", "rows", "6", 0, seed);
-    case 3:
-      return scene_boxes("pyramid3d", "rows", "4", 0, seed);
-    case 4:
-      return scene_boxes("wall", "bricks", "3", 0, seed);
-    default:
-      return falling_boxes(random, 100);
+    case 0: return scene_boxes("clump", "per_edge", "3", 40, seed);  // settling
+    case 1: return scene_boxes("dice", "count", "20", 25, seed);     // bouncing
+    case 2: return scene_boxes("pyramid", "rows", "6", 0, seed);
+    case 3: return scene_boxes("pyramid3d", "rows", "4", 0, seed);
+    case 4: return scene_boxes("wall", "bricks", "3", 0, seed);
+    default: return falling_boxes(random, 100);
   }
 }
 
