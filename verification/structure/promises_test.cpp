@@ -95,7 +95,7 @@ TEST_CASE("Every verified sentence is the name of a test", "[structure]") {
 TEST_CASE("Every claim, every erratum and every page names tests that exist", "[structure]") {
   const auto files = project_files();
   const auto is_record = [](const SourceFile& file) {
-    return file.path.rfind("chapters/", 0) == 0 &&
+    return file.path.starts_with("chapters/") &&
            (file.path.find("/claims.toml") != std::string::npos ||
             file.path.find("/errata.toml") != std::string::npos ||
             file.path.find("/page.md") != std::string::npos);
