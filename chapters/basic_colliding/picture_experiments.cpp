@@ -72,10 +72,9 @@ double first_touch(const World& world) {
   };
   // It may go up and down on the way, so the first millisecond that ends below the ground is taken.
   constexpr double sample = 1e-3;  // [s]
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; ++k)
     if (height((k + 1) * sample) < 0.0)
       return bisect(height, Bracket{k * sample, (k + 1) * sample}, 0.0, 100).bracket.low;
-  }
   throw std::runtime_error("the die has not touched the ground after 100 s");
 }
 

@@ -102,10 +102,9 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
         region.first_line <= line.number && line.number <= region.last_line)
       regions.push_back(&region);
   }
-  if (regions.empty()) {
+  if (regions.empty())
     throw std::invalid_argument(line.place + "no mark covers it " + reading + ": give one, // [" +
                                 listing + ':' + std::to_string(line.number) + ']');
-  }
   std::vector<SourceExcerpt> code;
   if (pieces == "-") {
     code.push_back({regions.front()->path, regions.front()->from, {}, false});
@@ -129,11 +128,10 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
         if (++found == 1) code.push_back(statement_at(number, *region, text));
       }
     }
-    if (found != 1) {
+    if (found != 1)
       throw std::invalid_argument(line.place + (as_printed ? "printed" : "meant") + ": '" + piece +
                                   "' stands in " + std::to_string(found) +
                                   " lines between the marks, not in one");
-    }
   }
   return code;
 }

@@ -95,9 +95,8 @@ std::vector<const Figure*> chosen(const Request& request, std::span<const Figure
     if (!names.empty()) names += ", ";
     names += figure.name;
   }
-  if (result.empty()) {
+  if (result.empty())
     throw std::invalid_argument("no figure '" + request.figure + "'; there are: " + names);
-  }
   if (request.figure.empty() && !request.set.empty())
     throw std::invalid_argument("--set belongs to one figure: give --figure NAME too");
   return result;
@@ -137,11 +136,10 @@ std::string numbers_file(const std::string& head, const Figure& figure, const Re
   std::string text = head + "# caption: " + figure.caption + '\n' +
                      (result.film ? "# film: " + figure.film + '\n' : "") +
                      "quantity,unit,value,low,high,seeds\n";
-  for (const Quantity& quantity : result.quantities) {
+  for (const Quantity& quantity : result.quantities)
     text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
             full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +
             std::to_string(quantity.seeds) + '\n';
-  }
   return text;
 }
 

@@ -110,9 +110,8 @@ std::string figure_html(const DrawnFigure& figure, const std::vector<LedgerEntry
   } else {
     text += "</p>\n<p>Not measured here: run <code>make figures</code>.</p>\n";
   }
-  for (const LedgerEntry& entry : ledger) {
+  for (const LedgerEntry& entry : ledger)
     if (entry.claim.figure == figure.name) text += claim_html(entry, "");
-  }
   text += numbers_html(figure, style.fold_numbers);
   if (is_drawn(figure)) text += recipe(figure) + files(figure, style.folder);
   return text + "</article>\n";

@@ -50,7 +50,7 @@ void check_rule(const Claim& claim) {
 
 void check_claim(const Claim& claim) {
   const bool lettered = claim.id.size() == claim.section.size() + 1 &&
-                        claim.id.rfind(claim.section, 0) == 0 && claim.id.back() >= 'a' &&
+                        claim.id.starts_with(claim.section) && claim.id.back() >= 'a' &&
                         claim.id.back() <= 'z';
   if (!lettered)
     throw std::invalid_argument(claim.place + "the id is not section " + claim.section +
@@ -85,11 +85,10 @@ LedgerEntry judged(const Claim& claim, const std::vector<DrawnFigure>& figures) 
   if (!number.compared) return without_number(claim, "drawn with other settings");
   if (std::isnan(number.value)) return without_number(claim, "not computed here: run make figures");
   const bool interval = number.low <= number.high;  // false for NaN
-  if (number.seeds > 0 && (number.seeds < kFewestSeeds || !interval)) {
+  if (number.seeds > 0 && (number.seeds < kFewestSeeds || !interval))
     throw std::invalid_argument(claim.place + "measured over " + std::to_string(number.seeds) +
                                 " random scenes: take at least " + std::to_string(kFewestSeeds) +
                                 " and give the interval");
-  }
   if (!claim.comparable) return {claim, Verdict::not_comparable, number, claim.reason};
   const Rule rule = read_rule(claim.confirmed, claim.refuted);
   return {claim, rule.verdict(number.value), number, ""};
@@ -130,10 +129,10 @@ bool Comparison::holds(double value) const {
 
 Comparison read_comparison(const std::string& text) {
   Comparison comparison;
-  comparison.below = text.rfind('<', 0) == 0;
+  comparison.below = text.starts_with('<');
   comparison.inclusive = text.size() > 1 && text[1] == '=';
   const std::size_t number = text.find_first_not_of(' ', comparison.inclusive ? 2 : 1);
-  const bool known = comparison.below || text.rfind('>', 0) == 0;
+  const bool known = comparison.below || text.starts_with('>');
   if (known && number != std::string::npos) {
     comparison.limit = read_number(text.substr(number));
     if (!std::isnan(comparison.limit)) return comparison;

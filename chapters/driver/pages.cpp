@@ -179,9 +179,8 @@ Below the scenes stand the figures, chapter by chapter:
 
 )";
   std::vector<std::string> chapters;
-  for (const DrawnFigure& figure : findings.figures) {
+  for (const DrawnFigure& figure : findings.figures)
     if (!is_of_kind(figure, "gallery_")) chapters.push_back(figure.chapter);
-  }
   text += jumps_md("figures_of", chapters);
   const std::string thumbnails = gallery_html(findings.figures, "figures/");
   if (!thumbnails.empty()) text += as_is(thumbnails);

@@ -47,10 +47,9 @@ Record read_record(const toml::table& table, const std::string& file, const Reco
       record.texts[key] = text_of(node);
     }
   }
-  for (const std::string& key : form.required) {
+  for (const std::string& key : form.required)
     if (record.texts[key].empty())
       throw std::invalid_argument(record.place + "the key '" + key + "' is missing");
-  }
   return record;
 }
 

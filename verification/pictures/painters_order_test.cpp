@@ -60,9 +60,8 @@ std::vector<int> places_in(const PaintersOrder& result) {
 bool is_permutation(const PaintersOrder& result, std::size_t count) {
   std::vector<int> sorted = flat(result);
   std::sort(sorted.begin(), sorted.end());
-  for (std::size_t k = 0; k < sorted.size(); ++k) {
+  for (std::size_t k = 0; k < sorted.size(); ++k)
     if (sorted[k] != static_cast<int>(k)) return false;
-  }
   return sorted.size() == count;
 }
 
