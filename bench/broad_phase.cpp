@@ -177,9 +177,8 @@ void measure(bool flat, int steps) {
         std::printf("%14s ", "-");
       }
       std::printf("%12.1f", time);
-      if (n > 1000 && n == all[m].most_bodies) {
+      if (n > 1000 && n == all[m].most_bodies)
         std::printf(" %9.2f", std::log(time / at_thousand[m]) / std::log(n / 1000.0));
-      }
       std::printf("\n");
     }
   }

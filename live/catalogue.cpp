@@ -14,16 +14,11 @@ namespace {
 
 std::string_view name_of(ParameterKind kind) {
   switch (kind) {
-    case ParameterKind::number:
-      return "number";
-    case ParameterKind::whole:
-      return "whole";
-    case ParameterKind::flag:
-      return "flag";
-    case ParameterKind::word:
-      return "word";
-    case ParameterKind::text:
-      return "text";
+    case ParameterKind::number: return "number";
+    case ParameterKind::whole: return "whole";
+    case ParameterKind::flag: return "flag";
+    case ParameterKind::word: return "word";
+    case ParameterKind::text: return "text";
   }
   return "text";
 }

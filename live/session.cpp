@@ -174,7 +174,7 @@ void Session::look_at_bodies(unsigned wanted) {
     const bool was = before != ids_before_.end() && *before == id;
     const auto place = static_cast<std::size_t>(before - ids_before_.begin());
     append(was ? states_before_[place] : world.states()[i], bodies_);
-    const bool thrown = world.name(static_cast<int>(i)).rfind("thrown", 0) == 0;
+    const bool thrown = world.name(static_cast<int>(i)).starts_with("thrown");
     const unsigned kind = (body.movable() ? 0U : kFixed) |
                           (world.sleep_states()[i].asleep ? kAsleep : 0U) |
                           (stable_[i] != 0 ? kStable : 0U) | (thrown ? kThrown : 0U);

@@ -44,10 +44,9 @@ Table three_cubes(SearchMethod search, std::string suffix) {
   World world;
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
-  for (const auto& [place, speed] : {std::pair{0.0, 2.0}, {1.5, 0.0}, {2.9, -1.0}}) {
+  for (const auto& [place, speed] : {std::pair{0.0, 2.0}, {1.5, 0.0}, {2.9, -1.0}})
     world.add(cube,
               make_state(cube, Vec3(place, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-  }
   BasicOptions options;
   options.search = search;
   Basic basic(options);
@@ -141,9 +140,8 @@ World push_from_behind() {
 Table count_table(const std::vector<LiteralImpact>& impacts, std::string suffix) {
   Table table{std::move(suffix),
               {{"since_ms", "ms", "time since the first impact"}, {"impacts", "-", "so far"}}};
-  for (const LiteralImpact& impact : impacts) {
+  for (const LiteralImpact& impact : impacts)
     table.add(1e3 * (impact.time - impacts.front().time), table.rows.size() + 1);
-  }
   return table;
 }
 

@@ -144,10 +144,9 @@ void add_tie_erratum(Result& result) {
 
   Table table{"landing", {{"time_ms", "ms", "time since the landing"}}};
   for (const char* how : {"literal", "mended"}) {
-    for (const char* corner : {"1", "2", "3", "4"}) {
+    for (const char* corner : {"1", "2", "3", "4"})
       table.columns.push_back(
           {std::string(how) + corner + "_m", "m", std::string("height of a corner, ") + how});
-    }
   }
   constexpr int rows = 40;
   constexpr double shown = 0.1;  // [s]

@@ -109,9 +109,8 @@ inline Quat free_orientation(const Vec3& inertia_b, const Vec3& omega_b, double 
       gsl_odeiv2_driver_free);
   std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, omega_b.x(), omega_b.y(), omega_b.z()};
   double now = 0.0;
-  if (gsl_odeiv2_driver_apply(driver.get(), &now, time, y.data()) != GSL_SUCCESS) {
+  if (gsl_odeiv2_driver_apply(driver.get(), &now, time, y.data()) != GSL_SUCCESS)
     throw std::runtime_error("the reference integrator gave up");
-  }
   return Quat(y[0], y[1], y[2], y[3]).normalized();
 }
 

@@ -22,9 +22,8 @@ Manifold contact_area(double size, double angle) {
   Manifold manifold;
   // The faces touch exactly; the turned corners are off by rounding, far below the margin.
   const double margin = 1e-9 * size;
-  if (!collide(lower, turned_cube(size, angle), margin, kNoAxis, manifold)) {
+  if (!collide(lower, turned_cube(size, angle), margin, kNoAxis, manifold))
     throw std::runtime_error("the cubes do not touch");
-  }
   return manifold;
 }
 
@@ -66,9 +65,8 @@ Table polygons(double size) {
     add_outline(table, angle_deg, 1.0, face_of(turned_cube(size, angle_deg * kDegree), false));
     const Manifold manifold = contact_area(size, angle_deg * kDegree);
     std::vector<Vec3> corners;
-    for (int i = 0; i < manifold.count; ++i) {
+    for (int i = 0; i < manifold.count; ++i)
       corners.push_back(manifold.points[static_cast<std::size_t>(i)].position_w);
-    }
     add_outline(table, angle_deg, 2.0, corners);
   }
   return table;

@@ -37,9 +37,8 @@ double first_flip(const BodyProperties& body, double step, RotationRule rule) {
       advance_pose(body, later, part, rule);
       return middle_rate(body, later);
     };
-    if (rate_after(step) < 0.0) {
+    if (rate_after(step) < 0.0)
       return k * step + bisect(rate_after, Bracket{0.0, step}, 0.0, cap).bracket.low;
-    }
     advance_pose(body, state, step, rule);
   }
   throw std::runtime_error("the box has not turned over after 30 s");
@@ -60,9 +59,8 @@ Column of_rule(RotationRule rule, const std::string& ending, const std::string& 
 Table flip_errors(const FreeRotation& exact) {
   const BodyProperties body = uneven_box();
   Table table{"flips", {{"step_s", "s", "time step"}}};
-  for (const RotationRule rule : rotation_rules()) {
+  for (const RotationRule rule : rotation_rules())
     table.columns.push_back(of_rule(rule, "_s", "s", "error of the first flip"));
-  }
   constexpr std::array<double, 4> steps_per_second = {60.0, 120.0, 240.0, 1000.0};
   for (const double frequency : steps_per_second) {
     std::vector<double> errors;
@@ -82,12 +80,10 @@ Result measure_rotation_rules(const Parameters& settings) {
   Table table{"",
               {{"time_s", "s", "time"},
                {"exact_rad_s", "rad/s", "middle angular velocity, body frame, exact"}}};
-  for (const RotationRule rule : rotation_rules()) {
+  for (const RotationRule rule : rotation_rules())
     table.columns.push_back(of_rule(rule, "_rad_s", "rad/s", "middle angular velocity"));
-  }
-  for (const RotationRule rule : rotation_rules()) {
+  for (const RotationRule rule : rotation_rules())
     table.columns.push_back(of_rule(rule, "_energy", "-", "energy error over the energy"));
-  }
   table.columns.push_back({"accepted", "-", "energy error accepted of rule rk4"});
 
   std::vector<BodyState> states(rotation_rules().size(), spun(body, kUnstableSpin));
@@ -125,9 +121,8 @@ Result measure_rotation_order(const Parameters& settings) {
   const Quat truth = free_orientation(body.inertia_b, kStableSpin, time);
 
   Table table{"", {{"step_s", "s", "time step"}}};
-  for (const RotationRule rule : rotation_rules()) {
+  for (const RotationRule rule : rotation_rules())
     table.columns.push_back(of_rule(rule, "_rad", "rad", "angle from the true orientation"));
-  }
   for (int halving = 0; halving <= halvings; ++halving) {
     const int steps = 16 << halving;
     std::vector<double> errors;
@@ -142,10 +137,9 @@ Result measure_rotation_order(const Parameters& settings) {
   // Between the second and the fifth halving steps are short enough for the leading term and
   // errors are large enough against rounding.
   std::vector<Quantity> quantities;
-  for (std::size_t i = 0; i < rotation_rules().size(); ++i) {
+  for (std::size_t i = 0; i < rotation_rules().size(); ++i)
     quantities.push_back({"order, " + std::string(name_of(rotation_rules()[i])), "-",
                           order_between(table.rows[2][i + 1], table.rows[5][i + 1], 3)});
-  }
   return {{table}, quantities};
 }
 
@@ -169,9 +163,8 @@ Result measure_free_fall(const Parameters& settings) {
   // A step has the same form in all three; the rotation is at rest.
   const auto error_of = [&](const auto& step_once, int steps) {
     BodyState state = make_state(body, Vec3(0.0, height, 0.0));
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < steps; ++k)
       step_once(body, state, gravity, duration / steps, RotationRule::splitting);
-    }
     return state.position_w.y() - truth;
   };
   Table table{"",

@@ -164,10 +164,9 @@ Table angles_table(const Paths& paths) {
               {{"angle_deg", "deg", "middle of the bin"},
                {"inside", "-", "share of the frames inside"},
                {"outside", "-", "share of the frames outside"}}};
-  for (std::size_t k = 0; k < kBins; ++k) {
+  for (std::size_t k = 0; k < kBins; ++k)
     table.add(10.0 * static_cast<double>(k), paths.inside.bins[k] / paths.inside.frames,
               paths.outside.bins[k] / paths.outside.frames);
-  }
   return table;
 }
 

@@ -72,10 +72,9 @@ double first_touch(const World& world) {
   };
   // It may go up and down on the way, so the first millisecond that ends below the ground is taken.
   constexpr double sample = 1e-3;  // [s]
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; ++k)
     if (height((k + 1) * sample) < 0.0)
       return bisect(height, Bracket{k * sample, (k + 1) * sample}, 0.0, 100).bracket.low;
-  }
   throw std::runtime_error("the die has not touched the ground after 100 s");
 }
 
@@ -132,10 +131,9 @@ Result measure_dice_strip(const Parameters& settings) {
   for (const auto& boxes : pictures) all.insert(all.end(), boxes.begin(), boxes.end());
   const Camera camera = camera_for(all, Vec3(0.35, 0.45, 1.0), 300.0, 200.0, true);
   std::vector<Drawing> drawings;
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
+  for (std::size_t k = 0; k < pictures.size(); ++k)
     drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(pictures[k], camera, true, all))});
-  }
 
   const double size = scene.boxes.front().size.x();
   const double unit = scene.boxes.front().mass * world.gravity_w.norm() * size;

@@ -115,10 +115,9 @@ Result measure_cradle(const Parameters& settings) {
                {"before_m_s", "m/s", "velocity before"},
                {"simultaneous_m_s", "m/s", "velocity after, all impulses at once"},
                {"sequential_m_s", "m/s", "velocity after, one impulse after the other"}}};
-  for (std::size_t i = 0; i < before.size(); ++i) {
+  for (std::size_t i = 0; i < before.size(); ++i)
     table.add(i + 1, before[i].velocity_w.x(), at_once[i].velocity_w.x(),
               in_turn[i].velocity_w.x());
-  }
   return {{table}, {{"last box, simultaneous", "m/s", at_once.back().velocity_w.x()}}};
 }
 

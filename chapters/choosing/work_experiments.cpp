@@ -34,7 +34,7 @@ LeastWork with_one_timewarp(const LeastWork& work, const std::vector<PlayedTechn
   LeastWork kept;
   bool seen = false;
   for (std::size_t t = 0; t < work.size(); ++t) {
-    const bool timewarp = techniques[t].name.rfind("timewarp_", 0) == 0;
+    const bool timewarp = techniques[t].name.starts_with("timewarp_");
     if (!timewarp || !seen) kept.push_back(work[t]);
     seen = seen || timewarp;
   }

@@ -103,10 +103,9 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
         region.first_line <= line.number && line.number <= region.last_line)
       regions.push_back(&region);
   }
-  if (regions.empty()) {
+  if (regions.empty())
     throw std::invalid_argument(line.place + "no mark covers it " + reading + ": give one, // [" +
                                 listing + ':' + std::to_string(line.number) + ']');
-  }
   std::vector<SourceExcerpt> code;
   if (pieces == "-") {
     code.push_back({regions.front()->path, regions.front()->from, {}, false});
@@ -115,9 +114,8 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
   if (pieces.empty()) {
     for (const MarkedRegion* region : regions) {
       code.push_back(whole_region(*region, source.lines.at(region->path)));
-      if (code.back().lines.empty()) {
+      if (code.back().lines.empty())
         throw std::invalid_argument(line.place + "there is no code between the marks " + reading);
-      }
     }
     return code;
   }
@@ -131,11 +129,10 @@ std::vector<SourceExcerpt> find_code(const MarkedSource& source, const std::stri
         if (++found == 1) code.push_back(statement_at(number, *region, text));
       }
     }
-    if (found != 1) {
+    if (found != 1)
       throw std::invalid_argument(line.place + (as_printed ? "printed" : "meant") + ": '" + piece +
                                   "' stands in " + std::to_string(found) +
                                   " lines between the marks, not in one");
-    }
   }
   return code;
 }
@@ -191,10 +188,9 @@ std::vector<AppendixListing> read_appendix(const std::filesystem::path& path,
     int last = 0;
     for (const MarkedRegion& region : source.regions)
       if (region.name == listing.name) last = std::max(last, region.last_line);
-    if (last != static_cast<int>(listing.lines.size())) {
+    if (last != static_cast<int>(listing.lines.size()))
       throw std::invalid_argument(listing.lines.back().place + "the marks go on to line " +
                                   std::to_string(last));
-    }
   }
   return listings;
 }

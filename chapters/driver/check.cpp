@@ -19,17 +19,15 @@ const std::string kNumbers = "_numbers.csv";
 const std::string kProgram = "reproduce_";
 
 DrawnFigure& figure_named(std::vector<DrawnFigure>& figures, const std::string& name) {
-  for (DrawnFigure& figure : figures) {
+  for (DrawnFigure& figure : figures)
     if (figure.name == name) return figure;
-  }
   figures.emplace_back().name = name;
   return figures.back();
 }
 
 CheckedNumber& number_named(DrawnFigure& figure, const std::string& quantity) {
-  for (CheckedNumber& number : figure.numbers) {
+  for (CheckedNumber& number : figure.numbers)
     if (number.quantity == quantity) return number;
-  }
   CheckedNumber& number = figure.numbers.emplace_back();
   number.quantity = quantity;
   number.value = number.low = number.high = kMissing;
@@ -50,11 +48,10 @@ void read_expected(const std::filesystem::path& path, std::vector<DrawnFigure>& 
     const std::vector<std::string>& cells = lines[i];
     const bool complete = cells.size() == 6 && !std::isnan(read_number(cells[3])) &&
                           read_number(cells[4]) >= 0.0 && !cells[5].empty();
-    if (!complete) {
+    if (!complete)
       throw std::invalid_argument(path.string() + ", line '" + cells[0] +
                                   (cells.size() > 1 ? "," + cells[1] : "") +
                                   "...': give figure,quantity,unit,value,tolerance,reason");
-    }
     DrawnFigure& figure = figure_named(figures, cells[0]);
     figure.chapter = chapter;
     CheckedNumber& number = number_named(figure, cells[1]);
@@ -69,7 +66,7 @@ void read_expected(const std::filesystem::path& path, std::vector<DrawnFigure>& 
 void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
   const std::string text = read_file(path);
   std::istringstream in(text);
-  for (std::string line; std::getline(in, line) && line.rfind("# ", 0) == 0;) {
+  for (std::string line; std::getline(in, line) && line.starts_with("# ");) {
     const std::size_t colon = line.find(": ");
     if (colon == std::string::npos) continue;
     const std::string key = line.substr(2, colon - 2);
@@ -82,9 +79,8 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
   }
   // A figure that no expected file knows shows its chapter by its command.
   const std::string command = figure.head["command"];
-  if (figure.chapter.empty() && command.rfind(kProgram, 0) == 0) {
+  if (figure.chapter.empty() && command.starts_with(kProgram))
     figure.chapter = command.substr(kProgram.size(), command.find(' ') - kProgram.size());
-  }
   const auto lines = split_csv(text);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (lines[i].size() != 6) throw FileError("not a file of numbers: " + path.string());
@@ -95,9 +91,8 @@ void read_numbers(const std::filesystem::path& path, DrawnFigure& figure) {
     number.high = read_number(lines[i][4]);
     number.seeds = static_cast<int>(read_number(lines[i][5]));
   }
-  for (CheckedNumber& number : figure.numbers) {
+  for (CheckedNumber& number : figure.numbers)
     number.compared = figure.head["settings"] == "default";
-  }
 }
 
 }  // namespace
@@ -119,9 +114,8 @@ std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
   // The order of a directory is up to the file system: sort.
   std::vector<std::filesystem::path> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     files.push_back(entry.path());
-  }
   if (error) throw FileError("cannot read " + folder.string());
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& path : files) {

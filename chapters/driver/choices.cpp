@@ -59,10 +59,9 @@ VariedEntry varied_entry(const Variation& variation, const std::vector<DrawnFigu
     if (quantity.empty()) continue;
     entry.changed.push_back(varied_number(change, quantity, variation, figures, decided));
     const std::string& unit = entry.changed.back().number.unit;
-    if (unit != entry.chosen.number.unit) {
+    if (unit != entry.chosen.number.unit)
       throw std::invalid_argument(variation.place + '\'' + quantity + "' is in " + unit + ", '" +
                                   variation.chosen + "' in " + entry.chosen.number.unit);
-    }
   }
   return entry;
 }
@@ -104,18 +103,16 @@ std::vector<ChoiceEntry> find_choices(const Choices& all, const std::vector<Draw
   std::vector<ChoiceEntry> entries;
   for (const Choice& choice : all.choices) {
     const auto [other, is_new] = known.emplace(choice.id, entries.size());
-    if (!is_new) {
+    if (!is_new)
       throw std::invalid_argument(choice.place + "this id stands also at " +
                                   entries[other->second].choice.place);
-    }
     entries.push_back({choice, {}});
   }
   for (const Variation& variation : all.variations) {
     const auto choice = known.find(variation.choice);
-    if (choice == known.end()) {
+    if (choice == known.end())
       throw std::invalid_argument(variation.place + "there is no choice '" + variation.choice +
                                   '\'');
-    }
     entries[choice->second].numbers.push_back(varied_entry(variation, figures, ledger));
   }
   for (const ChoiceEntry& entry : entries) {

@@ -72,7 +72,7 @@ void append_source(const Choice& choice, const ValueSources& sources, const std:
       }
     } catch (const std::invalid_argument& error) {
       const std::string text = error.what();
-      if (text.rfind(choice.place, 0) == 0) throw;
+      if (text.starts_with(choice.place)) throw;
       refuse(choice, text);  // a scene or technique that does not exist
     }
   }

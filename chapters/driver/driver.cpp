@@ -80,10 +80,9 @@ void print_list(std::span<const Figure> figures) {
   for (const Figure& figure : figures) {
     std::printf("%s (thesis %s): %s\n", figure.name.c_str(), figure.section.c_str(),
                 figure.title.c_str());
-    for (const Parameter& parameter : figure.parameters.all()) {
+    for (const Parameter& parameter : figure.parameters.all())
       std::printf("    %s = %s [%s] %s\n", parameter.key.c_str(), parameter.value.c_str(),
                   parameter.unit.c_str(), parameter.meaning.c_str());
-    }
   }
 }
 
@@ -96,12 +95,10 @@ std::vector<const Figure*> chosen(const Request& request, std::span<const Figure
     if (!names.empty()) names += ", ";
     names += figure.name;
   }
-  if (result.empty()) {
+  if (result.empty())
     throw std::invalid_argument("no figure '" + request.figure + "'; there are: " + names);
-  }
-  if (request.figure.empty() && !request.set.empty()) {
+  if (request.figure.empty() && !request.set.empty())
     throw std::invalid_argument("--set belongs to one figure: give --figure NAME too");
-  }
   return result;
 }
 
@@ -139,11 +136,10 @@ std::string numbers_file(const std::string& head, const Figure& figure, const Re
   std::string text = head + "# caption: " + figure.caption + '\n' +
                      (result.film ? "# film: " + figure.film + '\n' : "") +
                      "quantity,unit,value,low,high,seeds\n";
-  for (const Quantity& quantity : result.quantities) {
+  for (const Quantity& quantity : result.quantities)
     text += '"' + quantity.name + "\"," + quantity.unit + ',' + full_text(quantity.value) + ',' +
             full_text(quantity.low) + ',' + full_text(quantity.high) + ',' +
             std::to_string(quantity.seeds) + '\n';
-  }
   return text;
 }
 
@@ -158,9 +154,8 @@ void compute(std::string_view program, const Figure& figure, const Request& requ
     const std::string name = figure.name + (table.suffix.empty() ? "" : "_") + table.suffix;
     write_file(folder / (name + ".csv"), csv_of(head, table));
   }
-  for (const Drawing& drawing : result.drawings) {
+  for (const Drawing& drawing : result.drawings)
     write_file(folder / (figure.name + "_" + drawing.suffix + ".gp"), head + drawing.commands);
-  }
   if (result.film) write_file(folder / (figure.name + ".gif"), result.film());
   write_file(folder / (figure.name + "_numbers.csv"), numbers_file(head, figure, result));
 }
@@ -174,9 +169,8 @@ void run(int argc, const char* const* argv, std::string_view program,
   const std::vector<const Figure*> todo = chosen(request, figures);
   const bool terminal = isatty(STDERR_FILENO) == 1;
   for (std::size_t i = 0; i < todo.size(); ++i) {
-    if (terminal) {
+    if (terminal)
       std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", i + 1, todo.size(), todo[i]->name.c_str());
-    }
     compute(program, *todo[i], request);
   }
   if (terminal) std::fprintf(stderr, "\r\033[K");

@@ -50,9 +50,8 @@ std::string recipe(const DrawnFigure& figure) {
   std::string text =
       "<details>\n<summary>Draw it again, with other parameters</summary>\n<pre>make figure NAME=" +
       figure.name + "\nmake figure NAME=" + figure.name + " SET='key=value'</pre>\n<ul>\n";
-  for (const std::string& parameter : figure.parameters) {
+  for (const std::string& parameter : figure.parameters)
     text += "<li><code>" + html_text(parameter) + "</code></li>\n";
-  }
   return text + "</ul>\n<p class=\"soft\">The numbers were computed by <code>" +
          head_html(figure, "command") + "</code>.</p>\n</details>\n";
 }
@@ -111,9 +110,8 @@ std::string figure_html(const DrawnFigure& figure, const std::vector<LedgerEntry
   } else {
     text += "</p>\n<p>Not measured here: run <code>make figures</code>.</p>\n";
   }
-  for (const LedgerEntry& entry : ledger) {
+  for (const LedgerEntry& entry : ledger)
     if (entry.claim.figure == figure.name) text += claim_html(entry, "");
-  }
   text += numbers_html(figure, style.fold_numbers);
   if (is_drawn(figure)) text += recipe(figure) + files(figure, style.folder);
   return text + "</article>\n";

@@ -171,9 +171,8 @@ Findings read_findings(const std::filesystem::path& folder,
 std::vector<std::string> differences(const Findings& findings) {
   std::vector<std::string> lines;
   for (const DrawnFigure& figure : findings.figures) {
-    for (const CheckedNumber& number : figure.numbers) {
+    for (const CheckedNumber& number : figure.numbers)
       if (!number.agrees()) lines.push_back(difference_text(figure.name, number));
-    }
   }
   append(lines, findings.stale);
   return lines;
@@ -208,7 +207,7 @@ std::string others_text(const Findings& findings) {
 }
 
 bool is_of_kind(const DrawnFigure& figure, const std::string& prefix) {
-  return figure.name.rfind(prefix, 0) == 0;
+  return figure.name.starts_with(prefix);
 }
 
 std::string thesis_number(const std::string& name) {

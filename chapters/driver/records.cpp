@@ -47,11 +47,9 @@ Record read_record(const toml::table& table, const std::string& file, const Reco
       record.texts[key] = text_of(node);
     }
   }
-  for (const std::string& key : form.required) {
-    if (record.texts[key].empty()) {
+  for (const std::string& key : form.required)
+    if (record.texts[key].empty())
       throw std::invalid_argument(record.place + "the key '" + key + "' is missing");
-    }
-  }
   return record;
 }
 
@@ -63,19 +61,16 @@ std::vector<Record> read_root(const toml::table& root, const std::string& file,
     const std::string key(entry.first.str());
     if (!form.beside.empty() && key == form.beside) continue;
     const toml::array* list = entry.second.as_array();
-    if (key != form.name || list == nullptr) {
+    if (key != form.name || list == nullptr)
       throw std::invalid_argument(place_of(file, entry.second) + "'" + key +
                                   "': there are only [[" + form.name + "]] tables here");
-    }
     for (const toml::node& node : *list) {
       const toml::table* table = node.as_table();
-      if (table == nullptr) {
+      if (table == nullptr)
         throw std::invalid_argument(place_of(file, node) + "give [[" + form.name + "]] tables");
-      }
       records.push_back(read_record(*table, file, form));
-      if (!ids.insert(records.back().texts["id"]).second) {
+      if (!ids.insert(records.back().texts["id"]).second)
         throw std::invalid_argument(records.back().place + "this id stands twice");
-      }
     }
   }
   return records;

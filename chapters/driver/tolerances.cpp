@@ -20,9 +20,8 @@ const std::string kEnd = "}  // namespace tumble::tolerance";
 Tolerance read_docstring(const std::string& text) {
   static const std::regex form(R"( \[([^\]]+)\] (.+)\. Reason: (.+)\. \(([^()]+)\))");
   std::smatch match;
-  if (!std::regex_match(text, match, form)) {
+  if (!std::regex_match(text, match, form))
     throw std::invalid_argument("give /// [unit] what it decides. Reason: why. (section)");
-  }
   Tolerance tolerance;
   tolerance.unit = match[1];
   tolerance.meaning = match[2].str() + '.';
@@ -38,7 +37,7 @@ class Reader {
     static const std::regex layer("// --- (.+?) -+");
     static const std::regex constant("inline constexpr (?:double|int) (\\w+) = ([^ ;]+);");
     std::smatch match;
-    if (line.rfind("///", 0) == 0) {
+    if (line.starts_with("///")) {
       docstring_ += line.substr(3);
     } else if (std::regex_match(line, match, constant)) {
       Tolerance tolerance = read_docstring(docstring_);
@@ -82,20 +81,18 @@ std::vector<Tolerance> read_tolerances(const std::filesystem::path& path) {
     }
     within = within || line == kBegin;
   }
-  if (!within || !ended || reader.found.empty()) {
+  if (!within || !ended || reader.found.empty())
     throw std::invalid_argument(path.string() + ": no constants between '" + kBegin + "' and '" +
                                 kEnd + '\'');
-  }
   return reader.found;
 }
 
 std::vector<Tolerance> read_all_tolerances(const std::filesystem::path& library) {
   std::vector<Tolerance> all = read_tolerances(library / "base" / kFile);
   std::set<std::filesystem::path> others;  // a directory has no order
-  for (const auto& folder : std::filesystem::directory_iterator(library)) {
+  for (const auto& folder : std::filesystem::directory_iterator(library))
     if (folder.path().filename() != "base" && std::filesystem::exists(folder.path() / kFile))
       others.insert(folder.path() / kFile);
-  }
   for (const std::filesystem::path& path : others) {
     const std::vector<Tolerance> more = read_tolerances(path);
     all.insert(all.end(), more.begin(), more.end());

@@ -44,9 +44,8 @@ inline bool towers_stand(const RestingPile& structure) {
 // The contacts below a body.
 inline std::vector<int> supports_of(const RestingPile& structure, int body) {
   std::vector<int> list;
-  for (int c = 0; c < static_cast<int>(structure.contacts.size()); ++c) {
+  for (int c = 0; c < static_cast<int>(structure.contacts.size()); ++c)
     if (upper_body(structure.contacts[idx(c)]) == body) list.push_back(c);
-  }
   return list;
 }
 

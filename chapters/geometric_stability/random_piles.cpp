@@ -39,24 +39,12 @@ class Pile {
         continue;
       }
       switch (random_.below(8)) {
-        case 0:
-          on_ground();
-          break;
-        case 1:
-          beside();
-          break;
-        case 2:
-          over_edge();
-          break;
-        case 3:
-          across();
-          break;
-        case 4:
-          table();
-          break;
-        default:
-          within();
-          break;
+        case 0: on_ground(); break;
+        case 1: beside(); break;
+        case 2: over_edge(); break;
+        case 3: across(); break;
+        case 4: table(); break;
+        default: within(); break;
       }
     }
     if (recipe_.scaffolds && random_.below(4) == 0) add_trough(random_, builder_);

@@ -161,9 +161,8 @@ World stack() {
 std::vector<double> energy_added(Technique&& technique, int steps) {
   World world = stack();
   std::vector<double> added = {0.0};
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < steps; ++step)
     added.push_back(added.back() + finished(technique.step(world, kStep)).energy.repair);
-  }
   return added;
 }
 

@@ -130,7 +130,7 @@ inline World propped_planks(int seed) {
       left = std::min(left, corner.x());
       right = std::max(right, corner.x());
     }
-    const bool plank = box.name.rfind("plank", 0) == 0;
+    const bool plank = box.name.starts_with("plank");
     SceneBox stop;
     stop.name = "stop_" + box.name;
     stop.fixed = true;

@@ -11,12 +11,9 @@ namespace {
 double state_of(const TracedStep& step, int contact) {
   if (step.driven == contact) return 1.0;
   switch (step.during[static_cast<std::size_t>(contact)]) {
-    case BaraffSet::C:
-      return 2.0;
-    case BaraffSet::NC:
-      return 3.0;
-    default:
-      return 0.0;
+    case BaraffSet::C: return 2.0;
+    case BaraffSet::NC: return 3.0;
+    default: return 0.0;
   }
 }
 

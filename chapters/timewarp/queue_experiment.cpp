@@ -80,9 +80,8 @@ std::string words_of(const std::vector<Moment>& moments) {
       heading = name_of(*moment.taken) + " waits: " + name_of(moments[k + 1].foreseen.front()) +
                 " was earlier";
     std::string list = "queue:";
-    for (const ForeseenCollision& collision : moment.foreseen) {
+    for (const ForeseenCollision& collision : moment.foreseen)
       list += "\\n" + name_of(collision) + " " + fixed_text(collision.time, 3);
-    }
     if (moment.foreseen.empty()) list += "\\nempty";
     const std::string place = std::string("[").append(std::to_string(k + 1)).append("] = ");
     commands += "heading" + place + "'" + heading + "'\n";

@@ -36,9 +36,7 @@ std::vector<std::string> Penalty::ignores(const World& world) const {
 StepReport Penalty::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;
-  for (int k = 0; k < options_.substeps; ++k) {
-    substep(world, dt / options_.substeps, report);
-  }
+  for (int k = 0; k < options_.substeps; ++k) substep(world, dt / options_.substeps, report);
   for (ContactRecord& record : records_)  // of the last substep
     record.time = world.time() + dt - dt / options_.substeps;
   world.finish_step(dt);

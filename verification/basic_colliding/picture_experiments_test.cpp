@@ -16,8 +16,7 @@ namespace {
 
 std::vector<Figure> gallery() {
   std::vector<Figure> figures = registered_figures();
-  std::erase_if(figures,
-                [](const Figure& figure) { return figure.name.rfind("gallery_", 0) != 0; });
+  std::erase_if(figures, [](const Figure& figure) { return !figure.name.starts_with("gallery_"); });
   return figures;
 }
 
@@ -95,7 +94,7 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
     CHECK(found == 1);
   }
   const auto of_thesis = std::count_if(figures.begin(), figures.end(), [](const Figure& figure) {
-    return figure.name.rfind("gallery_fig", 0) == 0;
+    return figure.name.starts_with("gallery_fig");
   });
   CHECK(figures.size() == scenes + static_cast<std::size_t>(of_thesis));
 }

@@ -88,7 +88,7 @@ TEST_CASE("The page of appendix A links each line to its source and its erratum"
           "[unit][ledger]") {
   const auto listings = read(listing_with(second("meant = \"c()\"\n")));
   const std::string page = appendix_page(listings, one_erratum());
-  CHECK(page.rfind("# Appendix A side by side {#appendix_a}\n", 0) == 0);
+  CHECK(page.starts_with("# Appendix A side by side {#appendix_a}\n"));
   CHECK_THAT(page, Contains("1 listings, 3 numbered lines"));
   CHECK_THAT(page, Contains("## COLLIDE {#appendix_a_collide}"));
   CHECK_THAT(page, Contains("<tbody id=\"collide_1\">"));

@@ -67,7 +67,7 @@ TEST_CASE("A claim gets a verdict for half and twice the value of a choice", "[u
   CHECK(entry.changed[1].verdict == Verdict::confirmed);
   CHECK(entry.changes_verdict());
   const std::string page = left_open_page(findings, {});
-  CHECK(page.rfind("# What the thesis leaves open {#left_open}\n", 0) == 0);
+  CHECK(page.starts_with("# What the thesis leaves open {#left_open}\n"));
   CHECK_THAT(page, Contains("There are 1 choice; 1 of them"));
   CHECK_THAT(
       page,

@@ -204,9 +204,7 @@ TEST_CASE("Every mistake in a file of claims is named with file, line and id", "
       {with("[[claim]]", "[[claims]]"), "'claims': there are only [[claim]] tables here"},
       {with("[[claim]]", "[claim]"), "'claim': there are only [[claim]] tables here"},
       {with("unit = ", "unit "), "claims.toml:9: not TOML"}};
-  for (const Case& one : cases) {
-    CHECK_THROWS_WITH(claims_of(one.text), Contains(one.message));
-  }
+  for (const Case& one : cases) CHECK_THROWS_WITH(claims_of(one.text), Contains(one.message));
   CHECK_THROWS_AS(read_claims("/nowhere/claims.toml"), FileError);
 }
 

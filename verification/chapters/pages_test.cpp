@@ -64,7 +64,7 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
     CHECK_THAT(page, Contains("confirmed if ≥ 1, refuted if &lt; 1, qualified in between"));
   }
   const std::string ledger = ledger_page(findings);
-  CHECK(ledger.rfind("# Ledger of claims {#ledger}\n", 0) == 0);
+  CHECK(ledger.starts_with("# Ledger of claims {#ledger}\n"));
   CHECK_THAT(ledger, Contains("Of 1 claims: 1 confirmed."));
   CHECK_THAT(ledger, Contains("1 verdict stands, in 0 the rule misread the sentence, 0 hang on"));
   CHECK_THAT(ledger, Contains("confirmed</span> <span class=\"reads\">stands</span>"));

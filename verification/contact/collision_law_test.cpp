@@ -246,9 +246,8 @@ TEST_CASE("Impacts at random points of random pairs keep every promise", "[unit]
     const double change = kinetic_energy(a) + kinetic_energy(b) - energy;
     const double work = std::abs(r.impulse_w.dot(u));
     if (change > 1e-13 * (energy + work)) ++wrong["gained"];
-    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * (energy + work)) {
+    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * (energy + work))
       ++wrong["account wrong"];
-    }
     if (a.mass > 0.0 && b.mass > 0.0) {
       const double scale = momentum(a).norm() + momentum(b).norm() + r.impulse_w.norm();
       if ((momentum(a) + momentum(b) - p).norm() > 1e-13 * scale) ++wrong["momentum lost"];

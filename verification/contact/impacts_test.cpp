@@ -69,10 +69,9 @@ Contact face(int first, int second, const Vec3& center_w, double half, double fr
   c.friction = friction;
   c.restitution = restitution;
   c.count = 4;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k)
     c.points[static_cast<std::size_t>(k)].position_w =
         center_w + Vec3((k & 1) != 0 ? half : -half, 0.0, (k & 2) != 0 ? half : -half);
-  }
   return c;
 }
 
@@ -90,9 +89,8 @@ Scene stack(int n, double restitution, double friction = 0.5) {
 
 double worst_difference(const Scene& s, const std::vector<double>& expected) {
   double worst = 0.0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
+  for (std::size_t i = 0; i < expected.size(); ++i)
     worst = std::max(worst, (s.moving[i].velocity_w - Vec3(expected[i], 0, 0)).norm());
-  }
   return worst;
 }
 
@@ -158,9 +156,8 @@ TEST_CASE("Cubes that touch with whole faces pass an impact on like balls", "[ex
   const ImpactResult r = solver.resolve(s.contacts, s.moving);
   CHECK(r.collisions == 3);
   CHECK(r.impulses == 12);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     CHECK((s.moving[i].velocity_w - Vec3(0, i == 3 ? 1.0 : 0.0, 0)).norm() < 1e-14);
-  }
 }
 
 TEST_CASE("Sequential passes on a stack of n take 20, 136, 550, 2204 to come to 1e-6",
@@ -207,9 +204,8 @@ TEST_CASE("A stack solved at one stroke is at rest at once", "[exact][impacts]")
   for (const MovingBody& b : s.moving) worst = std::max(worst, b.velocity_w.norm());
   CHECK(worst < 1e-12);  // [m/s] measured 1.4e-14
   // The lowest contact stops all 20 kg, each corner a quarter.
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k)
     CHECK(s.contacts[0].points[k].normal_impulse == near(5.0).epsilon(1e-10));
-  }
 }
 
 TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed to rest",
@@ -267,16 +263,14 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
     const double change = s.energy() - energy;
     if (r.status != ImpactStatus::done) ++not_done;
     if (change > 1e-13 * energy) ++wrong["gained"];
-    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * energy) {
+    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * energy)
       ++wrong["account wrong"];
-    }
     if (r.restitution_share > 1.0 || r.restitution_share < 0.0) ++wrong["account wrong"];
     for (const Contact& c : s.contacts) {
       for (int k = 0; k < c.count; ++k) {
         const ContactPoint& p = c.points[static_cast<std::size_t>(k)];
-        if (p.friction_impulse_w.norm() > c.friction * p.normal_impulse * (1.0 + 1e-12)) {
+        if (p.friction_impulse_w.norm() > c.friction * p.normal_impulse * (1.0 + 1e-12))
           ++wrong["outside cone"];
-        }
       }
     }
   }

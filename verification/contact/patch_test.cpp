@@ -63,9 +63,8 @@ TEST_CASE("A flat landing cube bounces with e = 0.9 at 1.8 m/s and does not turn
   CHECK(r.restitution_energy == near(-0.5 * (4.0 - 3.24)).epsilon(1e-13));
   CHECK(r.friction_energy == near(0.0).margin(1e-15));
   // Each corner bears a quarter of 3.8 N s.
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     CHECK(contacts[0].points[i].normal_impulse == near(0.95).epsilon(1e-12));
-  }
 }
 
 TEST_CASE("A flat box that lands sliding is braked by μ F, and neither tips nor turns",
@@ -118,9 +117,8 @@ TEST_CASE("A tall box that lands sliding tips over its leading edge", "[unit][pa
   std::vector<Contact> contacts = {face(bodies, Vec3::Zero(), 0.5, 0.5, 1.0, 0.0)};
   solve(bodies, contacts);
   CHECK(bodies[1].moving.angular_velocity_w.z() < -0.1);
-  for (const std::size_t trailing : {0U, 3U}) {
+  for (const std::size_t trailing : {0U, 3U})
     CHECK(contacts[0].points[trailing].normal_impulse == near(0.0).margin(1e-12));
-  }
 }
 
 TEST_CASE("Pressure is spread the same way whatever the order of the points", "[unit][patch]") {
@@ -200,9 +198,8 @@ TEST_CASE("Random faces of random boxes keep every promise", "[unit][patch]") {
     for (const Heavy& h : bodies) change += kinetic_energy(h);
     for (const Heavy& h : bodies) dp += momentum(h);
     if (change > 1e-13 * energy) ++wrong["gained"];
-    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * energy) {
+    if (std::abs(change - r.restitution_energy - r.friction_energy) > 1e-12 * energy)
       ++wrong["account wrong"];
-    }
     if (!on_ground && dp.norm() > 1e-12 * (p.norm() + mass + other)) ++wrong["momentum lost"];
     for (int k = 0; k < contacts[0].count; ++k) {
       const ContactPoint& c = contacts[0].points[static_cast<std::size_t>(k)];

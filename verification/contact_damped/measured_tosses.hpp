@@ -126,8 +126,7 @@ inline void find_face(const Quat& orientation_wb, TossOutcome& outcome) {
 inline std::vector<MeasuredToss> read_tosses(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".csv" &&
-        entry.path().filename().string().rfind("toss_", 0) == 0)
+    if (entry.path().extension() == ".csv" && entry.path().filename().string().starts_with("toss_"))
       files.push_back(entry.path());
   if (files.empty()) throw std::runtime_error(folder.string() + ": has no file toss_*.csv");
   std::sort(files.begin(), files.end());

@@ -45,10 +45,9 @@ class Drift : public Technique {
 World two_boxes() {
   World world;
   const BodyProperties box = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i)
     world.add(box, make_state(box, Vec3(4.0 * i, 5.0, 0.0), Quat::Identity(), Vec3::Zero(),
                               Vec3(1.0, 2.0, 3.0)));
-  }
   return world;
 }
 

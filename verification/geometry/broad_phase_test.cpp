@@ -29,10 +29,9 @@ std::vector<IndexPair> pairs_by_definition(const std::vector<Bounds>& bounds) {
   for (std::size_t a = 0; a < bounds.size(); ++a) {
     for (std::size_t b = a + 1; b < bounds.size(); ++b) {
       bool touch = true;
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
         touch = touch && !(bounds[a].high[k] < bounds[b].low[k]) &&
                 !(bounds[b].high[k] < bounds[a].low[k]);
-      }
       if (touch) out.push_back({static_cast<int>(a), static_cast<int>(b)});
     }
   }
@@ -67,16 +66,13 @@ Bounds random_bounds(Kind kind, int n, Random& random) {
   const Vec3 center = random.in_cube(spread);
   const Vec3 half = random.in_cube(0.4).cwiseAbs() + Vec3::Constant(0.1);
   switch (kind) {
-    case Kind::even:
-      return around(center, half);
+    case Kind::even: return around(center, half);
     case Kind::mixed:  // sizes from 1e-3 to 1e3
       return around(20.0 * center, half * elementary::exp(random.uniform(-6.9, 6.9)));
     case Kind::clustered:
       return around(0.1 * center + (random.unit() < 0.5 ? 0.0 : 50.0) * Vec3::UnitY(), half);
-    case Kind::flat:
-      return around(center.cwiseProduct(Vec3(3.0, 0.01, 3.0)), half);
-    case Kind::line:
-      return around(center.cwiseProduct(Vec3(0.01, 0.01, 30.0)), half);
+    case Kind::flat: return around(center.cwiseProduct(Vec3(3.0, 0.01, 3.0)), half);
+    case Kind::line: return around(center.cwiseProduct(Vec3(0.01, 0.01, 30.0)), half);
     case Kind::infinite: {
       if (random.unit() < 0.9) return around(center, half);
       Bounds out = around(center, half);
@@ -89,8 +85,7 @@ Bounds random_bounds(Kind kind, int n, Random& random) {
       const Vec3 corner = (2.0 * center).array().round();
       return {corner, corner + Vec3::Ones()};
     }
-    case Kind::points:
-      return around(center.array().round(), Vec3::Zero());
+    case Kind::points: return around(center.array().round(), Vec3::Zero());
     case Kind::far_out: {
       const double far = random.unit() < 0.1 ? 1e300 : 1.0;
       return around(far * center, random.unit() < 0.1 ? Vec3(1e12 * half) : half);

@@ -94,9 +94,8 @@ TEST_CASE("The sweep agrees with fine sampling of the separation", "[unit][swept
       worst_leave = std::max(worst_leave, std::abs(gap_at(got.leave)));
       continue;
     }
-    for (int k = 0; k < kSamples; ++k) {
+    for (int k = 0; k < kSamples; ++k)
       if (gap_at(got.enter * k / kSamples) <= 0.0) ++overlaps_before;
-    }
     if (got.status == SweepStatus::no_hit) continue;
     ++hits;
     worst_enter = std::max(worst_enter, std::abs(gap_at(got.enter)));

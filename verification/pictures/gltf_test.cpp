@@ -40,7 +40,7 @@ struct Read {
     CHECK(json.at("asset").at("version").text == "2.0");
     const JsonValue& buffer = json.at("buffers").items.at(0);
     const std::string head = "data:application/octet-stream;base64,";
-    REQUIRE(buffer.at("uri").text.rfind(head, 0) == 0);
+    REQUIRE(buffer.at("uri").text.starts_with(head));
     bytes = from_base64(buffer.at("uri").text.substr(head.size()));
     CHECK(bytes.size() == whole(buffer.at("byteLength")));
     for (const JsonValue& view : json.at("bufferViews").items)

@@ -52,18 +52,16 @@ std::size_t grouped(const PaintersOrder& result) {
 std::vector<int> places_in(const PaintersOrder& result) {
   const std::vector<int> boxes = flat(result);
   std::vector<int> places(boxes.size(), -1);
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
+  for (std::size_t k = 0; k < boxes.size(); ++k)
     places[static_cast<std::size_t>(boxes[k])] = static_cast<int>(k);
-  }
   return places;
 }
 
 bool is_permutation(const PaintersOrder& result, std::size_t count) {
   std::vector<int> sorted = flat(result);
   std::sort(sorted.begin(), sorted.end());
-  for (std::size_t k = 0; k < sorted.size(); ++k) {
+  for (std::size_t k = 0; k < sorted.size(); ++k)
     if (sorted[k] != static_cast<int>(k)) return false;
-  }
   return sorted.size() == count;
 }
 
@@ -184,10 +182,9 @@ TEST_CASE("A pyramid of touching bricks is painted without a cycle and without a
   std::vector<Box> bricks;
   for (int level = 0; level < 5; ++level) {
     for (int x = 0; x < 5 - level; ++x) {
-      for (int z = 0; z < 5 - level; ++z) {
+      for (int z = 0; z < 5 - level; ++z)
         bricks.push_back(
             upright(Vec3(x + 0.5 * level, level + 0.5, z + 0.5 * level), Vec3::Ones()));
-      }
     }
   }
   REQUIRE(bricks.size() == 55);
@@ -234,9 +231,8 @@ TEST_CASE("Views overlap exactly if some ray meets both boxes", "[unit][painters
 
 TEST_CASE("A ring of three sticks that cover each other is one group", "[exact][painters_order]") {
   const std::vector<Box> ring = ring_of_sticks();
-  for (std::size_t a = 0; a < 3; ++a) {
+  for (std::size_t a = 0; a < 3; ++a)
     REQUIRE(separation(ring[a], ring[(a + 1) % 3]).distance > 0.0);
-  }
   const PaintersOrder got = painters_order(ring, Vec3(0.0, 0.0, 20.0));
   CHECK(grouped(got) == 3);
   CHECK(is_permutation(got, 3));

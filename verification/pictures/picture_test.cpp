@@ -55,9 +55,8 @@ bool contains(const PictureArea& area, const Vec2& p) {
 // The box whose face was painted last at a pixel.
 int box_drawn_at(const Picture& picture, const Vec2& pixel) {
   int box = kNoBox;
-  for (const PictureArea& area : picture.areas) {
+  for (const PictureArea& area : picture.areas)
     if (area.box != kNoBox && !area.shadow && contains(area, pixel)) box = area.box;
-  }
   return box;
 }
 
@@ -143,18 +142,12 @@ std::vector<PictureBox> scene_boxes(const char* name, const char* key, const cha
 std::vector<PictureBox> scene_number(int number, Random& random) {
   const auto seed = static_cast<std::uint64_t>(number);
   switch (number % 8) {
-    case 0:
-      return scene_boxes("clump", "per_edge", "3", 40, seed);  // settling
-    case 1:
-      return scene_boxes("dice", "count", "20", 25, seed);  // bouncing
-    case 2:
-      return scene_boxes("pyramid", "rows", "6", 0, seed);
-    case 3:
-      return scene_boxes("pyramid3d", "rows", "4", 0, seed);
-    case 4:
-      return scene_boxes("wall", "bricks", "3", 0, seed);
-    default:
-      return falling_boxes(random, 100);
+    case 0: return scene_boxes("clump", "per_edge", "3", 40, seed);  // settling
+    case 1: return scene_boxes("dice", "count", "20", 25, seed);     // bouncing
+    case 2: return scene_boxes("pyramid", "rows", "6", 0, seed);
+    case 3: return scene_boxes("pyramid3d", "rows", "4", 0, seed);
+    case 4: return scene_boxes("wall", "bricks", "3", 0, seed);
+    default: return falling_boxes(random, 100);
   }
 }
 
@@ -390,9 +383,8 @@ TEST_CASE("Opposite sides of a die have seven pips together", "[unit][picture]")
   die[0].die = true;
   const Picture picture = draw_boxes(die, camera_for(die, Vec3(0.1, 1.0, 0.0), 300.0, 200.0, true));
   std::size_t most = 0;
-  for (const PictureArea& area : picture.areas) {
+  for (const PictureArea& area : picture.areas)
     if (area.box == 0 && !area.outlined) most = std::max(most, area.loops.size());
-  }
   CHECK(most == 2);  // from above, the upper side is visible, and a sliver of the side with one
 }
 

@@ -66,11 +66,10 @@ TEST_CASE("Figure 5.6 is the pyramid without the centre box of its lowest row", 
 
 TEST_CASE("A pyramid with an even number of boxes below has no centre to take out, and says so",
           "[unit][scenes]") {
-  for (const char* rows : {"4", "8", "98"}) {
+  for (const char* rows : {"4", "8", "98"})
     CHECK_THROWS_WITH(built("fig5_6", {{"rows", rows}}),
                       Catch::Matchers::Contains("rows = " + std::string(rows)) &&
                           Catch::Matchers::Contains("no centre box; give an odd number"));
-  }
   CHECK_THROWS_WITH(built("fig5_6", {{"rows", "1"}}), Catch::Matchers::Contains("from 3"));
   CHECK_NOTHROW(built("fig5_6", {{"rows", "9"}}));
 }

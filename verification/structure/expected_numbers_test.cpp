@@ -21,7 +21,7 @@ std::vector<ExpectedNumber> expected_numbers(const SourceFile& file) {
   const std::vector<std::string> lines = lines_of(file.text);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::smatch match;
-    if (lines[i].rfind("figure,", 0) != 0 && std::regex_match(lines[i], match, row))
+    if (!lines[i].starts_with("figure,") && std::regex_match(lines[i], match, row))
       numbers.push_back({i + 1, match[1], match[2].matched ? match[2] : match[3]});
   }
   return numbers;
@@ -58,13 +58,8 @@ bool made_of(const std::string& name, const std::set<std::string>& literals) {
 bool names_figure(const std::string& figure, const std::set<std::string>& literals) {
   return literals.count(figure) > 0 ||
          std::any_of(literals.begin(), literals.end(), [&](const std::string& literal) {
-           return literal.size() > 3 && literal.back() == '_' && figure.rfind(literal, 0) == 0;
+           return literal.size() > 3 && literal.back() == '_' && figure.starts_with(literal);
          });
-}
-
-bool ends_with(const std::string& text, std::string_view ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 // All that can use a number.
@@ -109,15 +104,15 @@ NumberUsers number_users(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     const std::string& path = file.path;
     const std::string name = path.substr(path.rfind('/') + 1);
-    if (ends_with(path, ".md") || name == "figures.toml") {
+    if (path.ends_with(".md") || name == "figures.toml") {
       add_citations(file.text, users);
     } else if (std::any_of(records.begin(), records.end(),
-                           [&](std::string_view ending) { return ends_with(path, ending); })) {
+                           [&](std::string_view ending) { return path.ends_with(ending); })) {
       add_records(file.text, users);
-    } else if (ends_with(path, ".gp")) {
+    } else if (path.ends_with(".gp")) {
       if (file.text.find("_numbers.csv") != std::string::npos)
         users.drawn.insert(name.substr(0, name.size() - 3));
-    } else if (path.rfind("verification/", 0) == 0 && ends_with(path, "_test.cpp")) {
+    } else if (path.starts_with("verification/") && path.ends_with("_test.cpp")) {
       users.tested.push_back(literals_in(file.text));
     }
   }
@@ -128,7 +123,7 @@ Complaints unused_numbers(const std::vector<SourceFile>& files) {
   const NumberUsers users = number_users(files);
   Complaints complaints;
   for (const SourceFile& file : files) {
-    if (!ends_with(file.path, "/expected.csv")) continue;
+    if (!file.path.ends_with("/expected.csv")) continue;
     for (const ExpectedNumber& number : expected_numbers(file))
       if (!users.use(number))
         complaints.push_back(place(file, number.line) + number.figure + ", " + number.quantity +

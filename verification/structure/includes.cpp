@@ -20,17 +20,16 @@ std::vector<Include> includes_of(const SourceFile& file) {
   std::vector<Include> found;
   const std::vector<std::string> lines = lines_of(file.text);
   std::smatch match;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
     if (std::regex_search(lines[i], match, form)) found.push_back({i + 1, match[1]});
-  }
   return found;
 }
 
 // "src/tumble/math/x.hpp" and "tumble/math/x.hpp" give "math"; "tumble/techniques.hpp" gives
 // "techniques"; outside the library, the first folder: "bench".
 std::string folder_of(std::string path) {
-  if (path.rfind("src/", 0) == 0) path.erase(0, 4);
-  if (path.rfind("tumble/", 0) == 0) path.erase(0, 7);
+  if (path.starts_with("src/")) path.erase(0, 4);
+  if (path.starts_with("tumble/")) path.erase(0, 7);
   return path.substr(0, path.find_first_of("/."));
 }
 
@@ -61,7 +60,7 @@ std::optional<int> height_of(const std::string& folder) {
   return found->second;
 }
 
-bool in_library(const std::string& path) { return path.rfind("src/", 0) == 0; }
+bool in_library(const std::string& path) { return path.starts_with("src/"); }
 
 // Walks from a folder along its includes; true if the walk comes back to where it began.
 bool returns_to(const std::map<std::string, std::set<std::string>>& edges, const std::string& start,
@@ -84,7 +83,7 @@ Complaints upward_includes(const std::vector<SourceFile>& files) {
     if (in_library(file.path) && !here)
       complaints.push_back(place(file, 1) + "no layer is known for this folder");
     for (const Include& include : includes_of(file)) {
-      const bool of_library = include.target.rfind("tumble/", 0) == 0;
+      const bool of_library = include.target.starts_with("tumble/");
       const std::optional<int> there = height_of(folder_of(include.target));
       const std::string said = place(file, include.line) + "includes " + include.target;
       if (of_library && !there) complaints.push_back(said + ", which is in no known layer");
@@ -96,7 +95,7 @@ Complaints upward_includes(const std::vector<SourceFile>& files) {
       // Outside the library, only tests see another folder's files: the experiments.
       static const std::regex programs("^(apps|bench|live|verification|support|structure)/");
       const bool of_programs = std::regex_search(include.target, programs);
-      if (of_programs && file.path.rfind("verification/", 0) != 0)
+      if (of_programs && !file.path.starts_with("verification/"))
         complaints.push_back(said + ", which belongs to another program");
     }
   }
@@ -132,7 +131,7 @@ Complaints include_circles(const std::vector<SourceFile>& files) {
     const std::string here = folder_of(file.path);
     for (const Include& include : includes_of(file)) {
       const std::string there = folder_of(include.target);
-      if (include.target.rfind("tumble/", 0) == 0 && there != here) edges[here].insert(there);
+      if (include.target.starts_with("tumble/") && there != here) edges[here].insert(there);
     }
   }
   Complaints complaints;
@@ -161,7 +160,7 @@ Complaints misplaced_dependencies(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     for (const Include& include : includes_of(file)) {
       for (const Rule& rule : rules) {
-        const bool covered = include.target.rfind("tumble/", 0) != 0 &&
+        const bool covered = !include.target.starts_with("tumble/") &&
                              std::regex_search(include.target, rule.included);
         if (covered && !std::regex_search(file.path, rule.allowed))
           complaints.push_back(place(file, include.line) + include.target + " must not be here");
@@ -175,7 +174,7 @@ Complaints unnamed_files(const std::vector<SourceFile>& files) {
   Complaints complaints;
   for (const SourceFile& file : files) {
     const std::vector<std::string> lines = lines_of(file.text);
-    if (lines.size() < 2 || lines[0] != "/// \\file" || lines[1].rfind("/// \\brief ", 0) != 0)
+    if (lines.size() < 2 || lines[0] != "/// \\file" || !lines[1].starts_with("/// \\brief "))
       complaints.push_back(place(file, 1) + "begins without /// \\file and /// \\brief");
     if (file.path.find(".hpp") == std::string::npos) continue;
     const std::string code = code_of(file.text);

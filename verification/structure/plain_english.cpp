@@ -2,6 +2,7 @@
 /// \brief Words that a reader would have to decode.
 #include "structure/plain_english.hpp"
 
+#include <cctype>
 #include <regex>
 
 namespace tumble::structure {
@@ -12,18 +13,18 @@ struct Rule {
   std::string plainer;
 };
 
-// Comments and the insides of literals: whatever is blank in the code alone.
+// Comments and the insides of literals in small letters: whatever is blank in the code alone.
 std::string prose_of(const std::string& text) {
   std::string prose = code_of(text);
-  for (std::size_t i = 0; i < text.size(); ++i)
-    prose[i] = prose[i] == text[i] && text[i] != '\n' ? ' ' : text[i];
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool code = prose[i] == text[i] && text[i] != '\n';
+    prose[i] = code ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+  }
   return prose;
 }
 
 const std::vector<Rule>& rules() {
-  const auto form = [](const char* words) {
-    return std::regex(words, std::regex::icase | std::regex::optimize);
-  };
+  const auto form = [](const char* words) { return std::regex(words, std::regex::optimize); };
   static const std::vector<Rule> all{
       {form(R"(\b(who|whom|whoever|nobody|somebody|anybody)\b)"), "a body is \"it\""},
       {form(R"(\b(tell|tells|telling|told|teller)\b)"),
@@ -31,7 +32,7 @@ const std::vector<Rule>& rules() {
       {form(R"(\b(let|lets|letting) go\b)"), "release"},
       {form(R"(\bparting\b)"), "separating, separation velocity"},
       {form(R"(///.*\bwhat is\b)"), "name it with a noun"},
-      {form(R"(^\s*/// \\brief (what|who|how|where|when|why)\b)"), "a brief is a noun phrase"}};
+      {form(R"(^/// \\brief (what|who|how|where|when|why)\b)"), "a brief is a noun phrase"}};
   return all;
 }
 
@@ -42,9 +43,12 @@ Complaints old_dialect(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     const std::vector<std::string> lines = lines_of(prose_of(file.text));
     for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::size_t first = lines[i].find_first_not_of(' ');
+      if (first == std::string::npos) continue;
+      const std::string prose = lines[i].substr(first);
       for (const Rule& rule : rules()) {
         std::smatch match;
-        if (std::regex_search(lines[i], match, rule.words))
+        if (std::regex_search(prose, match, rule.words))
           complaints.push_back(place(file, i + 1) + "'" + match.str() + "': " + rule.plainer);
       }
     }

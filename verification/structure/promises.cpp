@@ -71,7 +71,7 @@ Complaints unkept_promises(const std::vector<SourceFile>& files,
     // Only what comments say, so that a sentence may go on in the next line.
     std::string said;
     for (const std::string& comment : comments_of(file.text))
-      said += (comment.rfind('/', 0) == 0 ? comment.substr(1) : comment) + '\n';
+      said += (comment.starts_with('/') ? comment.substr(1) : comment) + '\n';
     for (std::sregex_iterator m(said.begin(), said.end(), form); m != end; ++m) {
       std::string sentence = with_single_blanks((*m)[1]);
       static const std::regex escaped_comma("\\\\,");
@@ -87,7 +87,7 @@ Complaints unkept_promises(const std::vector<SourceFile>& files,
 Complaints unkept_records(const std::vector<SourceFile>& files,
                           const std::vector<TestCase>& tests) {
   const std::set<std::string> names = names_of(tests);
-  static const std::regex form(R"x(^\s*test\s*=\s*"((?:[^"\\]|\\.)*)")x");
+  static const std::regex form(R"x(^(?:\s*test\s*=\s*|- )"((?:[^"\\]|\\.)*)")x");
   static const std::regex escape(R"(\\(.))");
   Complaints complaints;
   for (const SourceFile& file : files) {

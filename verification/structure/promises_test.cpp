@@ -36,12 +36,13 @@ TEST_CASE("A promise of a test that does not exist is found", "[structure]") {
         Complaints{"a.hpp:2: no test is called \"A box rises\""});
 }
 
-TEST_CASE("A claim with a test that does not exist is found", "[structure]") {
+TEST_CASE("A claim or a page with a test that does not exist is found", "[structure]") {
   const std::vector<TestCase> tests{{"a_test.cpp", 1, "A \"box\" falls, and how", {}}};
   const std::string kept = "[[claim]]\ntest = \"A \\\"box\\\" falls, and how\"\n";
   CHECK(unkept_records({{"claims.toml", kept}}, tests).empty());
   CHECK(unkept_records({{"claims.toml", kept + "[[claim]]\n  test=\"A box rises\" # so\n"}},
                        tests) == Complaints{"claims.toml:4: no test is called \"A box rises\""});
+  CHECK(unkept_records({{"page.md", "Beside:\n\n- \"A box rises\"\n"}}, tests).size() == 1);
 }
 
 TEST_CASE("A test on no rung is found", "[structure]") {
@@ -91,12 +92,13 @@ TEST_CASE("Every verified sentence is the name of a test", "[structure]") {
   }
 }
 
-TEST_CASE("Every claim and every erratum names a test that exists", "[structure]") {
+TEST_CASE("Every claim, every erratum and every page names tests that exist", "[structure]") {
   const auto files = project_files();
   const auto is_record = [](const SourceFile& file) {
-    return file.path.rfind("chapters/", 0) == 0 &&
+    return file.path.starts_with("chapters/") &&
            (file.path.find("/claims.toml") != std::string::npos ||
-            file.path.find("/errata.toml") != std::string::npos);
+            file.path.find("/errata.toml") != std::string::npos ||
+            file.path.find("/page.md") != std::string::npos);
   };
   std::vector<SourceFile> records;
   std::copy_if(files.begin(), files.end(), std::back_inserter(records), is_record);

@@ -14,19 +14,15 @@ namespace tumble::structure {
 namespace fs = std::filesystem;
 namespace {
 
-bool starts_with(std::string_view text, std::string_view beginning) {
-  return text.substr(0, beginning.size()) == beginning;
-}
-
 // What the project keeps at its top; anything else there belongs to the user. So is what npm installs.
 bool belongs(const std::string& path) {
   static constexpr std::array folders{"src/",          "apps/",  "chapters/", "figures/",
                                       "verification/", "bench/", "examples/", "site/",
                                       "live/",         "cmake/", ".ci/"};
   if (path.find('/') == std::string::npos) return true;
-  if (starts_with(path, "live/node_modules/")) return false;
+  if (path.starts_with("live/node_modules/")) return false;
   return std::any_of(folders.begin(), folders.end(),
-                     [&](const char* folder) { return starts_with(path, folder); });
+                     [&](const char* folder) { return path.starts_with(folder); });
 }
 
 bool is_text(const fs::path& path) {
@@ -69,7 +65,7 @@ std::vector<SourceFile> code_in(const std::vector<SourceFile>& files, std::strin
   std::vector<SourceFile> chosen;
   for (const SourceFile& file : files) {
     const std::string ending = fs::path(file.path).extension().string();
-    if (starts_with(file.path, folder) && (ending == ".hpp" || ending == ".cpp"))
+    if (file.path.starts_with(folder) && (ending == ".hpp" || ending == ".cpp"))
       chosen.push_back(file);
   }
   return chosen;

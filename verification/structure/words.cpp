@@ -50,11 +50,6 @@ std::vector<Name> names_in(const std::string& code) {
   return names;
 }
 
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 // Why a name is forbidden; empty if it is not.
 std::string fault_of(const Name& name, bool defines_elementary, bool is_program) {
   static const std::set<std::string> transcendental{
@@ -81,11 +76,11 @@ std::string fault_of(const Name& name, bool defines_elementary, bool is_program)
   }
   if (hidden_sines.count(name.text) > 0)
     return "Eigen asks the C library for its sines; see math/rotation.hpp";
-  if ((of_std && name.text == "hash") || name.text.rfind("unordered_", 0) == 0)
+  if ((of_std && name.text == "hash") || name.text.starts_with("unordered_"))
     return "no order by address or hash";
   if ((chance.count(name.text) > 0 && name.next == '(') || name.text == "random_device")
     return "take Random";
-  if (ends_with(name.text, "_distribution") || name.text.rfind("mt19937", 0) == 0)
+  if (name.text.ends_with("_distribution") || name.text.starts_with("mt19937"))
     return "standard libraries differ; take Random";
   if (!is_program && clocks.count(name.text) > 0)
     return "results must not depend on the time of day";
@@ -102,7 +97,7 @@ Complaints forbidden_calls(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     const std::string code = code_of(file.text);
     const bool defines_elementary = file.path.find("math/elementary") != std::string::npos;
-    const bool is_program = file.path.rfind("apps/", 0) == 0;
+    const bool is_program = file.path.starts_with("apps/");
     std::string before;
     for (const Name& name : names_in(code)) {
       std::string fault = fault_of(name, defines_elementary, is_program);

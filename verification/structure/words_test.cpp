@@ -112,7 +112,7 @@ TEST_CASE("No source file is longer than 300 lines", "[structure]") {
   // What npm writes is not read by people.
   std::vector<SourceFile> page;
   for (const SourceFile& file : files)
-    if (file.path.rfind("live/page/", 0) == 0) page.push_back(file);
+    if (file.path.starts_with("live/page/")) page.push_back(file);
   CHECK_FALSE(page.empty());
   const auto more = long_files(page, 300);
   complaints.insert(complaints.end(), more.begin(), more.end());

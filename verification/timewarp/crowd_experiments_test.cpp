@@ -11,14 +11,6 @@
 using namespace tumble;
 using namespace tumble::chapters;
 
-namespace {
-
-bool near_to(double value, double expected, double tolerance) {
-  return std::abs(value - expected) <= tolerance;
-}
-
-}  // namespace
-
 TEST_CASE("The closed form of a chain gives the three collisions of a worked example",
           "[exact][timewarp]") {
   // Cubes at 0, 1.5 and 3.4 m with 2, 0 and -1 m/s: 0.5 / 2 s; then 0.9 m less 0.25 s at 1 m/s
@@ -26,9 +18,9 @@ TEST_CASE("The closed form of a chain gives the three collisions of a worked exa
   // second.
   const std::vector<Collision> story = exact_story({{0.0, 1.5, 3.4}, {2.0, 0.0, -1.0}}, 1.0);
   REQUIRE(story.size() == 3);
-  CHECK(near_to(story[0].time, 0.25, 1e-12));
-  CHECK(near_to(story[1].time, 7.0 / 15.0, 1e-12));
-  CHECK(near_to(story[2].time, 0.9, 1e-12));
+  CHECK(story[0].time == near(0.25).margin(1e-12));
+  CHECK(story[1].time == near(7.0 / 15.0).margin(1e-12));
+  CHECK(story[2].time == near(0.9).margin(1e-12));
   CHECK(story[0].first == 0);
   CHECK(story[1].first == 1);
   CHECK(story[2].first == 0);
@@ -48,7 +40,7 @@ TEST_CASE("A search over all bodies finds the collisions of chains in their clos
     for (std::size_t k = 0; k < found.size(); ++k) {
       CHECK(found[k].first == truth[k].first);
       // [s] each collision adds an error of a tolerance at most
-      CHECK(near_to(found[k].time, truth[k].time, 2e-8));
+      CHECK(found[k].time == near(truth[k].time).margin(2e-8));
     }
     collisions += static_cast<int>(found.size());
   }

@@ -21,9 +21,8 @@ std::string list_of(const std::vector<std::string>& words) {
 // What is wrong with a value, empty if nothing is.
 std::string complaint(const Parameter& p, std::string_view value) {
   if (p.kind == ParameterKind::text) return value.empty() ? "expected a text" : "";
-  if (p.kind == ParameterKind::flag) {
+  if (p.kind == ParameterKind::flag)
     return value == "on" || value == "off" ? "" : "expected on or off";
-  }
   if (p.kind == ParameterKind::word) {
     const bool known = std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end();
     return known ? "" : "expected one of: " + list_of(p.choices);

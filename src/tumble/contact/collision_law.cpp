@@ -33,9 +33,8 @@ Vec2 solve_2x2(const Mat2& s, const Vec2& r, double scale) {
   const double trace = s.trace();
   if (trace <= tolerance::rigid * scale) return Vec2::Zero();  // nothing gives way
   const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
-  if (det > tolerance::rigid * trace * trace) {
+  if (det > tolerance::rigid * trace * trace)
     return Vec2(s(1, 1) * r[0] - s(0, 1) * r[1], s(0, 0) * r[1] - s(1, 0) * r[0]) / det;
-  }
   return (s * r) / (trace * trace);  // S = λ v v' with λ = trace: S⁺ = S / λ²
 }
 

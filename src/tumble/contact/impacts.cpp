@@ -27,9 +27,8 @@ SimultaneousResult collide_alone(Contact& contact, std::span<MovingBody> bodies)
   result.impulses = 1;
   result.restitution_energy = impulse.restitution_energy;
   result.friction_energy = impulse.friction_energy;
-  if (contact.restitution > 0.0) {
+  if (contact.restitution > 0.0)
     result.restitution_share = impulse.restitution / contact.restitution;
-  }
   return result;
 }
 

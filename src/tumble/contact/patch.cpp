@@ -87,9 +87,8 @@ void even_out(const Vec3& normal_w, std::span<PatchPoint> points) {
     const Column now = (bears.array() > 0.0).cast<double>();
     if (now == loaded) {
       const Column j = y[0] * q[0] + y[1] * q[1] + y[2] * q[2];
-      for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t i = 0; i < count; ++i)
         points[i].normal_impulse = std::max(0.0, j[static_cast<Eigen::Index>(i)]);
-      }
       return;
     }
     loaded = now;

@@ -147,9 +147,8 @@ void SimultaneousImpacts::require_separation(std::span<const Contact> contacts,
   separation_speeds_.clear();
   for (const Contact& contact : contacts) {
     const double e = std::min(contact.restitution, largest_restitution);
-    for (int i = 0; i < contact.count; ++i) {
+    for (int i = 0; i < contact.count; ++i)
       separation_speeds_.push_back(std::max(0.0, -e * contact.points[idx(i)].approach_speed));
-    }
   }
 }
 
@@ -190,10 +189,9 @@ bool SimultaneousImpacts::solve_normals(double share, Answer& answer, Simultaneo
     return false;
   }
   for (int i = 0; i < n; ++i) answer[idx(i)].normal_impulse = lcp_.f[idx(i)];
-  for (const Patch& patch : patches_) {
+  for (const Patch& patch : patches_)
     even_out(patch.normal_w,
              std::span(answer).subspan(idx(patch.begin), idx(patch.end - patch.begin)));
-  }
   return true;
 }
 

@@ -20,8 +20,7 @@ double sticky_restitution(double restitution, double approach_speed, const Stick
 
   bool sticks = false;
   switch (options.rule) {
-    case StickyRule::off:
-      break;
+    case StickyRule::off: break;
     case StickyRule::speed: {
       // V = sqrt(g L) is what a fall through L / 2 gives; without gravity V = L / dt.
       const double slow = scale.gravity > 0.0

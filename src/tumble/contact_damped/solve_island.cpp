@@ -96,8 +96,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (plan.discard_warm_start) discard_impulses(island);
   bool direct = false;
   switch (plan.method) {
-    case IslandMethod::settled:
-      break;
+    case IslandMethod::settled: break;
     case IslandMethod::sweep:  // the direct solver is off
       sweep_on(island, plan, first, report);
       break;

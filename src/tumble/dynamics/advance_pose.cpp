@@ -113,14 +113,10 @@ std::span<const RotationRule> rotation_rules() { return kRules; }
 
 std::string_view name_of(RotationRule rule) {
   switch (rule) {
-    case RotationRule::frozen:
-      return "frozen";
-    case RotationRule::midpoint:
-      return "midpoint";
-    case RotationRule::rk4:
-      return "rk4";
-    case RotationRule::splitting:
-      return "splitting";
+    case RotationRule::frozen: return "frozen";
+    case RotationRule::midpoint: return "midpoint";
+    case RotationRule::rk4: return "rk4";
+    case RotationRule::splitting: return "splitting";
   }
   throw std::invalid_argument("tumble: not a rotation rule");
 }
@@ -132,18 +128,10 @@ void advance_pose(const BodyProperties& body, BodyState& state, double dt, Rotat
   // A body without spin keeps its orientation to the last bit; normalising might change one.
   if (state.angular_momentum_w.isZero(0.0)) return;
   switch (rule) {
-    case RotationRule::frozen:
-      state.orientation_wb = frozen(body, state, dt);
-      return;
-    case RotationRule::midpoint:
-      state.orientation_wb = midpoint(body, state, dt);
-      return;
-    case RotationRule::rk4:
-      state.orientation_wb = rk4(body, state, dt);
-      return;
-    case RotationRule::splitting:
-      state.orientation_wb = splitting(body, state, dt);
-      return;
+    case RotationRule::frozen: state.orientation_wb = frozen(body, state, dt); return;
+    case RotationRule::midpoint: state.orientation_wb = midpoint(body, state, dt); return;
+    case RotationRule::rk4: state.orientation_wb = rk4(body, state, dt); return;
+    case RotationRule::splitting: state.orientation_wb = splitting(body, state, dt); return;
   }
   throw std::invalid_argument("tumble: not a rotation rule");
 }

@@ -17,10 +17,8 @@ std::span<const PoseUpdate> pose_updates() { return kUpdates; }
 
 std::string_view name_of(PoseUpdate update) {
   switch (update) {
-    case PoseUpdate::separate:
-      return "separate";
-    case PoseUpdate::exponential:
-      return "exponential";
+    case PoseUpdate::separate: return "separate";
+    case PoseUpdate::exponential: return "exponential";
   }
   throw std::invalid_argument("tumble: not a pose update");
 }

@@ -20,27 +20,19 @@ namespace {
 // The Runge-Kutta table of a scheme, or nullptr.
 const ButcherTable* table_of(GluedScheme scheme) {
   switch (scheme) {
-    case GluedScheme::rk4:
-      return &classical_table();
-    case GluedScheme::dormand_prince:
-      return &dormand_prince_table();
-    case GluedScheme::midpoint:
-      return &midpoint_table();
-    default:
-      return nullptr;
+    case GluedScheme::rk4: return &classical_table();
+    case GluedScheme::dormand_prince: return &dormand_prince_table();
+    case GluedScheme::midpoint: return &midpoint_table();
+    default: return nullptr;
   }
 }
 
 SimpleScheme simple_of(GluedScheme scheme) {
   switch (scheme) {
-    case GluedScheme::semi_implicit:
-      return SimpleScheme::semi_implicit;
-    case GluedScheme::impulse:
-      return SimpleScheme::impulse;
-    case GluedScheme::leapfrog:
-      return SimpleScheme::leapfrog;
-    default:
-      return SimpleScheme::forward_euler;
+    case GluedScheme::semi_implicit: return SimpleScheme::semi_implicit;
+    case GluedScheme::impulse: return SimpleScheme::impulse;
+    case GluedScheme::leapfrog: return SimpleScheme::leapfrog;
+    default: return SimpleScheme::forward_euler;
   }
 }
 

@@ -31,14 +31,10 @@ struct Held {
 
 Held held_corners(const Joint& joint) {
   switch (joint.hold) {
-    case JointHold::area:
-      return {0, joint.count};
-    case JointHold::edge:
-      return {joint.side, 2};
-    case JointHold::corner:
-      return {joint.side, 1};
-    case JointHold::nothing:
-      break;
+    case JointHold::area: return {0, joint.count};
+    case JointHold::edge: return {joint.side, 2};
+    case JointHold::corner: return {joint.side, 1};
+    case JointHold::nothing: break;
   }
   return {};
 }

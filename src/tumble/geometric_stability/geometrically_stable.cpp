@@ -195,18 +195,12 @@ std::string explanation(const World& world, std::span<const Contact> contacts,
     return world.name(contact.first) + " and " + world.name(contact.second);
   };
   switch (verdict.reason) {
-    case StabilityReason::immovable:
-      return "immovable";
-    case StabilityReason::supported:
-      return "supports any load";
-    case StabilityReason::moving:
-      return "rises, sinks or tips";
-    case StabilityReason::side_contact:
-      return "the contact of " + pair() + " is not vertical";
-    case StabilityReason::unstable_support:
-      return "of " + pair() + ", the lower one is not stable";
-    case StabilityReason::corner:
-      break;
+    case StabilityReason::immovable: return "immovable";
+    case StabilityReason::supported: return "supports any load";
+    case StabilityReason::moving: return "rises, sinks or tips";
+    case StabilityReason::side_contact: return "the contact of " + pair() + " is not vertical";
+    case StabilityReason::unstable_support: return "of " + pair() + ", the lower one is not stable";
+    case StabilityReason::corner: break;
   }
   return "the corner at x = " + coordinate(verdict.corner_xz.x()) +
          " m, z = " + coordinate(verdict.corner_xz.y()) + " m is not supported";

@@ -89,9 +89,8 @@ class BroadPhase {
   /// \param out     where to add
   void test(std::span<const Bounds> bounds, int a, int b, std::vector<IndexPair>& out) {
     ++pair_tests_;
-    if (overlap(bounds[static_cast<std::size_t>(a)], bounds[static_cast<std::size_t>(b)])) {
+    if (overlap(bounds[static_cast<std::size_t>(a)], bounds[static_cast<std::size_t>(b)]))
       out.push_back(a < b ? IndexPair{a, b} : IndexPair{b, a});
-    }
   }
 
   /// Counts a test of two bounds that are not both bodies'.

@@ -19,9 +19,8 @@ constexpr double kFarthestCell = 0x1p30;
 
 void HashedGrid::search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
   enter(bounds, cell_edge(bounds));
-  for (std::size_t bucket = 0; bucket + 2 < begin_.size(); ++bucket) {
+  for (std::size_t bucket = 0; bucket + 2 < begin_.size(); ++bucket)
     search_bucket(bounds, bucket, out);
-  }
   // Big bodies against all; of two big ones the one with the lower index tests.
   const int n = static_cast<int>(bounds.size());
   for (const int a : big_) {

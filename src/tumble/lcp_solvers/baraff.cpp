@@ -14,14 +14,10 @@ namespace {
 
 LcpStatus translated(ComplementarityStatus status) {
   switch (status) {
-    case ComplementarityStatus::solved:
-      return LcpStatus::solved;
-    case ComplementarityStatus::infeasible:
-      return LcpStatus::infeasible;
-    case ComplementarityStatus::cap_reached:
-      return LcpStatus::cap_reached;
-    case ComplementarityStatus::not_positive_semidefinite:
-      break;
+    case ComplementarityStatus::solved: return LcpStatus::solved;
+    case ComplementarityStatus::infeasible: return LcpStatus::infeasible;
+    case ComplementarityStatus::cap_reached: return LcpStatus::cap_reached;
+    case ComplementarityStatus::not_positive_semidefinite: break;
   }
   return LcpStatus::not_positive_semidefinite;
 }

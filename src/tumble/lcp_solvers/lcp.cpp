@@ -112,22 +112,14 @@ std::unique_ptr<LcpSolver> make() {
 
 std::string_view name_of(LcpStatus status) {
   switch (status) {
-    case LcpStatus::solved:
-      return "solved";
-    case LcpStatus::infeasible:
-      return "infeasible";
-    case LcpStatus::not_positive_semidefinite:
-      return "not_positive_semidefinite";
-    case LcpStatus::singular:
-      return "singular";
-    case LcpStatus::cycling:
-      return "cycling";
-    case LcpStatus::cap_reached:
-      return "cap_reached";
-    case LcpStatus::least_violation:
-      return "least_violation";
-    case LcpStatus::ray:
-      return "ray";
+    case LcpStatus::solved: return "solved";
+    case LcpStatus::infeasible: return "infeasible";
+    case LcpStatus::not_positive_semidefinite: return "not_positive_semidefinite";
+    case LcpStatus::singular: return "singular";
+    case LcpStatus::cycling: return "cycling";
+    case LcpStatus::cap_reached: return "cap_reached";
+    case LcpStatus::least_violation: return "least_violation";
+    case LcpStatus::ray: return "ray";
   }
   require::that(false,
                 "status = " + std::to_string(static_cast<int>(status)) + ": give one of LcpStatus");

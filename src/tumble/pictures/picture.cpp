@@ -126,9 +126,8 @@ Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, do
   const Plane ground{};
   const Lamp lamp(Projection(camera), 1);
   for (const PictureBox& b : boxes) {
-    for (const Vec2& p : shadow_of(b.box, ground, lamp.middle_w())) {
+    for (const Vec2& p : shadow_of(b.box, ground, lamp.middle_w()))
       points_w.push_back(ground.at(p));
-    }
   }
   return camera_for(points_w, direction_w, width, height);
 }

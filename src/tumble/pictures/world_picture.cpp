@@ -35,7 +35,7 @@ std::vector<PictureBox> picture_boxes(const World& world) {
     PictureBox drawn;
     drawn.box = box_of(body, world.states()[k]);
     const std::string& name = world.name(static_cast<int>(k));
-    drawn.die = name.rfind("die", 0) == 0;
+    drawn.die = name.starts_with("die");
     if (!body.movable()) {
       drawn.colour = kFixed;
     } else if (name == "projectile") {

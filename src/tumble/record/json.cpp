@@ -10,9 +10,8 @@ namespace tumble {
 
 // A comma after what stands before, and a line of its own; nothing between a key and its value.
 void Json::next() {
-  if (!after_key_ && depth_ > 0) {
+  if (!after_key_ && depth_ > 0)
     out_.append(first_ ? "\n" : ",\n").append(2 * static_cast<std::size_t>(depth_), ' ');
-  }
   first_ = false;
   after_key_ = false;
 }

@@ -190,30 +190,21 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
 
 std::string_view name_of(StepStatus status) {
   switch (status) {
-    case StepStatus::done:
-      return "done";
-    case StepStatus::event_cap:
-      return "event_cap";
-    case StepStatus::energy_gained:
-      return "energy_gained";
-    case StepStatus::passed_through:
-      return "passed_through";
-    case StepStatus::unsolved:
-      return "unsolved";
-    case StepStatus::not_finite:
-      return "not_finite";
+    case StepStatus::done: return "done";
+    case StepStatus::event_cap: return "event_cap";
+    case StepStatus::energy_gained: return "energy_gained";
+    case StepStatus::passed_through: return "passed_through";
+    case StepStatus::unsolved: return "unsolved";
+    case StepStatus::not_finite: return "not_finite";
   }
   return "unknown";
 }
 
 std::string_view name_of(RunEnd end) {
   switch (end) {
-    case RunEnd::complete:
-      return "complete";
-    case RunEnd::interrupted:
-      return "interrupted";
-    case RunEnd::failed:
-      return "failed";
+    case RunEnd::complete: return "complete";
+    case RunEnd::interrupted: return "interrupted";
+    case RunEnd::failed: return "failed";
   }
   return "unknown";
 }

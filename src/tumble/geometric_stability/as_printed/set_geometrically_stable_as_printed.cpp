@@ -120,9 +120,7 @@ void set_geometrically_stable_as_printed(const World& world, std::span<const Con
       if (vetoed[static_cast<std::size_t>(top_index)] || rises(top_index)) continue;
       // [SETGEOMETRICALLYSTABLE:16-17]
       // The fourth one makes it stable.
-      if (o.corners == kAllCorners) {
-        o.stable = true;
-      }
+      if (o.corners == kAllCorners) o.stable = true;
       // [SETGEOMETRICALLYSTABLE:16-17]
       // [SETGEOMETRICALLYSTABLE:18-20]
       // Otherwise it is unstable, unless the normal points straight up.

@@ -70,28 +70,18 @@ void dampen_components(BodyState& o, const PrintedNumbers& numbers, const Damped
     if (i == 3) continue;  // there is none
     // [DAMPENOBJECTS:12-15]
     // Scale a small momentum, and end it if it is still as small.
-    if (small(momentum[i], eps.slow)) {
-      momentum[i] = momentum[i] * k.slow;
-    }
-    if (small(momentum[i], eps_of_line_14)) {
-      momentum[i] = 0.0;
-    }
+    if (small(momentum[i], eps.slow)) momentum[i] = momentum[i] * k.slow;
+    if (small(momentum[i], eps_of_line_14)) momentum[i] = 0.0;
     // [DAMPENOBJECTS:12-15]
     // [DAMPENOBJECTS:16-19]
     // Scale a small spin, and end it if it is smaller still.
-    if (small(spin[i], eps.slow_spin)) {
-      spin[i] = spin[i] * k.slow_spin;
-    }
-    if (small(spin[i], eps.still_spin)) {
-      spin[i] = 0.0;
-    }
+    if (small(spin[i], eps.slow_spin)) spin[i] = spin[i] * k.slow_spin;
+    if (small(spin[i], eps.still_spin)) spin[i] = 0.0;
     // [DAMPENOBJECTS:16-19]
     if (repaired.has("DM3")) continue;
     // [DAMPENOBJECTS:20-21]
     // End a small spin about the vertical, if it is not negative.
-    if (small(spin[1], eps.rising) && spin[1] >= 0.0) {
-      spin[1] = 0.0;
-    }
+    if (small(spin[1], eps.rising) && spin[1] >= 0.0) spin[1] = 0.0;
     // [DAMPENOBJECTS:20-21]
   }
   // Erratum DM3 repaired: once, and momentum upwards.
