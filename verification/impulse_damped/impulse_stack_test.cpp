@@ -240,13 +240,13 @@ TEST_CASE("A see-saw does not feel a stack beyond what contact passes bring down
 
 // --- two supports -------------------------------------------------------------------------------
 
-TEST_CASE("A pyramid squirms less if the sweeps of the shock share its load",
+TEST_CASE("A pyramid squirms less if the sweeps over a level share its load",
           "[claims][impulse][impulse_damped]") {
   std::array<double, 2> speed{};
   for (const std::size_t k : {0U, 1U}) {
     World world = pyramid_of(5);
     ImpulseOptions options;
-    options.shock_restitution = k == 0 ? ShockRestitution::zero : ShockRestitution::rising;
+    options.level_restitution = k == 0 ? LevelRestitution::constant : LevelRestitution::rising;
     Impulse technique(posed(options));
     for (int n = 0; n < 60; ++n) {
       technique.step(world, kStep);
