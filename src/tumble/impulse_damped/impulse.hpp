@@ -113,7 +113,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 ///
 /// **What does not.** A level that is frozen feels nothing of what it carries: weight that the
 /// contact passes did not bring down is lost. Ten passes bring down some three boxes' worth: the
-/// foot of a stack of ten bears 3.3 of them, and on a see-saw such a stack is lifted by half its
+/// foot of a stack of ten bears 3.1 of them, and on a see-saw such a stack is lifted by half its
 /// weight. Two levels, as in figure 6.5 of the thesis, are right. Frozen bodies take no momentum,
 /// in a heap in flight either. Impulses keep overlap from growing and never take it away; in heaps it does
 /// grow, and `repair` takes it away. Results depend on the order of bodies at equal depth. What two supports
