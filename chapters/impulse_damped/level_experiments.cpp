@@ -1,5 +1,5 @@
 /// \file
-/// \brief Why a pyramid falls under shock propagation as it is printed, and what holds it (2.5.2).
+/// \brief Pyramids under shock propagation, with restitution that rises in the sweeps or not (2.5.2).
 #include "driver/experiment.hpp"
 
 namespace tumble::chapters {
