@@ -74,8 +74,10 @@ std::unique_ptr<Technique> make_freezable(const Parameters& p, std::uint64_t /*s
 
 // --- techniques that can be read as printed ------------------------------------------------------
 
+enum class ReadAs : std::uint8_t { meant, reported, printed };
+
 struct Reading {
-  bool as_printed = false;
+  ReadAs as = ReadAs::meant;
   std::string repaired = "none";
   bool traps = false;
 };
@@ -95,17 +97,22 @@ Errata mended_in(const Reading& o, const char* traps) {
 }
 
 template <class Visitor>
-void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata,
-              std::string_view traps) {
-  v.word("reading", o.as_printed, {{"as_meant", false}, {"as_printed", true}},
-         "the listings of appendix " + std::string(appendix) +
-             " with their misprints mended, or as they are printed");
+void describe_repaired(Reading& o, Visitor& v, std::string_view errata, std::string_view traps) {
   v.text("repaired", o.repaired,
          "reading=as_printed: errata that are mended all the same, as " + std::string(errata) +
              "; or all, or none");
   v.word("traps", o.traps, {{"avoided", false}, {"taken", true}},
          "reading=as_printed: what the text leaves open (" + std::string(traps) +
              ") in its milder reading, or in the one that fails");
+}
+
+template <class Visitor>
+void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_view errata,
+              std::string_view traps) {
+  v.word("reading", o.as, {{"as_meant", ReadAs::meant}, {"as_printed", ReadAs::printed}},
+         "the listings of appendix " + std::string(appendix) +
+             " with their misprints mended, or as they are printed");
+  describe_repaired(o, v, errata, traps);
 }
 
 void refuse_unless_printed(std::string_view key, const std::string& given,
@@ -122,7 +129,13 @@ struct DampedSettings {
 template <class Visitor>
 void describe(DampedSettings& o, Visitor& v) {
   describe(o.meant, v);
-  describe(o.reading, v, "A.2", "C1,DM3", kDampedTraps);
+  v.word("reading", o.reading.as,
+         {{"as_meant", ReadAs::meant},
+          {"as_reported", ReadAs::reported},
+          {"as_printed", ReadAs::printed}},
+         "the listings of appendix A.2 with their misprints mended; the same with the damping that "
+         "gives the outcome of thesis 6.1; or as they are printed");
+  describe_repaired(o.reading, v, "C1,DM3", kDampedTraps);
 }
 
 // The listings as printed have no other options than these; a value that they do not have is refused.
@@ -154,9 +167,10 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const Dam
 
 std::unique_ptr<Technique> make_damped(const Parameters& p, std::uint64_t seed) {
   auto o = read_options<DampedSettings>(p);
-  if (o.reading.as_printed) return make_damped_as_printed(p, o);
+  if (o.reading.as == ReadAs::printed) return make_damped_as_printed(p, o);
   refuse_unless_printed("repaired", o.reading.repaired, "none");
   refuse_unless_printed("traps", p.word("traps"), "avoided");
+  if (o.reading.as == ReadAs::reported) o.meant.options.numbers.k_scale *= kReportedDamping;
   o.meant.options.seed = seed;
   return freezable<Damped>(o.meant);
 }
@@ -178,7 +192,7 @@ void describe(TimewarpSettings& o, Visitor& v) {
 template <class AsMeant, TimewarpListing listing>
 std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*seed*/) {
   const auto o = read_options<TimewarpSettings>(p);
-  if (!o.reading.as_printed) {
+  if (o.reading.as != ReadAs::printed) {
     refuse_unless_printed("repaired", o.reading.repaired, "none");
     refuse_unless_printed("traps", p.word("traps"), "avoided");
     refuse_unless_printed("cap", std::to_string(o.printed.cap),

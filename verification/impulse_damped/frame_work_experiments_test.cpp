@@ -1,5 +1,5 @@
 /// \file
-/// \brief Claim 6.1a: pairs in a step.
+/// \brief Pictures of 6.1 and 2.5.2 by numbers: pairs in a step (6.1a), damping as reported, levels of a pyramid.
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -17,4 +17,21 @@ TEST_CASE("More boxes in a clump mean more pairs to test, and fewer than all",
   CHECK(figure.number("pairs tested in a step of the clump, on average, contact_damped") < 378.0);
   CHECK(figure.number("pairs that were tested for contact in a step of the clump of figure 6.7, on "
                       "average") <= figure.number("most pairs tested in a step of the clump"));
+}
+
+TEST_CASE("With the damping of as_reported figure 6.6 ends with less chatter and energy",
+          "[claims][impulse_damped][.long]") {
+  const FigureUnderTest figure("as_reported_6_1", {"seeds=1"});
+  for (const char* what : {"chatter in the end", "kinetic energy in the end"})
+    CHECK(figure.number(std::string(what) + ", figure 6.6, as_reported, largest") <
+          0.5 * figure.number(std::string(what) + ", figure 6.6, as_meant, largest"));
+}
+
+TEST_CASE(
+    "A pyramid stays where it is by impulses whose restitution rises in the sweeps of a level",
+    "[claims][impulse][impulse_damped]") {
+  const FigureUnderTest figure("impulse_levels", {"rows=7", "duration=1"});
+  CHECK(figure.number("drift of the highest pyramid, rising") < 3.0);  // [mm]
+  CHECK(figure.number("drift of the highest pyramid, rising") <
+        0.3 * figure.number("drift of the highest pyramid, constant"));
 }

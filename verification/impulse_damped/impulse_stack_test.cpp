@@ -246,7 +246,7 @@ TEST_CASE("A pyramid squirms less if the sweeps of the shock share its load",
   for (const std::size_t k : {0U, 1U}) {
     World world = pyramid_of(5);
     ImpulseOptions options;
-    options.shock_restitution = k == 0 ? ShockRestitution::zero : ShockRestitution::rising;
+    options.level_restitution = k == 0 ? LevelRestitution::constant : LevelRestitution::shock;
     Impulse technique(posed(options));
     for (int n = 0; n < 60; ++n) {
       technique.step(world, kStep);

@@ -225,21 +225,22 @@ bool Impulse::hold_by_level(const World& world, double share, bool freeze, doubl
     for (; freeze && frozen < upwards.size() && graph_.level(upwards[frozen]) < here; ++frozen)
       bodies_.freeze(upwards[frozen]);
     const std::span<const int> pairs = std::span(order_).subspan(begin, end - begin);
-    const bool rising = freeze && options_.shock_restitution == ShockRestitution::rising;
+    const bool rising = options_.level_restitution == LevelRestitution::rising ||
+                        (freeze && options_.level_restitution == LevelRestitution::shock);
     if (hold_level(world, pairs, share, rising, dt, report)) pushed = true;
     begin = end;
   }
   return pushed;
 }
 
-// The pairs of one level, a few times over: they have bodies in common. A rising share is the
-// schedule of the contact passes over again.
+// The pairs of one level, a few times over: they have bodies in common. A share that rises is the
+// schedule of the contact passes over again, up to that of this pass.
 bool Impulse::hold_level(const World& world, std::span<const int> pairs, double share, bool rising,
                          double dt, StepReport& report) {
   bool pushed = false;
   for (int sweep = 1; sweep <= options_.level_sweeps; ++sweep) {
     ++report.iterations;
-    const double now = rising ? static_cast<double>(sweep) / options_.level_sweeps : share;
+    const double now = rising ? share * sweep / options_.level_sweeps : share;
     bool quiet = true;
     for (const int number : pairs) {
       ImpulsePair& pair = pairs_.look(world, bodies_, number);

@@ -24,11 +24,14 @@ enum class ImpulseShock : std::uint8_t {
   off        ///< nothing
 };
 
-/// The restitution of the sweeps over a level in shock propagation.
-enum class ShockRestitution : std::uint8_t {
-  zero,  ///< 0 in each: the authors' choice. Of two supports the first one stops a body on its side
-         ///< alone, which turns it, and the turning that is left when the second has spoken stays
-  rising  ///< -1 + j/S in sweep j of S, as in the contact passes: both supports brake together
+/// The restitution of the sweeps over a level, in each pass and in shock propagation.
+enum class LevelRestitution : std::uint8_t {
+  constant,  ///< that of the pass in each, and 0 in shock propagation, as the paper prints it. Of two supports
+  ///< the first one stops a body on its side alone, which turns it; the turning that is left when the
+  ///< second has spoken lifts what stands on it, from level to level: a pyramid falls
+  shock,  ///< -1 + j/S in sweep j of S in shock propagation, constant in the passes
+  rising  ///< -1 + (i j)/(N S) in sweep j of S of pass i of N, and -1 + j/S in shock propagation: both supports
+          ///< brake together. The default of the authors' own library
 };
 
 /// Options of the impulse technique.
@@ -37,7 +40,7 @@ struct ImpulseOptions {
   int contact_passes = 10;                      ///< N of the restitutions -1 + i/N, at least 1
   int level_sweeps = 5;                         ///< over the pairs of a level in a pass
   ImpulseShock shock = ImpulseShock::velocity;  ///< see there
-  ShockRestitution shock_restitution = ShockRestitution::zero;  ///< see there
+  LevelRestitution level_restitution = LevelRestitution::constant;  ///< see there
   bool repair = false;                              ///< whether ImpulseShock::position comes on top
   ImpulsePoints points = ImpulsePoints::area;       ///< where impulses act
   double sticky = 0.0;                              ///< [-] see StickyOptions; 0 as in the paper
@@ -57,10 +60,13 @@ void describe(ImpulseOptions& o, Visitor& v) {
           {"off", ImpulseShock::off}},
          "remedy for approaches that remain after the contact passes: shock propagation, moving "
          "bodies apart (thesis 4.4), or none");
-  v.word("shock_restitution", o.shock_restitution,
-         {{"zero", ShockRestitution::zero}, {"rising", ShockRestitution::rising}},
-         "restitution in the sweeps over a level: 0 as in the paper, or -1 + j/S, which turns "
-         "bodies less");
+  v.word(
+      "level_restitution", o.level_restitution,
+      {{"constant", LevelRestitution::constant},
+       {"shock", LevelRestitution::shock},
+       {"rising", LevelRestitution::rising}},
+      "restitution in the sweeps over a level: that of the pass as in the paper, rising to it in "
+      "shock propagation, or in all passes, so that two supports brake together");
   v.word("points", o.points, {{"area", ImpulsePoints::area}, {"one", ImpulsePoints::one}},
          "contact points: the whole contact area, or its centre");
   v.whole("collision_passes", o.collision_passes, 1, 1000, "passes over colliding pairs");
@@ -109,9 +115,9 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// contact passes did not bring down is lost. Ten passes bring down some three boxes' worth: the
 /// foot of a stack of ten bears 3.3 of them, and on a see-saw such a stack is lifted by half its
 /// weight. Two levels, as in figure 6.5 of the thesis, are right. Frozen bodies take no momentum,
-/// in a heap in flight either. Overlap is kept from growing by the pairs' speeds alone and never
-/// taken away; in heaps it does grow (`repair`). Results depend on the order of bodies at equal
-/// depth.
+/// in a heap in flight either. Impulses keep overlap from growing and never take it away; in heaps it does
+/// grow, and `repair` takes it away. Results depend on the order of bodies at equal depth. What two supports
+/// carry squirms, by millimetres in a second (LevelRestitution).
 /// \par Energy
 /// Collisions are booked at the velocities that they change, contacts at velocities of half a step
 /// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
