@@ -88,10 +88,12 @@ double deepest_in_clump(const char* per_edge, unsigned seed,
 
 }  // namespace
 
-TEST_CASE("Cubes that fall together overlap by less than a tenth of an edge",
+TEST_CASE("Cubes that fall together overlap by less than a twelfth of an edge on average",
           "[unit][contact_damped]") {
-  // With a single point where edges cross it was 0.14 to 0.2 of an edge.
-  for (const unsigned seed : {1U, 2U}) CHECK(deepest_in_clump("5", seed, {}) < 0.1);
+  // With a single point where edges cross it was 0.16.
+  double sum = 0.0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) sum += deepest_in_clump("5", seed, {});
+  CHECK(sum / 4.0 < 1.0 / 12.0);
 }
 
 TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",

@@ -269,10 +269,14 @@ void add_face_points(const Box& first, const Box& second, double margin, Manifol
   clip_along(BoxPair(first, second), face, margin * along, found);
   const double longest = 2.0 * std::max(first.half.maxCoeff(), second.half.maxCoeff());
   const double near = tolerance::beside_the_normal * longest;
+  const double out = face.axis < 3 ? 0.5 : -0.5;  // half, out of the box that the face belongs to
   const Vec3 crossing_w = manifold.points[0].position_w;
   for (std::size_t k = 0; k < idx(found.count) && manifold.count < Manifold::kMostPoints; ++k) {
     ManifoldPoint p = found.points[k];
-    p.distance /= along;  // along the contact's normal
+    // From the other box's corner to the face, along the normal of the contact in place of the face's.
+    const Vec3 corner_w = p.position_w + out * p.distance * face.normal_w;
+    p.distance /= along;
+    p.position_w = corner_w - out * p.distance * manifold.normal_w;
     if ((p.position_w - crossing_w).norm() > near) manifold.points[idx(manifold.count++)] = p;
   }
 }

@@ -93,8 +93,8 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
 ///
 /// A box that rocks on an edge touches in one point at a time, first at one end, then at the other. A step that knows
 /// only the first lets the second go in. Of the faces of both boxes the one is taken that looks most along the
-/// normal; the other box's face opposite is clipped to it, and each corner of what is left is a point, with its distance
-/// along the normal of the contact. Boxes with plane faces overlap exactly if one of these distances is below 0.
+/// normal; the other box's face opposite is clipped to it, and each corner of the clipped face is a point, with its
+/// distance along the normal of the contact. Boxes with plane faces overlap exactly if one of these distances is below 0.
 /// \param first     the first box
 /// \param second    the second box
 /// \param margin    [m] points up to this far apart are added, at least 0
