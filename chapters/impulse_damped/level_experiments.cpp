@@ -45,7 +45,8 @@ Result measure_levels(const Parameters& settings) {
       drift[k++] = moved.drift;
       if (rows + 3 <= most) continue;
       numbers.push_back({std::string("drift of the highest pyramid, ") + rule, "mm", moved.drift});
-      numbers.push_back({std::string("energy added to it, ") + rule, "J", moved.added});
+      if (rule == std::string_view("constant"))
+        numbers.push_back({"energy added to it, constant", "J", moved.added});
     }
     table.add(rows, drift[0], drift[1], drift[2]);
   }

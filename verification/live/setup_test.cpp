@@ -52,16 +52,16 @@ TEST_CASE("A request without a seed is made with seed 1, as tumble run does", "[
 }
 
 TEST_CASE("Settings of a request reach the technique", "[unit][live]") {
-  const Setup exponential =
-      make_setup("scene fig6_1\nset technique.pose=exponential\nset technique.sweeps=7");
+  const Setup separate =
+      make_setup("scene fig6_1\nset technique.pose=separate\nset technique.sweeps=7");
   const TechniqueRecipe& recipe = technique_recipe("contact_damped");
   Parameters options = recipe.options();
   const auto standard = recipe.make(options, 1);
-  options.set("pose", "exponential");
+  options.set("pose", "separate");
   options.set("sweeps", "7");
   const auto same = recipe.make(options, 1);
   const Scene scene = built("fig6_1");
-  const std::string hash = hash_of(*exponential.technique, scene);
+  const std::string hash = hash_of(*separate.technique, scene);
   CHECK(hash == hash_of(*same, scene));
   CHECK(hash != hash_of(*standard, scene));
 }
