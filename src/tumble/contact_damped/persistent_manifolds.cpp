@@ -100,8 +100,13 @@ bool will_overlap(const ContactPatch& patch, std::span<const MovingBody> bodies,
   });
 }
 
-bool in_order(const ContactPatch& a, const ContactPatch& b) {
-  return a.first_id != b.first_id ? a.first_id < b.first_id : a.second_id < b.second_id;
+// Patches are in the order of the ids of their bodies.
+bool comes_before(const ContactPatch& patch, BodyId first, BodyId second) {
+  return patch.first_id != first ? patch.first_id < first : patch.second_id < second;
+}
+
+bool belongs_to(const ContactPatch& patch, BodyId first, BodyId second) {
+  return patch.first_id == first && patch.second_id == second;
 }
 
 bool has_point_within(const Manifold& found, double reach) {
@@ -113,13 +118,8 @@ bool has_point_within(const Manifold& found, double reach) {
 
 // The patch that a pair had in the step before, or nullptr. Pairs must come in ascending order.
 ContactPatch* PersistentManifolds::previous_patch(BodyId first, BodyId second) {
-  const auto before = [&](const ContactPatch& patch) {
-    return patch.first_id != first ? patch.first_id < first : patch.second_id < second;
-  };
-  for (; next_ < previous_.size() && before(previous_[next_]); ++next_) {
-  }
-  const bool found = next_ < previous_.size() && previous_[next_].first_id == first &&
-                     previous_[next_].second_id == second;
+  while (next_ < previous_.size() && comes_before(previous_[next_], first, second)) ++next_;
+  const bool found = next_ < previous_.size() && belongs_to(previous_[next_], first, second);
   return found ? &previous_[next_++] : nullptr;
 }
 
@@ -244,25 +244,23 @@ int PersistentManifolds::add_missed(const World& world, std::span<const MovingBo
   for (const IndexPair& pair : candidates) {
     const BodyId first_id = world.ids()[idx(pair.first)];
     const BodyId second_id = world.ids()[idx(pair.second)];
-    while (next < found &&
-           (patches_[next].first_id != first_id ? patches_[next].first_id < first_id
-                                                : patches_[next].second_id < second_id))
-      ++next;
-    if (next < found && patches_[next].first_id == first_id &&
-        patches_[next].second_id == second_id)
-      continue;
+    while (next < found && comes_before(patches_[next], first_id, second_id)) ++next;
+    if (next < found && belongs_to(patches_[next], first_id, second_id)) continue;
     if ((stays(pair.first) && stays(pair.second)) || sleeps(pair.first) || sleeps(pair.second))
       continue;
     if (!look_for_patch(world, pair, bodies, rest_w, dt, kNoAxis)) continue;
     set_for_step(pair, bodies, dt, patches_.back());
     if (!will_overlap(patches_.back(), bodies, dt)) patches_.pop_back();
   }
-  if (patches_.size() == found) return 0;
+  const auto added = static_cast<int>(patches_.size() - found);
+  if (added == 0) return 0;
   std::inplace_merge(patches_.begin(), patches_.begin() + static_cast<std::ptrdiff_t>(found),
-                     patches_.end(), in_order);
-  const std::size_t all = patches_.size();
+                     patches_.end(), [](const ContactPatch& a, const ContactPatch& b) {
+                       return comes_before(a, b.first_id, b.second_id);
+                     });
+  // This may remove earlier ones as well, so that all places are new even where as many are left.
   drop_grazed_edges(bodies, patches_);
-  return static_cast<int>(all - found) - static_cast<int>(all - patches_.size());
+  return added;
 }
 
 }  // namespace tumble
