@@ -49,7 +49,7 @@ ContactDamped::ContactDamped(const ContactDampedOptions& options) : options_(opt
   for (const auto& [count, least, name] :
        {std::tuple{options.sweeps, 1, "sweeps"},
         std::tuple{options.admm_iterations, 0, "admm_iterations"},
-        std::tuple{options.parts, 1, "parts"},
+        std::tuple{options.budget, 1, "budget"}, std::tuple{options.parts, 1, "parts"},
         std::tuple{options.correction_sweeps, 1, "correction_sweeps"}})
     require::that(count >= least, std::string(name) + " = " + std::to_string(count) +
                                       ": expected " + std::to_string(least) + " or more");
@@ -111,13 +111,11 @@ StepReport ContactDamped::step_part(World& world, double dt) {
     find_patches(world, dt, report);
   }
   // 3. Impulses that stop all approach, and sliding as far as friction can.
-  storage_.solved_directly.clear();
   storage_.in_flight.assign(velocities_.end.size(), 1);
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
   solve_missed(world, dt, report);
-  std::swap(memory_.solved_directly, storage_.solved_directly);
   // 4. Bodies move with these velocities.
   move(world, dt, report);
   // 5. Fast impacts bounce from there.

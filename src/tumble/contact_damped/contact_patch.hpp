@@ -60,6 +60,7 @@ struct ContactPatch {
   int first = 0;                               ///< index of the first body in this step
   int second = 0;                              ///< index of the second body in this step
   AxisIndex axis = kNoAxis;                    ///< separating axis to try first in the next step
+  bool solved_directly = false;                ///< by the direct solver, in the last step
   std::uint64_t stamp = 0;                     ///< changes each time that the patch is built
   double size = 0.0;                           ///< [m] shortest edge of the movable bodies
   double friction = 0.0;                       ///< [-] coefficient of the pair

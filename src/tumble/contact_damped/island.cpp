@@ -117,6 +117,17 @@ SpeedRange speed_range(const Island& island) {
   return {std::min(before, now), std::max(before, now)};
 }
 
+double share_of_moving_patches(const Island& island) {
+  const auto moves = [&](int contact) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    return scaled_speed(island, patch, island.start) > tolerance::moving_speed &&
+           scaled_speed(island, patch, island.now) > tolerance::moving_speed;
+  };
+  const auto moving =
+      std::count_if(island.patch_indices.begin(), island.patch_indices.end(), moves);
+  return static_cast<double>(moving) / static_cast<double>(island.patch_indices.size());
+}
+
 double approach_of_slow_patches(const Island& island) {
   double most = 0.0;
   for (const int contact : island.patch_indices) {
@@ -180,15 +191,22 @@ void discard_impulses(const Island& island) {
   for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
 }
 
+void velocities_from_impulses(const Island& island) {
+  for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
+  for (const int contact : island.upward) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    apply(impulse_of(patch), patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+  }
+}
+
 double share_without_gain(const Island& island) {
   EnergyOnTheWay way = kinetic_energy_from(island, island.free);
   way.start = 0.0;  // compared with `free`
   return way.allowed();
 }
 
-void limit_energy(const Island& island, StepReport& report) {
+void limit_energy(const Island& island, double share, StepReport& report) {
   // [S6.3.1:guard]
-  const double share = share_without_gain(island);
   if (share == 1.0) return;
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
   for (const int contact : island.patch_indices)

@@ -100,6 +100,16 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [m/s] by how much a point approaches faster than its target; 0 or above
 [[nodiscard]] double approach_of_slow_patches(const Island& island);
 
+/// How much of an island moves: the share of its patches whose bodies move along each other or apart by more than
+/// tolerance::moving_speed, before the step and with the impulses so far.
+/// \param island  with a patch at least
+/// \return [-] from 0 to 1
+[[nodiscard]] double share_of_moving_patches(const Island& island);
+
+/// Sets the velocities to those of the impulses alone. The direct solver may have left some of its springs in them.
+/// \param island  `now` is changed
+void velocities_from_impulses(const Island& island);
+
 /// Sets all impulses to 0.
 /// \param island  `now` is `free` again
 void discard_impulses(const Island& island);
@@ -113,8 +123,9 @@ void discard_impulses(const Island& island);
 /// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
 /// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.
 /// \param island  impulses and velocities in and out
+/// \param share   share_without_gain()
 /// \param report  counts it, if it had to
-void limit_energy(const Island& island, StepReport& report);
+void limit_energy(const Island& island, double share, StepReport& report);
 
 /// Energy guard of restitution, after bodies have moved. Newton's law at several points may ask for more energy
 /// than there is. What there is, is the kinetic energy at the start of the step and the work of gravity on the way

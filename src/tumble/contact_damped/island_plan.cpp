@@ -84,17 +84,6 @@ IslandLimits quiet_limits(const Island& island, int iterations) {
   return limits;
 }
 
-// A large island that moves fast gets few ADMM iterations: its contacts change in the next step.
-IslandLimits fast_limits(const Island& island, int iterations) {
-  IslandLimits limits;
-  limits.residual = tolerance::solved_residual * negligible_residual(island);
-  limits.early_stop_residual =
-      tolerance::fast_residual * negligible_residual(island) / tolerance::contact_settled;
-  limits.max_iterations = std::min(iterations, tolerance::fast_iterations);
-  limits.max_newton_steps = 0;
-  return limits;
-}
-
 // A large island that moves gets ADMM only.
 IslandLimits large_limits(const Island& island, int iterations) {
   IslandLimits limits;
@@ -102,6 +91,22 @@ IslandLimits large_limits(const Island& island, int iterations) {
   limits.max_iterations = iterations;
   limits.max_newton_steps = 0;
   return limits;
+}
+
+// Whether sweeps have to do: in a large island much of which moves, contacts change before weight gets through all of it;
+// and where anything moves, it costs no more than its budget.
+bool has_to_be_swept(const Island& island, bool fast, const IslandEffort& effort) {
+  if (is_small(island)) return false;
+  const double moving = share_of_moving_patches(island);
+  const std::int64_t work =
+      static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations;
+  return moving > tolerance::loose_share || ((fast || moving > 0.0) && work > effort.budget);
+}
+
+// Sweeps within the budget.
+int swept_within(const Island& island, const IslandEffort& effort) {
+  const auto within = effort.budget / static_cast<int>(island.patch_indices.size());
+  return std::clamp(within, effort.sweeps, std::max(effort.sweeps, tolerance::loose_sweeps));
 }
 
 }  // namespace
@@ -121,8 +126,7 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
   return first;
 }
 
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations,
-                       int parts) {
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort) {
   IslandPlan plan;
   if (first.settled) return plan;
   const double negligible = negligible_residual(island);
@@ -131,38 +135,45 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   const bool small = is_small(island);
   const bool fast = speed.lower >= tolerance::fast_speed;
   const bool quiet = !small && speed.higher < tolerance::quiet_speed;
+  const bool loose = has_to_be_swept(island, fast, effort);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
   // [S6.3.1:plan]
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
-  // others, and for small islands in any case.
-  const bool sweeps_first = fast || converging || has_sliding_patch(island, unit_speed);
-  plan.method = iterations == 0 ? IslandMethod::sweep
-                : sweeps_first  ? IslandMethod::sweep_then_solve
-                                : IslandMethod::solve;
+  // others, and for small islands in any case. Where much moves, sweeps alone have to do.
+  const bool sweeps_first = loose || fast || converging || has_sliding_patch(island, unit_speed);
+  plan.method = loose || effort.admm_iterations == 0 ? IslandMethod::sweep
+                : sweeps_first                       ? IslandMethod::sweep_then_solve
+                                                     : IslandMethod::solve;
   // [S6.3.1:plan]
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 
-  plan.max_sweeps = small ? std::max(sweeps, tolerance::small_island_sweeps) : sweeps;
+  plan.max_sweeps = small   ? std::max(effort.sweeps, tolerance::small_island_sweeps)
+                    : loose ? swept_within(island, effort)
+                            : effort.sweeps;
   plan.patch_iterations =
-      fast && !small ? tolerance::fast_patch_iterations : patch_iterations_of(island);
+      !small && (fast || loose) ? tolerance::fast_patch_iterations : patch_iterations_of(island);
   plan.skipped_residual = skipped_residual_of(island);
-  plan.residual = tolerance::solved_residual * negligible;
+  plan.residual =
+      loose ? tolerance::loose_residual * unit_speed : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
   plan.large_and_fast = fast && !small;
   plan.slow_approach = tolerance::slow_approach * unit_speed;
 
-  plan.direct = small   ? small_limits(island, iterations)
-                : fast  ? fast_limits(island, iterations)
-                : quiet ? quiet_limits(island, iterations)
-                        : large_limits(island, iterations);
+  plan.direct = small   ? small_limits(island, effort.admm_iterations)
+                : quiet ? quiet_limits(island, effort.admm_iterations)
+                        : large_limits(island, effort.admm_iterations);
+  if (fast && !small) {  // its contacts change in the next step
+    plan.direct.early_stop_residual = tolerance::fast_residual * unit_speed;
+    plan.direct.max_newton_steps = 0;
+  }
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
   if (small) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
-    *count = (*count + parts - 1) / parts;
+    *count = (*count + effort.parts - 1) / effort.parts;
   return plan;
 }
 

@@ -18,6 +18,14 @@ struct FirstSweeps {
   bool stale_warm_start = false;
 };
 
+/// How much work an island may cost: the options of the technique of these names.
+struct IslandEffort {
+  int sweeps = 6;             ///< over a large island, at most
+  int admm_iterations = 100;  ///< for a large island, at most; 0: the direct solver is not used
+  int budget = 50000;         ///< sweeps or iterations times patches, for a large island in motion
+  int parts = 1;              ///< into which the step is divided: each gets its share of the work
+};
+
 /// The method that solves an island after its first sweeps.
 enum class IslandMethod : std::uint8_t {
   settled,           ///< nothing: it is solved
@@ -50,11 +58,8 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 /// Chooses how an island is solved.
 /// \param island      after sweep_first()
 /// \param first       what that found
-/// \param sweeps      at most, for a large island
-/// \param iterations  of ADMM, at most, for a large island; 0: the direct solver is not used
-/// \param parts       into which the step is divided: in a large island each gets its share of the work
+/// \param effort      the work that is allowed
 /// \return the plan
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweeps, int iterations,
-                       int parts);
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort);
 
 }  // namespace tumble

@@ -11,14 +11,19 @@
 namespace tumble {
 namespace {
 
-// Goes on sweeping after the first two sweeps, up and down in turn. Returns whether that was enough. In an island
-// that moves fast it is, if patches that do not are held.
+// The k-th sweep over an island, from 0 on: down and up in turn. Returns the largest change of a velocity.
+double sweep_number(int k, const Island& island, const IslandPlan& plan, StepReport& report) {
+  return sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
+               plan.skipped_residual, report);
+}
+
+// Goes on sweeping after the first two sweeps. Returns whether that was enough. In an island that moves fast it is, if
+// patches that do not are held.
 bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
               StepReport& report) {
   double residual = first.up;
   for (int k = 2; k < plan.max_sweeps; ++k) {
-    residual = sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
-                     plan.skipped_residual, report);
+    residual = sweep_number(k, island, plan, report);
     if (residual < plan.residual) return true;
   }
   return residual < plan.fair_residual ||
@@ -35,14 +40,25 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   return result.accepted;
 }
 
-// Sweeps that begin without impulses. Each patch takes energy, none adds any, whatever the number of sweeps.
-void sweep_from_nothing(const Island& island, const IslandPlan& plan, StepReport& report) {
-  discard_impulses(island);
+// Impulses of the direct solver that add energy are no solution, but are near one. Each sweep that begins with them takes
+// energy; enough are made where they add little, and slow patches are held. Where they do not get there, sweeps begin
+// without impulses, and add none whatever their number. Returns the share of the impulses that adds no energy.
+double sweep_without_gain(const Island& island, const IslandPlan& plan, StepReport& report) {
   ++report.fallbacks;
-  for (int k = 0; k < tolerance::sweeps_from_nothing; ++k)
-    if (sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
-              plan.skipped_residual, report) < plan.residual)
-      return;
+  velocities_from_impulses(island);
+  double share = 0.0;
+  for (int k = 0; k < tolerance::sweeps_after_gain; ++k) {
+    sweep_number(k, island, plan, report);
+    if (k % 2 == 0) continue;
+    share = share_without_gain(island);
+    if (share >= tolerance::least_share && approach_of_slow_patches(island) < plan.slow_approach)
+      return share;
+  }
+  if (share >= tolerance::least_share) return share;
+  discard_impulses(island);
+  for (int k = 0; k < tolerance::sweeps_after_gain; ++k)
+    if (sweep_number(k, island, plan, report) < plan.residual) break;
+  return share_without_gain(island);
 }
 
 // Clears `in_flight` of the bodies that do not fly their parabola. A body on which no point pushes flies, if its
@@ -82,22 +98,22 @@ void decide_flight(const Island& island, std::span<char> in_flight) {
 
 void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (island.patch_indices.empty()) return;
-  const BodyId id = island.world.ids()[idx(island.bodies.front())];
   const bool direct_last_step =
-      std::binary_search(memory_.solved_directly.begin(), memory_.solved_directly.end(), id);
+      std::any_of(island.patch_indices.begin(), island.patch_indices.end(),
+                  [&](int contact) { return island.all_patches[idx(contact)].solved_directly; });
   // [S6.3.1:island]
   // Begin with the impulses of the step before.
   warm_start(island);
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
-  const IslandPlan plan =
-      plan_island(island, first, options_.sweeps, options_.admm_iterations, storage_.parts);
+  const IslandPlan plan = plan_island(
+      island, first, {options_.sweeps, options_.admm_iterations, options_.budget, storage_.parts});
   if (plan.discard_warm_start) discard_impulses(island);
   bool direct = false;
   switch (plan.method) {
     case IslandMethod::settled: break;
-    case IslandMethod::sweep:  // the direct solver is off
+    case IslandMethod::sweep:  // much of it moves
       sweep_on(island, plan, first, report);
       break;
     case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
@@ -109,13 +125,15 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       if (!direct) sweep_on(island, plan, first, report);
       break;
   }
-  if (share_without_gain(island) < tolerance::least_share) {
-    sweep_from_nothing(island, plan, report);
+  double share = share_without_gain(island);
+  if (share < tolerance::least_share) {
+    share = sweep_without_gain(island, plan, report);
     direct = false;
   }
-  if (direct) storage_.solved_directly.push_back(id);
+  for (const int contact : island.patch_indices)
+    island.all_patches[idx(contact)].solved_directly = direct;
   decide_flight(island, storage_.in_flight);
-  limit_energy(island, report);
+  limit_energy(island, share, report);
   // [S6.3.1:island]
 }
 

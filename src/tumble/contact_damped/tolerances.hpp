@@ -36,6 +36,14 @@ inline constexpr double contact_settled = 1e-5;
 /// from a millimetre are slower. (6.3.1)
 inline constexpr double fast_speed = 0.5;
 
+/// [-] Two bodies move if a point of their patch moves by more than this share of sqrt(g L). Reason: a block that is pulled
+/// out of a tower does; cubes of a heap that has come to rest do not. (6.3.1)
+inline constexpr double moving_speed = 0.05;
+
+/// [-] Share of moving patches above which a large island is left to sweeps. Reason: of 0.1, 0.2, 0.3 and 0.5 the one with
+/// which 125 cubes that fall together come to rest earliest; in a tower out of which a block is pulled it is below. (6.3.1)
+inline constexpr double loose_share = 0.1;
+
 /// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
 inline constexpr double weightless_unit = 0.05;
 
@@ -167,9 +175,16 @@ inline constexpr double slow_approach = 0.03;
 /// it: sweeps that begin without impulses carry less than nine tenths of a solution. (6.3.1)
 inline constexpr double least_share = 0.9;
 
-/// [-] Sweeps that begin without impulses, where the direct solver has added energy, at most. Reason: of 12 and 50 the
-/// one with which fewer pairs of 125 cubes that fall together go into each other; it is rarely needed. (6.3.1)
-inline constexpr int sweeps_from_nothing = 50;
+/// [-] Sweeps that follow where the direct solver has added energy, at most. Reason: of 12 and 50 the one with which fewer
+/// pairs of 125 cubes that fall together go into each other; it is rarely needed. (6.3.1)
+inline constexpr int sweeps_after_gain = 50;
+
+/// [-] Sweeps over a large island much of which moves, at most. Reason: of 6, 12, 24 and 50 the one after which 125 cubes
+/// that fall together overlap by no more than what the search for contacts leaves. (6.3.1)
+inline constexpr int loose_sweeps = 24;
+
+/// [-] Sweeps over such an island end below this share of g dt. Reason: a tenth of what ADMM may leave in a fast one. (6.3.1)
+inline constexpr double loose_residual = 0.01;
 
 /// [-] Sweeps are converging if the second one corrects less than this share of the first. Reason: one or two
 /// more are enough then. (6.3.1)
@@ -199,11 +214,7 @@ inline constexpr int small_island_iterations = 3;
 /// the Newton steps. (6.3.1)
 inline constexpr int quiet_iterations = 20;
 
-/// [-] ADMM iterations for a large island that moves fast, at most. Reason: of 20, 30, 60 and 100 the fewest with
-/// which no tower of 3 to 30 layers sinks while a block is pulled out of it. (6.3.1)
-inline constexpr int fast_iterations = 60;
-
-/// [-] Residual at which ADMM ends in a large island that moves fast, as a share of g dt. Reason: of 0.3, 0.1, 0.03
+/// [-] Residual at which ADMM ends in an island that moves fast, as a share of g dt. Reason: of 0.3, 0.1, 0.03
 /// the largest with which the same towers stand. (6.3.1)
 inline constexpr double fast_residual = 0.1;
 
