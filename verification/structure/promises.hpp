@@ -27,7 +27,7 @@ Complaints unkept_promises(const std::vector<SourceFile>& files,
                            const std::vector<TestCase>& tests);
 
 /// Tests that claims, errata and pages name, lines `test = "sentence"` and `- "sentence"`, and that do not exist.
-/// \param files  claims.toml, errata.toml and page.md of the chapters
+/// \param files  claims.toml, errata.toml, and page.md or measured.md of the chapters
 /// \param tests  all tests
 /// \return a complaint for each
 Complaints unkept_records(const std::vector<SourceFile>& files, const std::vector<TestCase>& tests);

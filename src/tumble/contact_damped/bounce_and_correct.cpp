@@ -170,6 +170,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
     if (!displacements[k].changed || displacements[k].inverse_mass.x() == 0.0) continue;
     const BodyProperties& body = world.bodies()[k];
     BodyState& state = world.states()[k];
+    // [S6.3.1:turn]
     const Vec3 moved_w = displacements[k].velocity_w;
     report.energy.repair -= body.mass * world.gravity_w.dot(moved_w);
     state.position_w += moved_w;
@@ -178,6 +179,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
     const Quat turn = rotation_from_vector(displacements[k].angular_velocity_w);
     state.orientation_wb = (turn * state.orientation_wb).normalized();
     state.angular_momentum_w = turn * state.angular_momentum_w;
+    // [S6.3.1:turn]
   }
 }
 

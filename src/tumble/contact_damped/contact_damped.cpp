@@ -248,6 +248,7 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
     const BodyProperties& body = world.bodies()[k];
     if (end[k].inverse_mass.x() == 0.0) continue;
     BodyState& state = world.states()[k];
+    // [S6.3.1:move]
     const int parts = parts_of_turn(dt * end[k].angular_velocity_w.norm());
     const double part = dt / parts;
     if (storage_.in_flight[k] != 0) {
@@ -261,6 +262,7 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
       }
     }
     report.integrations += parts;
+    // [S6.3.1:move]
   }
 }
 

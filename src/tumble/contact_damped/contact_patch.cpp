@@ -232,10 +232,12 @@ void scale_impulses(double factor, ContactPatch& patch) {
 
 void set_targets(double slop, double dt, ContactPatch& patch) {
   bool all_touch = true;
+  // [S6.3.1:targets]
   for (ContactPatchPoint& p : patch.used()) {
     p.target = p.gap > slop ? -(p.gap - slop) / dt : 0.0;
     all_touch = all_touch && p.target == 0.0;
   }
+  // [S6.3.1:targets]
   patch.target_motion = {};
   patch.targets_planar = patch.spans_area;
   if (!patch.spans_area || all_touch) return;

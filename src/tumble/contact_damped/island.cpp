@@ -153,6 +153,7 @@ void warm_start(const Island& island) {
 
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report) {
+  // [S6.3.1:sweep]
   double most = 0.0;
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -161,6 +162,7 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
     most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
                                       island.now[idx(patch.second)], patch_iterations, residual));
   }
+  // [S6.3.1:sweep]
   ++report.iterations;
   report.impulses += static_cast<std::int64_t>(count);
   return most;
@@ -185,11 +187,13 @@ double share_without_gain(const Island& island) {
 }
 
 void limit_energy(const Island& island, StepReport& report) {
+  // [S6.3.1:guard]
   const double share = share_without_gain(island);
   if (share == 1.0) return;
   for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
   for (const int contact : island.patch_indices)
     scale_impulses(share, island.all_patches[idx(contact)]);
+  // [S6.3.1:guard]
   ++report.fallbacks;
 }
 

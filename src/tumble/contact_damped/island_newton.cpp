@@ -149,6 +149,7 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   int steps = 0;
   double change = 0.0;  // [m/s] by the last Newton step
   double residual = result.residual;
+  // [S6.3.1:newton]
   for (int update = 0; update < limits.max_shift_updates; ++update) {
     if (steps >= limits.max_newton_steps || residual < limits.residual) break;
     evaluate_springs(patches);
@@ -159,6 +160,7 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
     }
     residual = update_impulses(limits.shift_tolerance, change);
   }
+  // [S6.3.1:newton]
   result.factorizations += steps;
   result.converged = residual < limits.residual;
   result.improved = !result.converged && limits.shift_tolerance > 0.0 && change < limits.residual &&

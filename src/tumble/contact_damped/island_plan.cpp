@@ -134,12 +134,14 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, int sweep
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
+  // [S6.3.1:plan]
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
   // others, and for small islands in any case.
   const bool sweeps_first = fast || converging || has_sliding_patch(island, unit_speed);
   plan.method = iterations == 0 ? IslandMethod::sweep
                 : sweeps_first  ? IslandMethod::sweep_then_solve
                                 : IslandMethod::solve;
+  // [S6.3.1:plan]
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 
   plan.max_sweeps = small ? std::max(sweeps, tolerance::small_island_sweeps) : sweeps;

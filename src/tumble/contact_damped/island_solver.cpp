@@ -15,6 +15,7 @@ using island_math::add_push, island_math::into_cone, island_math::raise;
 
 // First half of an ADMM iteration: the velocities of all bodies, with all springs on.
 void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
+  // [S6.3.1:velocities]
   begin_right_side();
   for (const Constraint& constraint : constraints_) {
     Six push{};
@@ -28,6 +29,7 @@ void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
   }
   solve_with_factors();
   for (std::size_t m = 0; m < members_.size(); ++m) members_[m].now = x_[m];
+  // [S6.3.1:velocities]
 }
 
 // Second half: each point gets the impulse in its cone that is nearest to that of its spring.
@@ -53,6 +55,7 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
         p.impulse[2] = impulse;
         continue;
       }
+      // [S6.3.1:project]
       const double slide = std::sqrt(u[0] * u[0] + u[1] * u[1]);
       u[2] += p.shift - p.target;
       // Over-relaxation saves a third of the iterations.
@@ -65,6 +68,7 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
       p.auxiliary = auxiliary;
       p.impulse = impulse;
       p.shift = law == FrictionLaw::coulomb ? p.friction * slide : 0.0;
+      // [S6.3.1:project]
     }
   }
 }

@@ -52,6 +52,7 @@ double moment_of(const Pressure& at, double along, double across) {
 
 // If the patch sticks, one product gives the impulse. Returns whether friction and pressure allow it.
 bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
+  // [S6.3.1:stick]
   Six wrong{};
   for (std::size_t k = 0; k < 6; ++k) wrong[k] = patch.target_motion[k] - update.motion[k];
   Six impulse = impulse_of(patch);
@@ -61,6 +62,7 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
     update.change[k] = sum;
     impulse[k] += sum;
   }
+  // [S6.3.1:stick]
   const double normal = impulse[six::normal];
   if (!(normal > 0.0)) return false;
   std::array<double, ContactPatch::kMostPoints> p;
@@ -97,9 +99,8 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   return true;
 }
 
-// Friction at the centre of pressure: the impulse that stops the patch there, or else the largest one within
-// the bound, directly against the motion. With the radius r = lever / N the bound is |(F, T / r)| <= mu N, and
-// the motion that belongs to it (u, r omega).
+// Friction at the centre of pressure: the impulse that stops the patch there, or else the largest one within the bound,
+// against the motion. With the radius r = lever / N the bound is |(F, T / r)| <= mu N, its motion (u, r omega).
 void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   Six& motion = update.motion;
   const SixBySix& K = patch.inverse_mass;
@@ -176,9 +177,8 @@ void solve_point(const ContactPatchPoint& p, double target, const SixBySix& K, d
   update.largest_change = std::max(update.largest_change, std::abs(more) * inverse_mass);
 }
 
-// Brings the normal velocities of all points to their targets at once. Of the pressures that do so, the most
-// even ones are taken: friction about the normal depends on them. Returns false, with nothing changed, if a
-// point would pull.
+// Brings the normal velocities of all points to their targets at once, by the most even pressures that do so, since
+// friction about the normal depends on them. Returns false, with nothing changed, if a point would pull.
 bool solve_pressure_at_once(ContactPatch& patch, PatchUpdate& update) {
   Six& motion = update.motion;
   const SixBySix& K = patch.inverse_mass;
@@ -223,9 +223,8 @@ void solve_pressure(ContactPatch& patch, PatchUpdate& update) {
   }
 }
 
-// Whether all normal velocities meet their targets and no point that pushes slides: then any impulses within
-// Coulomb's bound are a solution. Checked of that bound is the part that holds for every distribution of
-// friction among the points.
+// Whether all normal velocities meet their targets and no point that pushes slides: then any impulses within Coulomb's
+// bound are a solution. The part of the bound is checked that holds for every distribution of friction over the points.
 bool is_solved(const ContactPatch& patch, const Six& motion, double residual) {
   const double creep = tolerance::patch_creep * residual;
   double normal = 0.0, lever = 0.0;
@@ -258,6 +257,7 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
   const bool touches = patch.targets_planar && patch.target_motion == Six{};
   if (!touches && solved()) return 0.0;
   double correction = 0.0;
+  // [S6.3.1:patch]
   if (patch.targets_planar && try_sticking(patch, update)) {
     correction = update.largest_change;
   } else {
@@ -272,6 +272,7 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
     }
   }
   if (correction > 0.0) apply(update.change, patch, first, second);
+  // [S6.3.1:patch]
   return correction;
 }
 

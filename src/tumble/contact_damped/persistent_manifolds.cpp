@@ -212,6 +212,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
       continue;
     const double reach =
         approach_of_pair(rest_w, first, second, dt) + margin_of(world, pair, bodies, dt);
+    // [S6.3.1:kept]
     ContactPatch* const previous =
         previous_patch(world.ids()[idx(pair.first)], world.ids()[idx(pair.second)]);
     if (previous != nullptr && still_valid(world, pair, first, second, reach, *previous)) {
@@ -222,6 +223,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
       if (!look_for_patch(world, pair, bodies, rest_w, dt, axis)) continue;
       if (previous != nullptr) transfer_impulses(*previous, patches_.back());
     }
+    // [S6.3.1:kept]
     ContactPatch& patch = patches_.back();
     set_for_step(pair, bodies, dt, patch);
     scale_impulses(impulse_ratio, patch);
