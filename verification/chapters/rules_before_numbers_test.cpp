@@ -147,19 +147,23 @@ TEST_CASE("Verdicts by a first rule stay as they were when second words were add
     }
     return said;
   };
+  std::map<std::string, std::string> now;  // claims may have moved to another chapter
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "chapters"))
+    if (std::filesystem::exists(entry.path() / "claims.toml"))
+      now.merge(verdicts(entry.path() / "claims.toml", entry.path() / "expected.csv"));
   std::size_t compared = 0;
   std::istringstream names(git("ls-tree -r --name-only " + then + " -- chapters"));
   for (std::string name; std::getline(names, name);) {
     if (!name.ends_with("/claims.toml")) continue;
-    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-    const std::string number_file = (folder / "expected.csv").generic_string();
-    // A claim of then needs no second word: an open claim has none either.
+    // Then there were no second words.
     std::string text = git("show '" + then + ":" + name + "'");
-    for (std::size_t at = 0; (at = text.find("test = ", at)) != std::string::npos; at += 40)
-      text.insert(at, "reads = \"stands\"\nreads_because = \"-\"\n");
-    const auto before = verdicts(scratch.file(name, text), file_at(scratch, then, number_file));
-    const auto now = verdicts(kSource / name, kSource / number_file);
-    for (const auto& [id, verdict] : before) {
+    const std::string words = "reads = \"stands\"\nreads_because = \"-\"\n";
+    for (std::size_t at = 0; (at = text.find("\ntest = ", at)) != std::string::npos;
+         at += words.size() + 2)
+      text.insert(at + 1, words);
+    const std::string numbers = name.substr(0, name.rfind('/')) + "/expected.csv";
+    for (const auto& [id, verdict] :
+         verdicts(scratch.file(name, text), file_at(scratch, then, numbers))) {
       INFO("claim " << id);
       REQUIRE(now.count(id) == 1);
       CHECK(now.at(id) == verdict);
