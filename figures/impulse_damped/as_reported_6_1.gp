@@ -39,7 +39,7 @@ plot stem.'.csv' using (column('arm')-0.08):(column('figure') < 6.65 ? column('c
   '' using (column('arm')+0.08):(column('figure') > 6.65 ? column('chatter_mm') : NaN) with points lt 2 title 'figure 6.7'
 
 set tmargin at screen 0.338; set bmargin at screen 0.189
-set key at screen 0.56,0.385 center top vertical maxcols 2
+set key at screen 0.56,0.385 center top vertical maxrows 2
 set yrange [0:1.05]; set ytics 0,0.25
 side = 'share of runs'; @SIDE
 set boxwidth 0.18
@@ -51,8 +51,8 @@ plot sayings using (column('arm')-0.3):'overlap' with boxes lt 1 title 'no overl
   '' using (column('arm')+0.3):'shaking' with boxes lt 4 title 'little chatter'
 
 # Over the range of the constants.
-set tmargin at screen 0.125; set bmargin at screen 0.035
-set key at screen 0.56,0.165 center top horizontal
+set tmargin at screen 0.122; set bmargin at screen 0.045
+set key at screen 0.56,0.163 center top vertical maxrows 2
 set xlabel 'damping, k\_scale' offset 0,0.5
 set xrange [0.4:4.1]; set xtics (0.5, 1, 1.5, 2, 3, 4)
 set yrange [0:4.2]; set ytics 0,1
