@@ -16,7 +16,7 @@ shown(v) = v > 1e-9 ? v : (v <= 1e-9 ? 1e-9 : NaN)
 set key at screen 0.6,0.992 center top horizontal samplen 1 width -1
 set tmargin at screen 0.915; set bmargin at screen 0.56
 set xlabel 'stack of ten: mm, and mm/s for the speed' offset 0,0.3
-plot stem.'.csv' using (shown(1e3*column('stack_m_s'))):'technique' with points pt 7 ps 1.1 lc rgb '#0072B2' title 'speed in the end', \
+plot stem.'.csv' using (shown(1e3*column('stack_m_s'))):'technique' with points pt 7 ps 1.1 lc rgb '#0072B2' title 'speed at the end', \
   '' using (shown(1e3*column('chatter_m'))):'technique' with points pt 6 ps 1.7 lw 2 lc rgb '#D55E00' title 'chatter', \
   '' using (shown(1e3*column('overlap_m'))):'technique' with points pt 2 ps 1.3 lw 2 lc rgb '#009E73' title 'deepest overlap', \
   '' using (valid(3) ? NaN : 1e-9):'technique':('does not stand') with labels left textcolor rgb soft notitle

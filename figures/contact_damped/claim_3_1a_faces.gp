@@ -9,7 +9,7 @@ set xrange [0.01:60]
 set xtics (0.01, 0.1, 1, 10)
 set yrange [0:1]; set ytics 0,0.25
 set xlabel 'tilt of the nearest face [degrees]' offset 0,0.2
-side = 'share with at most this tilt'; @SIDE
+side = 'fraction with at most this tilt'; @SIDE
 set arrow 1 from 1,graph 0 to 1,graph 1 nohead lt 8 dt (6,4)
 set label 1 'face down' at 1,graph 0.1 right offset -0.7,0 textcolor rgb soft
 plot stem.'.csv' using 'tilt_deg':'share' with lines lt 1 title 'contact\_damped, all clumps', \

@@ -7,7 +7,7 @@ set tmargin at screen 0.88; set bmargin at screen 0.6
 set key at screen 0.56,0.985 center top vertical maxcols 1
 set xrange [0:1]; set xtics 0,0.2
 set yrange [0:*]; set ytics 0,1000
-set xlabel 'share of boxes that move' offset 0,0.3
+set xlabel 'fraction of boxes that move' offset 0,0.3
 side = 'counts a step'; @SIDE
 plot stem.'.csv' using 'moving':'work_awake' with linespoints lt 2 title 'nothing sleeps', \
   '' using 'moving':'work' with linespoints lt 1 title 'boxes at rest sleep'

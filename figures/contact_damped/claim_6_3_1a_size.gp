@@ -1,4 +1,4 @@
-# The way of a sliding box at three sizes, and how far the motions of three scenes are apart.
+# Distance of a sliding box at three sizes, and differences of the motions of three scenes.
 tall = 980
 @PAGE
 set multiplot
@@ -9,7 +9,7 @@ set tmargin at screen 0.78; set bmargin at screen 0.5
 set xrange [0:2]; set xtics 0,0.5
 set format x ''
 set yrange [0:10]; set ytics 0,2
-side = 'way, in heights'; @SIDE
+side = 'distance, in heights'; @SIDE
 plot path using 'time_s':'coulomb' with lines lt 8 title 'Coulomb', \
   '' using 'time_s':'x_small' every 8 with points lt 1 pt 6 ps 1.5 title 'contact\_damped, size 0.01', \
   '' using 'time_s':'x' every 8::3 with points lt 2 pt 2 ps 1.1 title 'contact\_damped, size 1', \
@@ -24,7 +24,7 @@ set format x '%g'
 set xlabel 'time [s] at size 1' offset 0,0.3
 set logscale y; set format y powers
 set yrange [1e-18:1e4]; set ytics 1e4
-side = 'apart, in edges'; @SIDE
+side = 'difference, in edges'; @SIDE
 set label 1 'damped as in the thesis' at 1,5e2 center textcolor rgb soft
 set label 2 'contact\_damped' at 1,5e-6 center textcolor rgb soft
 plot stem.'.csv' using 'time_s':'damped_small' with lines lt 4, \

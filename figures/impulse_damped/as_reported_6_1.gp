@@ -34,7 +34,7 @@ set key at screen 0.56,0.586 center top horizontal
 set xlabel ''
 set xrange [0.5:3.5]; set xtics ('our constants' 1, 'as\_reported' 2, 'contact\_damped' 3)
 set yrange [0:*]; set ytics 0,10
-side = 'chatter in the end / mm'; @SIDE
+side = 'chatter at the end [mm]'; @SIDE
 plot stem.'.csv' using (column('arm')-0.08):(column('figure') < 6.65 ? column('chatter_mm') : NaN) with points lt 1 title 'figure 6.6', \
   '' using (column('arm')+0.08):(column('figure') > 6.65 ? column('chatter_mm') : NaN) with points lt 2 title 'figure 6.7'
 
@@ -53,7 +53,7 @@ plot sayings using (column('arm')-0.3):'overlap' with boxes lt 1 title 'no overl
 # Over the range of the constants.
 set tmargin at screen 0.122; set bmargin at screen 0.045
 set key at screen 0.56,0.163 center top vertical maxrows 2
-set xlabel 'damping, k\_scale' offset 0,0.5
+set xlabel 'power of the damping, k\_scale' offset 0,0.5
 set xrange [0.4:4.1]; set xtics (0.5, 1, 1.5, 2, 3, 4)
 set yrange [0:4.2]; set ytics 0,1
 side = 'sayings that hold'; @SIDE

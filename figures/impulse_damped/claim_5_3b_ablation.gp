@@ -16,7 +16,7 @@ set xrange [0:90]; set xtics 0,40
 set ytics scale 0
 set label 1 'boxes that chatter' at screen 0.48,0.945 center
 set label 2 'time to rest' at screen 0.825,0.945 center
-set xlabel 'share [%]' offset 0,0.2
+set xlabel 'boxes [%]' offset 0,0.2
 plot stem.'.csv' using (50*column('chatter')):0:(50*column('chatter')):(0.35):yticlabels(label(column('set'))) with boxxyerror lc rgb '#0072B2', \
   '' using (100*column('chatter')):0:(sprintf('%.0f', 100*column('chatter'))) with labels left offset 0.7,0
 unset label 1; unset label 2

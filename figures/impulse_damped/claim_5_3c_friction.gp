@@ -18,7 +18,7 @@ plot stem.'.csv' using 'time_s':'half_m_s':'twice_m_s' with filledcurves lc rgb 
 set tmargin at screen 0.475; set bmargin at screen 0.135
 set xlabel 'coefficient of friction' offset 0,0
 set yrange [0:0.8]
-side = 'difference, share of start'; @SIDE
+side = 'difference, over start'; @SIDE
 set key at graph 0.99,0.985 right top vertical maxcols 1 samplen 3
 set object 1 rectangle from graph 0,first 0 to graph 1,first 0.1 fc rgb '#d9efe6' fs solid noborder behind
 set object 2 rectangle from graph 0,first 0.3 to graph 1,first 0.8 fc rgb '#f7e6da' fs solid noborder behind

@@ -13,7 +13,7 @@ do for [s=0:1] {
   set tmargin at screen (s == 0 ? 0.95 : 0.455); set bmargin at screen (s == 0 ? 0.595 : 0.115)
   set xrange [0:most]; set yrange [0:most]
   set label 1 (s == 0 ? 'a cube is shot at a pyramid' : 'cubes fly together and settle') at graph 0.5,1.045 center textcolor rgb '#202020'
-  set xlabel 'mean way of a box, Coulomb [m]' offset 0,0.2
+  set xlabel 'mean distance of a box, Coulomb [m]' offset 0,0.2
   side = 'the same, damped [m]'; @SIDE
   set key at graph 0.02,0.985 left top vertical maxcols 1 samplen 2
   set samples 200

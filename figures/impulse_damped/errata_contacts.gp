@@ -2,7 +2,7 @@
 # for the same number mended. What is too small for the axis is in the column of 0.
 # The numbers themselves stand beside it.
 array what[25] = [ \
-  "D1  two orders [m]", "D2  way in 1 s [m]", "D3  first slide [m]", "D4  not stable [steps]", \
+  "D1  two orders [m]", "D2  distance in 1 s [m]", "D3  first slide [m]", "D4  not stable [steps]", \
   "D5  height after fall [m]", "D6  speed at rest [m/s]", \
   "C1  hop at rest [m]", "C2  speed at rest [m/s]", "C3  same, stable [m/s]", \
   "C4  rebound [m/s]", "C5  tilt after a hit [rad]", "C6  same as C3 [m/s]", \
@@ -38,9 +38,9 @@ do for [after in "5.5 16.5 20.5"] {
 }
 set key at screen 0.02,1-14.0/tall left top horizontal reverse Left samplen 1 width 2 maxrows 1
 set label 90 'literal' at 1e2,screen 1-54.0/tall left textcolor rgb '#D55E00'
-set label 91 'mended' at 5e6,screen 1-54.0/tall left textcolor rgb '#0072B2'
+set label 91 'corrected' at 1.3e6,screen 1-54.0/tall left textcolor rgb '#0072B2'
 plot stem.'.csv' using (shown(column('failure'))):'row':(shown(column('mended'))-shown(column('failure'))):(0) with vectors nohead lc rgb '#b0b0b0' lw 2 notitle, \
   '' using (shown(column('failure'))):'row' with points lt 2 ps 1.5 title 'taken literally', \
-  '' using (shown(column('mended'))):'row' with points lt 1 ps 1.3 title 'mended', \
+  '' using (shown(column('mended'))):'row' with points lt 1 ps 1.3 title 'corrected', \
   '' using (1e2):'row':(text(column('failure'))) with labels left textcolor rgb '#B34A00' notitle, \
   '' using (5e6):'row':(text(column('mended'))) with labels left textcolor rgb '#0060A0' notitle

@@ -9,7 +9,7 @@ set multiplot
 unset key
 top(row) = 1 - (70.0 + 265*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center
-set label 91 'mended' at screen 0.77,1-14.0/tall center
+set label 91 'corrected' at screen 0.77,1-14.0/tall center
 LEFT = 'set lmargin at screen 0.15; set rmargin at screen 0.53'
 RIGHT = "set lmargin at screen 0.58; set rmargin at screen 0.96; set format y ''; unset label 99"
 ROW = "set tmargin at screen top(row); set bmargin at screen top(row)-130.0/tall; set label 92 title_of_row at screen 0.02,top(row)+22.0/tall textcolor rgb '#202020'; set label 99 side at screen 0.027,top(row)-65.0/tall center rotate textcolor rgb '#202020'"

@@ -8,7 +8,7 @@ tall = 95 + 150*rows
 set multiplot
 unset key; unset border; unset tics; unset grid
 set label 90 'as printed' at screen 0.28,1-14.0/tall center
-set label 91 'mended' at screen 0.76,1-14.0/tall center
+set label 91 'corrected' at screen 0.76,1-14.0/tall center
 top(row) = 1 - (62.0 + 150*row)/tall
 grey = '#bdbdbd'
 dark = '#0072B2'

@@ -10,7 +10,7 @@ set tmargin at screen 0.9; set bmargin at screen 0.71
 set xlabel 'rows' offset 0,0.3
 set xrange [3.5:10.5]; set xtics 1
 set yrange [*:*]
-side = 'farthest drift / mm'; @SIDE
+side = 'farthest drift [mm]'; @SIDE
 plot stem.'.csv' using 'rows':'constant_mm' with linespoints lt 1 title 'constant, as printed', \
   '' using 'rows':'shock_mm' with linespoints lt 2 title 'rising in shock propagation', \
   '' using 'rows':'rising_mm' with linespoints lt 3 title 'rising in all sweeps'
@@ -21,7 +21,7 @@ set tmargin at screen 0.58; set bmargin at screen 0.385
 set xlabel 'time [s]' offset 0,0.3
 set xrange [0:*]; set xtics 0.5
 set yrange [0.1:1000]
-side = 'farthest drift / mm'; @SIDE
+side = 'farthest drift [mm]'; @SIDE
 plot piles using 'time_s':'pyramid_mm' with lines lt 1 title 'pyramid, constant', \
   '' using 'time_s':'wall_mm' with lines lt 2 title 'wall, constant', \
   '' using 'time_s':'pyramid_rising_mm' with lines lt 3 title 'pyramid, rising', \
@@ -32,7 +32,7 @@ set tmargin at screen 0.27; set bmargin at screen 0.08
 set xlabel 'row of the pyramid, from the ground up' offset 0,0.3
 set xrange [0.5:*]; set xtics 5
 set yrange [1e-4:1e-1]
-side = 'spin after one step / (rad/s)'; @SIDE
+side = 'spin after one step [rad/s]'; @SIDE
 spins = stem.'_spins.csv'
 plot spins using 'row':(column('constant') > 0 ? column('constant') : NaN) with linespoints lt 1 title 'constant', \
   '' using 'row':(column('rising') > 0 ? column('rising') : NaN) with linespoints lt 3 title 'rising'
