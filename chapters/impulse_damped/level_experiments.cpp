@@ -139,7 +139,7 @@ const Registered impulse_levels_figure{
              .add_whole("piles", 20, 2, 30, "rows of the pyramid beside stack and wall")
              .add_whole("courses", 20, 1, 100, "of the wall")
              .add_number("piles_duration", 1.0, 0.1, 100.0, "s", "of the runs of these"),
-     .quick = {"rows=7", "duration=1", "piles=5", "courses=1", "piles_duration=0.1"},
+     .quick = {"rows=7", "duration=0.5", "piles=5", "courses=1", "piles_duration=0.1"},
      .experiment = measure_levels}};
 
 }  // namespace
