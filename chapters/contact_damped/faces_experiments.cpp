@@ -79,9 +79,9 @@ Result measure_faces(const Parameters& settings) {
   const int largest = settings.count("largest");
   const int seeds = settings.count("seeds");
   const double duration = settings.number("duration");
-  const auto all = [&](int least, int most, const PlayedTechnique& technique) {
+  const auto all = [&](int least, int most, const PlayedTechnique& technique, int after = 0) {
     Clumps clumps;
-    for (int seed = 1; seed <= seeds; ++seed) {
+    for (int seed = after + 1; seed <= after + seeds; ++seed) {
       clumps.emplace_back();
       for (int per_edge = least; per_edge <= most; ++per_edge)
         clumps.back().push_back(settled(per_edge, seed, duration, technique));
@@ -96,6 +96,10 @@ Result measure_faces(const Parameters& settings) {
   out.push_back(
       share_of("share of the boxes of settled clumps that rest with a face down, within a degree",
                coulomb, flat));
+  out.push_back(
+      share_of("share of the boxes of settled clumps that rest with a face down, within a degree, "
+               "fresh seeds",
+               all(smallest, largest, {"contact_damped"}, seeds), flat));
   const auto of_size = [&](int per_edge) {
     Clumps some;
     for (const std::vector<Settled>& of_seed : coulomb)

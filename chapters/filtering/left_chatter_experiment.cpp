@@ -119,6 +119,14 @@ Result measure_left_chatter(const Parameters& settings) {
     result.add(share_of_bodies("the same share, chatter from two thousandths on", clumps, false,
                                2.0 * kChatters));
   }
+  std::vector<Left> reported;
+  const int seeds = settings.count("seeds");
+  for (int seed = seeds + 1; seed <= 2 * seeds; ++seed)
+    reported.push_back(left_in(settings, {"damped", {"reading=as_reported"}}, seed));
+  result.add(share_of_bodies(
+      "share of the bodies of the settled clump that chatter by a thousandth of an edge or more, "
+      "as_reported",
+      reported, false));
   result.tables = {sorted, shares, still};
   return result;
 }

@@ -1,28 +1,14 @@
 /// \file
 /// \brief Cubes that fly together and settle, coloured by how much each one still shakes (6.1).
 #include "tumble/pictures/film.hpp"
-#include "tumble/pictures/lighting.hpp"
-#include "tumble/pictures/world_picture.hpp"
-#include "tumble/record/chatter.hpp"
 
-#include "driver/experiment.hpp"
+#include "impulse_damped/chatter_colours.hpp"
 
 namespace tumble::chapters {
 namespace {
 
 constexpr double kFilmRate = 20.0;  // [1/s]
 constexpr double kFilmEnds = 3.01;  // [s]
-constexpr double kQuietest = 1e-3;  // [mm] the scale of colours begins here,
-constexpr double kLoudest = 1e2;    // [mm] and ends here, a tenth of an edge of 1 m
-
-// From blue to vermilion over a pale grey: lightness turns there only, and both ends differ
-// for readers that do not see red or green.
-std::uint32_t colour_of(double amplitude) {
-  constexpr std::uint32_t cold = 0x0072b2, middle = 0xf0ead2, hot = 0xd55e00;
-  const double clipped = std::clamp(amplitude, kQuietest, kLoudest);
-  const double place = elementary::log(clipped / kQuietest) / elementary::log(kLoudest / kQuietest);
-  return place < 0.5 ? mixed(cold, middle, 2.0 * place) : mixed(middle, hot, 2.0 * place - 1.0);
-}
 
 void watch(const PlayedScene& played, ChatterMeter& meter) {
   const World& world = played.world();
@@ -60,41 +46,19 @@ Result measure_clump_settles(const Parameters& settings) {
     const double next = film.back().time + 1.0 / kFilmRate - 0.5 * kStep;
     if (time > next && time < kFilmEnds) film.push_back({time, picture_boxes(played.world())});
   });
-  frames.push_back(picture_boxes(played.world()));
-
-  constexpr std::uint32_t moving = 0x8a8a8a;  // does not rest, so chatter does not apply
-  double worst = 0.0;                         // [mm]
-  double travelling = 0.0;
-  std::size_t drawn = 0;
-  const std::vector<BodyChatter> resting = meter.each(played.world().gravity_w.norm());
-  auto next = resting.begin();  // both are in the order of ids
-  for (std::size_t k = 0; k < played.world().bodies().size(); ++k) {
-    if (!played.world().bodies()[k].movable()) continue;
-    const bool rests = next != resting.end() && next->id == played.world().ids()[k];
-    const double amplitude = rests ? 1e3 * (next++)->amplitude : 0.0;
-    frames[0][drawn].colour = 0xc9c9c4;
-    frames[1][drawn++].colour = rests ? colour_of(amplitude) : moving;
-    worst = std::max(worst, amplitude);
-    if (!rests) travelling += 1.0;
-  }
-
-  Table bar{"bar",
-            {{"chatter_mm", "mm", "an amplitude"}, {"colour", "-", "its colour as 0xRRGGBB"}}};
-  constexpr int shades = 100;
-  for (int k = 0; k <= shades; ++k) {
-    const double amplitude = kQuietest * elementary::pow(kLoudest / kQuietest, 1.0 * k / shades);
-    bar.add(amplitude, colour_of(amplitude));
-  }
+  const ChatterPicture settled = coloured_by_chatter(played.world(), meter);
+  for (PictureBox& box : frames.front()) box.colour = 0xc9c9c4;
+  frames.push_back(settled.boxes);
   std::vector<Drawing> drawings;
   const Vec3 direction_w(0.55, 0.5, 1.0);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const Camera camera = camera_for(frames[k], direction_w, 600.0, k == 0 ? 380.0 : 340.0, true);
     drawings.push_back({k == 0 ? "start" : "settled", to_gnuplot(draw_boxes(frames[k], camera))});
   }
-  return {{bar},
-          {{"cubes", "-", drawn},
-           {"cubes that do not rest", "-", travelling},
-           {"largest chatter of those that rest", "mm", worst},
+  return {{chatter_colour_bar()},
+          {{"cubes", "-", settled.boxes.size()},
+           {"cubes that do not rest", "-", settled.travelling},
+           {"largest chatter of those that rest", "mm", settled.worst},
            {"mean distance from the axis at the start", "m", from_axis},
            {"mean distance from the axis in the end", "m", distance_to_axis(played.world())}},
           drawings,

@@ -56,6 +56,9 @@ Result measure_frame_work(const Parameters& settings) {
             "-", clump[1]},
            {"pairs in all, the ground included", "-", 0.5 * clump[0] * (clump[0] + 1.0)},
            {"most pairs tested in a step of the clump", "-", clump[2]},
+           {"pairs that are tested in the worst step of the clump of figure 6.7, over those of a "
+            "step on average",
+            "-", clump[2] / clump[1]},
            {"impulses in a step of the clump, on average", "-", clump[3]},
            {"pairs tested in a step of the clump, on average, contact_damped", "-", clump[4]},
            {"impulses in a step of the clump, on average, contact_damped", "-", clump[5]}}};

@@ -104,9 +104,12 @@ Result measure_what_is_seen(const Parameters& settings) {
         variant.words.empty() ? decides : "the same, " + variant.words, runs, coulomb));
     if (variant.words.empty()) damped = runs;
   }
+  const std::vector<double> fresh = play_all(shots, coulomb_technique(), seeds, duration, seeds);
   quantities.push_back(median_difference(
-      decides + ", fresh seeds", play_all(shots, {"damped"}, seeds, duration, seeds),
-      play_all(shots, coulomb_technique(), seeds, duration, seeds)));
+      decides + ", fresh seeds", play_all(shots, {"damped"}, seeds, duration, seeds), fresh));
+  quantities.push_back(median_difference(
+      decides + ", as_reported",
+      play_all(shots, {"damped", {"reading=as_reported"}}, seeds, duration, seeds), fresh));
   const std::vector<double> clump_coulomb = play_all(clumps, coulomb_technique(), seeds, duration);
   const std::vector<double> clump_damped = play_all(clumps, {"damped"}, seeds, duration);
   quantities.push_back(

@@ -121,6 +121,12 @@ Result measure_tosses(const Parameters& settings) {
       "without, fresh seeds",
       toss_all(damped("fast"), seeds, count, seeds), toss_all(damped("off"), seeds, count, seeds),
       both);
+  const DampedVariant reported{"as_reported", {"damped", {"reading=as_reported"}}};
+  compared(
+      "distance of travel and time to rest from the measured quartiles, with randomness over "
+      "without, as_reported",
+      toss_all(damped("fast", reported), seeds, count, seeds),
+      toss_all(damped("off", reported), seeds, count, seeds), both);
   compared("the same, travel only", with, without, travel_distance);
   compared("the same, time to rest only", with, without, time_distance);
   for (const DampedVariant& variant : damped_variants())

@@ -83,8 +83,9 @@ struct Reading {
 };
 
 // Errata of kind "choice" whose worse reading is a trap: the text leaves them open, and the milder reading is plainer.
-constexpr const char* kDampedTraps = "D5,D6,C7,RK1,RC4,DM4,DM5,DM8";
-constexpr const char* kTimewarpTraps = "T6";
+constexpr const char* kDampedTraps =
+    "D4,D5,D6,C3,C4,C6,C7,RK1,RC4,DM4,DM5,DM8,DM13,DM16,X1,G5,G7,G8";
+constexpr const char* kTimewarpTraps = "T1,T2,T4,T6,T7,T8,F6";
 
 // What is mended in a listing as printed: what was asked for, and each trap that is not taken.
 template <class Errata>
@@ -184,7 +185,7 @@ struct TimewarpSettings {
 template <class Visitor>
 void describe(TimewarpSettings& o, Visitor& v) {
   describe(o.meant, v);
-  describe(o.reading, v, "A.1", "T1,F6", kTimewarpTraps);
+  describe(o.reading, v, "A.1", "T3,F1", kTimewarpTraps);
   describe(o.printed, v);
 }
 
