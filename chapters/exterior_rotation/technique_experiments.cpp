@@ -41,7 +41,7 @@ std::span<const ComparedTechnique> techniques_with_pose() {
 }
 
 std::span<const ComparedTechnique> techniques_without_pose() {
-  static const std::array<ComparedTechnique, 7> list{{
+  static const std::array<ComparedTechnique, 8> list{{
       {"damped", {"damped"}},
       {"timewarp_simple", {"timewarp_simple"}},
       {"timewarp_safer", {"timewarp_safer"}},
@@ -49,6 +49,7 @@ std::span<const ComparedTechnique> techniques_without_pose() {
       {"timewarp_full", {"timewarp_full"}},
       {"basic", {"basic"}},
       {"penalty", {"penalty"}},
+      {"faure", {"faure"}},
   }};
   return list;
 }

@@ -159,8 +159,10 @@ TEST_CASE(
        {"timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"})
     CHECK(figure.number("gap, figure 6.1, " + name) < 1.01);  // the slop of repair
   CHECK(figure.number("gap, figure 6.1, basic") > 10.0);
-  for (const std::string scene : {"figure 6.1", "figure 6.2", "figure 6.3"})
+  for (const std::string scene : {"figure 6.1", "figure 6.2", "figure 6.3"}) {
     CHECK(figure.number("gap, " + scene + ", penalty") > 10.0);  // springs give way
+    CHECK(figure.number("gap, " + scene + ", faure") < 1.01);
+  }
   for (const std::string scene : {"figure 6.2", "figure 6.3"}) {
     CHECK(figure.number("gap, " + scene + ", damped") < 6.0);
     CHECK(figure.number("gap, " + scene + ", basic") < 1.01);

@@ -27,4 +27,16 @@ inline constexpr double penalty_friction = 0.5;
 /// it loses some in each swing. (2.5.1)
 inline constexpr double penalty_explicit = 0.5;
 
+/// [-] Residual at which Faure's iteration is done. Reason: the same as of Gauss-Seidel sweeps, with which it is
+/// compared. (2.6.4)
+inline constexpr double faure_residual = 1e-9;
+
+/// [-] Step of Faure's iteration at which it ends before its budget, over the step from no impulses at all. Reason: a
+/// millionth of what gravity adds in a step moves no box by a thousandth of its edge in an hour. (2.6.4)
+inline constexpr double faure_small = 1e-6;
+
+/// [-] How far apart points are taken up, as a share of the shortest edge. Reason: farther away a contact area says little
+/// about where two boxes will meet. (2.6.4)
+inline constexpr double faure_reach = 0.5;
+
 }  // namespace tumble::tolerance
