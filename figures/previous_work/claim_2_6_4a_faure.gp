@@ -12,5 +12,5 @@ set arrow 1 from 0,0.01 to 105,0.01 nohead lt 8 dt (2,4)
 set label 1 'one per cent' at 104,0.01 right offset 0,0.6 textcolor rgb soft
 plot stem.'.csv' using 'steps':'faure' with linespoints lt 1 title 'Faure, in motion', \
   '' using 'steps':'faure_rest' with linespoints lt 1 dt 2 pt 6 title 'at rest', \
-  '' using 'steps':'sweeps' with linespoints lt 2 title 'Gauss-Seidel, in motion', \
+  '' using 'steps':'sweeps' with linespoints lt 2 title 'sweeps, in motion', \
   '' using 'steps':'sweeps_rest' with linespoints lt 2 dt 2 pt 4 title 'at rest'
