@@ -83,7 +83,6 @@ class Penalty : public Technique {
   explicit Penalty(const PenaltyOptions& options = {});
 
   [[nodiscard]] std::string_view name() const override { return "penalty"; }
-  /// \throws std::invalid_argument for springs that are too stiff for the step, see PenaltyOptions::unstable
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
