@@ -38,8 +38,9 @@ double least_motion(const ContactPoint& point, double dt, double restitution) {
 // --- contacts ---------------------------------------------------------------------------------------
 
 void FaureContacts::take(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
-                         double dt, const World& world, const StickyOptions& sticky) {
+                         double dt, const World& world, const StickyOptions& sticky, bool bounce) {
   bodies_ = bodies;
+  bounces_ = false;
   rows_.clear();
   impulses_.clear();
   for (const Contact& contact : contacts) {
@@ -65,7 +66,9 @@ void FaureContacts::take(std::span<const MovingBody> bodies, std::span<const Con
       // The mean, so that nothing depends on the choice of directions.
       row.yield[1] = row.yield[2] = 0.5 * (row.yield[1] + row.yield[2]);
       const double e = sticky_restitution(contact.restitution, p.approach_speed, scale, sticky);
-      row.constant[0] -= least_motion(p, dt, e);
+      const double least = least_motion(p, dt, bounce ? e : 0.0);
+      bounces_ = bounces_ || least > 0.0;
+      row.constant[0] -= least;
       rows_.push_back(row);
       impulses_.push_back(p.normal_impulse);
       impulses_.push_back(p.friction_impulse_w.dot(tangents.first_w));
@@ -171,12 +174,14 @@ StepReport Faure::step(World& world, double dt) {
   moving_ = start_;
   for (std::size_t k = 0; k < moving_.size(); ++k)
     if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
-  rows_.take(moving_, contacts_, dt, world, options_.sticky);
-  rows_.require_no_energy();
-  descent_ = iteration_.solve(rows_, rows_.impulses(), options_.wanted * rows_.first_step(),
-                              options_.budget);
-  report.iterations = descent_.iterations;
-  push(world, report);
+  push(world, dt, true, report);
+  if (gains(report)) {  // by bounces that contradict one another: nothing bounces in this step
+    moving_ = start_;
+    for (std::size_t k = 0; k < moving_.size(); ++k)
+      if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
+    push(world, dt, false, report);
+    ++report.fallbacks;
+  }
 
   // All bodies move with the velocities of the end.
   store_moving_bodies(moving_, world);
@@ -226,8 +231,27 @@ void Faure::find_contacts(const World& world, double dt, StepReport& report) {
     }
 }
 
-// Work is an impulse times the mean of the velocities before and after.
-void Faure::push(const World& world, StepReport& report) {
+// Whether the impulses add energy.
+bool Faure::gains(const StepReport& report) const {
+  double scale = 0.0;  // [J]
+  for (const Contact& contact : contacts_)
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactPoint& p = contact.points[idx(k)];
+      scale += p.normal_impulse * std::abs(p.approach_speed);
+    }
+  return rows_.bounces() &&
+         report.energy.restitution + report.energy.friction > tolerance::faure_gain * scale;
+}
+
+// Looks for the impulses and applies them. Work is an impulse times the mean of the velocities before and after.
+void Faure::push(const World& world, double dt, bool bounce, StepReport& report) {
+  rows_.take(moving_, contacts_, dt, world, options_.sticky, bounce);
+  rows_.require_no_energy();
+  descent_ = iteration_.solve(rows_, rows_.impulses(), options_.wanted * rows_.first_step(),
+                              options_.budget);
+  report.iterations += descent_.iterations;
+  report.impulses = 0;
+  report.energy = {};
   records_.clear();
   std::size_t row = 0;
   for (Contact& contact : contacts_) {

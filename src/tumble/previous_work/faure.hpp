@@ -55,8 +55,11 @@ class FaureContacts {
   /// \param dt        [s] of the step
   /// \param world     for the speed at which impacts stick
   /// \param sticky    see there
+  /// \param bounce    false: no impact bounces
   void take(std::span<const MovingBody> bodies, std::span<const Contact> contacts, double dt,
-            const World& world, const StickyOptions& sticky);
+            const World& world, const StickyOptions& sticky, bool bounce);
+  /// \return whether a point bounces
+  [[nodiscard]] bool bounces() const { return bounces_; }
   /// \return three for each point
   [[nodiscard]] std::size_t size() const { return 3 * rows_.size(); }
   /// \param i  unknown
@@ -100,6 +103,7 @@ class FaureContacts {
   std::vector<double> impulses_;
   std::vector<Vec3> linear_w_, angular_w_;  // [m/s], [rad/s] what impulses change, by body index
   std::vector<double> image_;
+  bool bounces_ = false;
 };
 
 /// Faure's energy method: impulses of all contacts at once, by as many steps down the energy as there is time for.
@@ -110,7 +114,8 @@ class FaureContacts {
 /// it need not. An approach that is left when the budget ends makes bodies sink in; they are moved apart after the step.
 ///
 /// **What it cannot do.** With a small budget and without the impulses of the step before ten boxes tremble, by a millimetre with
-/// ten steps; warm starts hide that as long as a pile stands. Restitution with friction may add energy. Points are looked for
+/// ten steps; warm starts hide that as long as a pile stands. Where bounces at several points or with friction would add
+/// energy, nothing bounces in that step (`fallbacks`). Points are looked for
 /// within half of the shortest edge, so a fast body may pass through a thin one.
 /// \par Cost and determinism
 /// O(points) for each step of the iteration. No allocation once warm.
@@ -135,7 +140,8 @@ class Faure : public Technique {
 
  private:
   void find_contacts(const World& world, double dt, StepReport& report);
-  void push(const World& world, StepReport& report);
+  void push(const World& world, double dt, bool bounce, StepReport& report);
+  [[nodiscard]] bool gains(const StepReport& report) const;
 
   FaureOptions options_;
   std::unique_ptr<BroadPhase> broad_phase_;
