@@ -41,13 +41,15 @@ std::span<const ComparedTechnique> techniques_with_pose() {
 }
 
 std::span<const ComparedTechnique> techniques_without_pose() {
-  static const std::array<ComparedTechnique, 6> list{{
+  static const std::array<ComparedTechnique, 8> list{{
       {"damped", {"damped"}},
       {"timewarp_simple", {"timewarp_simple"}},
       {"timewarp_safer", {"timewarp_safer"}},
       {"timewarp_swept", {"timewarp_swept"}},
       {"timewarp_full", {"timewarp_full"}},
       {"basic", {"basic"}},
+      {"penalty", {"penalty"}},
+      {"faure", {"faure"}},
   }};
   return list;
 }

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Built-in scenes under the technique of this folder and under contact_damped, side by side.
-#include "penalty.hpp"
+#include "cushion.hpp"
 
 #include <cstdio>
 #include <optional>
@@ -72,7 +72,7 @@ void compare(const Words& words, bool recorded) {
   std::printf("%s", words.front().c_str());
   for (std::size_t k = 1; k < words.size(); ++k) std::printf(" %s", words[k].c_str());
   std::printf("\n");
-  const TechniqueRecipe ours = example::penalty_recipe();
+  const TechniqueRecipe ours = example::cushion_recipe();
   const TechniqueRecipe& other = technique_recipe("contact_damped");
   run(describe(words, ours, true), ours, recorded);
   run(describe(words, other, false), other, recorded);

@@ -1,6 +1,6 @@
 /// \file
 /// \brief The recipe of the technique: its name, its options, and how it is made.
-#include "penalty.hpp"
+#include "cushion.hpp"
 
 #include <tumble/base/options.hpp>
 
@@ -11,16 +11,16 @@ using namespace tumble;
 
 // [make]
 std::unique_ptr<Technique> make(const Parameters& p, std::uint64_t /*seed*/) {
-  return std::make_unique<Penalty>(read_options<PenaltyOptions>(p));
+  return std::make_unique<Cushion>(read_options<CushionOptions>(p));
 }
 // [make]
 
 }  // namespace
 
 // [recipe]
-TechniqueRecipe penalty_recipe() {
-  return {"penalty", "2.5.1", "springs and dampers where bodies overlap",
-          declared_options<PenaltyOptions>, make};
+TechniqueRecipe cushion_recipe() {
+  return {"cushion", "2.5.1", "springs and dampers where bodies overlap",
+          declared_options<CushionOptions>, make};
 }
 // [recipe]
 

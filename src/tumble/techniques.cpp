@@ -14,6 +14,8 @@
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/impulse.hpp"
+#include "tumble/previous_work/faure.hpp"
+#include "tumble/previous_work/penalty.hpp"
 #include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
@@ -249,6 +251,15 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
       {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
+      {"penalty", "2.5.1",
+       "springs and dampers where bodies overlap; heavy loads sink in, and a fast body may pass "
+       "through a thin one",
+       declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
+      {"faure", "2.6.4",
+       "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
+       "sinks "
+       "in, and a fast body may pass through a thin one",
+       declared_options<FaureOptions>, make<Faure, FaureOptions>},
   };
   return library;
 }

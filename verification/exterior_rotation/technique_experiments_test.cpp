@@ -149,14 +149,20 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Without the option only the column of the basic technique comes apart by centimetres",
-          "[claims][exterior_rotation]") {
+TEST_CASE(
+    "Without the option only the columns of the basic technique and of springs come apart by "
+    "centimetres",
+    "[claims][exterior_rotation]") {
   const FigureUnderTest figure("technique_gaps_other", {"share=1"});
   CHECK(figure.number("gap, figure 6.1, damped") < 1e3 * kRounding);  // [mm] it stands still
   for (const std::string name :
        {"timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"})
     CHECK(figure.number("gap, figure 6.1, " + name) < 1.01);  // the slop of repair
   CHECK(figure.number("gap, figure 6.1, basic") > 10.0);
+  for (const std::string scene : {"figure 6.1", "figure 6.2", "figure 6.3"}) {
+    CHECK(figure.number("gap, " + scene + ", penalty") > 10.0);  // springs give way
+    CHECK(figure.number("gap, " + scene + ", faure") < 1.01);
+  }
   for (const std::string scene : {"figure 6.2", "figure 6.3"}) {
     CHECK(figure.number("gap, " + scene + ", damped") < 6.0);
     CHECK(figure.number("gap, " + scene + ", basic") < 1.01);

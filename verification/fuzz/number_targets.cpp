@@ -115,7 +115,8 @@ constexpr std::array kWorldPromises{
     WorldPromise{"contact_damped", 1e-9, 0.01},  WorldPromise{"analytic", 1e-9, 0.01},
     WorldPromise{"time_stepping", 1e-9, 0.01},   WorldPromise{"basic", 1e-9, kAny},
     WorldPromise{"timewarp_simple", 1e-9, kAny}, WorldPromise{"timewarp_safer", 1e-9, kAny},
-    WorldPromise{"timewarp_swept", 1e-9, kAny},  WorldPromise{"timewarp_full", 1e-9, kAny}};
+    WorldPromise{"timewarp_swept", 1e-9, kAny},  WorldPromise{"timewarp_full", 1e-9, kAny},
+    WorldPromise{"penalty", 1e-9, kAny},         WorldPromise{"faure", 1e-9, kAny}};
 
 WorldPromise promise_of(std::string_view technique) {
   for (const WorldPromise& p : kWorldPromises)

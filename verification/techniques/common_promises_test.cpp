@@ -3,7 +3,7 @@
 #include "tumble/dynamics/tolerances.hpp"
 #include "tumble/scenes/simulation.hpp"
 
-#include "add_a_technique/penalty.hpp"
+#include "add_a_technique/cushion.hpp"
 #include "impulse_damped/scene_runs.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
@@ -16,7 +16,7 @@ using namespace tumble::test;
 
 std::vector<TechniqueRecipe> all_techniques() {
   std::vector<TechniqueRecipe> all = technique_library();
-  all.push_back(example::penalty_recipe());
+  all.push_back(example::cushion_recipe());
   return all;
 }
 

@@ -18,17 +18,17 @@
 namespace tumble {
 namespace {
 
-using Words = std::vector<std::string>;
+using Fields = std::vector<std::string>;
 
-std::string joined(const Words& words) {
+std::string joined(const Fields& words) {
   std::string out;
   for (const std::string& word : words) out.append(out.empty() ? "" : " ").append(word);
   return out;
 }
 
-Words words_of(std::string_view line) {
+Fields words_of(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";
-  Words words;
+  Fields words;
   for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
     words.emplace_back(line.substr(begin, end - begin));
@@ -43,25 +43,25 @@ class Lines {
   Lines(std::string_view text, std::string_view file) : rest_(text), file_(file) {}
 
   // The words of the next line, whatever it is; none at the end.
-  Words next() {
+  Fields next() {
     if (rest_.empty()) return {};
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    Words words = words_of(rest_.substr(0, end));
+    Fields words = words_of(rest_.substr(0, end));
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++line_;
     return words;
   }
 
   // The words of the next line with something to read; none at the end.
-  Words next_entry() {
+  Fields next_entry() {
     while (!rest_.empty()) {
-      Words words = next();
+      Fields words = next();
       if (!words.empty() && words.front().front() != '%') return words;
     }
     return {};
   }
 
-  [[noreturn]] void refuse(const Words& words, const std::string& wanted) const {
+  [[noreturn]] void refuse(const Fields& words, const std::string& wanted) const {
     const std::string found = words.empty() ? "the file ends here" : one_line(joined(words));
     throw std::invalid_argument(std::string(file_) + ":" + std::to_string(std::max(line_, 1)) +
                                 ": " + found + ": " + wanted);
@@ -80,8 +80,8 @@ struct Header {
 };
 
 Header read_header(Lines& lines) {
-  const Words given = lines.next();
-  Words words = given;
+  const Fields given = lines.next();
+  Fields words = given;
   for (std::string& word : words)
     for (char& c : word)
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -106,7 +106,7 @@ bool is_whole(const std::string& word, std::int64_t& value) {
   return error == std::errc() && stop == end;
 }
 
-double value_of(const Words& words, const Header& header, const Lines& lines) {
+double value_of(const Fields& words, const Header& header, const Lines& lines) {
   const std::string& word = words.back();
   if (header.integer) {
     constexpr std::int64_t most = std::int64_t{1} << 53U;  // above, doubles have gaps
@@ -121,7 +121,7 @@ double value_of(const Words& words, const Header& header, const Lines& lines) {
 }
 
 // A whole number of a line that has to be in a range.
-int index_of(const Words& words, std::size_t place, int least, int most, const std::string& wanted,
+int index_of(const Fields& words, std::size_t place, int least, int most, const std::string& wanted,
              const Lines& lines) {
   std::int64_t value = 0;
   if (!is_whole(words[place], value) || value < least || value > most) lines.refuse(words, wanted);
@@ -132,7 +132,7 @@ MatX read_array(const Header& header, int rows, int columns, Lines& lines) {
   MatX matrix = MatX::Zero(rows, columns);
   for (int j = 0; j < columns; ++j) {
     for (int i = header.symmetric ? j : 0; i < rows; ++i) {
-      const Words words = lines.next_entry();
+      const Fields words = lines.next_entry();
       if (words.size() != 1)
         lines.refuse(words, "expected one number, row " + std::to_string(i + 1) + " of column " +
                                 std::to_string(j + 1));
@@ -147,7 +147,7 @@ MatX read_coordinates(const Header& header, int rows, int columns, int count, Li
   MatX matrix = MatX::Zero(rows, columns);
   std::vector<bool> given(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
   for (int k = 0; k < count; ++k) {
-    const Words words = lines.next_entry();
+    const Fields words = lines.next_entry();
     if (words.size() != 3)
       lines.refuse(words, "expected row, column and value, entry " + std::to_string(k + 1) +
                               " of " + std::to_string(count));
@@ -173,7 +173,7 @@ MatX read_coordinates(const Header& header, int rows, int columns, int count, Li
 MatX parse_matrix_market(std::string_view text, std::string_view file) {
   Lines lines(text, file);
   const Header header = read_header(lines);
-  const Words sizes = lines.next_entry();
+  const Fields sizes = lines.next_entry();
   if (sizes.size() != (header.coordinate ? 3U : 2U))
     lines.refuse(sizes, header.coordinate ? "expected how many rows, columns and entries there are"
                                           : "expected how many rows and columns there are");
@@ -191,7 +191,7 @@ MatX parse_matrix_market(std::string_view text, std::string_view file) {
   } else {
     matrix = read_array(header, rows, columns, lines);
   }
-  const Words more = lines.next_entry();
+  const Fields more = lines.next_entry();
   if (!more.empty()) lines.refuse(more, "expected the end, all entries have been given");
   return matrix;
 }

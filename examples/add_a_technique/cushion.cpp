@@ -1,6 +1,6 @@
 /// \file
 /// \brief Springs and dampers where bodies overlap.
-#include "penalty.hpp"
+#include "cushion.hpp"
 
 #include <algorithm>
 #include <tumble/base/error.hpp>
@@ -14,7 +14,7 @@ namespace example {
 using namespace tumble;
 
 // [refused]
-Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
+Cushion::Cushion(const CushionOptions& options) : options_(options) {
   require::positive(options.spring, "spring");
   require::not_negative(options.damper, "damper");
   const double sum = options.spring + 2.0 * options.damper;
@@ -24,16 +24,16 @@ Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
 }
 // [refused]
 
-std::unique_ptr<Technique> Penalty::clone() const { return std::make_unique<Penalty>(*this); }
+std::unique_ptr<Technique> Cushion::clone() const { return std::make_unique<Cushion>(*this); }
 
-std::vector<std::string> Penalty::ignores(const World& world) const {
+std::vector<std::string> Cushion::ignores(const World& world) const {
   for (const BodyProperties& body : world.bodies())
     if (body.restitution > 0.0) return {"restitution"};
   return {};
 }
 
 // [step]
-StepReport Penalty::step(World& world, double dt) {
+StepReport Cushion::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;
   for (int k = 0; k < options_.substeps; ++k) substep(world, dt / options_.substeps, report);
@@ -43,7 +43,7 @@ StepReport Penalty::step(World& world, double dt) {
   return report;
 }
 
-void Penalty::substep(World& world, double h, StepReport& report) {
+void Cushion::substep(World& world, double h, StepReport& report) {
   load_moving_bodies(world, start_);
   for (std::size_t k = 0; k < start_.size(); ++k)  // gravity
     if (world.bodies()[k].movable())
@@ -65,7 +65,7 @@ void Penalty::substep(World& world, double h, StepReport& report) {
 // [step]
 
 // [contacts]
-void Penalty::find_contacts(const World& world, StepReport& report) {
+void Cushion::find_contacts(const World& world, StepReport& report) {
   bounds_.clear();
   for (std::size_t k = 0; k < start_.size(); ++k)
     bounds_.push_back(bounds_of(world.bodies()[k], world.states()[k]));
@@ -78,7 +78,7 @@ void Penalty::find_contacts(const World& world, StepReport& report) {
 
 // [split]
 // A body with five contacts counts in each of them as a fifth of it.
-void Penalty::split_bodies() {
+void Cushion::split_bodies() {
   split_ = moving_;
   for (MovingBody& body : split_) {
     body.inverse_mass.setZero();
@@ -95,7 +95,7 @@ void Penalty::split_bodies() {
 
 // [push]
 // The spring and the damper of each point, before any of them has pushed.
-void Penalty::push(double h) {
+void Cushion::push(double h) {
   split_bodies();
   for (Contact& c : contacts_) {
     const MovingBody& a = split_[idx(c.first)];
@@ -115,7 +115,7 @@ void Penalty::push(double h) {
 
 // [rub]
 // Friction: a damper across the normal, up to Coulomb's limit.
-void Penalty::rub() {
+void Cushion::rub() {
   split_bodies();
   for (Contact& c : contacts_) {
     const MovingBody& a = split_[idx(c.first)];
@@ -138,7 +138,7 @@ void Penalty::rub() {
 
 // [record]
 // Work is an impulse times the mean of the velocities before and after; users get forces.
-void Penalty::record(double h, StepReport& report) {
+void Cushion::record(double h, StepReport& report) {
   records_.clear();
   for (const Contact& c : contacts_) {
     for (int k = 0; k < c.count; ++k) {

@@ -15,7 +15,7 @@ namespace example {
 
 // [options]
 /// Options of the technique.
-struct PenaltyOptions {
+struct CushionOptions {
   double spring = 0.25;  ///< [-] share of its overlap that a point alone ends in a substep
   double damper = 1.0;   ///< [-] share of its approach that a point alone ends in a substep
   int substeps = 8;      ///< of a step, each with contacts of its own
@@ -23,7 +23,7 @@ struct PenaltyOptions {
 
 /// Names the options to a visitor: key, field, range, unit, meaning.
 template <class Visitor>
-void describe(PenaltyOptions& o, Visitor& v) {
+void describe(CushionOptions& o, Visitor& v) {
   v.number("spring", o.spring, 1e-6, 4.0, "-",
            "share of its overlap that a point ends in a substep");
   v.number("damper", o.damper, 0.0, 2.0, "-",
@@ -33,15 +33,15 @@ void describe(PenaltyOptions& o, Visitor& v) {
 // [options]
 
 // [class]
-/// Penalty forces: nothing is solved; each point pushes by the overlap and approach of its two bodies.
-class Penalty : public tumble::Technique {
+/// Cushions: nothing is solved; each point pushes by the overlap and approach of its two bodies.
+class Cushion : public tumble::Technique {
  public:
   /// Makes the technique.
   /// \param options  spring above 0, damper from 0, substeps from 1, spring + 2 damper below 4
   /// \throws std::invalid_argument naming the value that is out of range
-  explicit Penalty(const PenaltyOptions& options = {});
+  explicit Cushion(const CushionOptions& options = {});
 
-  std::string_view name() const override { return "penalty"; }
+  std::string_view name() const override { return "cushion"; }
   tumble::StepReport step(tumble::World& world, double dt) override;
   std::unique_ptr<tumble::Technique> clone() const override;
   std::span<const tumble::ContactRecord> contacts() const override { return records_; }
@@ -56,7 +56,7 @@ class Penalty : public tumble::Technique {
   void rub();
   void record(double h, tumble::StepReport& report);
 
-  PenaltyOptions options_;
+  CushionOptions options_;
 
   // Of one substep; kept so that a warm step asks for no memory.
   tumble::BoundingTree near_;
@@ -69,6 +69,6 @@ class Penalty : public tumble::Technique {
 
 /// Name, options and maker, as the library has them of its own techniques.
 /// \return the recipe
-tumble::TechniqueRecipe penalty_recipe();
+tumble::TechniqueRecipe cushion_recipe();
 
 }  // namespace example

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Further promises of the example's technique, and its weaknesses.
-#include "add_a_technique/penalty.hpp"
+#include "add_a_technique/cushion.hpp"
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
 #include "support/changed_world.hpp"
@@ -9,8 +9,8 @@ namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-using example::Penalty;
-using example::PenaltyOptions;
+using example::Cushion;
+using example::CushionOptions;
 
 // Cubes that overlap in free space, with chance in their masses and velocities.
 World crowd(std::uint64_t seed) {
@@ -30,7 +30,7 @@ World crowd(std::uint64_t seed) {
 // [m/s] How fast a box goes down a slope on which friction should hold it.
 double creep(int substeps) {
   World world = world_of("slope", {{"angle", "10"}});
-  Penalty technique({.substeps = substeps});
+  Cushion technique({.substeps = substeps});
   run(world, technique, 3.0);
   return fastest_of(world);
 }
@@ -38,10 +38,10 @@ double creep(int substeps) {
 }  // namespace
 
 TEST_CASE("A cube on springs sinks by (4 - damper) g h² / spring", "[exact][technique]") {
-  for (const PenaltyOptions& options :
-       {PenaltyOptions{}, PenaltyOptions{0.5, 1.0, 8}, PenaltyOptions{0.25, 0.5, 2}}) {
+  for (const CushionOptions& options :
+       {CushionOptions{}, CushionOptions{0.5, 1.0, 8}, CushionOptions{0.25, 0.5, 2}}) {
     World world = world_of("stack", {{"count", "1"}});
-    Penalty technique(options);
+    Cushion technique(options);
     run(world, technique, 5.0);
     const double h = kFrame / options.substeps;
     const double sunk = 0.5 - world.states()[1].position_w.y();
@@ -52,7 +52,7 @@ TEST_CASE("A cube on springs sinks by (4 - damper) g h² / spring", "[exact][tec
 
 TEST_CASE("A stack of three stands on springs", "[unit][technique]") {
   World world = world_of("stack", {{"count", "3"}});
-  Penalty technique;
+  Cushion technique;
   const Course course = run(world, technique, 10.0);
   INFO("overlap " << course.overlap << " m, moved " << course.moved << " m");
   CHECK(course.failed == 0);
@@ -63,7 +63,7 @@ TEST_CASE("A stack of three stands on springs", "[unit][technique]") {
 TEST_CASE("A box that is a hundred times heavier than the one below sinks in by a quarter",
           "[unit][technique]") {
   World world = world_of("stack", {{"count", "2"}, {"top_mass", "100"}});
-  Penalty technique;
+  Cushion technique;
   const Course course = run(world, technique, 10.0);
   CHECK(course.overlap > 0.2);  // [m] measured 0.26; contact_damped has 2e-11
   CHECK(course.overlap < 0.3);
@@ -80,7 +80,7 @@ TEST_CASE("Without gravity springs give back nothing that is not booked", "[exac
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     World world = crowd(seed);
     const double energy = energy_of(world).kinetic;
-    Penalty technique;
+    Cushion technique;
     const Course course = run(world, technique, 1.0);
     CHECK(course.unbooked < 1e-9 * (energy + std::abs(course.booked)));  // [J] rounding
     CHECK(course.booked != 0.0);
@@ -89,10 +89,10 @@ TEST_CASE("Without gravity springs give back nothing that is not booked", "[exac
 
 TEST_CASE("Springs at their limit throw no box out of a pile at rest", "[unit][technique]") {
   // spring + 2 damper just below 4, where a point alone would swing for ever.
-  for (const PenaltyOptions& options :
-       {PenaltyOptions{1.9, 1.0, 2}, PenaltyOptions{0.9, 1.5, 8}, PenaltyOptions{0.25, 1.8, 8}}) {
+  for (const CushionOptions& options :
+       {CushionOptions{1.9, 1.0, 2}, CushionOptions{0.9, 1.5, 8}, CushionOptions{0.25, 1.8, 8}}) {
     World world = world_of("pyramid", {{"rows", "4"}, {"spacing", "1.05"}});
-    Penalty technique(options);
+    Cushion technique(options);
     const Course course = run(world, technique, 3.0);
     INFO(options.spring << ", " << options.damper << ": fastest " << course.fastest);
     CHECK(course.moved < 0.1);  // [m]
@@ -104,8 +104,8 @@ TEST_CASE("Springs do the same bits in other units", "[determinism][technique]")
   for (const char* scene : {"box_drop", "two_boxes", "table"}) {
     World world = world_of(scene);
     World other = in_other_units(world, 8.0);
-    Penalty first;
-    Penalty second;
+    Cushion first;
+    Cushion second;
     for (int k = 0; k < 60; ++k) {
       first.step(world, kFrame);
       second.step(other, 2.0 * kFrame);
@@ -126,8 +126,8 @@ TEST_CASE("The order of the bodies changes nothing under springs but rounding",
   back.add_ground(world.bodies()[0].friction);
   for (std::size_t k = world.bodies().size(); k-- > 1;)
     back.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
-  Penalty first;
-  Penalty second;
+  Cushion first;
+  Cushion second;
   run(forth, first, 1.0);
   run(back, second, 1.0);
   for (int k = 1; k < forth.count(); ++k)
@@ -139,7 +139,7 @@ TEST_CASE("The order of the bodies changes nothing under springs but rounding",
 TEST_CASE("The four corners of a cube on springs carry a quarter of its weight each",
           "[exact][technique]") {
   World world = world_of("stack", {{"count", "1"}});
-  Penalty technique;
+  Cushion technique;
   run(world, technique, 5.0);
   const auto contacts = technique.contacts();
   REQUIRE(contacts.size() == 4);
@@ -151,11 +151,11 @@ TEST_CASE("The four corners of a cube on springs carry a quarter of its weight e
 
 TEST_CASE("Springs that would gain energy are refused, and restitution is said to be ignored",
           "[unit][technique]") {
-  CHECK_THROWS_WITH(Penalty({.spring = 2.0, .damper = 1.5}),
+  CHECK_THROWS_WITH(Cushion({.spring = 2.0, .damper = 1.5}),
                     "tumble: spring + 2 damper = 5: expected below 4");
-  CHECK_THROWS_WITH(Penalty({.substeps = 0}), "tumble: substeps = 0: expected 1 or more");
-  CHECK_THROWS_AS(Penalty({.spring = 0.0}), std::invalid_argument);
-  CHECK_THROWS_AS(Penalty({.damper = -0.1}), std::invalid_argument);
-  CHECK(Penalty().ignores(world_of("bouncing_box")) == std::vector<std::string>{"restitution"});
-  CHECK(Penalty().ignores(world_of("table")).empty());
+  CHECK_THROWS_WITH(Cushion({.substeps = 0}), "tumble: substeps = 0: expected 1 or more");
+  CHECK_THROWS_AS(Cushion({.spring = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(Cushion({.damper = -0.1}), std::invalid_argument);
+  CHECK(Cushion().ignores(world_of("bouncing_box")) == std::vector<std::string>{"restitution"});
+  CHECK(Cushion().ignores(world_of("table")).empty());
 }

@@ -1,0 +1,162 @@
+/// \file
+/// \brief Faure's energy method as a technique (thesis 2.6.4).
+///
+/// Depends on no other technique.
+#pragma once
+
+#include "tumble/base/options.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/contact/repair.hpp"
+#include "tumble/contact/sticky.hpp"
+#include "tumble/dynamics/advance_pose.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/previous_work/tolerances.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// Options of Faure's method.
+struct FaureOptions {
+  int budget = 60;  ///< steps of the iteration in a step of time, at least 0
+  double wanted =
+      tolerance::faure_small;  ///< [-] step at which it ends earlier, over that from no impulses
+  bool warm = true;            ///< whether it begins with the impulses of the step before
+  StickyOptions sticky = {};   ///< which impacts do not bounce
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+};
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(FaureOptions& o, Visitor& v) {
+  v.whole("budget", o.budget, 0, 1000000, "steps of the iteration in a step of time");
+  v.number("wanted", o.wanted, 0.0, 1.0, "-",
+           "step at which the iteration ends before its budget, over that from no impulses");
+  v.flag("warm", o.warm, "begin with the impulses of the step before");
+  v.word("sticky", o.sticky.rule,
+         {{"speed", StickyRule::speed},
+          {"step_size", StickyRule::step_size},
+          {"off", StickyRule::off}},
+         "rule for collisions that are too slow to bounce (thesis 4.3)");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+}
+
+/// Contact points of a step and their impulses, as ProjectedDescent asks for them: three unknowns a point, along its normal and two
+/// directions across it.
+class FaureContacts {
+ public:
+  /// Takes contacts up.
+  /// \param bodies    how they would move without contacts
+  /// \param contacts  with the impulses to start from
+  /// \param dt        [s] of the step
+  /// \param world     for the speed at which impacts stick
+  /// \param sticky    see there
+  /// \param bounce    false: no impact bounces
+  void take(std::span<const MovingBody> bodies, std::span<const Contact> contacts, double dt,
+            const World& world, const StickyOptions& sticky, bool bounce);
+  /// \return whether a point bounces
+  [[nodiscard]] bool bounces() const { return bounces_; }
+  /// \return three for each point
+  [[nodiscard]] std::size_t size() const { return 3 * rows_.size(); }
+  /// \param i  unknown
+  /// \return [1/kg]
+  [[nodiscard]] double diagonal(std::size_t i) const { return rows_[i / 3].yield[i % 3]; }
+  /// \param i  unknown
+  /// \return [m/s] how the point would move, less what it may
+  [[nodiscard]] double constant(std::size_t i) const { return rows_[i / 3].constant[i % 3]; }
+  /// What impulses change of the motions of all points.
+  /// \param p    [N s]
+  /// \param out  [m/s] is overwritten
+  void multiply(std::span<const double> p, std::span<double> out);
+  /// Contacts push, and friction is at most the coefficient times the push.
+  /// \param p  [N s] in and out
+  void allow(std::span<double> p) const;
+  /// \return [N s] those to start from, and then the answer
+  [[nodiscard]] std::vector<double>& impulses() { return impulses_; }
+  /// How long the first step from no impulses is, at least.
+  /// \return see DescentReport::step
+  [[nodiscard]] double first_step() const;
+  /// Begins without impulses if those of the start have an energy above 0, and so could add some.
+  void require_no_energy();
+  /// Impulses of a point.
+  /// \param row  the point, in the order of the contacts
+  /// \return [N s] on the second body, world frame
+  [[nodiscard]] Vec3 impulse_w(std::size_t row) const;
+
+ private:
+  struct Row {
+    int first = 0, second = 0;         // bodies
+    std::array<Vec3, 3> axis_w;        // [-] normal and tangents
+    std::array<Vec3, 3> arm_first_w;   // [m] lever arm × axis
+    std::array<Vec3, 3> arm_second_w;  // [m]
+    std::array<double, 3> yield{};     // [1/kg] of the pair; across the normal the mean
+    std::array<double, 3> constant{};  // [m/s]
+    double friction = 0.0;             // [-]
+  };
+
+  std::span<const MovingBody> bodies_;
+  std::vector<Row> rows_;
+  std::vector<double> impulses_;
+  std::vector<Vec3> linear_w_, angular_w_;  // [m/s], [rad/s] what impulses change, by body index
+  std::vector<double> image_;
+  bool bounces_ = false;
+};
+
+/// Faure's energy method: impulses of all contacts at once, by as many steps down the energy as there is time for.
+///
+/// A step takes resting contacts and impacts together, as `time_stepping` does: points may close their gaps in it and no
+/// more, and impacts bounce by Newton's law at each point. ProjectedDescent looks for the impulses. Without
+/// friction each of its steps lowers the energy of the motion that is not allowed, so that it can be ended at any time; with friction
+/// it need not. An approach that is left when the budget ends makes bodies sink in; they are moved apart after the step.
+///
+/// **What it cannot do.** With a small budget and without the impulses of the step before ten boxes tremble, by a millimetre with
+/// ten steps; warm starts hide that as long as a pile stands. Where bounces at several points or with friction would add
+/// energy, nothing bounces in that step (`fallbacks`). Points are looked for
+/// within half of the shortest edge, so a fast body may pass through a thin one.
+/// \par Cost and determinism
+/// O(points) for each step of the iteration. No allocation once warm.
+/// \see Faure, "An energy-based approach for contact force computation", Computer Graphics Forum 15(3), 1996.
+/// \algorithm{Faure's iteration: section 2.6.4}
+/// \deviation{See FaureSolver; impulses of a step of time in place of forces\, so that impacts are no case of their own.}
+/// \verified{A stack under Faure's method rests, and sinks in if its budget is small}
+class Faure : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a value out of range
+  explicit Faure(const FaureOptions& options = {});
+
+  [[nodiscard]] std::string_view name() const override { return "faure"; }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+  /// How far the iteration came in the last step.
+  /// \return see there
+  [[nodiscard]] const DescentReport& descent() const { return descent_; }
+
+ private:
+  void find_contacts(const World& world, double dt, StepReport& report);
+  void push(const World& world, double dt, bool bounce, StepReport& report);
+  [[nodiscard]] bool gains(const StepReport& report) const;
+
+  FaureOptions options_;
+  std::unique_ptr<BroadPhase> broad_phase_;
+  FaureContacts rows_;
+  ProjectedDescent<FaureContacts> iteration_;
+  DescentReport descent_;
+  OverlapRepair repair_;
+  double last_dt_ = 0.0;  // [s] of the step before, or 0
+  ContactList contacts_, previous_;
+
+  // Of one step; kept so that a warm step asks for no memory.
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+  std::vector<MovingBody> start_, moving_;
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

@@ -1,0 +1,119 @@
+/// \file
+/// \brief Springs and dampers where bodies overlap (thesis 2.5.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/base/options.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/dynamics/advance_pose.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
+#include "tumble/previous_work/penalty_law.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// Options of penalty forces.
+struct PenaltyOptions {
+  double stiffness =
+      0.0;  ///< [N/m] of the springs under a box on four corners; 0: from mass, size and step
+  double damping = -1.0;  ///< [-] ζ; below 0: the one that gives the bodies' restitution
+  int substeps = 8;       ///< of a step, each with contacts of its own
+  PenaltyScheme scheme = PenaltyScheme::semi_implicit;  ///< see there
+  bool pull = false;                                    ///< whether dampers may pull
+  bool unstable = false;  ///< whether a step that is too long is simulated
+  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+};
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(PenaltyOptions& o, Visitor& v) {
+  v.number("stiffness", o.stiffness, 0.0, 1e20, "N/m",
+           "springs under a box on four corners; 0: from mass, size and step");
+  v.number("damping", o.damping, -1.0, 1e3, "-",
+           "share of critical damping; -1: the one that gives the bodies' restitution");
+  v.whole("substeps", o.substeps, 1, 100000, "substeps of a step");
+  v.word("scheme", o.scheme,
+         {{"semi_implicit", PenaltyScheme::semi_implicit},
+          {"explicit", PenaltyScheme::explicit_euler}},
+         "bodies move with the new velocities, or with the old ones");
+  v.flag("pull", o.pull, "dampers may pull bodies together that part, as in the textbook's law");
+  v.word("unstable", o.unstable, {{"refused", false}, {"simulated", true}},
+         "a step that is too long for the springs of one box");
+  v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
+}
+
+/// Penalty forces: nothing is solved, each contact point pushes by the overlap and approach of its bodies.
+///
+/// A point with the depth d, at which the bodies approach at u, pushes with
+/// \f[ f = \max(0,\; k d + c u), \f]
+/// and against its slip s with \f$\min(\mu f,\; c_t |s|)\f$: Coulomb's friction with its jump at rest smoothed. A quarter
+/// of `stiffness` is at each point, so that a box on four corners sinks in by \f$m g/k\f$.
+///
+/// **Defaults.** A point gets the spring on which the lighter of its bodies sinks in by
+/// `tolerance::penalty_sag` of the shortest edge, or the stiffest one that the step can follow if that is softer; and the
+/// damper that gives the bodies' restitution, at least \f$e^{-2}\f$. The stiffest one is found as if each body were
+/// divided among its contacts, and these among their points. So no part of a body is used
+/// twice, and whatever lies on what, no swing at rest grows: with stiffness K, damping C and mass M of all bodies the
+/// condition is \f$4M - h^2 K - 2hC > 0\f$. Points that open, close or slide are not covered.
+///
+/// **A stiffness of one's own** is refused if one box on four corners is already unstable with it, and the message names the
+/// step that is not too long. More boxes may need a shorter one.
+///
+/// **What it cannot do.** Overlap causes the push: depth grows with the load, so ten boxes sink in ten times as far
+/// as one, and a load of a hundred times the mass presses the lower box flat. Friction creeps on slopes. A body that is faster than
+/// its own thickness in a substep, or has more energy than the spring can take up before it is half
+/// through, comes out on the other side.
+/// \par Cost and determinism
+/// A test of each near pair in each substep, and no more. No allocation once warm; no order of contacts matters
+/// but to rounding.
+/// \algorithm{Penalty forces: section 2.5.1}
+/// \deviation{Friction is smoothed and has no memory. A contact only pushes, unless pull=on.}
+/// \verified{A cube on springs sinks by m g / k}
+class Penalty : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a value out of range
+  explicit Penalty(const PenaltyOptions& options = {});
+
+  [[nodiscard]] std::string_view name() const override { return "penalty"; }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+
+ private:
+  // Spring and damper of a point.
+  struct Spring {
+    double stiffness = 0.0;  // [N/m]
+    double damping = 0.0;    // [N s/m]
+  };
+
+  [[nodiscard]] double damping_of(double restitution) const;
+  void require_stable(const World& world, double h) const;
+  void substep(World& world, double h, StepReport& report);
+  void find_contacts(const World& world, StepReport& report);
+  void split_bodies();
+  void push(const World& world, double h);
+  [[nodiscard]] Spring spring_at(const World& world, const Contact& contact, int point, double zeta,
+                                 double h) const;
+  void record(double h, StepReport& report);
+
+  PenaltyOptions options_;
+
+  // Of one substep; kept so that a warm step asks for no memory.
+  BoundingTree near_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+  ContactList contacts_;
+  std::vector<MovingBody> start_, moving_, split_;
+  std::vector<BodyState> old_;
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble
