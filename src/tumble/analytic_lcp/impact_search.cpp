@@ -44,7 +44,7 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   for (const double time : passages_) {
     if (!look(flight, task, time, world, result)) {
       before = time;
-    } else if (!far_met_.empty()) {
+    } else if (!far_met_.empty() || passes(near_met_)) {
       after = time;
       result.found = true;
       break;
@@ -65,10 +65,18 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   return result;
 }
 
-// Ascending times at which pairs that are apart at the start would be in the middle of their passage, if they
-// went straight, without turning, and only gravity acted.
+// Whether one of these would be through before the end.
+bool ImpactSearch::passes(std::span<const IndexPair> met) const {
+  return std::any_of(met.begin(), met.end(), [&](const IndexPair& pair) {
+    return std::find(through_.begin(), through_.end(), pair) != through_.end();
+  });
+}
+
+// Ascending times at which pairs would be in the middle of their passage if they went straight, without turning, and
+// only gravity acted; for those that touch at the start a quarter of the way, where it is still plain which way out is.
 void ImpactSearch::list_passages(const ForcedFlight& flight, double end, const World& world) {
   passages_.clear();
+  through_.clear();
   way_w_.resize(idx(world.count()));
   bool fast = false;
   for (std::size_t k = 0; k < way_w_.size(); ++k) {
@@ -79,16 +87,23 @@ void ImpactSearch::list_passages(const ForcedFlight& flight, double end, const W
     fast = fast || way_w_[k].norm() > 0.5 * body.size.minCoeff();
   }
   if (!fast) return;
-  for (const IndexPair& pair : far_) {
-    const std::size_t i = idx(pair.first);
-    const std::size_t j = idx(pair.second);
-    const BodyProperties& a = world.bodies()[i];
-    const BodyProperties& b = world.bodies()[j];
-    if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
-    const SweepResult way =
-        sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
-    if (way.status == SweepStatus::hit && way.leave < 1.0)
-      passages_.push_back(0.5 * (way.enter + way.leave) * end);
+  for (const bool near : {false, true}) {
+    for (const IndexPair& pair : near ? near_ : far_) {
+      const std::size_t i = idx(pair.first);
+      const std::size_t j = idx(pair.second);
+      const BodyProperties& a = world.bodies()[i];
+      const BodyProperties& b = world.bodies()[j];
+      if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
+      const SweepResult way =
+          sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
+      if (way.status == SweepStatus::no_hit || !(way.leave < 1.0)) continue;
+      if (near) {
+        passages_.push_back(0.25 * way.leave * end);
+        through_.push_back(pair);
+      } else if (way.status == SweepStatus::hit) {
+        passages_.push_back(0.5 * (way.enter + way.leave) * end);
+      }
+    }
   }
   std::sort(passages_.begin(), passages_.end());
 }
