@@ -226,19 +226,18 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<AnalyticOptions>, make<Analytic, AnalyticOptions>},
       {"time_stepping", "2.6.3",
        "impacts and contacts of a step solved together at its start, so that bounces come up to a "
-       "step early; what stands on a turning body drifts unless pose=exponential",
+       "step early; friction in eight directions; what stands on a turning body drifts unless "
+       "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
-       "collisions, gravity, contacts and shock propagation by impulses, bounces up to a step "
-       "early; "
-       "fast bodies may pass through thin ones, leaning cards slip, what stands on a moving body "
-       "may "
-       "sink or drift",
+       "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
+       "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
+       "leaning cards "
+       "slip, what stands on a moving body may sink or drift",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
-       "impulses, damping in place of friction, pushes out of overlap; fast bodies may pass "
-       "through "
-       "thin ones, an elastic impact of faces may leave a spin",
+       "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
+       "pass through thin ones, an elastic impact of faces may leave a spin",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
        "collisions in the order of their times; rolls back the two bodies that collide; fast "

@@ -118,10 +118,9 @@ struct Slide {
 Slide slide(const Scene& scene, const char* technique) {
   Simulation simulation(scene, technique);
   simulation.settle();
-  const int slider = *simulation.world().find("slider");
-  const BodyState start = simulation.world().states()[static_cast<std::size_t>(slider)];
+  const BodyState start = simulation.world().states().back();  // the slider
   for (int k = 0; k < 48; ++k) REQUIRE(simulation.step(kFrame).status == StepStatus::done);
-  const BodyState& end = simulation.world().states()[static_cast<std::size_t>(slider)];
+  const BodyState& end = simulation.world().states().back();
   return {(end.position_w - start.position_w).norm(),
           start.orientation_wb.angularDistance(end.orientation_wb)};
 }
@@ -191,7 +190,8 @@ TEST_CASE("A box slides over flush neighbours as over one", "[unit][analytic_lcp
     CHECK(std::abs(exact.way - way) < 1e-3);
     CHECK(exact.turned < 1e-3);
     const Slide steps = slide(scene, "time_stepping");
-    CHECK(std::abs(steps.way - way) < 0.5 * 3.5 * kFrame + 1e-3);  // half a step of the start
+    // Half a step of the start, and eight directions of friction.
+    CHECK(std::abs(steps.way - way) < 0.5 * 3.5 * kFrame + 0.01);
     CHECK(steps.turned < 1e-3);
   }
 }
@@ -213,6 +213,7 @@ TEST_CASE("A brick that hits a thin plate with a corner at 44 m/s does not pass 
   for (const double height : {0.3, 0.4, 0.5, 0.6, 0.7}) {
     brick.position_w = Vec3(0.0, height, 0.0);
     brick.orientation_wb = Quat(Eigen::AngleAxisd(0.5 + height, Vec3(1.0, 2.0, 3.0).normalized()));
+    brick.angular_velocity_w = Vec3(height > 0.45 ? 300.0 : 0.0, 0.0, 100.0);
     scene.boxes = {plate, brick};
     Simulation simulation(scene, "analytic");
     simulation.settle();

@@ -122,8 +122,8 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// Collisions are booked at the velocities that they change, contacts at velocities of half a step
 /// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
 /// collisions and \f$v'\f$ at the end of the step, this misses \f$\tfrac12 m h\,g\cdot(v_c - v')\f$ for each body that a
-/// contact pushes, which is booked with the impulses: nothing for what rests or slides along. What is not booked is
-/// the error of the semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$ for what flies, and that of turning.
+/// contact pushes, which is booked with the impulses: nothing for what rests or slides along. The error of the
+/// semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$ for what flies, and that of turning are not booked.
 ///
 /// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 /// \par Cost
