@@ -75,7 +75,7 @@ StepReport Damped::step_part(World& world, double dt, int part) {
   // [DAMPEDINTEGRATION:3-4]
   report.energy.damping += damped.energy;
   report.integrations += damped.moved;
-  book_gravity(world, dt, report);
+  report.energy.restitution += moved_against_gravity(world, dt);
 
   // [DAMPEDINTEGRATION:5]
   // What overlaps where the bodies are now is pushed apart.
@@ -98,16 +98,16 @@ StepReport Damped::step_part(World& world, double dt, int part) {
 
 // Impulses of contacts are booked at velocities of half a step of gravity earlier, and bodies move with those that damping
 // has left: what this lifts those that were pushed or damped by. What merely flies has the error of the rule.
-void Damped::book_gravity(const World& world, double dt, StepReport& report) const {
+double Damped::moved_against_gravity(const World& world, double dt) const {
+  double work = 0.0;
   for (std::size_t k = 0; k < started_w_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable() || world.sleep_states()[k].asleep) continue;
     if (bodies_.touched[k] == 0 && stable_[k] == 0) continue;
-    const Vec3 collided_w = body.mass * collided_[k].velocity_w;
-    report.energy.restitution += 0.5 * dt * world.gravity_w.dot(collided_w - started_w_[k]);
-    report.energy.damping +=
-        dt * world.gravity_w.dot(started_w_[k] - world.states()[k].linear_momentum_w);
+    const Vec3 mean_w = 0.5 * (body.mass * collided_[k].velocity_w + started_w_[k]);
+    work += dt * world.gravity_w.dot(mean_w - world.states()[k].linear_momentum_w);
   }
+  return work;
 }
 
 // Wakes bodies that are touched, and reads velocities and marks.

@@ -128,7 +128,7 @@ class Damped : public Technique {
 
  private:
   StepReport step_part(World& world, double dt, int part);
-  void book_gravity(const World& world, double dt, StepReport& report) const;
+  [[nodiscard]] double moved_against_gravity(const World& world, double dt) const;
   void begin(World& world, double dt, StepReport& report);
   [[nodiscard]] bool keeps_mark(const World& world, std::size_t body) const;
   void integrate_object_velocities(World& world, double dt) const;
