@@ -27,7 +27,7 @@ void set_alarm(int microseconds) {
 // The signal was not heard in time: within a long step, or while a file is waited for.
 extern "C" void end_at_once(int) {
   constexpr char message[] =
-      "interrupted within a step: tables hold whole lines up to a step before\n";
+      "interrupted within a step, or before the first: tables hold whole lines up to there\n";
   if (write(STDERR_FILENO, message, sizeof message - 1) < 0) _exit(kCannotWrite);
   _exit(128 + static_cast<int>(g_signal));
 }

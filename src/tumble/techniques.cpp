@@ -220,34 +220,44 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<Freezable<ContactDampedOptions>>,
        make_freezable<ContactDamped, ContactDampedOptions>},
       {"basic", "2.1",
-       "advance, find an overlap, search back for the impact, resolve, go on; a fast body may pass "
-       "through a thin one",
+       "advance, find an overlap, search back for the impact, resolve, go on; fast bodies may pass "
+       "through thin ones, edges of flush neighbours catch what slides over them",
        declared_options<BasicOptions>, make<Basic, BasicOptions>},
       {"analytic", "3.3.1, 4.3, 5.3",
-       "collisions in the order of their times, exact contact forces in between",
+       "collisions in the order of their times, exact contact forces in between; what stands on a "
+       "turning body drifts outwards",
        declared_options<AnalyticOptions>, make<Analytic, AnalyticOptions>},
-      {"time_stepping", "2.6.3", "impacts and contacts of a step solved together, with friction",
+      {"time_stepping", "2.6.3",
+       "impacts and contacts of a step solved together at its start, so that bounces come up to a "
+       "step early; friction in eight directions; what stands on a turning body drifts unless "
+       "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
-       "collisions, gravity, contacts and shock propagation by impulses; a fast body may pass "
-       "through a thin one",
+       "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
+       "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
+       "leaning cards "
+       "slip, what stands on a moving body may sink or drift",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
-       "impulses, damping in place of friction, pushes out of overlap; a fast body may pass "
-       "through a thin one",
+       "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
+       "pass through thin ones, an elastic impact of faces may leave a spin",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
-       "collisions in the order of their times; rolls back the two bodies that collide; a fast "
-       "body may pass through a thin one",
+       "collisions in the order of their times; rolls back the two bodies that collide; fast "
+       "bodies "
+       "may pass through thin ones, edges of flush neighbours catch what slides over them, what "
+       "leans or is carried may slip",
        declared_options<TimewarpSettings>, make_listing<TimewarpSimple, TimewarpListing::simple>},
       {"timewarp_safer", "5.1, A.1",
-       "as timewarp_simple, with a search for earlier collisions nearby; a fast body may pass "
-       "through a thin one",
+       "as timewarp_simple with its limits, and a search for earlier collisions nearby",
        declared_options<TimewarpSettings>, make_listing<TimewarpSafer, TimewarpListing::safer>},
-      {"timewarp_swept", "5.1", "as timewarp_simple, with swept volumes that miss no collision",
+      {"timewarp_swept", "5.1",
+       "as timewarp_simple, with swept volumes that miss no collision of bodies that turn by less "
+       "than a radian in a step",
        declared_options<TimewarpSweptOptions>, make<TimewarpSwept, TimewarpSweptOptions>},
       {"timewarp_full", "2.4.3",
-       "a time of its own for every body; a body that flew past a collision is rolled back",
+       "a time of its own for every body; a body that flew past a collision is rolled back; flush "
+       "edges, leaning and carried bodies as in timewarp_simple",
        declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
       {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},

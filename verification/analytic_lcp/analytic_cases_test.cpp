@@ -7,6 +7,8 @@
 
 #include "support/catch.hpp"
 
+#include <cmath>
+
 namespace {
 
 using namespace tumble;
@@ -45,6 +47,82 @@ Scene thrown_die(std::uint64_t seed) {
   die.restitution = 0.5;
   scene.boxes = {die};
   return scene;
+}
+
+// --- flush neighbours --------------------------------------------------------------------------------
+
+constexpr double kFrame = 1.0 / 60.0;
+
+SceneBox tile(const Vec3& position_w) {
+  SceneBox box;
+  box.size.setConstant(0.5);
+  box.mass = 50.0;
+  box.position_w = position_w;
+  box.friction = 0.5;
+  return box;
+}
+
+// A cube on tiles that begins to slide at 3.5 m/s along the first axis.
+Scene slider_on(std::vector<SceneBox> tiles, double turned) {
+  Scene scene;
+  scene.gravity_w = Vec3(0.0, -9.81, 0.0);
+  scene.boxes = std::move(tiles);
+  SceneBox slider;
+  slider.name = "slider";
+  slider.size.setConstant(0.3);
+  slider.position_w = Vec3(0.0, 0.65, 0.05);
+  slider.velocity_w = Vec3(3.5, 0.0, 0.0);
+  slider.orientation_wb = Quat(Eigen::AngleAxisd(turned, Vec3::UnitY()));
+  slider.friction = 0.5;
+  scene.boxes.push_back(slider);
+  return scene;
+}
+
+// Heavy cubes that stand side by side on the ground.
+Scene row() {
+  std::vector<SceneBox> tiles;
+  for (int k = 0; k < 4; ++k) tiles.push_back(tile(Vec3(0.5 * k, 0.25, 0.0)));
+  Scene scene = slider_on(std::move(tiles), 0.0);
+  scene.ground = SceneGround{0.5, 0.0};
+  return scene;
+}
+
+// Fixed tiles whose seams cross below the slider, which is turned about the vertical.
+Scene crossed() {
+  std::vector<SceneBox> tiles;
+  for (int k = 0; k < 4; ++k)
+    for (const double side : {-0.2, 0.3}) {
+      tiles.push_back(tile(Vec3(0.5 * k, 0.25, side)));
+      tiles.back().fixed = true;
+    }
+  return slider_on(std::move(tiles), 0.3);
+}
+
+// The same turned about an axis aslant, with gravity: nothing lies along an axis of the world.
+Scene tilted(Scene scene) {
+  const Quat turn_w(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 3.0).normalized()));
+  scene.gravity_w = turn_w * scene.gravity_w;
+  for (SceneBox& box : scene.boxes) {
+    box.position_w = turn_w * box.position_w;
+    box.velocity_w = turn_w * box.velocity_w;
+    box.orientation_wb = turn_w * box.orientation_wb;
+  }
+  return scene;
+}
+
+struct Slide {
+  double way = 0.0;     // [m] of the slider until it rests
+  double turned = 0.0;  // [rad]
+};
+
+Slide slide(const Scene& scene, const char* technique) {
+  Simulation simulation(scene, technique);
+  simulation.settle();
+  const BodyState start = simulation.world().states().back();  // the slider
+  for (int k = 0; k < 48; ++k) REQUIRE(simulation.step(kFrame).status == StepStatus::done);
+  const BodyState& end = simulation.world().states().back();
+  return {(end.position_w - start.position_w).norm(),
+          start.orientation_wb.angularDistance(end.orientation_wb)};
 }
 
 }  // namespace
@@ -103,4 +181,44 @@ TEST_CASE("The rest of a step after many flights is one step of velocities, coun
   CHECK(energy.message().empty());
   CHECK(std::abs(simulation.world().time() - 2.0) < 1e-9);
   CHECK(simulation.world().steps() == 120);
+}
+
+TEST_CASE("A box slides over flush neighbours as over one", "[unit][analytic_lcp]") {
+  const double way = 3.5 * 3.5 / (2.0 * 0.5 * 9.81);  // [m]
+  for (const Scene& scene : {row(), crossed(), tilted(crossed())}) {
+    const Slide exact = slide(scene, "analytic");
+    CHECK(std::abs(exact.way - way) < 1e-3);
+    CHECK(exact.turned < 1e-3);
+    const Slide steps = slide(scene, "time_stepping");
+    // Half a step of the start, and eight directions of friction.
+    CHECK(std::abs(steps.way - way) < 0.5 * 3.5 * kFrame + 0.01);
+    CHECK(steps.turned < 1e-3);
+  }
+}
+
+TEST_CASE("A brick that hits a thin plate with a corner at 44 m/s does not pass it",
+          "[unit][analytic][analytic_lcp]") {
+  Scene scene;
+  scene.gravity_w = Vec3(0.0, -9.81, 0.0);
+  SceneBox plate;
+  plate.size = Vec3(1.0, 0.02, 1.0);
+  plate.position_w = Vec3(0.0, -0.01, 0.0);
+  plate.fixed = true;
+  plate.friction = 0.5;
+  SceneBox brick;
+  brick.size = Vec3(0.032, 0.0096, 0.016);
+  brick.mass = 0.0025;
+  brick.velocity_w = Vec3(0.0, -44.0, 0.0);
+  brick.friction = 0.5;
+  for (const double height : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+    brick.position_w = Vec3(0.0, height, 0.0);
+    brick.orientation_wb = Quat(Eigen::AngleAxisd(0.5 + height, Vec3(1.0, 2.0, 3.0).normalized()));
+    brick.angular_velocity_w = Vec3(height > 0.45 ? 300.0 : 0.0, 0.0, 100.0);
+    scene.boxes = {plate, brick};
+    Simulation simulation(scene, "analytic");
+    simulation.settle();
+    for (int k = 0; k < 4; ++k) simulation.step(kFrame);
+    CAPTURE(height);
+    CHECK(simulation.world().states()[1].position_w.y() > 0.0);
+  }
 }

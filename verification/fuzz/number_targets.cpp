@@ -113,7 +113,8 @@ struct WorldPromise {
 constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr std::array kWorldPromises{
     WorldPromise{"contact_damped", 1e-9, 0.01},  WorldPromise{"analytic", 1e-9, 0.01},
-    WorldPromise{"time_stepping", 1e-9, 0.01},   WorldPromise{"basic", 1e-9, kAny},
+    WorldPromise{"time_stepping", 1e-9, 0.01},   WorldPromise{"impulse", 1e-9, 0.01},
+    WorldPromise{"damped", kAny, 0.01},          WorldPromise{"basic", 1e-9, kAny},
     WorldPromise{"timewarp_simple", 1e-9, kAny}, WorldPromise{"timewarp_safer", 1e-9, kAny},
     WorldPromise{"timewarp_swept", 1e-9, kAny},  WorldPromise{"timewarp_full", 1e-9, kAny},
     WorldPromise{"penalty", 1e-9, kAny},         WorldPromise{"faure", 1e-9, kAny}};

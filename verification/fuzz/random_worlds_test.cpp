@@ -76,6 +76,16 @@ TEST_CASE("The default technique in ten thousand random worlds", "[.long][unit][
   CHECK(worst.overlapping <= 80);
 }
 
+TEST_CASE("Impulses and damped integration book the energy that contacts add", "[unit][fuzz]") {
+  for (const std::string_view technique : {"impulse", "damped"}) {
+    double unbooked = worst_of(technique, 1, 20).unbooked;
+    for (const std::uint64_t seed : {346ULL, 458ULL, 558ULL, 8881ULL, 9070ULL})
+      unbooked = std::max(unbooked, worst_of(technique, seed, 1).unbooked);
+    CAPTURE(technique);
+    CHECK(unbooked < 0.01);
+  }
+}
+
 TEST_CASE("Event-driven techniques keep momentum and energy in random worlds", "[unit][fuzz]") {
   const Worst analytic = worst_of("analytic", 1, 12);
   CHECK(analytic.momentum < 1e-9);

@@ -46,6 +46,7 @@ TEST_CASE("Capitals, comments, empty lines, other line ends and a missing last o
       "%%matrixmarket MATRIX Array Double General\r\n% so\r\n%\r\n\r\n 2\t2 \r\n+1e0\r\n % so\r\n"
       "-2.5E-1\r\n\r\n.5\r\n4.";
   CHECK(parse(text) == rows({{1, 0.5}, {-0.25, 4}}));
+  CHECK(parse("\xEF\xBB\xBF" + text) == rows({{1, 0.5}, {-0.25, 4}}));  // a mark of UTF-8
   CHECK(parse("%%MatrixMarket matrix array integer general\n2 1\n+7\n-9007199254740992") ==
         rows({{7}, {-9007199254740992.0}}));
 }

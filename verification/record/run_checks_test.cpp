@@ -2,9 +2,16 @@
 /// \brief Checks of a run: energy that comes from nowhere, bodies that pass through others, large turns.
 #include "tumble/record/run_checks.hpp"
 
+#include "tumble/dynamics/advance_pose.hpp"
+#include "tumble/dynamics/energy.hpp"
+#include "tumble/impulse_damped/parts_of_turn.hpp"
 #include "tumble/record/run.hpp"
+#include "tumble/scenes/simulation.hpp"
 
 #include "support/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -54,6 +61,25 @@ Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second
   return scene;
 }
 
+// A rod of 2 m and 5 mm that falls on the ground and spins about its axis, by a third of a radian in a step; a blow at
+// its end makes that many radians.
+Scene falling_rod() {
+  Scene scene;
+  scene.ground = SceneGround{0.4, 0.2};
+  SceneBox rod;
+  rod.name = "rod";
+  rod.size = Vec3(2.0, 0.005, 0.005);
+  rod.position_w = Vec3(0.0, 1.2, 0.0);
+  rod.orientation_wb =
+      Quat(0.976382586165042, -0.022665635416815, 0.128543206069468, 0.172162593434805);
+  rod.orientation_wb.normalize();
+  rod.angular_velocity_w = Vec3(0.0, 0.0, 20.0);
+  rod.friction = 0.4;
+  rod.restitution = 0.2;
+  scene.boxes = {rod};
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("A body that goes through another one within a step is found", "[unit][record][run]") {
@@ -72,9 +98,19 @@ TEST_CASE("A body that goes through another one within a step is found", "[unit]
     CHECK(ran(two(Vec3(0.0, 0.95, 0.0), fast, fast)).worst == StepStatus::done);
   }
   SECTION("a body that turns so far that it may have passed is none") {
-    Scene scene = two(Vec3(0.0, 0.5, 0.3), fast, Vec3::Zero());
+    Scene scene = two(Vec3(0.0, 0.75, 0.3), fast, Vec3::Zero());
     scene.boxes[0].angular_velocity_w = Vec3(0.0, 9.0, 0.0);
     CHECK(ran(scene).worst == StepStatus::done);
+  }
+}
+
+TEST_CASE("A body that spins through a thin one within a step is found", "[unit][record][run]") {
+  Scene scene = two(Vec3(0.0, 0.0, 0.0), Vec3(40.0, 0.0, 0.0), Vec3::Zero());
+  scene.boxes[1].size = Vec3(0.1, 4.0, 4.0);
+  for (const double spin : {10.0, 10.0 * std::acos(-1.0) * 2.0, 400.0}) {  // [rad/s] for 0.1 s
+    scene.boxes[0].angular_velocity_w = Vec3(0.0, spin, 0.0);
+    CAPTURE(spin);
+    CHECK(ran(scene).worst == StepStatus::passed_through);
   }
 }
 
@@ -98,4 +134,53 @@ TEST_CASE("A turn of more than a radian in a step is named with a step that woul
   CHECK(turned.findings[0].find("--dt 0.025") != std::string::npos);
   scene.boxes[1].angular_velocity_w = Vec3(0.0, 9.9, 0.0);
   CHECK(ran(scene).findings.empty());
+}
+
+// --- techniques that divide such steps -------------------------------------------------------------
+
+TEST_CASE("A step is divided by the turn of the fastest body", "[unit][impulse_damped]") {
+  const auto parts = [](double speed) {
+    Scene scene;
+    scene.boxes = {SceneBox{}, SceneBox{}};
+    scene.boxes[0].position_w = Vec3(9.0, 0.0, 0.0);
+    scene.boxes[1].angular_velocity_w = Vec3(0.0, speed, 0.0);
+    return parts_of_turn(start_world(scene), 1.0);
+  };
+  CHECK(parts(0.9) == 1);
+  CHECK(parts(7.5) == 8);
+  CHECK(parts(1e9) == 1000);
+}
+
+TEST_CASE("A rod that turns by radians in a step gains no energy and comes to rest",
+          "[unit][impulse][impulse_damped]") {
+  Simulation simulation(falling_rod(), "impulse");
+  simulation.settle();
+  const double start = energy_of(simulation.world()).total();
+  double most = start;
+  for (int k = 0; k < 180; ++k) {
+    REQUIRE(simulation.step(1.0 / 60.0).status == StepStatus::done);
+    most = std::max(most, energy_of(simulation.world()).total());
+  }
+  CHECK(most <= start * (1.0 + 1e-3));
+  CHECK(energy_of(simulation.world()).kinetic < 0.1);  // [J] of 66
+}
+
+TEST_CASE("A body that flies and turns by radians in a step keeps its energy",
+          "[unit][impulse][impulse_damped]") {
+  Scene scene;
+  scene.gravity_w.setZero();
+  SceneBox box;
+  box.size = Vec3(4.4, 2.3, 0.36);
+  box.angular_velocity_w = Vec3(-2.5, -5.7, -17.5);
+  scene.boxes = {box};
+  for (const char* technique : {"impulse", "damped"}) {
+    Simulation simulation(scene, technique);
+    simulation.settle();
+    const double start = energy_of(simulation.world()).total();
+    CAPTURE(technique);
+    for (int k = 0; k < 60; ++k) {
+      REQUIRE(simulation.step(0.1085).status == StepStatus::done);
+      CHECK(energy_of(simulation.world()).total() < 1.05 * start);
+    }
+  }
 }

@@ -2,6 +2,7 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
+#include "tumble/analytic_lcp/passing_contacts.hpp"
 #include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/analytic_lcp/unsolved.hpp"
@@ -126,6 +127,18 @@ void Analytic::find_near(const World& world, StepReport& report) {
   const GatherReport gathered = gather_near(world, moving_, candidates_, resting_, near_);
   report.pair_tests += gathered.pair_tests;
   report.deepest_overlap = std::max(report.deepest_overlap, gathered.deepest_overlap);
+  drop_flush_edges(world, near_);
+}
+
+// What only meets edges without height in the flight that begins has no impact.
+void Analytic::leave_out_flush_pairs(const World& world) {
+  std::size_t next = 0;
+  std::erase_if(candidates_, [&](const IndexPair& pair) {
+    while (next < near_.size() && IndexPair{near_[next].first, near_[next].second} < pair) ++next;
+    const bool near =
+        next < near_.size() && IndexPair{near_[next].first, near_[next].second} == pair;
+    return !near && meets_flush_edge(world, pair, near_);
+  });
 }
 
 // The forces of the flight that begins, and how long it may be.
@@ -231,6 +244,7 @@ void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& pr
   double time = to_the_end ? progress.left() : plan.time;
   if (!to_the_end) {
     if (options_.pose == PoseUpdate::exponential) find_candidates(world, time, true);
+    leave_out_flush_pairs(world);
     const ImpactSearchTask task{.candidates = candidates_,
                                 .near = near_,
                                 .end = time,

@@ -179,6 +179,7 @@ class Analytic : public Technique {
   void find_candidates(const World& world, double left, bool carried);
   void carry(const World& world);
   void find_near(const World& world, StepReport& report);
+  void leave_out_flush_pairs(const World& world);
   bool collide(World& world, const Progress& progress, StepReport& report);
   void resolve(std::span<const int> which, const World& world, const Progress& progress,
                StepReport& report);

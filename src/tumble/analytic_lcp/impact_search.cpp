@@ -8,6 +8,7 @@
 #include "tumble/geometry/swept.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace tumble {
@@ -44,7 +45,7 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   for (const double time : passages_) {
     if (!look(flight, task, time, world, result)) {
       before = time;
-    } else if (!far_met_.empty()) {
+    } else if (!far_met_.empty() || passes(near_met_)) {
       after = time;
       result.found = true;
       break;
@@ -65,32 +66,64 @@ FirstImpact ImpactSearch::find(const ForcedFlight& flight, const ImpactSearchTas
   return result;
 }
 
-// Ascending times at which pairs that are apart at the start would be in the middle of their passage, if they
-// went straight, without turning, and only gravity acted.
+// Whether one of these is looked at all along.
+bool ImpactSearch::passes(std::span<const IndexPair> met) const {
+  return std::any_of(met.begin(), met.end(), [&](const IndexPair& pair) {
+    return std::find(through_.begin(), through_.end(), pair) != through_.end();
+  });
+}
+
+// Ascending times at which pairs would be in the middle of their passage if they went straight, without turning, and
+// only gravity acted. Pairs that touch at the start and go or turn far are looked at all along.
 void ImpactSearch::list_passages(const ForcedFlight& flight, double end, const World& world) {
   passages_.clear();
+  through_.clear();
   way_w_.resize(idx(world.count()));
+  turned_.assign(way_w_.size(), 0.0);
   bool fast = false;
   for (std::size_t k = 0; k < way_w_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     way_w_[k].setZero();
     if (!body.movable()) continue;
     way_w_[k] = end * (velocity(body, flight.start()[k]) + 0.5 * end * world.gravity_w);
-    fast = fast || way_w_[k].norm() > 0.5 * body.size.minCoeff();
+    turned_[k] = 0.5 * body.size.norm() * end * angular_velocity(body, flight.start()[k]).norm();
+    fast = fast || way_w_[k].norm() + turned_[k] > 0.5 * body.size.minCoeff();
   }
   if (!fast) return;
-  for (const IndexPair& pair : far_) {
-    const std::size_t i = idx(pair.first);
-    const std::size_t j = idx(pair.second);
-    const BodyProperties& a = world.bodies()[i];
-    const BodyProperties& b = world.bodies()[j];
-    if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
-    const SweepResult way =
-        sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
-    if (way.status == SweepStatus::hit && way.leave < 1.0)
-      passages_.push_back(0.5 * (way.enter + way.leave) * end);
-  }
+  for (const IndexPair& pair : far_) list_passage(flight, pair, end, world);
+  for (const IndexPair& pair : near_) list_looks(pair, end, world);
   std::sort(passages_.begin(), passages_.end());
+}
+
+void ImpactSearch::list_passage(const ForcedFlight& flight, const IndexPair& pair, double end,
+                                const World& world) {
+  const std::size_t i = idx(pair.first);
+  const std::size_t j = idx(pair.second);
+  const BodyProperties& a = world.bodies()[i];
+  const BodyProperties& b = world.bodies()[j];
+  if (a.shape == Shape::ground || b.shape == Shape::ground) return;
+  const SweepResult way =
+      sweep(box_of(a, flight.start()[i]), way_w_[i], box_of(b, flight.start()[j]), way_w_[j]);
+  // What turns far may be apart at the end where without turning it would not be.
+  const bool turns = turned_[i] + turned_[j] > 0.5 * std::min(a.size.minCoeff(), b.size.minCoeff());
+  if (way.status == SweepStatus::hit && (way.leave < 1.0 || turns))
+    passages_.push_back(0.5 * (way.enter + std::min(way.leave, 1.0)) * end);
+}
+
+// So many that no point comes half through between two of them.
+void ImpactSearch::list_looks(const IndexPair& pair, double end, const World& world) {
+  constexpr double kMostLooks = 64.0;
+  const std::size_t i = idx(pair.first);
+  const std::size_t j = idx(pair.second);
+  const BodyProperties& a = world.bodies()[i];
+  const BodyProperties& b = world.bodies()[j];
+  if (a.shape == Shape::ground || b.shape == Shape::ground) return;
+  const double half = 0.5 * std::min(a.size.minCoeff(), b.size.minCoeff());
+  const double motion = (way_w_[i] - way_w_[j]).norm() + turned_[i] + turned_[j];
+  const double looks = std::min(kMostLooks, std::ceil(motion / half));
+  if (!(looks > 1.0)) return;
+  through_.push_back(pair);
+  for (double k = 1.0; k < looks; ++k) passages_.push_back(k / looks * end);
 }
 
 void ImpactSearch::involve_all(const World& world) {

@@ -43,8 +43,9 @@ struct FirstImpact {
 /// As in the thesis the end of the interval is looked at, and if pairs have met by then the time is
 /// found by halving. All of them are looked at each time, so a third body that collides earlier is not
 /// missed, and there is nothing to begin again for it. Pairs that meet and part within the interval are looked
-/// at in the middle of their passage too, by their straight ways without turning; only a passage that turning
-/// makes is missed.
+/// at in the middle of their passage too, by their straight ways without turning. Pairs that touch at the start, as after
+/// a corner has hit, and go or turn far are looked at up to 64 times on the way. Only a passage that turning makes is
+/// missed.
 /// \par Cost and determinism
 /// One look at all pairs if nothing has met at the end, and one for each passage; else one more for each
 /// halving, at pairs that may still be the first and their bodies only. No allocation once warm.
@@ -61,6 +62,10 @@ class ImpactSearch {
  private:
   void involve_all(const World& world);
   void list_passages(const ForcedFlight& flight, double end, const World& world);
+  void list_passage(const ForcedFlight& flight, const IndexPair& pair, double end,
+                    const World& world);
+  void list_looks(const IndexPair& pair, double end, const World& world);
+  [[nodiscard]] bool passes(std::span<const IndexPair> met) const;
   bool look(const ForcedFlight& flight, const ImpactSearchTask& task, double time, World& world,
             FirstImpact& result);
   void keep_those_that_met();
@@ -71,9 +76,11 @@ class ImpactSearch {
   std::vector<IndexPair> far_;   // the others
   std::vector<IndexPair> near_met_;
   std::vector<IndexPair> far_met_;
-  std::vector<int> involved_;     // bodies of these pairs
-  std::vector<Vec3> way_w_;       // [m] of each body until the end
-  std::vector<double> passages_;  // [s]
+  std::vector<IndexPair> through_;  // within the margin at the start, going or turning far
+  std::vector<int> involved_;       // bodies of these pairs
+  std::vector<Vec3> way_w_;         // [m] of each body until the end
+  std::vector<double> turned_;      // [m] way of a body's corners by turning, at most
+  std::vector<double> passages_;    // [s]
   std::vector<MovingBody> moving_;
   ContactList overlaps_;
 };

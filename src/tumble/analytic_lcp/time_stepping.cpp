@@ -138,6 +138,7 @@ void TimeStepping::gather(const World& world, double dt, StepReport& report) {
   report.deepest_overlap = gathered.deepest_overlap;
   if (options_.velocities.form == SteppingForm::stewart_trinkle)
     passing_.add(world, moving_, pairs_, dt, options_.rotation, contacts_, report);
+  drop_flush_edges(world, contacts_);
 }
 
 // Pairs of bodies up to a margin apart.

@@ -89,7 +89,9 @@ void describe(DampedOptions& o, Visitor& v) {
 ///
 /// **Energy** may rise, as the thesis has it: impulses are made one pair after the other at velocities that include
 /// gravity of the step, and pushes lift bodies. Pushes, damping and impulses are booked; the rest is the error of the
-/// semi-implicit rule.
+/// semi-implicit rule for what flies, and that of turning.
+///
+/// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 ///
 /// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
 /// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
@@ -125,6 +127,8 @@ class Damped : public Technique {
   [[nodiscard]] std::span<const BodyId> stable_bodies() const { return stable_ids_; }
 
  private:
+  StepReport step_part(World& world, double dt, int part);
+  [[nodiscard]] double moved_against_gravity(const World& world, double dt) const;
   void begin(World& world, double dt, StepReport& report);
   [[nodiscard]] bool keeps_mark(const World& world, std::size_t body) const;
   void integrate_object_velocities(World& world, double dt) const;
@@ -153,6 +157,8 @@ class Damped : public Technique {
   ContactList collisions_;
   ContactList pushed_;
   std::vector<char> stable_;
+  std::vector<MovingBody> collided_;  // after collisions
+  std::vector<Vec3> started_w_;       // [kg m/s] momenta before damping
   std::vector<ContactRecord> records_;
 };
 

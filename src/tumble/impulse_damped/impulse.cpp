@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/impulse_damped/parts_of_turn.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -43,7 +44,10 @@ Impulse::Impulse(const Impulse& other)
 std::unique_ptr<Technique> Impulse::clone() const { return std::make_unique<Impulse>(*this); }
 
 StepReport Impulse::step(World& world, double dt) {
-  require::positive(dt, "dt");
+  return step_in_parts(world, dt, [&](double part, int) { return step_part(world, part); });
+}
+
+StepReport Impulse::step_part(World& world, double dt) {
   StepReport report;
   records_.clear();
   begin(world, dt, report);
@@ -90,6 +94,7 @@ StepReport Impulse::step(World& world, double dt) {
   report.integrations += bodies_.predictions() + moved;
   // [S2.5.2:position]
 
+  report.energy.restitution += bodies_.moved_against_gravity(world);
   finish(world, dt, report);
   return report;
 }
@@ -135,8 +140,7 @@ void Impulse::keep_pushed(const World& world) {
   for (const int number : pairs_.all()) {
     const std::optional<PushedPair> pair = pushed_pair(pairs_[number].contact);
     if (!pair) continue;
-    const std::size_t i = idx(pair->first);
-    const std::size_t j = idx(pair->second);
+    const std::size_t i = idx(pair->first), j = idx(pair->second);
     kept_.push_back({world.ids()[i], world.ids()[j], world.states()[i].position_w,
                      world.states()[j].position_w, *pair});
   }
@@ -270,9 +274,7 @@ void Impulse::book(const PushResult& push, StepReport& report) const {
 void Impulse::repair_overlap(World& world, StepReport& report) {
   repair_bounds(world, 0.0, bounds_);
   repair_phase_->find_pairs(bounds_, near_);
-  const RepairReport repaired = repair_.run(world, near_);
-  report.pair_tests += repaired.pair_tests;
-  report.energy.repair += repaired.energy;
+  tumble::book(repair_.run(world, near_), report);
 }
 
 // Records of the step; bodies at rest may fall asleep.
@@ -293,7 +295,6 @@ void Impulse::finish(World& world, double dt, StepReport& report) {
     islands_.build(world.bodies(), contacts_);
     report.energy.damping += sleeping_.update(world, contacts_, islands_, dt, slow_bodies()).energy;
   }
-  world.finish_step(dt);
 }
 
 }  // namespace tumble

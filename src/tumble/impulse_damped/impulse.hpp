@@ -121,9 +121,11 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// \par Energy
 /// Collisions are booked at the velocities that they change, contacts at velocities of half a step
 /// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
-/// collisions and \f$v'\f$ at the end of the step, the part that is not booked is for each body
-/// \f$\tfrac12 m h\,g\cdot(v_c - v')\f$: nothing for what rests or slides along, and the error of
-/// the semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$, for what flies.
+/// collisions and \f$v'\f$ at the end of the step, this misses \f$\tfrac12 m h\,g\cdot(v_c - v')\f$ for each body that a
+/// contact pushes, which is booked with the impulses: nothing for what rests or slides along. The error of the
+/// semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$ for what flies, and that of turning are not booked.
+///
+/// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 /// \par Cost
 /// A test for each near pair of which a body has moved, in each pass and sweep; with
 /// ImpulsePoints::area a complementarity problem of up to eight points for each impulse, unless one
@@ -162,6 +164,7 @@ class Impulse : public Technique {
     PushedPair pair;  // indices are those of then
   };
 
+  StepReport step_part(World& world, double dt);
   void list_pushed(const World& world);
   void keep_pushed(const World& world);
   void begin(World& world, double dt, StepReport& report);

@@ -64,13 +64,26 @@ void ImpulseBodies::carry(const World& world) {
 }
 
 void ImpulseBodies::add_gravity(World& world) {
+  collided_w_.resize(moving_.size());
   // A body without an impulse keeps the bits of its angular momentum, so `changed` is left alone.
   for (std::size_t k = 0; k < moving_.size(); ++k) {
+    collided_w_[k] = moving_[k].velocity_w;
     if (!moves(world, k)) continue;
     world.states()[k].linear_momentum_w += world.bodies()[k].mass * ahead_w_;
     moving_[k].velocity_w += ahead_w_;
   }
   ahead_w_.setZero();
+}
+
+double ImpulseBodies::moved_against_gravity(const World& world) const {
+  const Vec3 gained_w = dt_ * world.gravity_w;
+  double work = 0.0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    const Vec3& ended_w = moving_[k].velocity_w;
+    if (!moves(world, k) || ended_w == collided_w_[k] + gained_w) continue;  // it stays, or flies
+    work += 0.5 * world.bodies()[k].mass * gained_w.dot(collided_w_[k] - ended_w);
+  }
+  return work;
 }
 
 void ImpulseBodies::freeze(int body) {

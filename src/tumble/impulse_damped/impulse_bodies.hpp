@@ -64,6 +64,13 @@ class ImpulseBodies {
   /// \return how many bodies were moved
   int move(World& world, double& energy);
 
+  /// Energy that impulses of contacts are not booked with: they count at velocities of half a step of gravity earlier,
+  /// and bodies move with those of the step's end. For one that was pushed, with v_c after collisions and v' at the
+  /// end, m h g·(v_c - v') / 2; what rests, slides along or flies has none.
+  /// \param world the bodies
+  /// \return [J] after move()
+  [[nodiscard]] double moved_against_gravity(const World& world) const;
+
   /// How bodies move, the predicted centre as position.
   /// \return one for each body index; call predict() after a change of velocity
   [[nodiscard]] std::span<MovingBody> moving() { return moving_; }
@@ -86,6 +93,7 @@ class ImpulseBodies {
   Vec3 ahead_w_ = Vec3::Zero();  // [m/s] of gravity, not yet in the velocities
   int predictions_ = 0;
   std::vector<MovingBody> moving_;
+  std::vector<Vec3> collided_w_;  // [m/s] before gravity was added
   std::vector<BodyState> predicted_;
   std::vector<int> version_;
   PivotUpdate carried_;

@@ -40,7 +40,9 @@ Fields words_of(std::string_view line) {
 // The text line by line, and where in it we are.
 class Lines {
  public:
-  Lines(std::string_view text, std::string_view file) : rest_(text), file_(file) {}
+  Lines(std::string_view text, std::string_view file) : rest_(text), file_(file) {
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // marks UTF-8
+  }
 
   // The words of the next line, whatever it is; none at the end.
   Fields next() {

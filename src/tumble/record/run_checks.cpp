@@ -19,11 +19,13 @@ double energy_of_body(const World& world, std::size_t k) {
   return energy_of(world.bodies()[k], world.states()[k], world.gravity_w).total();
 }
 
-// The part of a body that stays inside it while it turns by an angle; its size is not positive if nothing does.
-// A corner at |h| from the centre moves by at most angle · |h|.
+// The part of a body that stays inside it while it turns by an angle. A corner at |h| from the centre moves by at most
+// angle · |h|; a cube within the largest ball inside stays there however far the body turns.
 Box core_of(const BodyProperties& body, const BodyState& state, double angle) {
   Box core = box_of(body, state);
+  const double ball = tolerance::core_share * core.half.minCoeff() / std::sqrt(3.0);
   core.half = tolerance::core_share * core.half - Vec3::Constant(angle * core.half.norm());
+  if (core.half.minCoeff() < ball) core.half.setConstant(ball);
   return core;
 }
 
@@ -94,6 +96,7 @@ void EnergyCheck::on_step(const World& world, const StepReport& /*report*/) {
 PassageCheck::PassageCheck() : near_(make_broad_phase("bounding_tree")) {}
 
 void PassageCheck::on_begin(const World& world) {
+  time_ = world.time();
   before_.assign(world.states().begin(), world.states().end());
 }
 
@@ -122,9 +125,11 @@ void PassageCheck::look_for_passages(const World& world) {
   for (std::size_t k = 0; k < before_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (body.shape == Shape::ground) continue;
+    const double turned = std::max(angular_velocity(body, before_[k]).norm(),
+                                   angular_velocity(body, world.states()[k]).norm()) *
+                          (world.time() - time_);
     const double angle = angle_between(before_[k].orientation_wb, world.states()[k].orientation_wb);
-    const Box core = core_of(body, before_[k], angle);
-    if (!(core.half.minCoeff() > 0.0)) continue;
+    const Box core = core_of(body, before_[k], std::max(angle, turned));
     solid_.push_back(k);
     cores_.push_back(core);
     swept_.push_back(widened(bounds_of(core), way(k)));

@@ -57,8 +57,8 @@ class EnergyCheck : public RunCheck {
 ///
 /// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
 /// on the straight way between. The core of a body is a box within it, so much smaller that it stays inside
-/// however the body turned in the step. So a finding is certain; a passage near an edge or with much
-/// turning is not found.
+/// however the body turned in the step. So a finding is certain; a passage near an edge is not found, nor, of a body that
+/// turned far, one with no more than its innermost part.
 /// \par Cost
 /// A comparison for each body, as long as none moves by half its shortest edge in a step.
 class PassageCheck : public RunCheck {
@@ -73,6 +73,7 @@ class PassageCheck : public RunCheck {
   void look_for_passages(const World& world);
 
   std::vector<BodyState> before_;  // at the start of the step
+  double time_ = 0.0;              // [s] ditto
   std::unique_ptr<BroadPhase> near_;
   std::vector<char> fast_;          // not 0: moved by more than half its shortest edge
   std::vector<std::size_t> solid_;  // bodies with a core, by index; the next two are theirs
