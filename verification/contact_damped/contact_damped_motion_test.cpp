@@ -88,12 +88,26 @@ double deepest_in_clump(const char* per_edge, unsigned seed,
 
 }  // namespace
 
-TEST_CASE("Cubes that fall together overlap by less than a twelfth of an edge on average",
+TEST_CASE("Cubes that fall together overlap by less than 3 % of an edge on average",
           "[unit][contact_damped]") {
-  // With a single point where edges cross it was 0.16.
+  // With a single point where edges cross it was 16 %, with the direct solver for all of them 4 %.
   double sum = 0.0;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) sum += deepest_in_clump("5", seed, {});
-  CHECK(sum / 4.0 < 1.0 / 12.0);
+  CHECK(sum / 4.0 < 0.03);
+}
+
+TEST_CASE("A heap in motion costs no more than its budget", "[unit][contact_damped]") {
+  const SceneRecipe& recipe = scene_recipe("clump");
+  Parameters parameters = recipe.parameters();
+  parameters.set("per_edge", "6");
+  const auto most_impulses = [&](const char* budget) {
+    Simulation simulation(recipe.build(parameters, Random(1)), "contact_damped", {budget});
+    std::int64_t most = 0;
+    for (int k = 0; k < 90; ++k) most = std::max(most, simulation.step().impulses);
+    return most;
+  };
+  // Six sweeps are made in any case, 24 at most; small islands beside the heap have their own.
+  CHECK(most_impulses("budget=1") < most_impulses("budget=50000") / 2);
 }
 
 TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",
@@ -153,7 +167,8 @@ TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
   };
   for (const Pull& p :
        {Pull{8, 5, 1, 0.3, 1.0}, Pull{3, 0, 1, -0.64, 40.0}, Pull{13, 11, 2, 1.04, 1.0},
-        Pull{18, 8, 1, 0.3, 1.0}, Pull{22, 0, 2, 0.34, 40.0}, Pull{9, 6, 2, -4.23, 1.0}}) {
+        Pull{18, 8, 1, 0.3, 1.0}, Pull{22, 0, 2, 0.34, 40.0}, Pull{9, 6, 2, -4.23, 1.0},
+        Pull{22, 5, 0, 3.76, 1.0}, Pull{30, 10, 1, -0.65, 1.0}}) {
     CAPTURE(p.layers, p.layer, p.block, p.speed, p.scale);
     const Scene scene = tower(p.layers, p.layer, p.block, p.speed, p.scale);
     Simulation simulation(scene);

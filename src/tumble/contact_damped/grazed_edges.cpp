@@ -29,7 +29,7 @@ bool share_a_body(const ContactPatch& a, const ContactPatch& b) {
 }  // namespace
 
 MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
-                          double size, const Vec3& velocity_w) {
+                          double size, const Vec3& velocity_w, double dt) {
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground || b.shape == Shape::ground) return {};
@@ -37,19 +37,24 @@ MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manif
   const double gap = least_gap(found);
   const Box first = box_of(a, world.states()[idx(pair.first)]);
   Box second = box_of(b, world.states()[idx(pair.second)]);
+  const Vec3 start_w = second.center_w;
+  const Vec3 closer_w = -tolerance::kept_margin * size * found.normal_w;
   // Straight along the normal.
-  second.center_w -= (gap + tolerance::kept_margin * size) * found.normal_w;
-  const Vec3 closed_w = second.center_w;
+  second.center_w += closer_w - gap * found.normal_w;
   const Separation straight = separation(first, second);
   if (straight.distance < least) return {};
   if (gap <= tolerance::contact_damped_slop * size)
     return straight.distance < -least ? MeetingFound{Meeting::graze, straight.normal_w}
                                       : MeetingFound{};
-  // As the bodies moved before the step.
+  // As the bodies moved before the step: when they meet along the normal, and at the end of the step.
   const double speed = -found.normal_w.dot(velocity_w);
   if (!(speed > 0.0)) return {Meeting::pass};
-  second.center_w = closed_w + gap / speed * (velocity_w + speed * found.normal_w);
-  return {separation(first, second).distance < least ? Meeting::overlap : Meeting::pass};
+  const double meets = gap / speed;
+  for (const double time : {meets, std::max(meets, dt)}) {
+    second.center_w = start_w + time * velocity_w + closer_w;
+    if (separation(first, second).distance < least) return {};
+  }
+  return {Meeting::pass};
 }
 
 void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPatch>& patches) {

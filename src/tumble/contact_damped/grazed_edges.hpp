@@ -33,17 +33,19 @@ struct MeetingFound {
 /// overlap by `tolerance::kept_margin` of the size along the normal; if they then overlap by less than
 /// `tolerance::least_height` along any axis, the contact has no height. How far they slide across the normal until
 /// they meet depends on other contacts; so a pair is dropped only if it misses both without such a motion and with
-/// the one it had before the step.
+/// the one it had before the step, when they meet and at the end of the step.
 /// \param world       where the bodies are
 /// \param pair        indices of both
 /// \param found       their manifold, at least one point
 /// \param size        [m] shortest edge of the two
 /// \param velocity_w  [m/s] of the second relative to the first, before gravity acts
+/// \param dt          [s] the step
 /// \return the outcome; overlap if one of them is the ground, which has no edges
 /// \par Cost
-/// Up to two calls of separation().
+/// Up to three calls of separation().
 [[nodiscard]] MeetingFound find_meeting(const World& world, const IndexPair& pair,
-                                        const Manifold& found, double size, const Vec3& velocity_w);
+                                        const Manifold& found, double size, const Vec3& velocity_w,
+                                        double dt);
 
 /// Removes the patches of grazed edges that lie at the height on which one of their bodies lies: a box that slides
 /// over flush tiles touches the side of the next one with an edge of height 0.

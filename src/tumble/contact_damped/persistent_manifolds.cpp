@@ -191,7 +191,7 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   const double size = size_of(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
   const MeetingFound met = find_meeting(
       world, pair, manifold, size,
-      velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt));
+      velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt), dt);
   if (met.meeting == Meeting::pass) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;
