@@ -37,8 +37,7 @@ struct ContactDampedOptions {
   /// Sweeps over an island that is not settled, each in one direction, at most: at least 1, and the first two are
   /// always made. Small islands, of up to twenty bodies, get at least fifty.
   int sweeps = 6;
-  /// ADMM iterations of the direct solver, at most: three times as many for a small island, fewer for a large one that
-  /// hardly moves. 0: it is not used.
+  /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;
   /// Sweeps and ADMM iterations over a large island in motion, times its patches: what these would exceed is left to
   /// `sweeps` at least, and the next step goes on. Of 1000 cubes that fall together a step so fits a frame of 1/60 s.

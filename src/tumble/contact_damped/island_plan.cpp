@@ -72,12 +72,11 @@ IslandLimits small_limits(const Island& island, int iterations) {
   return limits;
 }
 
-// A large island that hardly moves gets few ADMM iterations, which would not converge, and few Newton steps, which
-// do within some steps of time.
+// A large island that hardly moves gets few Newton steps after ADMM: they converge within some steps of time.
 IslandLimits quiet_limits(const Island& island, int iterations) {
   IslandLimits limits;
   limits.residual = tolerance::solved_residual_exact * negligible_residual(island);
-  limits.max_iterations = std::min(iterations, tolerance::quiet_iterations);
+  limits.max_iterations = iterations;
   limits.max_newton_steps = tolerance::quiet_newton_steps;
   limits.shift_tolerance = tolerance::contact_damped_slop * shortest_edge(island) / island.dt;
   limits.max_shift_updates = tolerance::quiet_shift_updates;

@@ -210,10 +210,6 @@ inline constexpr double diverged_residual = 1e6;
 /// [-] Multiple of the option's ADMM iterations for a small island. Reason: they are cheap there. (6.3.1)
 inline constexpr int small_island_iterations = 3;
 
-/// [-] ADMM iterations for a quiet island, at most. Reason: they would not converge, and are only the start of
-/// the Newton steps. (6.3.1)
-inline constexpr int quiet_iterations = 20;
-
 /// [-] Residual at which ADMM ends in an island that moves fast, as a share of g dt. Reason: of 0.3, 0.1, 0.03
 /// the largest with which the same towers stand. (6.3.1)
 inline constexpr double fast_residual = 0.1;
