@@ -40,6 +40,22 @@ inline World in_other_units(const World& world, double mass) {
   });
 }
 
+// How many bodies are elsewhere after a second in other units, under a technique with its defaults.
+template <class SomeTechnique>
+int differ_in_other_units(World world) {
+  World other = in_other_units(world, 8.0);
+  SomeTechnique first;
+  SomeTechnique second;
+  for (int k = 0; k < 60; ++k) {
+    first.step(world, 1.0 / 60.0);
+    second.step(other, 2.0 / 60.0);
+  }
+  int differ = 0;
+  for (std::size_t b = 0; b < world.states().size(); ++b)
+    if (4.0 * world.states()[b].position_w != other.states()[b].position_w) ++differ;
+  return differ;
+}
+
 // The image in a mirror: x to -x; spins are the other way about y and z.
 inline World mirrored(const World& world) {
   return changed(world, [](BodyProperties&, BodyState& state) {

@@ -109,23 +109,17 @@ double negligible_residual(const Island& island) {
 
 SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
+  int moving = 0;  // patches
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
-    before = std::max(before, scaled_speed(island, patch, island.start));
-    now = std::max(now, scaled_speed(island, patch, island.now));
+    const double had = scaled_speed(island, patch, island.start);
+    const double has = scaled_speed(island, patch, island.now);
+    before = std::max(before, had);
+    now = std::max(now, has);
+    if (had > tolerance::moving_speed && has > tolerance::moving_speed) ++moving;
   }
-  return {std::min(before, now), std::max(before, now)};
-}
-
-double share_of_moving_patches(const Island& island) {
-  const auto moves = [&](int contact) {
-    const ContactPatch& patch = island.all_patches[idx(contact)];
-    return scaled_speed(island, patch, island.start) > tolerance::moving_speed &&
-           scaled_speed(island, patch, island.now) > tolerance::moving_speed;
-  };
-  const auto moving =
-      std::count_if(island.patch_indices.begin(), island.patch_indices.end(), moves);
-  return static_cast<double>(moving) / static_cast<double>(island.patch_indices.size());
+  return {std::min(before, now), std::max(before, now),
+          static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
 }
 
 double approach_of_slow_patches(const Island& island) {

@@ -47,6 +47,8 @@ struct Island {
 struct SpeedRange {
   double lower = 0.0;   ///< [-] as a share of sqrt(g L)
   double higher = 0.0;  ///< [-] ditto
+  double moving =
+      0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
 };
 
 /// The speed of a body's fastest point.
@@ -60,7 +62,7 @@ struct SpeedRange {
 }
 
 /// How fast an island moves.
-/// \param island  the island
+/// \param island  with a patch at least
 /// \return see there
 [[nodiscard]] SpeedRange speed_range(const Island& island);
 
@@ -99,12 +101,6 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \param island  with the impulses so far
 /// \return [m/s] by how much a point approaches faster than its target; 0 or above
 [[nodiscard]] double approach_of_slow_patches(const Island& island);
-
-/// How much of an island moves: the share of its patches whose bodies move along each other or apart by more than
-/// tolerance::moving_speed, before the step and with the impulses so far.
-/// \param island  with a patch at least
-/// \return [-] from 0 to 1
-[[nodiscard]] double share_of_moving_patches(const Island& island);
 
 /// Sets the velocities to those of the impulses alone. The direct solver may have left some of its springs in them.
 /// \param island  `now` is changed

@@ -94,12 +94,12 @@ IslandLimits large_limits(const Island& island, int iterations) {
 
 // Whether sweeps have to do: in a large island much of which moves, contacts change before weight gets through all of it;
 // and where anything moves, it costs no more than its budget.
-bool has_to_be_swept(const Island& island, bool fast, const IslandEffort& effort) {
-  if (is_small(island)) return false;
-  const double moving = share_of_moving_patches(island);
+bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
+  const bool moves = speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
   const std::int64_t work =
       static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations;
-  return moving > tolerance::loose_share || ((fast || moving > 0.0) && work > effort.budget);
+  return !is_small(island) &&
+         (speed.moving > tolerance::loose_share || (moves && work > effort.budget));
 }
 
 // Sweeps within the budget.
@@ -134,7 +134,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const bool small = is_small(island);
   const bool fast = speed.lower >= tolerance::fast_speed;
   const bool quiet = !small && speed.higher < tolerance::quiet_speed;
-  const bool loose = has_to_be_swept(island, fast, effort);
+  const bool loose = has_to_be_swept(island, speed, effort);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 

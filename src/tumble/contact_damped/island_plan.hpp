@@ -20,10 +20,10 @@ struct FirstSweeps {
 
 /// How much work an island may cost: the options of the technique of these names.
 struct IslandEffort {
-  int sweeps = 6;             ///< over a large island, at most
-  int admm_iterations = 100;  ///< for a large island, at most; 0: the direct solver is not used
-  int budget = 50000;         ///< sweeps or iterations times patches, for a large island in motion
-  int parts = 1;              ///< into which the step is divided: each gets its share of the work
+  int sweeps = 0;           ///< over a large island, at most
+  int admm_iterations = 0;  ///< for a large island, at most; 0: the direct solver is not used
+  int budget = 0;           ///< sweeps or iterations times patches, for a large island in motion
+  int parts = 1;            ///< into which the step is divided: each gets its share of the work
 };
 
 /// The method that solves an island after its first sweeps.

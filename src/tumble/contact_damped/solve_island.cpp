@@ -113,7 +113,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   bool direct = false;
   switch (plan.method) {
     case IslandMethod::settled: break;
-    case IslandMethod::sweep:  // much of it moves
+    case IslandMethod::sweep:  // much of it moves, or the direct solver is off
       sweep_on(island, plan, first, report);
       break;
     case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge

@@ -170,15 +170,9 @@ StepReport Faure::step(World& world, double dt) {
   find_contacts(world, dt, report);
 
   // [S2.6.4:technique]
-  // How all would move without contacts, and impulses of all contacts at once.
-  moving_ = start_;
-  for (std::size_t k = 0; k < moving_.size(); ++k)
-    if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
+  // Impulses of all contacts at once.
   push(world, dt, true, report);
   if (gains(report)) {  // by bounces that contradict one another: nothing bounces in this step
-    moving_ = start_;
-    for (std::size_t k = 0; k < moving_.size(); ++k)
-      if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
     push(world, dt, false, report);
     ++report.fallbacks;
   }
@@ -243,8 +237,11 @@ bool Faure::gains(const StepReport& report) const {
          report.energy.restitution + report.energy.friction > tolerance::faure_gain * scale;
 }
 
-// Looks for the impulses and applies them. Work is an impulse times the mean of the velocities before and after.
+// How all bodies move without contacts, and with the impulses that are found. Work is an impulse times the mean of the velocities before and after.
 void Faure::push(const World& world, double dt, bool bounce, StepReport& report) {
+  moving_ = start_;
+  for (std::size_t k = 0; k < moving_.size(); ++k)
+    if (world.bodies()[k].movable()) moving_[k].velocity_w += dt * world.gravity_w;
   rows_.take(moving_, contacts_, dt, world, options_.sticky, bounce);
   rows_.require_no_energy();
   descent_ = iteration_.solve(rows_, rows_.impulses(), options_.wanted * rows_.first_step(),
