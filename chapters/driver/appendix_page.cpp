@@ -55,10 +55,10 @@ std::string reasons_html(const AppendixLine& line, const std::vector<ErratumEntr
     if (entry == errata.end())
       throw std::invalid_argument(line.place + "there is no erratum '" + id + '\'');
     text += "<p>" + link_html("errata.html#" + label_of("erratum", id), id) + " (" +
-            entry->erratum.kind + "): " + html_text(entry->erratum.printed) +
-            " <strong>Read as:</strong> " + html_text(entry->erratum.reading) + "</p>";
+            entry->erratum.kind + "): " + prose_html(entry->erratum.printed) +
+            " <strong>Read as:</strong> " + prose_html(entry->erratum.reading) + "</p>";
   }
-  if (!line.why.empty()) text += "<p>" + html_text(line.why) + "</p>";
+  if (!line.why.empty()) text += "<p>" + prose_html(line.why) + "</p>";
   return text;
 }
 
@@ -69,7 +69,7 @@ std::string rows_of(const AppendixListing& listing, const AppendixLine& line,
   std::string text = "<tbody id=\"" + label + "\">\n<tr><th scope=\"rowgroup\"" +
                      (reasons.empty() ? "" : " rowspan=\"2\"") + ">" +
                      link_html('#' + label, std::to_string(line.number)) + "</th>\n<td><p>" +
-                     html_text(line.says) + "</p></td>\n" + cell_html("As printed", line.printed) +
+                     prose_html(line.says) + "</p></td>\n" + cell_html("As printed", line.printed) +
                      cell_html("As meant", line.meant) + "</tr>\n";
   if (!reasons.empty()) text += "<tr><td class=\"why\" colspan=\"3\">" + reasons + "</td></tr>\n";
   return text + "</tbody>\n";
@@ -94,7 +94,7 @@ std::string files_html(const AppendixListing& listing,
 std::string listing_md(const AppendixListing& listing, const std::vector<ErratumEntry>& errata) {
   std::string text =
       "## " + listing.name + " {#appendix_a_" + lower(listing.name) + "}\n\n" +
-      html_text(listing.about) + " Thesis " + listing.section +
+      prose_html(listing.about) + " Thesis " + listing.section +
       "; described in the chapter \\ref " + listing.chapter + ".\n\n" +
       (listing.mends.empty() ? "" : "**Mended also as printed:** " + listing.mends + "\n\n");
   std::string table =

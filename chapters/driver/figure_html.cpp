@@ -20,8 +20,8 @@ std::string number_row(const CheckedNumber& number) {
     expected = whole_html(short_text(number.expected)) + ' ' +
                whole_html("± " + short_text(number.tolerance) + unit);
   }
-  return "<tr><td>" + html_text(number.quantity) + "<br><span class=\"soft\">" +
-         html_text(number.reason) + "</span></td><td class=\"number\">" +
+  return "<tr><td>" + prose_html(number.quantity) + "<br><span class=\"soft\">" +
+         prose_html(number.reason) + "</span></td><td class=\"number\">" +
          (number.agrees() ? value : "<span class=\"bad\">" + value + "</span>") +
          interval_html(number) + "<br><span class=\"soft\">" + expected + "</span></td></tr>\n";
 }

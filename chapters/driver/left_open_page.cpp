@@ -15,11 +15,11 @@ std::string value_html(const ChosenValue& value) {
                                ? "run <code>make figures</code>"
                                : "<strong>" + whole_html(value.value + unit) + "</strong>";
   return "<code>" + html_text(value.name) + "</code> = " + text + " <span class=\"soft\">" +
-         html_text(value.meaning) + "</span>";
+         prose_html(value.meaning) + "</span>";
 }
 
 std::string values_html(const Choice& choice, const ValueSources& sources) {
-  std::string text = html_text(choice.value);
+  std::string text = prose_html(choice.value);
   for (const ChosenValue& value : chosen_values(choice, sources))
     text += (text.empty() ? "" : "<br>\n") + value_html(value);
   return text;
@@ -36,24 +36,24 @@ std::string numbers_row(const VariedEntry& entry) {
   const std::string target = entry.claim.empty() ? "gallery.html#" + html_text(entry.figure)
                                                  : "ledger.html#" + label_of("claim", entry.claim);
   const std::string name = entry.claim.empty() ? entry.figure : "claim " + entry.claim;
-  std::string text = "<tr><td>" + html_text(entry.chosen.number.quantity) + " (<a href=\"" +
+  std::string text = "<tr><td>" + prose_html(entry.chosen.number.quantity) + " (<a href=\"" +
                      target + "\">" + html_text(name) +
                      "</a>)</td><td class=\"number\" data-name=\"as it is\">" +
                      number_of(entry.chosen) + "</td><td class=\"number\">";
   for (const VariedNumber& one : entry.changed)
     text +=
-        "<p><span class=\"soft\">" + html_text(one.change) + ":</span> " + number_of(one) + "</p>";
+        "<p><span class=\"soft\">" + prose_html(one.change) + ":</span> " + number_of(one) + "</p>";
   return text + "</td></tr>\n";
 }
 
 std::string choice_html(const ChoiceEntry& entry, const ValueSources& sources) {
   const Choice& choice = entry.choice;
-  std::string text = "<div class=\"entry\">\n<p><strong>" + html_text(choice.what) +
+  std::string text = "<div class=\"entry\">\n<p><strong>" + prose_html(choice.what) +
                      "</strong> · thesis " + html_text(choice.section) + "</p>\n<dl>\n" +
                      row_html("Ours", values_html(choice, sources)) +
-                     row_html("Why", html_text(choice.why));
+                     row_html("Why", prose_html(choice.why));
   if (!choice.unmeasured.empty())
-    return text + row_html("Not varied", html_text(choice.unmeasured)) + "</dl>\n</div>\n";
+    return text + row_html("Not varied", prose_html(choice.unmeasured)) + "</dl>\n</div>\n";
   text +=
       "</dl>\n<table class=\"numbers varied\">\n<thead><tr><th>number</th><th>as it is</th>"
       "<th>with another value</th></tr></thead>\n";

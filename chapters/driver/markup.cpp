@@ -28,9 +28,9 @@ std::string printed_rule(std::string rule) {
 
 // The number that decides, or why there is none.
 std::string finding_html(const LedgerEntry& entry) {
-  if (entry.verdict == Verdict::not_measured) return html_text(entry.note);
+  if (entry.verdict == Verdict::not_measured) return prose_html(entry.note);
   const CheckedNumber& number = entry.number;
-  const std::string text = html_text(number.quantity) + ": <strong>" +
+  const std::string text = prose_html(number.quantity) + ": <strong>" +
                            number_html(number.value, number.unit) + "</strong>" +
                            interval_html(number);
   return number.agrees() ? text : text + ", <span class=\"bad\">not as expected</span>";
@@ -40,11 +40,11 @@ std::string finding_html(const LedgerEntry& entry) {
 std::string second_html(const SecondEntry& entry) {
   const Second& second = entry.second;
   const bool measured = entry.verdict != Verdict::not_measured;
-  return html_text(second.quantity) + ": " +
+  return prose_html(second.quantity) + ": " +
          (measured ? "<strong>" + number_html(entry.number.value, second.unit) + "</strong>" +
                          interval_html(entry.number) + ' ' + verdict_html(entry.verdict) + " on " +
                          second.run
-                   : html_text(entry.note)) +
+                   : prose_html(entry.note)) +
          "<br><span class=\"soft\">" + prose_html(second.scene) +
          " Control: " + prose_html(second.control) + " Rule of " + second.ruled + ": " +
          printed_rule(rule_text(second.confirmed, second.refuted)) + ". " +
@@ -55,7 +55,7 @@ std::string rule_html(const Claim& claim) {
   const std::string reason = "<br><span class=\"soft\">" + prose_html(claim.reason) + "</span>";
   if (!claim.comparable) return "none" + reason;
   return printed_rule(rule_text(claim.confirmed, claim.refuted)) + "; fixed " +
-         (claim.ruled.empty() ? "before the first run" : html_text(claim.ruled)) + reason;
+         (claim.ruled.empty() ? "before the first run" : prose_html(claim.ruled)) + reason;
 }
 
 }  // namespace
@@ -132,14 +132,14 @@ std::string row_html(const std::string& name, const std::string& html) {
 std::string claim_html(const LedgerEntry& entry, const std::string& figure_link) {
   const Claim& claim = entry.claim;
   std::string text = "<div class=\"entry\">\n<p><strong>Claim " + claim.id + "</strong> " +
-                     words_html(entry) + "<br>\n" + html_text(claim.statement) + "</p>\n<dl>\n";
+                     words_html(entry) + "<br>\n" + prose_html(claim.statement) + "</p>\n<dl>\n";
   if (!claim.open) {
     text += row_html("Number", finding_html(entry)) + row_html("Rule", rule_html(claim)) +
             row_html("Reads",
                      "<em>" + html_text(claim.reads) + "</em>: " + prose_html(claim.reads_because));
     for (const SecondEntry& second : entry.seconds) text += row_html("Second", second_html(second));
   }
-  text += row_html("Experiment", html_text(claim.experiment));
+  text += row_html("Experiment", prose_html(claim.experiment));
   if (claim.open) {
     text += row_html("Chapter", html_text(claim.chapter));
   } else {

@@ -36,7 +36,7 @@ std::string overview_html(const std::vector<LedgerEntry>& ledger) {
     if (entry.verdict == Verdict::not_measured) continue;
     const Claim& claim = entry.claim;
     text += "<p><a href=\"#" + label_of("claim", claim.id) + "\">" + claim.id + "</a> " +
-            words_html(entry) + ' ' + html_text(claim.statement) + "</p>\n";
+            words_html(entry) + ' ' + prose_html(claim.statement) + "</p>\n";
   }
   return text.empty() ? text : as_is("<div class=\"entry overview\">\n" + text + "</div>\n");
 }
@@ -55,14 +55,14 @@ std::string finding(const CheckedNumber& number) {
   const std::string value = std::isnan(number.value)
                                 ? "not measured here: run <code>make figures</code>"
                                 : "<strong>" + number_html(number.value, number.unit) + "</strong>";
-  return html_text(number.quantity) + ": " + value;
+  return prose_html(number.quantity) + ": " + value;
 }
 
 // Where an erratum shows, and its two numbers.
 std::string experiment_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
   const bool misprint = erratum.kind == "misprint";
-  return row_html("Shown by", html_text(erratum.scene)) +
+  return row_html("Shown by", prose_html(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
          row_html(misprint ? "Corrected" : "Otherwise", finding(entry.mended)) +
          row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
@@ -74,10 +74,10 @@ std::string experiment_html(const ErratumEntry& entry) {
 std::string erratum_html(const ErratumEntry& entry) {
   const Erratum& erratum = entry.erratum;
   return "<div class=\"entry\">\n<p><strong>" + html_text(erratum.id) + ". " +
-         html_text(erratum.title) + "</strong><br>\n" + erratum.kind + " · thesis " +
+         prose_html(erratum.title) + "</strong><br>\n" + erratum.kind + " · thesis " +
          html_text(erratum.section) + "</p>\n<dl>\n" +
-         row_html("Printed", html_text(erratum.printed)) +
-         row_html("Read as", html_text(erratum.reading)) +
+         row_html("Printed", prose_html(erratum.printed)) +
+         row_html("Read as", prose_html(erratum.reading)) +
          (erratum.kind == "wording" ? "</dl>\n</div>\n" : experiment_html(entry));
 }
 
@@ -92,7 +92,7 @@ std::string errata_list_html(const std::vector<ErratumEntry>& errata) {
               "</p>\n<ul>\n";
     section = erratum.section;
     text += "<li><a href=\"#" + label_of("erratum", erratum.id) + "\">" + html_text(erratum.id) +
-            "</a> " + html_text(erratum.title) + "</li>\n";
+            "</a> " + prose_html(erratum.title) + "</li>\n";
   }
   return text.empty() ? text : as_is(text + "</ul>\n");
 }
@@ -100,7 +100,7 @@ std::string errata_list_html(const std::vector<ErratumEntry>& errata) {
 std::string tolerance_html(const Tolerance& tolerance) {
   const std::string unit = tolerance.unit == "-" ? "" : ' ' + tolerance.unit;
   return "<div class=\"entry\">\n<p><code>" + html_text(tolerance.name) + "</code> = <strong>" +
-         whole_html(tolerance.value + unit) + "</strong><br>\n" + html_text(tolerance.meaning) +
+         whole_html(tolerance.value + unit) + "</strong><br>\n" + prose_html(tolerance.meaning) +
          "</p>\n<p class=\"soft\">Reason: " + prose_html(tolerance.reason) + " (" +
          html_text(tolerance.section) + ")</p>\n</div>\n";
 }
