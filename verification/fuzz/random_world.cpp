@@ -6,6 +6,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/geometry/separation.hpp"
+#include "tumble/record/run_checks.hpp"
 #include "tumble/scenes/simulation.hpp"
 
 #include <algorithm>
@@ -129,6 +130,9 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
   try {
     Simulation simulation(random.scene, technique, settings);
     simulation.settle();
+    EnergyCheck energy;
+    PassageCheck left;
+    simulation.observe(energy);
     const World& world = simulation.world();
     const Energy start = energy_of(world);
     const Vec3 momentum_w = linear_momentum(world);
@@ -142,6 +146,7 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
     double booked = 0.0;
     for (int k = 0; k < steps; ++k) {
       const StepReport report = simulation.step(random.dt);
+      verdict.reported = verdict.reported || energy.status() != StepStatus::done;
       if (report.status != StepStatus::done) {
         verdict.status = report.status;
         break;
@@ -159,6 +164,9 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
                                            (linear_momentum(world) - momentum_w).norm() / speeds);
     }
     verdict.overlap = deepest_overlap(world);
+    left.at_end(world);
+    verdict.reported =
+        verdict.reported || verdict.status != StepStatus::done || left.status() != StepStatus::done;
   } catch (const std::exception& mistake) {
     verdict.thrown = mistake.what();
   }
