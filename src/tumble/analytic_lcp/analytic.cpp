@@ -2,12 +2,12 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
-#include "tumble/analytic_lcp/passing_contacts.hpp"
 #include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/flight.hpp"
 

@@ -6,6 +6,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/impulse_work.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
