@@ -6,6 +6,7 @@
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/geometry/separation.hpp"
+#include "tumble/record/overlap.hpp"
 #include "tumble/record/run_checks.hpp"
 #include "tumble/scenes/simulation.hpp"
 
@@ -64,17 +65,12 @@ void scatter(Random& chance, bool ground, std::vector<SceneBox>& boxes) {
 }
 
 double deepest_overlap(const World& world) {
+  OverlapMeter meter;
+  meter.look(world.bodies(), world.states());
   double deepest = 0.0;
-  for (int i = 0; i < world.count(); ++i) {
-    for (int k = i + 1; k < world.count(); ++k) {
-      const BodyProperties& a = world.bodies()[idx(i)];
-      const BodyProperties& b = world.bodies()[idx(k)];
-      if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
-      const double distance =
-          separation(box_of(a, world.states()[idx(i)]), box_of(b, world.states()[idx(k)])).distance;
-      deepest = std::max(deepest, -distance / std::min(a.size.minCoeff(), b.size.minCoeff()));
-    }
-  }
+  for (std::size_t k = 0; k < meter.depths().size(); ++k)
+    if (world.bodies()[k].shape == Shape::box)
+      deepest = std::max(deepest, meter.depths()[k] / world.bodies()[k].size.minCoeff());
   return deepest;
 }
 

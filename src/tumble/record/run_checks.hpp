@@ -91,8 +91,8 @@ class PassageCheck : public RunCheck {
   std::vector<IndexPair> pairs_;
 };
 
-/// A body that turns by more than a radian in a step is named, once, with a step that would do. Its contacts and
-/// its energy are not reliable; the step counts as done all the same.
+/// A body that turns by more than a radian in a step is named, once, with a step that would do. Not every technique finds its
+/// contacts and keeps its energy then (step_in_parts()); the step counts as done all the same.
 class TurnCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;
