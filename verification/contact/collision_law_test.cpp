@@ -153,6 +153,12 @@ TEST_CASE("Bodies that already part at 1 m/s are left alone", "[unit][collision_
   }
 }
 
+TEST_CASE("An energy that stays as it is allows all of the way", "[unit][collision_law]") {
+  CHECK(largest_share(-1.0, 0.0, 0.0) == 1.0);
+  CHECK(largest_share(0.0, 0.0, 0.0) == 1.0);
+  CHECK(largest_share(-1.0, 0.0, 4.0) == 0.5);
+}
+
 TEST_CASE("Two immovable bodies get no impulse", "[unit][collision_law]") {
   Heavy a = fixed();
   Heavy b = fixed();

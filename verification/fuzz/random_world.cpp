@@ -6,6 +6,8 @@
 #include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/geometry/separation.hpp"
+#include "tumble/record/overlap.hpp"
+#include "tumble/record/run_checks.hpp"
 #include "tumble/scenes/simulation.hpp"
 
 #include <algorithm>
@@ -63,17 +65,12 @@ void scatter(Random& chance, bool ground, std::vector<SceneBox>& boxes) {
 }
 
 double deepest_overlap(const World& world) {
+  OverlapMeter meter;
+  meter.look(world.bodies(), world.states());
   double deepest = 0.0;
-  for (int i = 0; i < world.count(); ++i) {
-    for (int k = i + 1; k < world.count(); ++k) {
-      const BodyProperties& a = world.bodies()[idx(i)];
-      const BodyProperties& b = world.bodies()[idx(k)];
-      if (a.shape == Shape::ground || b.shape == Shape::ground) continue;
-      const double distance =
-          separation(box_of(a, world.states()[idx(i)]), box_of(b, world.states()[idx(k)])).distance;
-      deepest = std::max(deepest, -distance / std::min(a.size.minCoeff(), b.size.minCoeff()));
-    }
-  }
+  for (std::size_t k = 0; k < meter.depths().size(); ++k)
+    if (world.bodies()[k].shape == Shape::box)
+      deepest = std::max(deepest, meter.depths()[k] / world.bodies()[k].size.minCoeff());
   return deepest;
 }
 
@@ -129,6 +126,9 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
   try {
     Simulation simulation(random.scene, technique, settings);
     simulation.settle();
+    EnergyCheck energy;
+    PassageCheck left;
+    simulation.observe(energy);
     const World& world = simulation.world();
     const Energy start = energy_of(world);
     const Vec3 momentum_w = linear_momentum(world);
@@ -142,6 +142,7 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
     double booked = 0.0;
     for (int k = 0; k < steps; ++k) {
       const StepReport report = simulation.step(random.dt);
+      verdict.reported = verdict.reported || energy.status() != StepStatus::done;
       if (report.status != StepStatus::done) {
         verdict.status = report.status;
         break;
@@ -159,6 +160,9 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
                                            (linear_momentum(world) - momentum_w).norm() / speeds);
     }
     verdict.overlap = deepest_overlap(world);
+    left.at_end(world);
+    verdict.reported =
+        verdict.reported || verdict.status != StepStatus::done || left.status() != StepStatus::done;
   } catch (const std::exception& mistake) {
     verdict.thrown = mistake.what();
   }

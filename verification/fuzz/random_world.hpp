@@ -43,6 +43,7 @@ struct WorldVerdict {
   double momentum_change =
       0.0;  // [-] of a world without ground or gravity, over the sum of |m v| at the start
   double overlap = 0.0;  // [-] deepest one of two boxes at the end, as a share of the shortest edge
+  bool reported = false;    // a run would have ended with code 3
   std::string thrown = {};  // message of an exception; empty if there was none
 };
 

@@ -2,12 +2,13 @@
 /// \brief The loop that joins collisions and contact forces.
 #include "tumble/analytic_lcp/analytic.hpp"
 
-#include "tumble/analytic_lcp/passing_contacts.hpp"
 #include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/flush_edges.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>
@@ -69,9 +70,12 @@ std::vector<std::string> Analytic::ignores(const World& world) const {
 }
 
 StepReport Analytic::step(World& world, double dt) {
-  require::positive(dt, "dt");
-  StepReport report;
   records_.clear();
+  return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
+}
+
+StepReport Analytic::step_part(World& world, double dt) {
+  StepReport report;
   rewound_ = 0;
   unsolved_ = false;
   too_large_ = false;
@@ -270,8 +274,7 @@ void Analytic::fly(World& world, const Plan& plan, bool to_the_end, Progress& pr
 }
 
 void Analytic::finish(World& world, const Progress& progress, StepReport& report) {
-  world.finish_step(progress.passed);
-  if (report.status == StepStatus::unsolved) return;
+  if (report.status == StepStatus::unsolved) return world.finish_step(progress.passed);
   record_forces(recorded_at_, recorded_for_, report);
   if (options_.friction == AnalyticFriction::damping)
     report.energy.damping +=

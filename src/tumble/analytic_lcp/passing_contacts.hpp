@@ -1,5 +1,5 @@
 /// \file
-/// \brief Contacts of bodies that have no contact area until they overlap, and edges without height that are none.
+/// \brief Contacts of bodies that have no contact area until they overlap.
 ///
 /// Uses no other chapter.
 #pragma once
@@ -39,28 +39,5 @@ class PassingContacts {
  private:
   std::vector<BodyState> ended_;  // if nothing pushes
 };
-
-/// Whether two boxes would meet at an edge that has no height across the way on which they meet, and that lies in a
-/// plane on which another contact holds one of them. A box that slides over flush tiles meets the side of the next
-/// one so, and would be stopped by it.
-///
-/// Both are closed along the direction in which they are apart until they overlap there by `tolerance::flush_overlap`
-/// of the shortest edge. If they then overlap in some other direction by less than `tolerance::flush_height`, that is
-/// the height of the edge.
-/// \param world     where the bodies are
-/// \param pair      indices of both
-/// \param contacts  of this moment
-/// \return whether the pair can be left out; false if one of them is the ground, which has no edges
-/// \par Cost
-/// One or two calls of separation(), and a look at all contacts if the edge has no height.
-[[nodiscard]] bool meets_flush_edge(const World& world, const IndexPair& pair,
-                                    std::span<const Contact> contacts);
-
-/// Takes out contacts at such edges.
-/// \param world     where the bodies are
-/// \param contacts  in and out; the others keep their order
-/// \par Cost
-/// One call of separation() for each contact whose points lie on a line.
-void drop_flush_edges(const World& world, ContactList& contacts);
 
 }  // namespace tumble

@@ -6,7 +6,10 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/impulse_work.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
@@ -39,7 +42,10 @@ std::vector<Diagnostic> TimeStepping::diagnostics() const {
 }
 
 StepReport TimeStepping::step(World& world, double dt) {
-  require::positive(dt, "dt");
+  return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
+}
+
+StepReport TimeStepping::step_part(World& world, double dt) {
   StepReport report;
   records_.clear();
   load_moving_bodies(world, moving_);
@@ -74,7 +80,6 @@ StepReport TimeStepping::step(World& world, double dt) {
   report.impulses = result.impulses;
   report.fallbacks = result.fallbacks;
   report.contacts = static_cast<std::int64_t>(records_.size());
-  world.finish_step(dt);
   return report;
 }
 
@@ -91,8 +96,8 @@ double TimeStepping::moved_against_gravity(const World& world, double dt) const 
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable() || flying_[k] != 0) continue;
-    const Vec3 gained_w = body.mass * moving_[k].velocity_w - world.states()[k].linear_momentum_w;
-    work -= 0.5 * dt * world.gravity_w.dot(gained_w);
+    work += lift_at_end_velocity(world.gravity_w, dt, world.states()[k].linear_momentum_w,
+                                 body.mass * moving_[k].velocity_w);
   }
   return work;
 }

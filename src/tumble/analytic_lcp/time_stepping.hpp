@@ -111,6 +111,7 @@ class TimeStepping : public Technique {
   [[nodiscard]] const VelocityStepResult& velocities() const { return velocities_; }
 
  private:
+  StepReport step_part(World& world, double dt);
   void gather(const World& world, double dt, StepReport& report);
   void find_pairs(const World& world, double margin);
   void record(const World& world);

@@ -66,16 +66,4 @@ inline constexpr double sweeps_settled = 1e-10;
 /// millimetre per second at 1 m/s; restitution that no motion gives leaves a part of itself. (2.6.3)
 inline constexpr double sweep_bounce = 1e-3;
 
-/// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: flush
-/// neighbours that stand on the ground differ by 1e-9, and a step so low is repaired as overlap. (3.2)
-inline constexpr double flush_height = 1e-4;
-
-/// [-] How far two bodies are closed to see whether the edge at which they meet has a height, ditto. Reason: ten times
-/// that height, so that the direction in which they meet is not taken for the one without height. (3.2)
-inline constexpr double flush_overlap = 1e-3;
-
-/// [-] Cosine above which the plane of an edge is that of a contact. Reason: flush faces are parallel to within a
-/// tenth of a degree or so. (3.2)
-inline constexpr double flush_plane = 0.999;
-
 }  // namespace tumble::tolerance

@@ -3,26 +3,16 @@
 #include "tumble/analytic_lcp/touch.hpp"
 
 #include "tumble/analytic_lcp/tolerances.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tumble {
-namespace {
-
-// The ground has no size: it is never the smaller one.
-double shortest_edge(const World& world, int body) {
-  const BodyProperties& b = world.bodies()[static_cast<std::size_t>(body)];
-  return b.shape == Shape::ground ? std::numeric_limits<double>::infinity() : b.size.minCoeff();
-}
-
-}  // namespace
-
 double pair_size(const World& world, int first, int second) {
-  return std::min(shortest_edge(world, first), shortest_edge(world, second));
+  return shortest_edge(world.bodies()[idx(first)], world.bodies()[idx(second)]);
 }
 
 TouchScale touch_scale(const World& world, int first, int second, double dt) {
@@ -46,9 +36,8 @@ GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
                          ContactList& out) {
   // One margin for all, that of the largest body; then each pair's own.
   double largest = 0.0;
-  for (int b = 0; b < world.count(); ++b)
-    if (world.bodies()[static_cast<std::size_t>(b)].movable())
-      largest = std::max(largest, shortest_edge(world, b));
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) largest = std::max(largest, body.size.minCoeff());
   const GatherReport report = gather_contacts(world, bodies, candidates,
                                               tolerance::contact_margin * largest, previous, out);
   keep_points(out, [&](const Contact& contact, const ContactPoint& point) {

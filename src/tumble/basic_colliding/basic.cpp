@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 
 #include <algorithm>
 #include <string>
@@ -25,9 +26,12 @@ Basic::Basic(const Basic& other)
 std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
 
 StepReport Basic::step(World& world, double dt) {
-  require::positive(dt, "dt");
-  StepReport report;
   records_.clear();
+  return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
+}
+
+StepReport Basic::step_part(World& world, double dt) {
+  StepReport report;
   released_.clear();
   double elapsed = 0.0;  // [s] of this step
   for (int moment = 0;; ++moment) {
@@ -76,7 +80,6 @@ StepReport Basic::step(World& world, double dt) {
     release_rounding(world, speed_change, dt - elapsed);
   }
   repair_overlap(world, report);
-  world.finish_step(dt);
   return report;
 }
 

@@ -71,6 +71,7 @@ class Basic : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
  private:
+  StepReport step_part(World& world, double dt);
   [[nodiscard]] Flight flight_of(const World& world) const;
   const FirstEvent& find_first(const World& world, double remaining, StepReport& report);
   int fly_all(World& world, double time, StepReport& report) const;

@@ -96,6 +96,7 @@ Candidate poisson(const Local& p, double e) {
 double largest_share(double start, double slope, double curvature) {
   // The positive root of E(θ), in the form that does not subtract nearly equal numbers.
   const double root = std::sqrt(std::max(0.0, slope * slope - 4.0 * curvature * start));
+  if (!(slope > 0.0 || curvature > 0.0)) return 1.0;  // it does not rise
   const double share =
       slope > 0.0 ? -2.0 * start / (slope + root) : (root - slope) / (2.0 * curvature);
   return std::clamp(share, 0.0, 1.0);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace tumble {
@@ -64,10 +63,8 @@ bool left_to_chance(const Contact& contact, std::span<const MovingBody> bodies, 
   if (options.where == Randomness::off || contact.count != 1) return false;
   const double approach = -normal_speed(contact, bodies);
   if (!(approach > 0.0)) return false;
-  double length = std::numeric_limits<double>::infinity();
-  for (const int body : {contact.first, contact.second})
-    if (world.bodies()[idx(body)].shape == Shape::box)
-      length = std::min(length, world.bodies()[idx(body)].size.minCoeff());
+  const double length =
+      shortest_edge(world.bodies()[idx(contact.first)], world.bodies()[idx(contact.second)]);
   const bool fast = approach > options.speed * std::sqrt(world.gravity_w.norm() * length);
   return options.where == Randomness::all || fast == (options.where == Randomness::fast);
 }

@@ -7,7 +7,6 @@
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <tuple>
 
@@ -21,12 +20,6 @@ IndexPair sorted(const IndexPair& pair, int count) {
     require::that(false, "pair " + std::to_string(pair.first) + ", " + std::to_string(pair.second) +
                              ": give two different indices below " + std::to_string(count));
   return result;
-}
-
-// [m] the ground has no edges
-double shortest_edge(const BodyProperties& body) {
-  return body.shape == Shape::ground ? std::numeric_limits<double>::infinity()
-                                     : body.size.minCoeff();
 }
 
 // From the ground to a box: the height of its lowest point, along the ground's normal.
@@ -95,8 +88,8 @@ void OverlapRepair::prepare(const World& world, std::span<const IndexPair> pairs
     if (ease_[idx(pair.first)] == 0.0 && ease_[idx(pair.second)] == 0.0) continue;
     Candidate candidate;
     candidate.pair = pair;
-    candidate.slop = options_.slop * std::min(shortest_edge(world.bodies()[idx(pair.first)]),
-                                              shortest_edge(world.bodies()[idx(pair.second)]));
+    candidate.slop = options_.slop * shortest_edge(world.bodies()[idx(pair.first)],
+                                                   world.bodies()[idx(pair.second)]);
     candidates_.push_back(candidate);
   }
 }

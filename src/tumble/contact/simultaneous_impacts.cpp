@@ -213,8 +213,10 @@ bool SimultaneousImpacts::attempt(double share, bool with_friction, Answer& answ
     }
     settled = changed <= tolerance::friction_settled * pressed;
   }
-  if (!settled) result.status = SimultaneousStatus::unsettled;
-  return true;
+  if (settled) return true;
+  result.status = SimultaneousStatus::unsettled;
+  // Where friction and pushes have driven each other up beyond all numbers, pushes alone.
+  return std::isfinite(gain(answer)) || attempt(share, false, answer, result);
 }
 
 // The work of each part of the impulse: times the mean of the velocities before and after.

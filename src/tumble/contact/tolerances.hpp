@@ -128,4 +128,16 @@ inline constexpr double noisy_normal = 0.05;
 /// bounces of one die vary by about a tenth. (4.2)
 inline constexpr double noisy_restitution = 0.1;
 
+/// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: flush
+/// neighbours that stand on the ground differ by 1e-9, and a step so low is repaired as overlap. (3.2)
+inline constexpr double flush_height = 1e-4;
+
+/// [-] How far two bodies are closed to see whether the edge at which they meet has a height, ditto. Reason: ten times
+/// that height, so that the direction in which they meet is not taken for the one without height. (3.2)
+inline constexpr double flush_overlap = 1e-3;
+
+/// [-] Cosine above which the plane of an edge is that of a contact. Reason: flush faces are parallel to within a
+/// tenth of a degree or so. (3.2)
+inline constexpr double flush_plane = 0.999;
+
 }  // namespace tumble::tolerance

@@ -3,8 +3,8 @@
 #include "tumble/contact_damped/grazed_edges.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/geometry/separation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,15 +33,13 @@ MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manif
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground || b.shape == Shape::ground) return {};
-  const double least = -tolerance::least_height * size;
+  const double least = -tolerance::flush_height * size;
   const double gap = least_gap(found);
   const Box first = box_of(a, world.states()[idx(pair.first)]);
   Box second = box_of(b, world.states()[idx(pair.second)]);
   const Vec3 start_w = second.center_w;
-  const Vec3 closer_w = -tolerance::kept_margin * size * found.normal_w;
-  // Straight along the normal.
-  second.center_w += closer_w - gap * found.normal_w;
-  const Separation straight = separation(first, second);
+  const Vec3 closer_w = -tolerance::flush_overlap * size * found.normal_w;
+  const Separation straight = closed_along(first, second, found.normal_w, gap, size);
   if (straight.distance < least) return {};
   if (gap <= tolerance::contact_damped_slop * size)
     return straight.distance < -least ? MeetingFound{Meeting::graze, straight.normal_w}
@@ -63,8 +61,8 @@ void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPa
   const auto supports = [&](const ContactPatch& edge, const ContactPatch& other) {
     if (grazes(other) || !share_a_body(edge, other)) return false;
     const Vec3 height_w = middle_of(edge, bodies) - middle_of(other, bodies);
-    return std::abs(other.frame_w.col(2).dot(edge.flat_w)) > tolerance::same_plane &&
-           std::abs(height_w.dot(edge.flat_w)) < tolerance::least_height * edge.size;
+    return std::abs(other.frame_w.col(2).dot(edge.flat_w)) > tolerance::flush_plane &&
+           std::abs(height_w.dot(edge.flat_w)) < tolerance::flush_height * edge.size;
   };
   for (ContactPatch& patch : patches)
     if (grazes(patch) &&

@@ -30,8 +30,8 @@ struct MeetingFound {
 /// Finds whether two boxes that have a manifold will overlap when they have met along its normal.
 ///
 /// A manifold of boxes with a gap says that they are near along one axis only. Both are moved together until they
-/// overlap by `tolerance::kept_margin` of the size along the normal; if they then overlap by less than
-/// `tolerance::least_height` along any axis, the contact has no height. How far they slide across the normal until
+/// overlap by `tolerance::flush_overlap` of the size along the normal; if they then overlap by less than
+/// `tolerance::flush_height` along any axis, the contact has no height. How far they slide across the normal until
 /// they meet depends on other contacts; so a pair is dropped only if it misses both without such a motion and with
 /// the one it had before the step, when they meet and at the end of the step.
 /// \param world       where the bodies are

@@ -4,6 +4,7 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 
@@ -24,13 +25,6 @@ double half_diagonal(const BodyProperties& body) {
   return body.movable() ? 0.5 * body.size.norm() : 0.0;
 }
 
-// Shortest edge of the movable bodies of a pair.
-double size_of(const BodyProperties& a, const BodyProperties& b) {
-  if (!a.movable()) return b.size.minCoeff();
-  if (!b.movable()) return a.size.minCoeff();
-  return std::min(a.size.minCoeff(), b.size.minCoeff());
-}
-
 // How far points of two bodies can come by turning in a step, and a margin that keeps a resting contact.
 double margin_of(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
                  double dt) {
@@ -38,7 +32,7 @@ double margin_of(const World& world, const IndexPair& pair, std::span<const Movi
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   return dt * (half_diagonal(a) * bodies[idx(pair.first)].angular_velocity_w.norm() +
                half_diagonal(b) * bodies[idx(pair.second)].angular_velocity_w.norm()) +
-         tolerance::kept_margin * size_of(a, b);
+         tolerance::kept_margin * movable_edge(a, b);
 }
 
 // The velocity of a stopped body: that of immovable bodies, or if there are none the mean one, since
@@ -163,7 +157,7 @@ ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair
   ContactPatch& patch = patches_.emplace_back();
   patch.first_id = world.ids()[idx(pair.first)];
   patch.second_id = world.ids()[idx(pair.second)];
-  patch.size = size_of(a, b);
+  patch.size = movable_edge(a, b);
   patch.stamp = ++built_;
   patch.friction = std::sqrt(a.friction * b.friction);
   patch.restitution = std::max(a.restitution, b.restitution);
@@ -188,7 +182,8 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   add_face_points_of_pair(world, pair, reach, manifold);
   const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
   if (!has_point_within(manifold, approach + margin)) return false;
-  const double size = size_of(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
+  const double size =
+      movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
   const MeetingFound met = find_meeting(
       world, pair, manifold, size,
       velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt), dt);

@@ -10,14 +10,6 @@ namespace tumble::tolerance {
 /// micrometres for a metre is not seen and far above rounding, so that a contact stays one. (6.3.1)
 inline constexpr double contact_damped_slop = 1e-5;
 
-/// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: above
-/// the slop with which a slider lies on its tiles, and a step so low is corrected as overlap without a jolt. (6.3.1)
-inline constexpr double least_height = 1e-4;
-
-/// [-] Cosine above which two directions count as the same. Reason: flush faces are parallel to within a tenth of
-/// a degree or so. (6.3.1)
-inline constexpr double same_plane = 0.999;
-
 /// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
 /// corner that hangs a millimetre over its support belongs to the patch that carries the box. (6.3.1)
 inline constexpr double kept_margin = 1e-3;

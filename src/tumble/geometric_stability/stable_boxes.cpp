@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace tumble {
@@ -74,10 +73,8 @@ void StableBoxes::find_motion(const World& world, std::span<const MovingBody> bo
   }
   // Contact forces let a gap close; a held body would hover above it.
   for (const Contact& contact : contacts) {
-    double size = std::numeric_limits<double>::infinity();
-    for (const int b : {contact.first, contact.second})
-      if (world.bodies()[idx(b)].shape != Shape::ground)
-        size = std::min(size, world.bodies()[idx(b)].size.minCoeff());
+    const double size =
+        shortest_edge(world.bodies()[idx(contact.first)], world.bodies()[idx(contact.second)]);
     for (int p = 0; p < contact.count; ++p) {
       if (contact.points[idx(p)].distance <= tolerance::contact_gap * size) continue;
       for (const int b : {contact.first, contact.second})

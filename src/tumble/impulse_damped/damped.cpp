@@ -4,8 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/impulse_work.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/impulse_damped/parts_of_turn.hpp"
 
 #include <algorithm>
 
@@ -42,7 +43,8 @@ std::vector<std::string> Damped::ignores(const World& world) const {
 }
 
 StepReport Damped::step(World& world, double dt) {
-  return step_in_parts(world, dt, [&](double part, int k) { return step_part(world, part, k); });
+  return step_in_parts(world, dt,
+                       [&](World& w, double part, int k) { return step_part(w, part, k); });
 }
 
 StepReport Damped::step_part(World& world, double dt, int part) {
@@ -51,7 +53,7 @@ StepReport Damped::step_part(World& world, double dt, int part) {
   DampedStage stage{world,   dt,        options_.rotation, options_.sleeping ? &sleeping_ : nullptr,
                     bodies_, gatherer_, collide_,          collisions_,
                     pushed_, report};
-  Random random = Random(options_.seed).fork(static_cast<std::uint64_t>(world.steps()));
+  Random random = Random(options_.seed).fork(static_cast<std::uint64_t>(world.steps() - part));
   if (part > 0) random = random.fork(static_cast<std::uint64_t>(part));
 
   // [DAMPEDINTEGRATION:1-2]
@@ -104,8 +106,9 @@ double Damped::moved_against_gravity(const World& world, double dt) const {
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable() || world.sleep_states()[k].asleep) continue;
     if (bodies_.touched[k] == 0 && stable_[k] == 0) continue;
-    const Vec3 mean_w = 0.5 * (body.mass * collided_[k].velocity_w + started_w_[k]);
-    work += dt * world.gravity_w.dot(mean_w - world.states()[k].linear_momentum_w);
+    for (const Vec3& before_w : {Vec3(body.mass * collided_[k].velocity_w), started_w_[k]})
+      work +=
+          lift_at_end_velocity(world.gravity_w, dt, before_w, world.states()[k].linear_momentum_w);
   }
   return work;
 }

@@ -6,7 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/gather.hpp"
-#include "tumble/impulse_damped/parts_of_turn.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -44,7 +44,7 @@ Impulse::Impulse(const Impulse& other)
 std::unique_ptr<Technique> Impulse::clone() const { return std::make_unique<Impulse>(*this); }
 
 StepReport Impulse::step(World& world, double dt) {
-  return step_in_parts(world, dt, [&](double part, int) { return step_part(world, part); });
+  return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
 }
 
 StepReport Impulse::step_part(World& world, double dt) {

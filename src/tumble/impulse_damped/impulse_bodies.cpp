@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact/impulse_work.hpp"
 #include "tumble/impulse_damped/tolerances.hpp"
 
 namespace tumble {
@@ -81,7 +82,8 @@ double ImpulseBodies::moved_against_gravity(const World& world) const {
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     const Vec3& ended_w = moving_[k].velocity_w;
     if (!moves(world, k) || ended_w == collided_w_[k] + gained_w) continue;  // it stays, or flies
-    work += 0.5 * world.bodies()[k].mass * gained_w.dot(collided_w_[k] - ended_w);
+    const double mass = world.bodies()[k].mass;
+    work += lift_at_end_velocity(world.gravity_w, dt_, mass * collided_w_[k], mass * ended_w);
   }
   return work;
 }

@@ -84,11 +84,4 @@ inline constexpr double impulse_approach = 1e-16;
 /// nothing. (2.5.2)
 inline constexpr double impulse_even = 1e-9;
 
-/// [rad] A body that turns further in a step makes the step be divided. Reason: above it contacts are found where they no
-/// longer are, and a rod that spins on the ground never comes to rest. (3.1)
-inline constexpr double turn_of_part = 1.0;
-
-/// [-] Parts of a step, at most. Reason: a body that turns 160 times in a step is one that nothing follows. (3.1)
-inline constexpr int most_parts_of_turn = 1000;
-
 }  // namespace tumble::tolerance

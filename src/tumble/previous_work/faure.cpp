@@ -6,6 +6,9 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/impulse_work.hpp"
+#include "tumble/contact/movable_edge.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +18,6 @@
 
 namespace tumble {
 namespace {
-
-// [m] the shortest edge of a pair's movable bodies
-double faure_edge(const World& world, const Contact& contact) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const int k : {contact.first, contact.second})
-    if (world.bodies()[idx(k)].movable())
-      edge = std::min(edge, world.bodies()[idx(k)].size.minCoeff());
-  return edge;
-}
 
 // [m/s] The normal motion of a point at the end of the step is at least this: it may close its gap, or it bounces.
 double least_motion(const ContactPoint& point, double dt, double restitution) {
@@ -47,7 +41,9 @@ void FaureContacts::take(std::span<const MovingBody> bodies, std::span<const Con
     const MovingBody& a = bodies[idx(contact.first)];
     const MovingBody& b = bodies[idx(contact.second)];
     const Tangents tangents = tangents_of(contact.normal_w);
-    const StickyScale scale{world.gravity_w.norm(), faure_edge(world, contact), dt};
+    const StickyScale scale{
+        world.gravity_w.norm(),
+        movable_edge(world.bodies()[idx(contact.first)], world.bodies()[idx(contact.second)]), dt};
     for (int k = 0; k < contact.count; ++k) {
       const ContactPoint& p = contact.points[idx(k)];
       Row row;
@@ -164,7 +160,10 @@ std::unique_ptr<Technique> Faure::clone() const {
 }
 
 StepReport Faure::step(World& world, double dt) {
-  require::positive(dt, "dt");
+  return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
+}
+
+StepReport Faure::step_part(World& world, double dt) {
   StepReport report;
   load_moving_bodies(world, start_);
   find_contacts(world, dt, report);
@@ -184,6 +183,9 @@ StepReport Faure::step(World& world, double dt) {
     BodyState& state = world.states()[k];
     if (!body.movable()) continue;
     if (!moving_[k].changed) state.linear_momentum_w += body.mass * dt * world.gravity_w;
+    if (moving_[k].changed)
+      report.energy.restitution += lift_at_end_velocity(
+          world.gravity_w, dt, body.mass * start_[k].velocity_w, state.linear_momentum_w);
     advance_pose(body, state, dt, options_.rotation);
     ++report.integrations;
   }
@@ -194,7 +196,6 @@ StepReport Faure::step(World& world, double dt) {
   book(repair_.run(world, pairs_), report);
   report.contacts = static_cast<std::int64_t>(records_.size());
   last_dt_ = dt;
-  world.finish_step(dt);
   return report;
 }
 
@@ -264,18 +265,7 @@ void Faure::push(const World& world, double dt, bool bounce, StepReport& report)
       records_.push_back(record_of(contact, k, world.time()));
     }
   }
-  for (const Contact& contact : contacts_) {
-    for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& p = contact.points[idx(k)];
-      const auto motion_w = [&](const std::vector<MovingBody>& bodies) {
-        return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)],
-                                 p.position_w);
-      };
-      const Vec3 mean_w = 0.5 * (motion_w(start_) + motion_w(moving_));
-      report.energy.restitution += p.normal_impulse * contact.normal_w.dot(mean_w);
-      report.energy.friction += p.friction_impulse_w.dot(mean_w);
-    }
-  }
+  book_impulses(contacts_, start_, moving_, report.energy);
 }
 
 }  // namespace tumble

@@ -139,6 +139,7 @@ class Faure : public Technique {
   [[nodiscard]] const DescentReport& descent() const { return descent_; }
 
  private:
+  StepReport step_part(World& world, double dt);
   void find_contacts(const World& world, double dt, StepReport& report);
   void push(const World& world, double dt, bool bounce, StepReport& report);
   [[nodiscard]] bool gains(const StepReport& report) const;

@@ -7,6 +7,9 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/impulse_work.hpp"
+#include "tumble/contact/movable_edge.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
@@ -19,11 +22,10 @@ namespace {
 
 constexpr double kCorners = 4.0;  // that share the stiffness
 
-// Shares of the bodies at a contact: masses of the lighter and of both together, and the shortest edge.
+// Masses of the bodies at a contact: of the lighter and of both together.
 struct PenaltyPair {
   double lighter = std::numeric_limits<double>::infinity();  // [kg]
   double reduced = 0.0;                                      // [kg] 1/(1/m + 1/m')
-  double edge = std::numeric_limits<double>::infinity();     // [m]
 };
 
 PenaltyPair penalty_pair(const World& world, const Contact& contact) {
@@ -33,7 +35,6 @@ PenaltyPair penalty_pair(const World& world, const Contact& contact) {
     const BodyProperties& body = world.bodies()[idx(k)];
     if (!body.movable()) continue;
     pair.lighter = std::min(pair.lighter, body.mass);
-    pair.edge = std::min(pair.edge, body.size.minCoeff());
     inverse += body.inverse_mass;
   }
   pair.reduced = 1.0 / inverse;
@@ -53,14 +54,15 @@ std::unique_ptr<Technique> Penalty::clone() const { return std::make_unique<Pena
 
 StepReport Penalty::step(World& world, double dt) {
   require::positive(dt, "dt");
-  const double h = dt / options_.substeps;
-  if (!options_.unstable) require_stable(world, h);
-  StepReport report;
-  for (int k = 0; k < options_.substeps; ++k) substep(world, h, report);
-  for (ContactRecord& record : records_)
-    record.time = world.time() + dt - h;  // of the last substep
-  world.finish_step(dt);
-  return report;
+  if (!options_.unstable) require_stable(world, dt / options_.substeps);
+  return step_in_parts(world, dt, [&](World& w, double part, int) {
+    StepReport report;
+    const double h = part / options_.substeps;
+    for (int k = 0; k < options_.substeps; ++k) substep(w, h, report);
+    for (ContactRecord& record : records_)
+      record.time = w.time() + part - h;  // of the last substep
+    return report;
+  });
 }
 
 // [-] of a contact with this restitution
@@ -118,7 +120,11 @@ void Penalty::substep(World& world, double h, StepReport& report) {
     BodyState& state = world.states()[k];
     if (!moving_[k].changed)
       state.linear_momentum_w += world.bodies()[k].mass * h * world.gravity_w;
-    BodyState moved = options_.scheme == PenaltyScheme::semi_implicit ? state : old_[k];
+    const bool with_new = options_.scheme == PenaltyScheme::semi_implicit;
+    const double lift = lift_at_end_velocity(world.gravity_w, h, old_[k].linear_momentum_w,
+                                             state.linear_momentum_w);
+    if (moving_[k].changed) report.energy.restitution += with_new ? lift : -lift;
+    BodyState moved = with_new ? state : old_[k];
     advance_pose(world.bodies()[k], moved, h, options_.rotation);
     state.position_w = moved.position_w;
     state.orientation_wb = moved.orientation_wb;
@@ -172,9 +178,11 @@ Penalty::Spring Penalty::spring_at(const World& world, const Contact& contact, i
     stiffest = std::min(stiffest, tolerance::penalty_explicit * zeta * zeta);
   spring.stiffness = stiffest * mass / (h * h);
   const double weight = pair.lighter * world.gravity_w.norm();
+  const double edge =
+      movable_edge(world.bodies()[idx(contact.first)], world.bodies()[idx(contact.second)]);
   if (weight > 0.0)
     spring.stiffness =
-        std::min(spring.stiffness, weight / (tolerance::penalty_sag * pair.edge) / kCorners);
+        std::min(spring.stiffness, weight / (tolerance::penalty_sag * edge) / kCorners);
   spring.damping = std::min(2.0 * zeta * std::sqrt(spring.stiffness * pair.reduced / kCorners),
                             tolerance::penalty_damping * mass / h);
   return spring;
@@ -218,16 +226,11 @@ void Penalty::push(const World& world, double h) {
 // Work is an impulse times the mean of the velocities before and after; users get forces. What a spring takes up is
 // booked as taken away, and as added when it gives it back.
 void Penalty::record(double h, StepReport& report) {
+  book_impulses(contacts_, start_, moving_, report.energy);
   records_.clear();
   for (const Contact& c : contacts_) {
     for (int k = 0; k < c.count; ++k) {
       const ContactPoint& p = c.points[idx(k)];
-      const auto velocity_w = [&](const std::vector<MovingBody>& bodies) {
-        return relative_velocity(bodies[idx(c.first)], bodies[idx(c.second)], p.position_w);
-      };
-      const Vec3 mean_w = 0.5 * (velocity_w(start_) + velocity_w(moving_));
-      report.energy.restitution += p.normal_impulse * c.normal_w.dot(mean_w);
-      report.energy.friction += p.friction_impulse_w.dot(mean_w);
       report.impulses += p.normal_impulse != 0.0 ? 1 : 0;
       records_.push_back(record_of(c, k, 0.0));
       records_.back().push_w /= h;

@@ -57,6 +57,11 @@ class RunChecks {
                   Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
+  // After the last step.
+  StepStatus end(const World& world) {
+    passage_.at_end(world);
+    return status();
+  }
 
   // Passes on each check's finding, once.
   void pass_on(std::span<RunObserver* const> observers, RunResult& result) {
@@ -174,6 +179,10 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
       result.end = RunEnd::failed;
       break;
     }
+  }
+  if (result.end == RunEnd::complete) {
+    result.worst_report.status = std::max(result.worst_report.status, checks.end(world));
+    checks.pass_on(observers, result);
   }
   result.worst = result.worst_report.status;
   result.time = world.time();

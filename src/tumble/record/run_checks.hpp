@@ -38,7 +38,8 @@ class RunCheck : public Observer {
 /// friction and impacts can only take it away.
 ///
 /// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start and the
-/// sum of m g L over the movable bodies, L a body's longest edge.
+/// sum of m g L over the movable bodies, L a body's longest edge; and of that which the technique has not booked,
+/// `tolerance::unbooked_gain` times the largest kinetic energy so far and that sum.
 class EnergyCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;
@@ -50,10 +51,15 @@ class EnergyCheck : public RunCheck {
 
   double start_ = 0.0;            // [J] energy at the start, with what was added from outside
   double allowed_ = 0.0;          // [J] above it
+  double booked_ = 0.0;           // [J] since the start
+  double kinetic_ = 0.0;          // [J] the most so far
+  double weight_ = 0.0;           // [J] sum of m g L
   std::vector<double> energies_;  // [J] of each body, before the step
 };
 
-/// No body goes through another one in a step.
+/// No body goes through another one in a step, and none is left deep in one when the run ends: by more than
+/// `tolerance::deep_overlap` of the shorter of their shortest edges. A technique may need some steps to part those that
+/// meet fast.
 ///
 /// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
 /// on the straight way between. The core of a body is a box within it, so much smaller that it stays inside
@@ -68,6 +74,9 @@ class PassageCheck : public RunCheck {
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
+  /// Looks for bodies that are left in others.
+  /// \param world  after the last step, finite
+  void at_end(const World& world);
 
  private:
   void look_for_passages(const World& world);
@@ -82,8 +91,8 @@ class PassageCheck : public RunCheck {
   std::vector<IndexPair> pairs_;
 };
 
-/// A body that turns by more than a radian in a step is named, once, with a step that would do. Its contacts and
-/// its energy are not reliable; the step counts as done all the same.
+/// A body that turns by more than a radian in a step is named, once, with a step that would do. Not every technique finds its
+/// contacts and keeps its energy then (step_in_parts()); the step counts as done all the same.
 class TurnCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;

@@ -19,6 +19,14 @@ inline constexpr double step_remainder = 1e-9;
 /// what the default technique gains in all but one of a thousand random worlds. (3.3.2)
 inline constexpr double energy_gain = 0.05;
 
+/// [-] The same that is not booked, with the largest kinetic energy so far. Reason: twenty times what the techniques leave that
+/// book all they do. (3.3.2)
+inline constexpr double unbooked_gain = 0.01;
+
+/// [-] How deep a body may be left in another one, as a share of the shortest edge. Reason: seen in any picture; springs
+/// let a box sink in by a tenth of it. (2.5.1)
+inline constexpr double deep_overlap = 0.1;
+
 /// [rad] A body that turns by more in a step is reported. Reason: above it the energy of free bodies changes by
 /// percents and their contacts are found where they no longer are. (3.1)
 inline constexpr double most_turn = 1.0;

@@ -7,6 +7,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>
@@ -21,9 +22,8 @@ bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
                      const InstantReport& left, double dt) {
   double size = std::numeric_limits<double>::infinity();
   for (const IndexPair& pair : pairs)
-    for (const int body : {pair.first, pair.second})
-      if (world.bodies()[idx(body)].movable())
-        size = std::min(size, world.bodies()[idx(body)].size.minCoeff());
+    size = std::min(
+        size, movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]));
   return left.approach_left <= world.gravity_w.norm() * dt ||
          left.approach_left * dt <= tolerance::repair_slop * size;
 }

@@ -1,0 +1,74 @@
+/// \file
+/// \brief Steps in which a body turns far are divided (thesis 3.1).
+#pragma once
+
+#include "tumble/base/error.hpp"
+#include "tumble/dynamics/step_report.hpp"
+#include "tumble/dynamics/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+/// [rad] A body that turns further in a step makes the step be divided. Reason: above it a body does not keep its energy in
+/// flight, contacts are found where they no longer are, and a rod that spins on the ground never comes to rest. (3.1)
+inline constexpr double kTurnOfPart = 1.0;
+
+/// [-] Parts of a step, at most. Reason: a body that turns 160 times in a step is one that nothing follows. (3.1)
+inline constexpr double kMostPartsOfTurn = 1000.0;
+
+/// Into how many equal parts a step is divided, so that a body turns by no more than kTurnOfPart in one.
+/// \param body   its constant part
+/// \param state  at the start of the step
+/// \param dt     [s] of the step
+/// \return from 1 to kMostPartsOfTurn; 1 if it is immovable
+[[nodiscard]] inline int parts_of_turn(const BodyProperties& body, const BodyState& state,
+                                       double dt) {
+  if (!body.movable()) return 1;
+  const double parts = std::ceil(dt * angular_velocity(body, state).norm() / kTurnOfPart);
+  return static_cast<int>(std::clamp(parts, 1.0, kMostPartsOfTurn));
+}
+
+/// The same for the body of a world that turns fastest.
+/// \param world  the bodies at the start of the step
+/// \param dt     [s] of the step
+/// \return the most parts of a body
+[[nodiscard]] inline int parts_of_turn(const World& world, double dt) {
+  int parts = 1;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    parts = std::max(parts, parts_of_turn(world.bodies()[k], world.states()[k], dt));
+  return parts;
+}
+
+/// A step that is divided so.
+/// \param world      in and out; its clock goes on by one step
+/// \param dt         [s] above 0
+/// \param step_part  called with the world, the length of a part [s] and its number from 0; returns what was done. It leaves
+///                   the clock alone unless it ends as StepStatus::unsolved: then it counts the step, with the time that has
+///                   passed
+/// \return all that was done, with the contacts of the last part
+template <class StepPart>
+StepReport step_in_parts(World& world, double dt, const StepPart& step_part) {
+  require::positive(dt, "dt");
+  const int parts = parts_of_turn(world, dt);
+  if (parts == 1) {
+    const StepReport report = step_part(world, dt, 0);
+    if (report.status < StepStatus::unsolved) world.finish_step(dt);
+    return report;
+  }
+  StepReport report;
+  World copy = world;  // its clock goes on part by part
+  for (int k = 0; k < parts && report.status < StepStatus::unsolved; ++k) {
+    const StepReport done = step_part(copy, dt / parts, k);
+    add_report(done, report);
+    report.contacts = done.contacts;
+    if (report.status < StepStatus::unsolved) copy.finish_step(dt / parts);
+  }
+  std::copy(copy.states().begin(), copy.states().end(), world.states().begin());
+  std::copy(copy.sleep_states().begin(), copy.sleep_states().end(), world.sleep_states().begin());
+  world.finish_step(report.status < StepStatus::unsolved ? dt : copy.time() - world.time());
+  return report;
+}
+
+}  // namespace tumble
