@@ -206,6 +206,39 @@ TEST_CASE("A joint that closes a loop is named, and one with too many rows refus
   CHECK_FALSE(solver.factor(tree.bodies, tree.joints));
 }
 
+TEST_CASE("A chain that closes a loop keeps all its joints together", "[exact][articulated]") {
+  HungBoxes hung(5, 6, 1);
+  Joint closing = hung.joints.back();  // of the last box and the wall, at the box's centre
+  closing.first = 0;
+  closing.corners_second_b[0].setZero();
+  closing.corners_first_b[0] = hung.world.states()[6].position_w;
+  hung.joints.push_back(closing);
+  hung.joints.push_back(closing);  // a second time: rows that depend on others get no force
+  std::vector<MovingBody> moving;
+  load_moving_bodies(hung.world, moving);
+  JointForces forces;
+  std::vector<Wrench> rates;
+  forces.hold(hung.world, moving, hung.joints, rates);
+  CHECK(forces.on_second(7).force_w.norm() == 0.0);
+  CHECK(forces.on_second(6).force_w.norm() > 1.0);
+  const auto acceleration = [&](int body, const Vec3& point_w) -> Vec3 {
+    if (body == 0) return Vec3::Zero();
+    const auto k = static_cast<std::size_t>(body);
+    const MovingBody& m = moving[k];
+    const Vec3 spin_w = hung.world.states()[k].angular_momentum_w;
+    const Vec3 turns_w =
+        m.inverse_inertia_w * (rates[k].torque_w - m.angular_velocity_w.cross(spin_w));
+    const Vec3 arm_w = point_w - m.position_w;
+    return m.inverse_mass.cwiseProduct(rates[k].force_w) + turns_w.cross(arm_w) +
+           m.angular_velocity_w.cross(m.angular_velocity_w.cross(arm_w));
+  };
+  for (const Joint& joint : hung.joints) {
+    const JointPoint held = held_point(joint, hung.world.states());
+    CHECK((acceleration(joint.second, held.second_w) - acceleration(joint.first, held.first_w))
+              .norm() < 1e-9);  // [m/s²] measured: 1e-13
+  }
+}
+
 TEST_CASE("A glued column of two hundred boxes turns as one", "[exact][articulated]") {
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);

@@ -38,6 +38,17 @@ double farthest_of(const World& world, std::span<const MovingBody> moving) {
   return farthest;
 }
 
+// Where edges cross, bodies turn so far in a step that the faces beside them go in: their corners are points too.
+void add_corners(const World& world, double margin, Contact& contact) {
+  if (contact.axis == kNoAxis) return;  // one of the two is the ground
+  const IndexPair pair{contact.first, contact.second};
+  Manifold manifold;
+  if (!touch_pair(world, world.states(), pair, margin, contact.axis, manifold)) return;
+  const auto box = [&](int k) { return box_of(world.bodies()[idx(k)], world.states()[idx(k)]); };
+  add_face_points(box(pair.first), box(pair.second), margin, manifold);
+  set_points(manifold, contact);
+}
+
 }  // namespace
 
 Settling::Settling(const SettlingOptions& options) : options_(options) {
@@ -110,6 +121,7 @@ void Settling::find_contacts(const World& world, double reach, StepReport& repor
   const GatherReport found = gather_contacts(world, still_, pairs_, margin, previous_, contacts_);
   report.pair_tests += found.pair_tests;
   report.deepest_overlap = found.deepest_overlap;
+  for (Contact& contact : contacts_) add_corners(world, margin, contact);
   carry_over_impulses(previous_, contacts_);
   gaps_.clear();
   for (const Contact& contact : contacts_)

@@ -37,7 +37,8 @@ void describe(SettlingOptions& o, Visitor& v) {
 /// \f[ -m g \cdot q + \frac{1}{2\tau^2}\, q^{\mathsf T} M q \quad\text{least for}\quad J q + d \ge 0 , \f]
 /// where d is the gap of each contact point. The second term is the trust region in which the linear constraints say enough: a free body falls
 /// by \f$\tau^2 g\f$, which is `reach` of the shortest edge, and no corner moves farther than that. The multipliers of the points are forces. Where
-/// nothing moves any more they carry the weight: a minimum is a static equilibrium.
+/// nothing moves any more they carry the weight: a minimum is a static equilibrium. Where edges cross, corners of the
+/// faces beside them are points too (add_face_points()).
 ///
 /// **What it cannot do.** Momentum: velocities are set to 0, a thrown box falls straight down, nothing topples farther than it
 /// falls, and the time of a run is a count of steps. There is no friction, so boxes slide off each other until faces lie flat.

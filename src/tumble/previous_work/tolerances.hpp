@@ -55,9 +55,9 @@ inline constexpr double flat_box = 1e-3;
 /// it, below rounding. (2.3)
 inline constexpr double fitted_box = 1e-9;
 
-/// [-] Pivot of a joint's block, over its diagonal, at which its rows depend on one another. Reason: as for rows of
-/// redundant joints. (2.6.5)
-inline constexpr double dependent_joint = 1e-12;
+/// [-] Pivot of a joint's block, over its diagonal, at which its rows depend on one another. Reason: a hundred
+/// roundings; arms ten million times as long as a body leave as little. (2.6.5)
+inline constexpr double dependent_joint = 1e-14;
 
 /// [-] Step of the iteration of settling at which a quadratic program is solved, over the one from no forces. Reason: bodies that
 /// rest then move by a ten millionth of the reach. (2.7.1)
