@@ -14,7 +14,7 @@ set logscale xy
 set xrange [8:1300]; set xtics (10, 100, 1000)
 set yrange [8:1e6]; set ytics 1,10; set format y powers
 side = 'work of a step'; @SIDE
-set key at screen 0.56,0.992 center top vertical maxrows 5 width 2
+set key at screen 0.56,0.992 center top vertical maxrows 6 width 1 samplen 2
 array scenes[2] = ['stacks of five that stand apart', 'one pyramid']
 do for [s = 0:1] {
   top = 0.83 - 0.41*s

@@ -17,7 +17,7 @@ set logscale xy
 set xrange [20:2e6]; set xtics 1,10; set format x powers
 set yrange [1e-12:20]; set ytics 1e-12,1e3; set format y powers; unset mytics
 side = 'largest error'; @SIDE
-set key at screen 0.56,0.992 center top vertical maxrows 5 width 2
+set key at screen 0.56,0.992 center top vertical maxrows 6 width 1 samplen 2
 shown(e) = e > 1e-11 ? e : 1e-11
 do for [p = 0:2] {
   top = 0.885 - 0.288*p

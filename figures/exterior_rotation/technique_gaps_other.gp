@@ -5,7 +5,7 @@ array names[10] = ['damped', 'timewarp\_simple', 'timewarp\_safer', 'timewarp\_s
 set lmargin at screen 0.33; set rmargin at screen 0.95
 set tmargin at screen 0.9; set bmargin at screen 0.13
 set logscale x
-set xrange [3e-5:0.2]; set xtics 1e-5,10; set format x powers; unset mxtics
+set xrange [3e-5:2]; set xtics 1e-5,10; set format x powers; unset mxtics
 set xlabel 'largest opening or overlap [m]' offset 0,0.3
 set yrange [9.5:-0.5]
 set border 1 lc rgb '#808080'; unset grid; set grid x
