@@ -41,7 +41,7 @@ std::span<const ComparedTechnique> techniques_with_pose() {
 }
 
 std::span<const ComparedTechnique> techniques_without_pose() {
-  static const std::array<ComparedTechnique, 8> list{{
+  static const std::array<ComparedTechnique, 10> list{{
       {"damped", {"damped"}},
       {"timewarp_simple", {"timewarp_simple"}},
       {"timewarp_safer", {"timewarp_safer"}},
@@ -50,6 +50,8 @@ std::span<const ComparedTechnique> techniques_without_pose() {
       {"basic", {"basic"}},
       {"penalty", {"penalty"}},
       {"faure", {"faure"}},
+      {"relaxation", {"relaxation"}},
+      {"settling", {"settling"}},
   }};
   return list;
 }

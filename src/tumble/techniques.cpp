@@ -16,6 +16,8 @@
 #include "tumble/impulse_damped/impulse.hpp"
 #include "tumble/previous_work/faure.hpp"
 #include "tumble/previous_work/penalty.hpp"
+#include "tumble/previous_work/relaxation.hpp"
+#include "tumble/previous_work/settling.hpp"
 #include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 #include "tumble/timewarp/timewarp_safer.hpp"
@@ -235,8 +237,7 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"impulse", "2.5.2",
        "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
        "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
-       "leaning cards "
-       "slip, what stands on a moving body may sink or drift",
+       "leaning cards slip, what stands on a moving body may sink or drift",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
@@ -244,9 +245,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
        "collisions in the order of their times; rolls back the two bodies that collide; fast "
-       "bodies "
-       "may pass through thin ones, edges of flush neighbours catch what slides over them, what "
-       "leans or is carried may slip",
+       "bodies may pass through thin ones, edges of flush neighbours catch what slides over them, "
+       "what leans or is carried may slip",
        declared_options<TimewarpSettings>, make_listing<TimewarpSimple, TimewarpListing::simple>},
       {"timewarp_safer", "5.1, A.1",
        "as timewarp_simple with its limits, and a search for earlier collisions nearby",
@@ -267,9 +267,12 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks "
-       "in, and a fast body may pass through a thin one",
+       "sinks in, and a fast body may pass through a thin one",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
+      {"relaxation", "2.3", "boxes of particles and rods; nothing bounces, spins die out",
+       declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
+      {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
+       declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
   };
   return library;
 }

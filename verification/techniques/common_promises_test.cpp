@@ -177,9 +177,10 @@ TEST_CASE("A warm step of every technique but two asks for no memory",
   }
 }
 
-TEST_CASE("Under every technique a box that meets no other falls as gravity says",
+TEST_CASE("Under every technique but one a box that meets no other falls as gravity says",
           "[exact][technique]") {
   for (const TechniqueRecipe& recipe : all_techniques()) {
+    if (recipe.name == "settling") continue;  // knows no velocities
     World world;
     const BodyProperties body = box_properties(Vec3(1.0, 0.5, 0.2), 2.0);
     world.add(body, make_state(body, Vec3::Zero(), Quat::Identity(), Vec3(1.0, 2.0, 0.0),
@@ -195,13 +196,15 @@ TEST_CASE("Under every technique a box that meets no other falls as gravity says
     CHECK(state.position_w.y() ==
           near(2.0 * t - 0.5 * kGravity * t * t).margin(0.51 * kGravity * t * kFrame));
     CHECK(state.linear_momentum_w.y() == near(2.0 * (2.0 - kGravity * t)).margin(1e-12));
+    if (recipe.name == "relaxation") continue;  // rods let a spin die out
     CHECK((state.angular_momentum_w - spin_w).norm() < 1e-12);
   }
 }
 
-TEST_CASE("Under every technique boxes that meet in free space keep their momentum",
+TEST_CASE("Under every technique but one boxes that meet in free space keep their momentum",
           "[exact][technique]") {
   for (const TechniqueRecipe& recipe : all_techniques()) {
+    if (recipe.name == "settling") continue;  // knows no velocities
     World world = world_of("two_boxes");
     const Vec3 before = linear_momentum(world);
     const auto technique = made(recipe);
@@ -214,6 +217,8 @@ TEST_CASE("Under every technique boxes that meet in free space keep their moment
 TEST_CASE("Under every technique without chance a scene in the mirror does what its image does",
           "[exact][technique]") {
   for (const TechniqueRecipe& recipe : all_techniques()) {
+    if (recipe.name == "relaxation")
+      continue;  // the four particles of a box are not their own image
     for (const World& start : small_worlds()) {
       World world = start;
       World image = mirrored(start);

@@ -36,16 +36,7 @@ SimpleScheme simple_of(GluedScheme scheme) {
   }
 }
 
-constexpr std::size_t kMostJoints = 100;  // up to 600 rows, a tenth of a second for each solve
-
 constexpr std::size_t kMostChanges = 20;  // of each joint in a step, on average
-
-void refuse_too_many(std::size_t joints) {
-  if (joints > kMostJoints)
-    require::that(false, std::to_string(joints) +
-                             " pairs of bodies touch: glued solves all joints together and takes " +
-                             std::to_string(kMostJoints) + " at most; use fewer bodies");
-}
 
 double kinetic_energy_of(const World& world) {
   double sum = 0.0;
@@ -72,7 +63,6 @@ std::vector<std::string> Glued::ignores(const World&) const {
 
 void Glued::find(const World& world) {
   joints_ = find_joints(world, tolerance::glue_margin);
-  refuse_too_many(joints_.size());
   found_for_.assign(world.ids().begin(), world.ids().end());
   try_dt_ = 0.0;
 }
@@ -91,7 +81,6 @@ bool Glued::join(const World& world, std::vector<Joint>& fresh) {
     return true;
   }
   std::vector<Joint> now = renewed_joints(joints_, found_for_, world, tolerance::glue_margin);
-  refuse_too_many(now.size());
   fresh = now;
   std::erase_if(
       fresh, [&](const Joint& joint) { return was_there(joint.first) && was_there(joint.second); });

@@ -108,7 +108,7 @@ class Glued : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "glued"; }
   /// \copydoc Technique::step
-  /// Worlds with more than a hundred pairs in contact are refused.
+  /// Worlds with more than 600 rows of joints that close loops are refused.
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
@@ -121,7 +121,6 @@ class Glued : public Technique {
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   /// Finds the joints now instead of in the first step.
   /// \param world the bodies
-  /// \throws std::invalid_argument for more than a hundred pairs in contact
   void find(const World& world);
   /// Number of systems of joint forces solved in all steps: the cost, independent of the machine.
   /// \return from 0

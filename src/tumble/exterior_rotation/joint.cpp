@@ -70,7 +70,7 @@ std::vector<Joint> find_joints(const World& world, double margin) {
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
     bounds.push_back(bounds_of(world.bodies()[k], world.states()[k], 0.5 * margin * size));
   std::vector<IndexPair> pairs;
-  make_broad_phase("all_pairs")->find_pairs(bounds, pairs);
+  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
   ContactList contacts;

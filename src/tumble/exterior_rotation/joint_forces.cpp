@@ -2,12 +2,14 @@
 /// \brief Joint forces.
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
+#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace tumble {
 namespace {
@@ -18,35 +20,7 @@ Vec3 centripetal(const MovingBody& body, const Vec3& point_w) {
   return omega_w.cross(omega_w.cross(point_w - body.position_w));
 }
 
-// Sets of bodies united by areas. Any further joint between two of them is redundant and is left out:
-// once steps have opened a gap, its rows no longer depend exactly on others, and would get forces that
-// grow as one over the square of the gap.
-class OneBody {
- public:
-  explicit OneBody(std::span<const MovingBody> bodies) : parent_(bodies.size()) {
-    int wall = -1;  // all immovable bodies are one set
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const bool movable = !bodies[k].inverse_mass.isZero(0.0);
-      if (!movable && wall < 0) wall = static_cast<int>(k);
-      parent_[k] = movable ? static_cast<int>(k) : wall;
-    }
-  }
-  // Whether the two were separate until now.
-  bool join(int a, int b) {
-    a = root_of(a);
-    b = root_of(b);
-    parent_[idx(std::max(a, b))] = std::min(a, b);
-    return a != b;
-  }
-  [[nodiscard]] bool same(int a, int b) const { return root_of(a) == root_of(b); }
-
- private:
-  [[nodiscard]] int root_of(int body) const {
-    while (parent_[idx(body)] != body) body = parent_[idx(body)];
-    return body;
-  }
-  std::vector<int> parent_;
-};
+constexpr std::size_t kMostLoopRows = 600;  // a tenth of a second for each solve
 
 }  // namespace
 
@@ -56,14 +30,18 @@ void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const J
                            std::span<const BodyState> states) {
   rows_.clear();
   pushes_.assign(joints.size(), Wrench{});
-  OneBody one(bodies);
-  std::vector<bool> ties(joints.size());  // unites two bodies
+  // Sets of bodies united by areas. Any further joint between two of them is redundant and is left out:
+  // once steps have opened a gap, its rows no longer depend exactly on others, and would get forces that
+  // grow as one over the square of the gap.
+  BodySets one(bodies, sets_);
+  ties_.assign(joints.size(), 0);
   for (std::size_t j = 0; j < joints.size(); ++j)
-    ties[j] = joints[j].hold == JointHold::area && one.join(joints[j].first, joints[j].second);
+    if (joints[j].hold == JointHold::area && one.join(joints[j].first, joints[j].second))
+      ties_[j] = 1;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Joint& joint = joints[j];
     if (joint.hold == JointHold::nothing) continue;
-    if (!ties[j] && one.same(joint.first, joint.second)) continue;
+    if (ties_[j] == 0 && one.same(joint.first, joint.second)) continue;
     Row row;
     row.point = held_point(joint, states);
     const JointPoint& point = row.point;
@@ -98,50 +76,127 @@ void JointForces::assemble(std::span<const MovingBody> bodies, std::span<const J
   }
 }
 
-// J W J' x = -b; rows that depend on earlier ones are left out.
-void JointForces::solve(std::span<const MovingBody> bodies) {
-  const int n = static_cast<int>(rows_.size());
-  ++solves_;
-  if (A_.rows() != n) A_.resize(n, n);
-  // Motion of row i for a unit force of row j, by way of one body.
-  const auto seen = [&](const Row& i, const Row& j, int body, bool i_second, bool j_second) {
-    const MovingBody& m = bodies[idx(body)];
-    const Vec3& turn_i = i_second ? i.turn_second_w : i.turn_first_w;
-    const Vec3& turn_j = j_second ? j.turn_second_w : j.turn_first_w;
-    const double sign = i_second == j_second ? 1.0 : -1.0;
-    return sign * (i.along_w.dot(m.inverse_mass.cwiseProduct(j.along_w)) +
-                   turn_i.dot(m.inverse_inertia_w * turn_j));
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      const Row& a = rows_[idx(i)];
-      const Row& b = rows_[idx(j)];
-      double sum = 0.0;
-      if (a.first == b.first) sum += seen(a, b, a.first, false, false);
-      if (a.first == b.second) sum += seen(a, b, a.first, false, true);
-      if (a.second == b.first) sum += seen(a, b, a.second, true, false);
-      if (a.second == b.second) sum += seen(a, b, a.second, true, true);
-      A_(i, j) = A_(j, i) = sum;
+// The rows as blocks. Joints that tie come first, so that they are in trees.
+void JointForces::collect(std::span<const MovingBody> bodies) {
+  blocks_.clear();
+  at_.clear();
+  for (const char ties : {char{1}, char{0}}) {
+    for (std::size_t i = 0; i < rows_.size();) {
+      const std::size_t begin = i;
+      const int joint = rows_[begin].joint;
+      JointRows block;
+      block.first = rows_[begin].first;
+      block.second = rows_[begin].second;
+      for (; i < rows_.size() && rows_[i].joint == joint; ++i, ++block.count) {
+        block.on_second.row(block.count) << rows_[i].along_w.transpose(),
+            rows_[i].turn_second_w.transpose();
+        block.on_first.row(block.count) << -rows_[i].along_w.transpose(),
+            -rows_[i].turn_first_w.transpose();
+      }
+      if (ties_[idx(joint)] != ties) continue;
+      blocks_.push_back(block);
+      at_.push_back(begin);
     }
   }
+  tree_.arrange(bodies, blocks_);
+  loop_rows_.clear();
+  for (const int loop : tree_.loops())
+    for (int i = 0; i < blocks_[idx(loop)].count; ++i)
+      loop_rows_.push_back(static_cast<int>(at_[idx(loop)]) + i);
+  if (loop_rows_.size() > kMostLoopRows)
+    require::that(false, std::to_string(loop_rows_.size()) +
+                             " rows of joints close loops: expected " +
+                             std::to_string(kMostLoopRows) + " at most; use fewer bodies");
+}
+
+// The force of a row on its bodies.
+void JointForces::apply(const Row& row, double factor) {
+  Vec6& first = body_part_[idx(row.first)];
+  Vec6& second = body_part_[idx(row.second)];
+  first.head<3>() -= factor * row.along_w;
+  first.tail<3>() -= factor * row.turn_first_w;
+  second.head<3>() += factor * row.along_w;
+  second.tail<3>() += factor * row.turn_second_w;
+}
+
+// What a row sees of the accelerations.
+double JointForces::seen_by(const Row& row) const {
+  const Vec6& first = body_part_[idx(row.first)];
+  const Vec6& second = body_part_[idx(row.second)];
+  return row.along_w.dot(second.head<3>() - first.head<3>()) +
+         row.turn_second_w.dot(second.tail<3>()) - row.turn_first_w.dot(first.tail<3>());
+}
+
+// J W J' x = -b.
+void JointForces::solve(std::span<const MovingBody> bodies) {
+  ++solves_;
+  collect(bodies);
+  require::that(tree_.factor(bodies, blocks_), "joint: its rows depend on one another");
+  body_part_.assign(bodies.size(), Vec6::Zero());
+  if (!loop_rows_.empty()) find_loop_forces(bodies);
+  // [S6.2:tree]
+  // Forces of loops act on the bodies; the tree holds the rest.
+  body_part_.assign(bodies.size(), Vec6::Zero());
+  for (std::size_t k = 0; k < answer_.size() && !loop_rows_.empty(); ++k)
+    apply(rows_[idx(loop_rows_[idx(factor_.indices()[k])])], answer_[k]);
+  joint_part_.assign(blocks_.size(), Vec6::Zero());
+  for (std::size_t j = 0; j < blocks_.size(); ++j)
+    for (int i = 0; i < blocks_[j].count; ++i) joint_part_[j][i] = b_[at_[j] + idx(i)];
+  tree_.solve(body_part_, joint_part_);
+  // [S6.2:tree]
+  for (std::size_t j = 0; j < blocks_.size(); ++j)
+    for (int i = 0; i < blocks_[j].count; ++i) b_[at_[j] + idx(i)] = joint_part_[j][i];
+  for (const int row : loop_rows_) b_[idx(row)] = 0.0;
+  for (std::size_t k = 0; k < answer_.size() && !loop_rows_.empty(); ++k)
+    b_[idx(loop_rows_[idx(factor_.indices()[k])])] = answer_[k];
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
+    pushes_[idx(row.joint)].force_w += b_[i] * row.along_w;
+    pushes_[idx(row.joint)].torque_w += b_[i] * row.about_w;
+  }
+}
+
+// Forces of the rows of loops: what one of them does to all of them, with the tree held, is a column of a
+// matrix. Rows that depend on the tree or on earlier ones are left out.
+void JointForces::find_loop_forces(std::span<const MovingBody> bodies) {
+  const int n = static_cast<int>(loop_rows_.size());
+  if (A_.rows() != n) A_.resize(n, n);
+  std::vector<double> alone(loop_rows_.size());  // what a row does to itself without joints
+  for (int j = 0; j < n; ++j) {
+    const Row& row = rows_[idx(loop_rows_[idx(j)])];
+    body_part_.assign(bodies.size(), Vec6::Zero());
+    joint_part_.assign(blocks_.size(), Vec6::Zero());
+    apply(row, 1.0);
+    for (const int body : {row.first, row.second}) {
+      const MovingBody& m = bodies[idx(body)];
+      const Vec6& push = body_part_[idx(body)];
+      alone[idx(j)] += push.head<3>().dot(m.inverse_mass.cwiseProduct(push.head<3>())) +
+                       push.tail<3>().dot(m.inverse_inertia_w * push.tail<3>());
+      if (m.inverse_mass.isZero(0.0)) body_part_[idx(body)].setZero();
+    }
+    tree_.solve(body_part_, joint_part_);
+    for (int i = 0; i < n; ++i) A_(i, j) = seen_by(rows_[idx(loop_rows_[idx(i)])]);
+  }
+  body_part_.assign(bodies.size(), Vec6::Zero());
+  for (std::size_t j = 0; j < blocks_.size(); ++j)
+    for (int i = 0; i < blocks_[j].count; ++i) joint_part_[j][i] = b_[at_[j] + idx(i)];
+  tree_.solve(body_part_, joint_part_);
   // Scaled by a power of two, exactly, so that roots do not depend on the unit of mass.
   int exponent = 0;
-  if (n > 0) std::frexp(A_(0, 0), &exponent);
-  A_ *= std::ldexp(1.0, -exponent);
+  std::frexp(alone[0], &exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i <= j; ++i) A_(i, j) = A_(j, i) = 0.5 * scale * (A_(i, j) + A_(j, i));
   factor_.clear(n);
   for (int i = 0; i < n; ++i)
-    if (factor_.consider(A_, i) > tolerance::redundant_row * A_(i, i)) factor_.append_considered();
+    if (factor_.consider(A_, i) > tolerance::redundant_row * scale * alone[idx(i)])
+      factor_.append_considered();
   answer_.clear();
-  for (const int i : factor_.indices()) answer_.push_back(-b_[idx(i)]);
-  factor_.solve(answer_);
-  std::fill(b_.begin(), b_.end(), 0.0);
-  for (std::size_t k = 0; k < answer_.size(); ++k)
-    b_[idx(factor_.indices()[k])] = std::ldexp(answer_[k], -exponent);
-  for (int i = 0; i < n; ++i) {
-    const Row& row = rows_[idx(i)];
-    pushes_[idx(row.joint)].force_w += b_[idx(i)] * row.along_w;
-    pushes_[idx(row.joint)].torque_w += b_[idx(i)] * row.about_w;
+  for (const int i : factor_.indices()) {
+    const std::size_t row = idx(loop_rows_[idx(i)]);
+    answer_.push_back(-scale * (b_[row] + seen_by(rows_[row])));
   }
+  factor_.solve(answer_);
 }
 
 void JointForces::hold(const World& world, std::span<const MovingBody> bodies,

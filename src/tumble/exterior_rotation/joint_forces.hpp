@@ -1,13 +1,14 @@
 /// \file
 /// \brief Joint forces: one linear system for a group of bodies that stick together (thesis 6.2).
 ///
-/// Uses the chapter on analytic forces.
+/// Uses the chapter on methods of chapter 2.
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/dynamics/wrench.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/math/dense.hpp"
+#include "tumble/previous_work/joint_tree.hpp"
 
 #include <span>
 #include <vector>
@@ -24,11 +25,12 @@ namespace tumble {
 /// \f[ J W J^{\mathsf T}\,\lambda = -(J\,W f + \dot J v), \f]
 /// where \f$\dot J v\f$ contains the centripetal terms \f$\omega\times(\omega\times r)\f$. The rows are
 /// equality constraints of the complementarity problem of the contact forces: the sign of a joint force is
-/// free. The matrix is singular where joints are redundant (a ring of boxes): joints between bodies that
+/// free. Joints without loops are solved by JointTree. Loops are auxiliary constraints: each of their rows takes a solve, and
+/// what they give way to each other is a dense matrix. It is singular where joints are redundant (a ring of boxes): joints between bodies that
 /// others already unite, and rows that depend on earlier ones, get no force; the accelerations are
 /// the same.
 /// \par Cost
-/// O(n³) for n rows, 18 of the glue in a column of four boxes and five of the edge under it.
+/// O(n) for n joints without loops, and O(n k + k³) with k rows of joints that close loops.
 /// \algorithm{Forces in joints that stick: section 6.2}
 /// \verified{Pivot forces of the glued column are those of the closed form}
 class JointForces {
@@ -75,12 +77,24 @@ class JointForces {
   };
   void assemble(std::span<const MovingBody> bodies, std::span<const Joint> joints,
                 std::span<const BodyState> states);
+  void collect(std::span<const MovingBody> bodies);
   void solve(std::span<const MovingBody> bodies);
+  void find_loop_forces(std::span<const MovingBody> bodies);
+  void apply(const Row& row, double factor);
+  [[nodiscard]] double seen_by(const Row& row) const;
 
-  std::vector<Row> rows_;
-  MatX A_;
-  std::vector<double> b_;       // in: relative motion to be ended; out: multipliers
-  std::vector<double> answer_;  // of the independent rows
+  std::vector<Row> rows_;   // joint by joint
+  std::vector<char> ties_;  // by joint: it unites two bodies for good
+  std::vector<double> b_;   // by row; in: relative motion to be ended; out: multipliers
+  std::vector<int> sets_;   // storage of BodySets
+
+  JointTree tree_;
+  std::vector<JointRows> blocks_;  // by joint with rows; those that tie first
+  std::vector<std::size_t> at_;    // by block: its first row
+  std::vector<int> loop_rows_;     // rows of joints that close loops
+  std::vector<Vec6> body_part_, joint_part_;
+  MatX A_;                      // of the rows of loops
+  std::vector<double> answer_;  // of the independent ones
   SubsetCholesky factor_;
   std::vector<Wrench> pushes_;
   int solves_ = 0;

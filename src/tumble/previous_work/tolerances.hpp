@@ -43,4 +43,24 @@ inline constexpr double faure_gain = 1e-3;
 /// about where two boxes will meet. (2.6.4)
 inline constexpr double faure_reach = 0.5;
 
+/// [-] How far apart points are taken up by relaxation, as a share of the shortest edge. Reason: passes move points by
+/// less than this, and farther ones would not be used. (2.3)
+inline constexpr double relaxation_reach = 0.05;
+
+/// [-] Determinant of the deformation of a box of rods, over that of a sound one, at which it counts as flat. Reason: rods hold all but a
+/// few per cent of it; below a thousandth no rotation is near. (2.3)
+inline constexpr double flat_box = 1e-3;
+
+/// [-] Change of a rotation matrix at which its refinement ends. Reason: the next change is the square of
+/// it, below rounding. (2.3)
+inline constexpr double fitted_box = 1e-9;
+
+/// [-] Pivot of a joint's block, over its diagonal, at which its rows depend on one another. Reason: a hundred
+/// roundings; arms ten million times as long as a body leave as little. (2.6.5)
+inline constexpr double dependent_joint = 1e-14;
+
+/// [-] Step of the iteration of settling at which a quadratic program is solved, over the one from no forces. Reason: bodies that
+/// rest then move by a ten millionth of the reach. (2.7.1)
+inline constexpr double settling_step = 1e-9;
+
 }  // namespace tumble::tolerance

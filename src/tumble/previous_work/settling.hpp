@@ -1,0 +1,83 @@
+/// \file
+/// \brief Potential energy minimised step by step, without velocities (thesis 2.7.1).
+///
+/// Uses no other chapter.
+#pragma once
+
+#include "tumble/base/options.hpp"
+#include "tumble/contact/gather.hpp"
+#include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
+#include "tumble/previous_work/nearest_motion.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tumble {
+
+/// Options of settling.
+struct SettlingOptions {
+  double reach = 0.1;  ///< [-] how far a body moves in a step at most, over the shortest edge
+  int budget = 2000;   ///< steps of the iteration of a quadratic program
+};
+
+/// Names the options to a visitor, see options.hpp.
+/// \param o  the options
+/// \param v  an OptionDeclarer or OptionReader
+template <class Visitor>
+void describe(SettlingOptions& o, Visitor& v) {
+  v.number("reach", o.reach, 0.01, 1.0, "-",
+           "how far a body moves in a step at most, over the shortest edge");
+  v.whole("budget", o.budget, 1, 1000000, "steps of the iteration of a quadratic program");
+}
+
+/// Milenkovic's positions without velocities: in each step all bodies move to lower potential energy, as far as they may.
+///
+/// With displacements q (translations and rotations) a step finds
+/// \f[ -m g \cdot q + \frac{1}{2\tau^2}\, q^{\mathsf T} M q \quad\text{least for}\quad J q + d \ge 0 , \f]
+/// where d is the gap of each contact point. The second term is the trust region in which the linear constraints say enough: a free body falls
+/// by \f$\tau^2 g\f$, which is `reach` of the shortest edge, and no corner moves farther than that. The multipliers of the points are forces. Where
+/// nothing moves any more they carry the weight: a minimum is a static equilibrium. Where edges cross, corners of the
+/// faces beside them are points too (add_face_points()).
+///
+/// **What it cannot do.** Momentum: velocities are set to 0, a thrown box falls straight down, nothing topples farther than it
+/// falls, and the time of a run is a count of steps. There is no friction, so boxes slide off each other until faces lie flat.
+/// \par Cost and determinism
+/// A quadratic program in a step, up to five where bodies topple, by ProjectedDescent. No allocation once warm.
+/// \see Milenkovic, "Position-based physics", SIGGRAPH 1996.
+/// \algorithm{Potential energy minimised: section 2.7.1}
+/// \deviation{A quadratic program with a quadratic trust region in place of linear programs.}
+/// \verified{Settled boxes carry their weight with the forces of a minimum}
+class Settling : public Technique {
+ public:
+  /// Makes the technique.
+  /// \param options see there
+  /// \throws std::invalid_argument for a value out of range
+  explicit Settling(const SettlingOptions& options = {});
+
+  [[nodiscard]] std::string_view name() const override { return "settling"; }
+  StepReport step(World& world, double dt) override;
+  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
+  [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
+
+ private:
+  void find_contacts(const World& world, double reach, StepReport& report);
+  void scale_forces(double time_squared);
+  void move(double share, World& world) const;
+
+  SettlingOptions options_;
+  ContactList contacts_, previous_;
+  double last_time_squared_ = 0.0;  // [s²] τ² of the step before, or 0
+
+  // Of one step; kept so that a warm step asks for no memory.
+  BoundingTree near_;
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;
+  std::vector<MovingBody> still_, moving_;
+  std::vector<double> gaps_;
+  NearestMotion program_;
+  std::vector<ContactRecord> records_;
+};
+
+}  // namespace tumble

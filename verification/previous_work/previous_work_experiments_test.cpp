@@ -1,0 +1,38 @@
+/// \file
+/// \brief The experiments about relaxation, joints in linear time and settling, small.
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+using namespace tumble::chapters;
+
+TEST_CASE("An impact takes all but a twentieth of the speed of a box of rods",
+          "[claims][relaxation]") {
+  const FigureUnderTest figure("claim_2_3a_relaxation");
+  CHECK(
+      figure.number("speed after the impact over the speed before it, of a box of rods that lands "
+                    "flat") < 0.05);                        // measured: 0.036
+  CHECK(figure.number("the same with four passes") > 0.1);  // measured: 0.14
+  CHECK(figure.number("the same for a ball of one particle") == 0.0);
+  CHECK(figure.number("change of momentum of two boxes that meet") < 1e-12);
+  CHECK(figure.number("energy that they have left") < 0.9);
+  CHECK(figure.number("angular momentum that a spinning box has left after a second") < 0.95);
+  CHECK(figure.number("the same at 1/120 s") <
+        figure.number("stretch of a hanging chain, four passes at 1/60 s"));
+}
+
+TEST_CASE("Clumps settle without velocities, and a thrown box does not rise",
+          "[claims][settling]") {
+  const FigureUnderTest figure("claim_2_7_1a_settling");
+  CHECK(figure.number("the larger of two shares: clumps that do not come to rest, and the height "
+                      "that a thrown box reaches over that of its parabola") == 0.0);
+  CHECK(figure.number("what contact forces of clumps at rest miss of the weight, at most") < 1e-3);
+}
+
+TEST_CASE("Forces of chains and trees take work in proportion to their links",
+          "[claims][articulated]") {
+  const FigureUnderTest figure("claim_2_6_5a_articulated");
+  CHECK(figure.number("the largest exponent of multiplications against links, of chains and trees "
+                      "from 1000 to 100 000 links") < 1.05);  // measured: 1.01 from 10 to 1000
+  CHECK(figure.number("the same of memory") < 1.05);
+  CHECK(figure.number("relative acceleration left in a joint, over g, at most") < 1e-9);
+}
