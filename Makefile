@@ -26,7 +26,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command test test-long figures figure check fuzz bench live site clean
+.PHONY: help command view test test-long figures figure check fuzz bench live site clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -51,15 +51,23 @@ command:  ## build the command that runs scenes: build/release/bin/tumble
 	$(CONFIGURE)
 	$(MAKE_IT) --target tumble_command
 
+view:  ## simulate a scene and show it in the browser: SCENE=pyramid
+	@cmake/setup $(COMMAND_PACKAGES)
+	$(CONFIGURE)
+	$(MAKE_IT) --target tumble_command
+	build/release/bin/tumble view $(or $(SCENE),pyramid)
+
 figures:  ## compute and draw every figure into build/figures; open index.html there
 	@cmake/setup $(FIGURE_PACKAGES)
 	$(CONFIGURE) -DTUMBLE_FIGURES=ON
 	$(MAKE_IT) --target figures
 
-figure:  ## one figure with other parameters: NAME=zeno SET='restitution=0.9'
+figure:  ## one figure with other parameters: NAME=zeno (or its beginning) SET='restitution=0.9'
+	@figures/draw --program '$(NAME)' >/dev/null
 	@cmake/setup $(FIGURE_PACKAGES)
-	$(CONFIGURE) -DTUMBLE_FIGURES=ON
-	NAME='$(NAME)' SET='$(SET)' $(MAKE_IT) --target figure
+	@$(CONFIGURE) -DTUMBLE_FIGURES=ON >/dev/null
+	@program=$$(figures/draw --program '$(NAME)') && $(MAKE_IT) --target "$$program" && \
+	  NAME='$(NAME)' SET='$(SET)' figures/draw build/release/bin build/figures/tried
 
 check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site, live
 	@cmake/setup $(CHECK_PACKAGES)

@@ -139,13 +139,10 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
   for (const std::string& name : names) {
     Request one = request;
     one.technique = name;
+    one.out.clear();
     resolved.push_back(resolve(one));
   }
-  const std::filesystem::path path =
-      request.out.empty() ? std::filesystem::path("runs") /
-                                (std::filesystem::path(request.scene).stem().string() + "-compare")
-                          : std::filesystem::path(request.out);
-  require_not_in(path, request.scene);
+  const std::filesystem::path path = output_folder(request, "compare", "compare.csv");
   OutputFolder folder(path, "comparison", kFiles);
   write_file(folder.path() / "scene.toml", to_toml(resolved.front().simulation.scene()));
   if (names.size() == 1)
@@ -159,13 +156,16 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
   series.flush();
   write_tables(folder.path(), outcomes);
   folder.publish();
+  std::string picture = ", energies and overlaps over time: " + (path / "compare.svg").string();
   try {
     draw_with_gnuplot(path, "compare.gp", commands(outcomes), "compare.svg");
   } catch (const CannotWrite& error) {
     std::fprintf(stderr, "no picture: %s\n", error.what());
+    picture.clear();
   }
   print_table(outcomes);
-  std::printf("files in %s\n", path.c_str());
+  std::printf("overlap and energy error: the largest of a step; chatter: at the end\n");
+  std::printf("files in %s%s\n", path.c_str(), picture.c_str());
   return stop_signal() != 0 ? 128 + stop_signal() : kDone;
 }
 
