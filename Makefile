@@ -11,6 +11,7 @@ FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
 SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
 # npm comes with node where node is not Debian's, so the command is looked for first.
 LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
+BOOK_PACKAGES    := $(SITE_PACKAGES) chromium
 FUZZ_PACKAGES    := $(BUILD_PACKAGES) catch2 clang libclang-rt-dev
 BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev pkgconf libode-dev libbullet-dev
 CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) $(LIVE_PACKAGES) chromium clang libclang-rt-dev clang-format
@@ -26,7 +27,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command view test test-long figures figure check fuzz bench live site clean
+.PHONY: help command view test test-long figures figure check fuzz bench live site book clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -95,6 +96,10 @@ site:  ## chapters, figures, ledger and reference as a web site: build/site/inde
 	$(MAKE_IT) --target figures
 	$(MAKE_IT) --target pages
 	cmake/site
+
+book: site  ## ideas and algorithms of all chapters to print: build/book.pdf
+	@cmake/setup $(BOOK_PACKAGES)
+	site/book.py build/site build/book.pdf
 
 clean:  ## remove build/
 	rm -rf build

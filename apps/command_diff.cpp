@@ -1,6 +1,7 @@
 /// \file
 /// \brief `tumble diff`: the first frame and body at which two recorded runs part.
 #include "tumble/base/number_text.hpp"
+#include "tumble/math/rotation.hpp"
 #include "tumble/record/recorded_run.hpp"
 
 #include "request.hpp"
@@ -26,7 +27,9 @@ const RecordedPose* find(const RecordedRun& run, const RecordedFrame& frame,
   return nullptr;
 }
 
-// Of one body in one frame: each quantity that has other bits, with the length of the difference.
+double largest(const Vec3& difference) { return difference.cwiseAbs().maxCoeff(); }
+
+// Of one body in one frame: each quantity that has other bits, and by how much a coordinate differs at most.
 Parting parted(const RecordedPose& a, const RecordedPose& b) {
   struct Quantity {
     const char* name;
@@ -35,12 +38,12 @@ Parting parted(const RecordedPose& a, const RecordedPose& b) {
     double apart;
   };
   const std::array<Quantity, 4> quantities = {{
-      {"position", " m", a.position_w == b.position_w, (a.position_w - b.position_w).norm()},
+      {"position", " m", a.position_w == b.position_w, largest(a.position_w - b.position_w)},
       {"orientation", " rad", a.orientation_wb.coeffs() == b.orientation_wb.coeffs(),
-       a.orientation_wb.angularDistance(b.orientation_wb)},
-      {"velocity", " m/s", a.velocity_w == b.velocity_w, (a.velocity_w - b.velocity_w).norm()},
+       angle_between(a.orientation_wb, b.orientation_wb)},
+      {"velocity", " m/s", a.velocity_w == b.velocity_w, largest(a.velocity_w - b.velocity_w)},
       {"angular velocity", " rad/s", a.angular_velocity_w == b.angular_velocity_w,
-       (a.angular_velocity_w - b.angular_velocity_w).norm()},
+       largest(a.angular_velocity_w - b.angular_velocity_w)},
   }};
   std::string out;
   for (const Quantity& q : quantities)
@@ -79,7 +82,7 @@ int diff(const std::string& first, const std::string& second) {
     const Parting how = parted(one, one.frames[k], two, two.frames[k]);
     if (!how) continue;
     std::printf("the runs part at %s s, frame %zu:\n  %s\n",
-                shortest_text(one.frames[k].time).c_str(), k, how->c_str());
+                rounded_text(one.frames[k].time, 6).c_str(), k, how->c_str());
     if (k == 0) std::printf("frame 0 is the start: these are other scenes or settings\n");
     if (k > 0) std::printf("the %zu frames before it, the start is frame 0, are equal\n", k);
     return kParted;
@@ -91,7 +94,7 @@ int diff(const std::string& first, const std::string& second) {
   const bool longer = one.frames.size() > both;
   std::printf("%zu frames have the same bits, then the %s run goes on to %s s\n", both,
               longer ? "first" : "second",
-              shortest_text((longer ? one : two).frames.back().time).c_str());
+              rounded_text((longer ? one : two).frames.back().time, 6).c_str());
   return kParted;
 }
 

@@ -29,7 +29,8 @@ std::string range_of(const Parameter& p) {
 }
 
 constexpr std::size_t kRangeWidth = 30;
-constexpr std::size_t kMeaningWidth = 60;
+constexpr std::size_t kSummaryWidth = 72;
+constexpr std::size_t kWidth = 110;  // of a table of settings
 
 // A text in lines of at most so many characters where it can be broken behind one of the separators.
 std::vector<std::string> wrapped(std::string_view text, std::string_view separators,
@@ -46,7 +47,7 @@ std::vector<std::string> wrapped(std::string_view text, std::string_view separat
 
 void print_line(std::string_view name, std::string_view second, std::string_view summary,
                 int second_width = 14) {
-  for (const std::string& line : wrapped(summary, " ", kMeaningWidth)) {
+  for (const std::string& line : wrapped(summary, " ", kSummaryWidth)) {
     std::printf("%-21.*s %-*.*s %s\n", width(name), name.data(), second_width, width(second),
                 second.data(), line.c_str());
     name = second = "";
@@ -64,6 +65,9 @@ void print_settings(const Parameters& settings) {
     for (const std::string& line : wrapped(range_of(p), "|", kRangeWidth))
       range = std::max(range, line.size());
   }
+  constexpr std::size_t least = 30;
+  const std::size_t before = key + value + range + 14;  // with the unit and the gaps
+  const std::size_t meaning = before + least < kWidth ? kWidth - before : least;
   const auto row = [&](const std::string& k, const std::string& v, const std::string& u,
                        const std::string& r, const std::string& m) {
     std::string line;
@@ -81,7 +85,7 @@ void print_settings(const Parameters& settings) {
   row("key", "default", "unit", "range", "meaning");
   for (const Parameter& p : settings.all()) {
     const std::vector<std::string> ranges = wrapped(range_of(p), "|", kRangeWidth);
-    const std::vector<std::string> meanings = wrapped(p.meaning, " ,", kMeaningWidth);
+    const std::vector<std::string> meanings = wrapped(p.meaning, " ,", meaning);
     for (std::size_t k = 0; k < std::max(ranges.size(), meanings.size()); ++k)
       row(k == 0 ? p.key : "", k == 0 ? p.value : "", k == 0 ? p.unit : "",
           k < ranges.size() ? ranges[k] : "", k < meanings.size() ? meanings[k] : "");

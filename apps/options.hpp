@@ -29,19 +29,19 @@ CLI::Validator whole(std::uint64_t most);
 void add_list(CLI::App& command, const std::string& option, const std::string& help,
               const std::function<void(const std::string&)>& take);
 
-/// Adds the options about what is recorded.
+/// Adds the options about recording.
 /// \param run     `tumble run` or `tumble view`
-/// \param request takes what is typed
+/// \param request takes the typed values
 void add_recording_options(CLI::App& run, Request& request);
 
 /// Adds the scene and the options of every command that runs it.
 /// \param command `tumble run`, `tumble compare` or `tumble view`
-/// \param request takes what is typed
+/// \param request takes the typed values
 void add_run_options(CLI::App& command, Request& request);
 
 /// Adds the options of `tumble render`.
 /// \param command this one
-/// \param request takes what is typed
+/// \param request takes the typed values
 void add_render_options(CLI::App& command, RenderRequest& request);
 
 /// The end of the help on scenes: examples, and the format of a scene file.

@@ -130,7 +130,7 @@ TEST_CASE("Other shapes than boxes are refused by name", "[unit][command]") {
   fs::create_directories(folder.path);
   const std::string scene = folder.text() + "/ball.toml";
   std::ofstream(scene) << "[[sphere]]\nradius = 1\n";
-  check_refused({{"run " + scene, "sphere = [{...}]: boxes only"}});
+  check_refused({{"run " + scene, ": boxes only, no other shape is simulated"}});
 }
 
 TEST_CASE("A figure is found by the beginning of its name, and a mistyped one is suggested",
