@@ -33,8 +33,9 @@ class Live {
     this.link = `live/index.html#${figure.dataset.live}`;
     const caption = figure.querySelector('figcaption');
     if (!Live.here) {
-      caption.insertAdjacentHTML('beforeend', ' <small>This scene runs here once <code>make live</code> has ' +
-        'installed what that needs and <code>make site</code> has been run again.</small>');
+      const scene = new URLSearchParams(figure.dataset.live).get('scene');
+      caption.insertAdjacentHTML('beforeend', ` <small>In motion: <code>make view SCENE=${scene}</code>. It runs here ` +
+        'once <code>make live</code> has installed what that needs and <code>make site</code> has been run again.</small>');
       return;
     }
     this.stage = document.createElement('div');
