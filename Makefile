@@ -11,6 +11,7 @@ FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
 SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
 # npm comes with node where node is not Debian's, so the command is looked for first.
 LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
+BOOK_PACKAGES    := $(SITE_PACKAGES) chromium
 FUZZ_PACKAGES    := $(BUILD_PACKAGES) catch2 clang libclang-rt-dev
 BENCH_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev pkgconf libode-dev libbullet-dev
 CHECK_PACKAGES   := $(TEST_PACKAGES) $(SITE_PACKAGES) $(LIVE_PACKAGES) chromium clang libclang-rt-dev clang-format
@@ -26,7 +27,7 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command test test-long figures figure check fuzz bench live site clean
+.PHONY: help command view test test-long figures figure check fuzz bench live site book clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -51,15 +52,23 @@ command:  ## build the command that runs scenes: build/release/bin/tumble
 	$(CONFIGURE)
 	$(MAKE_IT) --target tumble_command
 
+view:  ## simulate a scene and show it in the browser: SCENE=pyramid
+	@cmake/setup $(COMMAND_PACKAGES)
+	$(CONFIGURE)
+	$(MAKE_IT) --target tumble_command
+	build/release/bin/tumble view $(or $(SCENE),pyramid)
+
 figures:  ## compute and draw every figure into build/figures; open index.html there
 	@cmake/setup $(FIGURE_PACKAGES)
 	$(CONFIGURE) -DTUMBLE_FIGURES=ON
 	$(MAKE_IT) --target figures
 
-figure:  ## one figure with other parameters: NAME=zeno SET='restitution=0.9'
+figure:  ## one figure with other parameters: NAME=zeno (or its beginning) SET='restitution=0.9'
+	@figures/draw --program '$(NAME)' >/dev/null
 	@cmake/setup $(FIGURE_PACKAGES)
-	$(CONFIGURE) -DTUMBLE_FIGURES=ON
-	NAME='$(NAME)' SET='$(SET)' $(MAKE_IT) --target figure
+	@$(CONFIGURE) -DTUMBLE_FIGURES=ON >/dev/null
+	@program=$$(figures/draw --program '$(NAME)') && $(MAKE_IT) --target "$$program" && \
+	  NAME='$(NAME)' SET='$(SET)' figures/draw build/release/bin build/figures/tried
 
 check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site, live
 	@cmake/setup $(CHECK_PACKAGES)
@@ -87,6 +96,10 @@ site:  ## chapters, figures, ledger and reference as a web site: build/site/inde
 	$(MAKE_IT) --target figures
 	$(MAKE_IT) --target pages
 	cmake/site
+
+book: site  ## ideas and algorithms of all chapters to print: build/book.pdf
+	@cmake/setup $(BOOK_PACKAGES)
+	site/book.py build/site build/book.pdf
 
 clean:  ## remove build/
 	rm -rf build

@@ -80,12 +80,14 @@ std::string commands(const std::vector<Outcome>& outcomes) {
   out += names;
   return out +
          "'\n"
-         "set terminal svg size 600,640 dynamic font 'sans-serif,14' background 'white'\n"
-         "set multiplot layout 2,1; set lmargin 11; set rmargin 2\n"
+         "set terminal svg size 600,720 dynamic font 'sans-serif,18' background 'white'\n"
+         "set multiplot layout 2,1; set lmargin 10; set rmargin 2\n"
          "set border 3 lc rgb '#808080'; set tics nomirror textcolor rgb '#303030'\n"
-         "set grid y lc rgb '#dddddd'; set key noenhanced above\n"
-         "set linetype 1 lc rgb '#0072B2'; set linetype 2 lc rgb '#D55E00'\n"
-         "set linetype 3 lc rgb '#009E73'; set linetype 4 lc rgb '#CC79A7'\n"
+         "set grid y lc rgb '#dddddd'; set key noenhanced above reverse Left samplen 2.5\n"
+         "set linetype 1 lc rgb '#0072B2' dt 1; set linetype 2 lc rgb '#D55E00' dt (12,4)\n"
+         "set linetype 3 lc rgb '#009E73' dt (3,3); set linetype 4 lc rgb '#CC79A7' dt (12,4,3,4)\n"
+         "set linetype 5 lc rgb '#E69F00' dt (20,4); set linetype 6 lc rgb '#56B4E9' dt (6,3)\n"
+         "set linetype 7 lc rgb '#4D4D4D' dt 1; set linetype cycle 7\n"
          "set xlabel 'time [s]'; set ylabel 'total energy [J]'\n"
          "plot for [t in names] 'series.csv' using "
          "(strcol(1) eq t ? $2 : NaN):3 with lines lw 2 title t\n"
@@ -139,13 +141,10 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
   for (const std::string& name : names) {
     Request one = request;
     one.technique = name;
+    one.out.clear();
     resolved.push_back(resolve(one));
   }
-  const std::filesystem::path path =
-      request.out.empty() ? std::filesystem::path("runs") /
-                                (std::filesystem::path(request.scene).stem().string() + "-compare")
-                          : std::filesystem::path(request.out);
-  require_not_in(path, request.scene);
+  const std::filesystem::path path = output_folder(request, "compare", "compare.csv");
   OutputFolder folder(path, "comparison", kFiles);
   write_file(folder.path() / "scene.toml", to_toml(resolved.front().simulation.scene()));
   if (names.size() == 1)
@@ -159,13 +158,16 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
   series.flush();
   write_tables(folder.path(), outcomes);
   folder.publish();
+  std::string picture = ", energies and overlaps over time: " + (path / "compare.svg").string();
   try {
     draw_with_gnuplot(path, "compare.gp", commands(outcomes), "compare.svg");
   } catch (const CannotWrite& error) {
     std::fprintf(stderr, "no picture: %s\n", error.what());
+    picture.clear();
   }
   print_table(outcomes);
-  std::printf("files in %s\n", path.c_str());
+  std::printf("overlap and energy error: the largest of a step; chatter: at the end\n");
+  std::printf("files in %s%s\n", path.c_str(), picture.c_str());
   return stop_signal() != 0 ? 128 + stop_signal() : kDone;
 }
 

@@ -20,12 +20,6 @@ namespace {
 
 int width(std::string_view text) { return static_cast<int>(text.size()); }
 
-void print_line(std::string_view name, std::string_view second, std::string_view summary,
-                int second_width = 14) {
-  std::printf("%-21.*s %-*.*s %.*s\n", width(name), name.data(), second_width, width(second),
-              second.data(), width(summary), summary.data());
-}
-
 std::string range_of(const Parameter& p) {
   if (p.kind == ParameterKind::number || p.kind == ParameterKind::whole)
     return shortest_text(p.low) + " to " + shortest_text(p.high);
@@ -35,18 +29,29 @@ std::string range_of(const Parameter& p) {
 }
 
 constexpr std::size_t kRangeWidth = 30;
-constexpr std::size_t kMeaningWidth = 60;
+constexpr std::size_t kSummaryWidth = 72;
+constexpr std::size_t kWidth = 110;  // of a table of settings
 
-// A text in lines of at most so many characters where it can be broken behind a separator.
-std::vector<std::string> wrapped(const std::string& text, char separator, std::size_t most) {
+// A text in lines of at most so many characters where it can be broken behind one of the separators.
+std::vector<std::string> wrapped(std::string_view text, std::string_view separators,
+                                 std::size_t most) {
   std::vector<std::string> lines = {""};
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size() - 1) + 1;
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size() - 1) + 1;
     if (!lines.back().empty() && lines.back().size() + end - begin > most) lines.emplace_back();
     lines.back().append(text, begin, end - begin);
     begin = end;
   }
   return lines;
+}
+
+void print_line(std::string_view name, std::string_view second, std::string_view summary,
+                int second_width = 14) {
+  for (const std::string& line : wrapped(summary, " ", kSummaryWidth)) {
+    std::printf("%-21.*s %-*.*s %s\n", width(name), name.data(), second_width, width(second),
+                second.data(), line.c_str());
+    name = second = "";
+  }
 }
 
 void print_settings(const Parameters& settings) {
@@ -57,9 +62,12 @@ void print_settings(const Parameters& settings) {
   for (const Parameter& p : settings.all()) {
     key = std::max(key, p.key.size());
     value = std::max(value, p.value.size());
-    for (const std::string& line : wrapped(range_of(p), '|', kRangeWidth))
+    for (const std::string& line : wrapped(range_of(p), "|", kRangeWidth))
       range = std::max(range, line.size());
   }
+  constexpr std::size_t least = 30;
+  const std::size_t before = key + value + range + 14;  // with the unit and the gaps
+  const std::size_t meaning = before + least < kWidth ? kWidth - before : least;
   const auto row = [&](const std::string& k, const std::string& v, const std::string& u,
                        const std::string& r, const std::string& m) {
     std::string line;
@@ -76,8 +84,8 @@ void print_settings(const Parameters& settings) {
   };
   row("key", "default", "unit", "range", "meaning");
   for (const Parameter& p : settings.all()) {
-    const std::vector<std::string> ranges = wrapped(range_of(p), '|', kRangeWidth);
-    const std::vector<std::string> meanings = wrapped(p.meaning, ' ', kMeaningWidth);
+    const std::vector<std::string> ranges = wrapped(range_of(p), "|", kRangeWidth);
+    const std::vector<std::string> meanings = wrapped(p.meaning, " ,", meaning);
     for (std::size_t k = 0; k < std::max(ranges.size(), meanings.size()); ++k)
       row(k == 0 ? p.key : "", k == 0 ? p.value : "", k == 0 ? p.unit : "",
           k < ranges.size() ? ranges[k] : "", k < meanings.size() ? meanings[k] : "");

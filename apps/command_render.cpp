@@ -100,7 +100,7 @@ void require_fitting(const RenderRequest& request, bool still) {
   if (still) {
     const bool moves = request.from || request.to || request.rate || request.speed || request.width;
     require::that(!moves,
-                  as + "--from, --to, --fps, --speed and --width are for gif, mp4 and gltf");
+                  as + "--from, --to, --fps, --speed and --width are for gif, mp4, gltf and html");
   } else {
     require::that(request.at.empty() && request.strip.empty(),
                   as + "--at and --strip are for svg and png; give --from and --to");
@@ -112,8 +112,10 @@ void require_fitting(const RenderRequest& request, bool still) {
 
 int render(const RenderRequest& request) {
   const bool still = request.form == "svg" || request.form == "png";
-  require::that(still || request.form == "gif" || request.form == "mp4" || request.form == "gltf",
-                "--as " + request.form + ": expected svg, png, gif, mp4 or gltf");
+  const bool moves = request.form == "gif" || request.form == "mp4" || request.form == "gltf" ||
+                     request.form == "html";
+  require::that(still || moves,
+                "--as " + request.form + ": expected svg, png, gif, mp4, gltf or html");
   require_fitting(request, still);
   const RecordedRun run =
       read_run(request.folder, request.filtered ? kFilteredFile : kTrajectoryFile);

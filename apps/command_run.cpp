@@ -52,6 +52,12 @@ void print_summary(const ResolvedRequest& r, const RunResult& result) {
   std::printf("  state hash %s, files in %s\n", result.state_hash.c_str(), r.folder.c_str());
 }
 
+// What a user may look at next.
+void print_next(const std::string& folder) {
+  std::printf("  see it: tumble view %s\n", folder.c_str());
+  std::printf("  a film: tumble render %s --as gif\n", folder.c_str());
+}
+
 }  // namespace
 
 int stop_signal() {
@@ -67,7 +73,15 @@ void catch_stop_signals() {
 }
 
 int run(const Request& request) {
+  std::filesystem::path folder;
+  const int code = run_into(request, folder);
+  if (!request.quiet) print_next(folder.string());
+  return code;
+}
+
+int run_into(const Request& request, std::filesystem::path& folder) {
   ResolvedRequest r = resolve(request);
+  folder = r.folder;
   RunFiles files(r.folder, r.description, r.simulation.scene());
   RunResult result;
   try {

@@ -2,6 +2,7 @@
 /// \brief Running ffmpeg.
 #include "ffmpeg.hpp"
 
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/table_file.hpp"
 
 #include "program.hpp"
@@ -25,7 +26,7 @@ void write_video(const std::filesystem::path& path, int frames, double rate,
       // what comes in
       "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
       std::to_string(first.width) + "x" + std::to_string(first.height), "-framerate",
-      full_text(rate), "-i", "-",
+      shortest_text(rate), "-i", "-",
       // what goes out: what every player shows, at once, and the same bytes every time
       "-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags",
       "+bitexact", "-flags:v", "+bitexact", "-f", "mp4", part};

@@ -11,6 +11,7 @@
 
 #include "ffmpeg.hpp"
 #include "frames.hpp"
+#include "view_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,22 +136,30 @@ void write_film(const RenderRequest& request, const RecordedRun& run,
 }  // namespace
 
 std::string write_moving(const RenderRequest& request, const RecordedRun& run) {
-  const std::string name =
-      std::string("film") + (request.filtered ? "_filtered" : "") + "." + request.form;
+  const bool page = request.form == "html";
+  const std::string name = std::string(page ? "view" : "film") +
+                           (request.filtered ? "_filtered" : "") + "." + request.form;
   const std::filesystem::path path = std::filesystem::path(request.folder) / name;
   const double speed = request.speed.value_or(1.0);
   require::within(speed, kSpeeds[0], kSpeeds[1], "--speed");
-  if (request.form != "gltf") {
+  if (request.form != "gltf" && !page) {
     write_film(request, run, path);
     return name;
   }
-  require::that(!request.width, "--as gltf: --width is for gif and mp4");
+  require::that(!request.width, "--as " + request.form + ": --width is for gif and mp4");
   std::optional<double> interval;
   if (request.rate) {
     require::within(*request.rate, kVideoRates[0], kVideoRates[1], "--fps");
     interval = speed / *request.rate;
   }
-  write_file(path, to_gltf(run, frames_of(request, run, interval), speed));
+  std::string text = to_gltf(run, frames_of(request, run, interval), speed);
+  if (page) {
+    const std::filesystem::path folder = std::filesystem::absolute(request.folder);
+    const std::string title = run.scene.title.empty() ? "" : run.scene.title + ", ";
+    const Vec3 direction_w(request.view[0], request.view[1], request.view[2]);
+    text = view_page(title + folder.lexically_normal().filename().string(), text, direction_w);
+  }
+  write_file(path, text);
   return name;
 }
 

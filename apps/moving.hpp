@@ -10,9 +10,9 @@
 
 namespace tumble::app {
 
-/// Writes film.gif, film.mp4 or film.gltf into the folder of the run. A file that cannot be finished
+/// Writes film.gif, film.mp4, film.gltf or view.html into the folder of the run. A file that cannot be finished
 /// is not left half written.
-/// \param request what was typed; its form is gif, mp4 or gltf
+/// \param request what was typed; its form is gif, mp4, gltf or html
 /// \param run     of its folder
 /// \return the name of the file
 /// \throws std::invalid_argument naming the value that is out of range

@@ -52,18 +52,35 @@ void apply_one(const std::string& setting, Parameters& scene, Parameters& techni
   require::that(false, "--set " + setting + ": unknown key; " + expected_names(key, known));
 }
 
-}  // namespace
-
-void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique) {
-  for (const std::string& setting : settings) apply_one(setting, scene, technique);
-}
-
+// A folder for output may not hold the scene file that is read.
 void require_not_in(const std::filesystem::path& folder, const std::string& scene) {
   const std::filesystem::path file(scene);
   std::error_code none;
   require::that(!std::filesystem::equivalent(file, folder / file.filename(), none),
                 "--out " + folder.string() + " holds the scene that is read, " + scene +
                     ": give another folder");
+}
+
+}  // namespace
+
+void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique) {
+  for (const std::string& setting : settings) apply_one(setting, scene, technique);
+}
+
+std::filesystem::path output_folder(const Request& request, const std::string& kind,
+                                    const std::string& last) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const std::string scene = fs::path(request.scene).stem().string();
+  const std::string first =
+      request.out.empty() ? (fs::path("runs") / (scene + "-" + kind)).string() : request.out;
+  require_not_in(first, request.scene);
+  if (request.force || !fs::exists(fs::path(first) / last, none)) return first;
+  require::that(request.out.empty(), "--out " + first + " holds a finished run: give another " +
+                                         "folder, or replace that run with --force");
+  int number = 2;
+  while (fs::exists(fs::path(first + "-" + std::to_string(number)) / last, none)) ++number;
+  return first + "-" + std::to_string(number);
 }
 
 Scene resolve_scene(const Request& request) {
@@ -95,11 +112,7 @@ ResolvedRequest resolve(const Request& request) {
                                              AdaptiveStepOptions{.halvings = d.halvings});
   Simulation simulation(std::move(scene), std::move(stepper));
   d.ignored = simulation.technique().ignores(simulation.world());
-  const std::string scene_name = std::filesystem::path(request.scene).stem().string();
-  std::filesystem::path folder =
-      request.out.empty() ? std::filesystem::path("runs") / (scene_name + "-" + d.technique)
-                          : std::filesystem::path(request.out);
-  if (recipe == nullptr) require_not_in(folder, request.scene);
+  std::filesystem::path folder = output_folder(request, d.technique, "summary.json");
   return {std::move(simulation), std::move(d), std::move(folder)};
 }
 

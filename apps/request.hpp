@@ -17,6 +17,7 @@ namespace tumble::app {
 enum ExitCode : int {
   kDone = 0,          ///< success
   kOurMistake = 1,    ///< an assumption of the program was wrong
+  kParted = 1,        ///< `tumble diff`: two runs are not equal, as diff says it
   kBadInput = 2,      ///< the user's mistake; nothing was run
   kMathematical = 3,  ///< event cap, no solution, not finite
   kCannotWrite = 4    ///< disk full, no permission, no program to draw with
@@ -28,7 +29,8 @@ struct Request {
   std::string technique;              ///< a name; empty: the default
   std::vector<std::string> settings;  ///< key=value, scene.key=value or technique.key=value
   RunSettings run;                    ///< step, duration, seed, every
-  std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE
+  std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE, or a number more
+  bool force = false;                 ///< whether a finished run in that folder is replaced
   bool contacts = false;              ///< whether contacts.csv is wanted
   std::optional<std::string> filter;  ///< as filter_of() takes it; no filtered trajectory without
   int halvings = 0;                   ///< how often a step may be halved; 0: never
@@ -50,11 +52,15 @@ struct ResolvedRequest {
 /// \throws std::invalid_argument for a key that neither or both have, or a value out of range
 void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique);
 
-/// Refuses a folder for output that holds the scene file that is read.
-/// \param folder  for output
-/// \param scene   a built-in name or a file
-/// \throws std::invalid_argument naming both
-void require_not_in(const std::filesystem::path& folder, const std::string& scene);
+/// The folder for output: the one that was typed, or a new one in runs/. What an earlier command has finished there is
+/// replaced only with --force.
+/// \param request what was typed
+/// \param kind    a technique, or what else is behind the scene's name
+/// \param last    the file that a finished output has
+/// \return the folder, which need not exist
+/// \throws std::invalid_argument if the folder that was typed holds a finished output or the scene file that is read
+std::filesystem::path output_folder(const Request& request, const std::string& kind,
+                                    const std::string& last);
 
 /// Looks everything up.
 /// \param request what was typed
@@ -74,6 +80,24 @@ Scene resolve_scene(const Request& request);
 /// \return the exit code
 int run(const Request& request);
 
+/// Runs and records as `tumble run` does.
+/// \param request what was typed
+/// \param folder  becomes the folder of the run
+/// \return the exit code
+int run_into(const Request& request, std::filesystem::path& folder);
+
+/// `tumble view`: a page of a recorded run, opened in the browser.
+/// \param request what was typed; the scene may be the folder of a recorded run
+/// \param open    whether the browser is started
+/// \return the exit code
+int view(const Request& request, bool open);
+
+/// `tumble diff`: where two recorded runs part.
+/// \param first   folder of a run
+/// \param second  folder of another one
+/// \return kDone if all bits are equal, kParted if they part
+int diff(const std::string& first, const std::string& second);
+
 /// `tumble compare`.
 /// \param request     what was typed; its technique is not used
 /// \param techniques  names; empty: all
@@ -84,7 +108,7 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
 /// A picture or a film of a recorded run, as typed.
 struct RenderRequest {
   std::string folder;                          ///< of the run
-  std::string form;                            ///< svg, png, gif, mp4 or gltf
+  std::string form;                            ///< svg, png, gif, mp4, gltf or html
   std::vector<double> at;                      ///< [s] one time; empty: the last recorded frame
   std::vector<double> strip;                   ///< [s] times of several frames in one picture
   std::vector<double> view = {2.0, 1.0, 4.0};  ///< [-] direction from the boxes to the eye

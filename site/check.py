@@ -4,8 +4,9 @@
 usage: site/check.py SITE [--pictures DIR]
 
 On every page below: it loads without an error on the console and without a file that is missing, formulas are
-typeset, nothing makes it scroll sideways, each link and picture leads to something, and where the site has the live
-page, each scene runs when it comes into sight. The search finds a word of the text, and its first hit leads there.
+typeset, drawings can be dragged, nothing makes it scroll sideways, each link and picture leads to something, and where
+the site has the live page, each scene runs when it comes into sight. The search finds a word of the text, and its first
+hit leads there.
 With --pictures each page is also saved as it looks, light and dark.
 
 exit codes: 0 all is well, 1 something is not, 2 bad input
@@ -27,7 +28,7 @@ SPLIT = [f"{chapter}{page}"
                          "exterior_rotation", "previous_work")
          for page in ("", "_algorithm", "_measured")]
 PAGES = ("index", "how_to_read", "thesis_map", "notation", "glossary",
-         "impulse_damped", "contact_damped", *SPLIT, "gallery", "ledger", "errata",
+         "impulse_damped", "contact_damped", *SPLIT, "gallery", "figures_of_exterior_rotation", "ledger", "errata",
          "appendix_a", "left_open", "tolerances", "live_page", "choose_a_technique", "use_the_library",
          "add_a_technique", "algorithms", "verified", "deviations", "references", "pages", "classtumble_1_1Basic", "namespacetumble",
          "separation_8hpp")
@@ -55,6 +56,7 @@ LOOK = r"""(() => {
         node => node.getAttribute(key))),
     pictures: [...document.querySelectorAll('img')].filter(node => node.complete && !node.naturalWidth)
         .map(node => node.getAttribute('src')),
+    still: [...document.querySelectorAll('figure.drawing[data-drawing]:not(.dragged)')].map(one => one.dataset.drawing),
     height: content.scrollHeight,
   };
 })()"""
@@ -113,6 +115,7 @@ def check_page(browser, site, page, size, anchors, pictures):
     yield from (f"formula with a mistake: {text}" for text in seen["wrong"])
     if seen["raw"]:
         yield f"shows {seen['raw'][0]} instead of what it means"
+    yield from (f"drawing cannot be dragged: {name}" for name in seen["still"])
     if seen["wide"]:
         yield "scrolls sideways: " + ", ".join(seen["widest"])
     yield from (f"picture does not load: {name}" for name in seen["pictures"])

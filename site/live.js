@@ -7,7 +7,11 @@
 // and without scripts that is all, but for what to try. Where the site has the live page, it takes the place of
 // the picture when that comes into sight, opened by the link in data-live; a span of class "still", about the
 // picture alone, goes. Far out of sight the picture is back, and the scene begins anew next time: a browser
-// keeps few such drawings alive at once.
+// keeps few such drawings alive at once. A figure may have controls for settings of the link,
+//
+//   data-controls='[{"key": "vs.k_scale", "low": 0, "high": 4, "step": 0.5, "value": 1, "text": "strength"}]'
+//
+// or with "choices" in place of the numbers; the scene begins anew with what was chosen.
 class Live {
   static here = false; // where cmake/site puts the live page, it adds a line to this file that says otherwise
 
@@ -29,8 +33,9 @@ class Live {
     this.link = `live/index.html#${figure.dataset.live}`;
     const caption = figure.querySelector('figcaption');
     if (!Live.here) {
-      caption.insertAdjacentHTML('beforeend', ' <small>This scene runs here once <code>make live</code> has ' +
-        'installed what that needs and <code>make site</code> has been run again.</small>');
+      const scene = new URLSearchParams(figure.dataset.live).get('scene');
+      caption.insertAdjacentHTML('beforeend', ` <small>In motion: <code>make view SCENE=${scene}</code>. It runs here ` +
+        'once <code>make live</code> has installed what that needs and <code>make site</code> has been run again.</small>');
       return;
     }
     this.stage = document.createElement('div');
@@ -41,6 +46,31 @@ class Live {
     const alone = document.createElement('a');
     Object.assign(alone, {href: this.link, target: '_blank', rel: 'noopener', textContent: 'Open on its own'});
     caption.append(' ', alone);
+    this.alone = alone;
+    const bar = document.createElement('div');
+    bar.className = 'controls';
+    for (const control of JSON.parse(figure.dataset.controls ?? '[]')) bar.append(this.control(control));
+    if (bar.firstChild) this.stage.after(bar);
+  }
+
+  control({key, low, high, step, value, choices, text}) {
+    const label = document.createElement('label');
+    const input = document.createElement(choices ? 'select' : 'input');
+    const shown = document.createElement('output');
+    if (choices) input.append(...choices.map(choice => new Option(choice, choice, false, choice === value)));
+    else Object.assign(input, {type: 'range', min: low, max: high, step, value});
+    const say = () => { shown.textContent = choices ? '' : input.value; };
+    input.addEventListener('input', say);
+    input.addEventListener('change', () => {
+      const [page, words] = this.link.split('#');
+      const kept = words.split('&').filter(word => !word.startsWith(`${key}=`));
+      this.link = this.alone.href = `${page}#${[...kept, `${key}=${input.value}`].join('&')}`;
+      const frame = this.stage.querySelector('iframe');
+      if (frame) frame.src = `${this.link}&embed=1`; // the page there follows what is behind #
+    });
+    say();
+    label.append(`${text} `, input, shown);
+    return label;
   }
 
   start() {

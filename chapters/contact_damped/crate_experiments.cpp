@@ -3,6 +3,7 @@
 #include "tumble/pictures/world_picture.hpp"
 
 #include "driver/experiment.hpp"
+#include "driver/side_by_side.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -45,6 +46,8 @@ Result measure_crate(const Parameters& settings) {
   std::vector<Quantity> quantities;
   std::vector<std::vector<PictureBox>> frames;
   std::vector<PictureBox> all;
+  std::vector<std::vector<FilmFrame>> films;
+  const auto red = [](std::vector<PictureBox>& boxes) { boxes.back().colour = 0xd55e00; };
   const auto scene_of = [&](const char* speed) {
     return scene_with("crate_off_table", {setting("speed", settings.number(speed)),
                                           setting("friction", settings.number("friction"))});
@@ -63,9 +66,11 @@ Result measure_crate(const Parameters& settings) {
       played.advance(path.passes + time);
       table.add(time);
       frames.push_back(picture_boxes(played.world()));
-      frames.back().back().colour = 0xd55e00;
+      red(frames.back());
       all.insert(all.end(), frames.back().begin(), frames.back().end());
     }
+    films.push_back(frames_of_run(scene, technique, path.passes + settings.number("t1"),
+                                  path.passes + settings.number("t4"), path.passes, red));
   };
   watch({"damped"}, "damped_speed", "damped");
   watch({"contact_damped"}, "speed", "Coulomb");
@@ -77,7 +82,9 @@ Result measure_crate(const Parameters& settings) {
   for (std::size_t k = 0; k < frames.size(); ++k)
     drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
-  return {{table}, quantities, drawings};
+  return {{table}, quantities, drawings, [films] {
+            return film_beside(films[0], films[1], Vec3(0.45, 0.3, 1.0), 240, 200);
+          }};
 }
 
 Parameters crate_parameters() {

@@ -2,6 +2,7 @@
 /// \brief Tables of numbers as files, written and read.
 #include "driver/csv.hpp"
 
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/record/table_file.hpp"
 
@@ -20,7 +21,7 @@ std::string formatted(const char* format, double value) {
   return text;
 }
 
-std::string full_text(double value) { return std::isnan(value) ? "" : formatted("%.17g", value); }
+std::string full_text(double value) { return std::isnan(value) ? "" : shortest_text(value); }
 
 std::string short_text(double value) { return formatted("%.10g", value); }
 

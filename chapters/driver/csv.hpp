@@ -19,7 +19,7 @@ struct FileError : std::runtime_error {
 // A number as printf writes it.
 std::string formatted(const char* format, double value);
 
-// A number with 17 significant digits: it reads back to the same bits.
+// The shortest digits of a number that read back to the same bits; nothing for NaN.
 std::string full_text(double value);
 
 // A number for reading, with at most 10 significant digits.

@@ -4,6 +4,8 @@
 #include "driver/pages.hpp"
 #include "driver/reads.hpp"
 
+#include <map>
+
 namespace tumble::chapters {
 namespace {
 
@@ -70,10 +72,16 @@ std::string index_page(const Findings& findings) {
   const std::string gallery = gallery_html(findings.figures, "");
   std::string contents;
   std::string articles;
+  std::map<std::string, std::string> thesis;  // by name, and so by number
   for (const DrawnFigure& figure : findings.figures) {
     if (is_of_kind(figure, "gallery_")) continue;
+    const std::string article = figure_html(figure, findings.ledger, {"", "h2", false});
+    if (is_of_kind(figure, "fig")) {
+      thesis[figure.name] = article;
+      continue;
+    }
     contents += link_to(figure.name, head_html(figure, "title"));
-    articles += figure_html(figure, findings.ledger, {"", "h2", false});
+    articles += article;
   }
   if (!gallery.empty()) contents += link_to("gallery", "Gallery");
 
@@ -85,7 +93,10 @@ std::string index_page(const Findings& findings) {
       "number by a rule; beside it stands how it reads with the thesis in hand.</p>\n<p>" +
       html_text(summary_text(findings)) + ". " + html_text(reads_counts(findings.ledger)) +
       ". <a href=\"claims.csv\">claims.csv</a> has every claim.</p>\n";
-  text += "<nav><ul>\n" + contents + "</ul></nav>\n" + articles;
+  text += "<p>First the figures of the thesis, then <a href=\"#others\">all others</a>.</p>\n";
+  for (const auto& [name, article] : thesis) text += article;
+  text += "<h2 id=\"others\">All other figures</h2>\n<nav><ul>\n" + contents + "</ul></nav>\n" +
+          articles;
   if (!gallery.empty()) text += "<h2 id=\"gallery\">Gallery</h2>\n" + gallery;
   return text + "</body>\n</html>\n";
 }

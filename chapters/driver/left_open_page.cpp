@@ -32,9 +32,11 @@ std::string number_of(const VariedNumber& varied) {
   return text + ' ' + verdict_html(varied.verdict);
 }
 
-std::string numbers_row(const VariedEntry& entry) {
-  const std::string target = entry.claim.empty() ? "gallery.html#" + html_text(entry.figure)
-                                                 : "ledger.html#" + label_of("claim", entry.claim);
+std::string numbers_row(const VariedEntry& entry, const ValueSources& sources) {
+  const DrawnFigure* figure = figure_of(sources.figures, entry.figure);
+  const std::string target = entry.claim.empty() && figure != nullptr
+                                 ? place_of_figure(figure->chapter, entry.figure)
+                                 : "ledger.html#" + label_of("claim", entry.claim);
   const std::string name = entry.claim.empty() ? entry.figure : "claim " + entry.claim;
   std::string text = "<tr><td>" + prose_html(entry.chosen.number.quantity) + " (<a href=\"" +
                      target + "\">" + html_text(name) +
@@ -57,7 +59,7 @@ std::string choice_html(const ChoiceEntry& entry, const ValueSources& sources) {
   text +=
       "</dl>\n<table class=\"numbers varied\">\n<thead><tr><th>number</th><th>as it is</th>"
       "<th>with another value</th></tr></thead>\n";
-  for (const VariedEntry& number : entry.numbers) text += numbers_row(number);
+  for (const VariedEntry& number : entry.numbers) text += numbers_row(number, sources);
   return text + "</table>\n</div>\n";
 }
 

@@ -154,4 +154,8 @@ std::string claim_html(const LedgerEntry& entry, const std::string& figure_link)
   return text + "</dl>\n</div>\n";
 }
 
+std::string place_of_figure(const std::string& chapter, const std::string& figure) {
+  return label_of("figures_of", chapter) + ".html#" + figure;
+}
+
 }  // namespace tumble::chapters

@@ -18,6 +18,10 @@ std::string label_of(const std::string& kind, const std::string& id);
 // The name of a chapter's folder, for reading.
 std::string chapter_title(std::string chapter);
 
+// Where on the site a figure is.
+// chapter: that computes it
+std::string place_of_figure(const std::string& chapter, const std::string& figure);
+
 // Text as HTML shows it.
 std::string html_text(const std::string& text);
 

@@ -46,7 +46,7 @@ std::string claims_html(const std::vector<LedgerEntry>& ledger, bool measured) {
   for (const LedgerEntry& entry : ledger) {
     if ((entry.verdict != Verdict::not_measured) != measured) continue;
     text += "\\anchor " + label_of("claim", entry.claim.id) + '\n' +
-            as_is(claim_html(entry, "gallery.html#" + entry.claim.figure));
+            as_is(claim_html(entry, place_of_figure(entry.claim.chapter, entry.claim.figure)));
   }
   return text.empty() ? "None here: run `make figures`.\n\n" : text;
 }
@@ -65,8 +65,8 @@ std::string experiment_html(const ErratumEntry& entry) {
   return row_html("Shown by", prose_html(erratum.scene)) +
          row_html("Literally", finding(entry.failure)) +
          row_html(misprint ? "Corrected" : "Otherwise", finding(entry.mended)) +
-         row_html("Figure", "<a href=\"gallery.html#" + html_text(erratum.figure) + "\">" +
-                                html_text(erratum.figure) + "</a>") +
+         row_html("Figure", "<a href=\"" + place_of_figure(erratum.chapter, erratum.figure) +
+                                "\">" + html_text(erratum.figure) + "</a>") +
          row_html("Test", html_text(erratum.test)) +
          row_html("Command", "<code>" + html_text(erratum.command) + "</code>") + "</dl>\n</div>\n";
 }
@@ -126,8 +126,9 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
   for (const DrawnFigure& figure : figures) {
     if (!is_of_kind(figure, "technique_gaps") || figure.numbers.empty()) continue;
     text += "### " + head_html(figure, "title") + "\n\n" +
-            as_is("<div class=\"entry\">\n<p><a href=\"gallery.html#" + figure.name + "\">" +
-                  figure.name + "</a></p>\n" + numbers_html(figure, false) + "</div>\n");
+            as_is("<div class=\"entry\">\n<p><a href=\"" +
+                  place_of_figure(figure.chapter, figure.name) + "\">" + figure.name +
+                  "</a></p>\n" + numbers_html(figure, false) + "</div>\n");
   }
   if (text.empty()) return text;
   return "## Each technique on the same scene {#ledger_techniques}\n\n" + text;
@@ -209,29 +210,36 @@ size and mass. "The same" refers to the number before; `0x1p-27` is 2 to the pow
   return text;
 }
 
+std::vector<std::string> figure_chapters(const Findings& findings) {
+  std::vector<std::string> chapters;
+  for (const DrawnFigure& figure : findings.figures)
+    if (!is_of_kind(figure, "gallery_") && (chapters.empty() || chapters.back() != figure.chapter))
+      chapters.push_back(figure.chapter);
+  return chapters;
+}
+
 std::string gallery_page(const Findings& findings) {
   std::string text = R"(# Gallery and figures {#gallery}
 
-All pictures are drawn from numbers that the library has computed. `make figures` draws them again.
-Below the scenes stand the figures, chapter by chapter:
+All pictures are drawn from numbers that the library has computed. `make figures` draws them again. Each chapter has a page
+with all its figures, their numbers and how to draw them again:
 
 )";
-  std::vector<std::string> chapters;
-  for (const DrawnFigure& figure : findings.figures) {
-    if (!is_of_kind(figure, "gallery_")) chapters.push_back(figure.chapter);
-  }
-  text += jumps_md("figures_of", chapters);
+  for (const std::string& chapter : figure_chapters(findings))
+    text += "- \\subpage " + label_of("figures_of", chapter) + '\n';
+  text += "\n## Twelve scenes {#gallery_scenes}\n\n";
   const std::string thumbnails = gallery_html(findings.figures, "figures/");
   if (!thumbnails.empty()) text += as_is(thumbnails);
+  return text;
+}
 
-  // Figures come chapter by chapter.
-  std::string chapter;
-  for (const DrawnFigure& figure : findings.figures) {
-    if (is_of_kind(figure, "gallery_")) continue;
-    if (figure.chapter != chapter) text += part_md("figures_of", figure.chapter);
-    chapter = figure.chapter;
-    text += as_is(figure_html(figure, findings.ledger, {"figures/", "h3", true}));
-  }
+std::string figures_page(const Findings& findings, const std::string& chapter) {
+  std::string text = "# Figures: " + chapter_title(chapter) + " {#" +
+                     label_of("figures_of", chapter) + "}\n\nTo the chapter: \\ref " +
+                     (chapter == "choosing" ? "choose_a_technique" : chapter) + ".\n\n";
+  for (const DrawnFigure& figure : findings.figures)
+    if (figure.chapter == chapter && !is_of_kind(figure, "gallery_"))
+      text += as_is(figure_html(figure, findings.ledger, {"figures/", "h3", true}));
   return text;
 }
 

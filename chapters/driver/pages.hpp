@@ -29,10 +29,14 @@ std::string errata_page(const Findings& findings);
 // Every small number of the library: value, unit, reason, section of the thesis.
 std::string tolerances_page(const std::vector<Tolerance>& tolerances);
 
-// The pictures of the gallery, then every figure by chapter.
-//
-// A figure is at `gallery.html#NAME`.
+// The chosen pictures of the gallery, and links to the figures of each chapter.
 std::string gallery_page(const Findings& findings);
+
+// The chapters that have figures, in the order of the thesis.
+std::vector<std::string> figure_chapters(const Findings& findings);
+
+// The figures of one chapter; a figure is at place_of_figure().
+std::string figures_page(const Findings& findings, const std::string& chapter);
 
 // Every choice: value, reason, and what becomes of the numbers with half and twice the value.
 //

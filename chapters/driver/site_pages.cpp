@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
     write_file(out / "errata.md", errata_page(findings));
     write_file(out / "tolerances.md", tolerances_page(tolerances));
     write_file(out / "gallery.md", gallery_page(findings));
+    for (const std::string& chapter : figure_chapters(findings))
+      write_file(out / "figures" / (chapter + ".md"), figures_page(findings, chapter));
     write_file(out / "left_open.md", left_open_page(findings, tolerances));
     write_file(out / "appendix_a.md", appendix_page(appendix, findings.errata));
     return 0;

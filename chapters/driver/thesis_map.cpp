@@ -30,10 +30,11 @@ std::string figures_html(const ThesisSection& section, const Findings& findings)
   std::string text;
   std::string last;
   for (const std::string& name : section.figures) {
-    if (figure_of(findings.figures, name) == nullptr)
+    const DrawnFigure* figure = figure_of(findings.figures, name);
+    if (figure == nullptr)
       throw std::invalid_argument(section.place + "no figure is called " + name);
     const std::string number = "figure " + thesis_number(name);
-    text += "<a href=\"gallery.html#" + name + "\">" +
+    text += "<a href=\"" + place_of_figure(figure->chapter, name) + "\">" +
             (number == last ? "the same, another picture" : number) + "</a><br>";
     last = number;
   }

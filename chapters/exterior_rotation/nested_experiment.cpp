@@ -123,7 +123,7 @@ Result measure_nested(const Parameters& settings) {
 }
 
 const Registered fig6_3_nested_figure{{.name = "fig6_3_nested",
-                                       .parameters = film_parameters({}, 0.6, {0.0, 0.2, 0.4, 0.6}),
+                                       .parameters = film_parameters({}, 0.6, {0.0, 0.6}),
                                        .quick = {"rate=30"},
                                        .experiment = measure_nested}};
 

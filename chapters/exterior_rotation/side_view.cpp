@@ -167,16 +167,8 @@ SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame
     if (world.bodies()[b].movable())
       view.dot(flat(frame.states[b].position_w), 2.0 * point, film_colour::dark);
   for (const Vec2& pivot : frame.pivots) view.dot(pivot, 4.0 * point, film_colour::pivot);
-  // A ring around what is magnified, and a line from there to the nearest corner of the inset.
-  const double edge = layout.inset * point;
-  Vec2 corner = layout.inset_low;
-  for (int k = 1; k < 4; ++k) {
-    const Vec2 other = layout.inset_low + edge * Vec2(k % 2, k / 2);
-    if ((other - frame.magnified).norm() < (corner - frame.magnified).norm()) corner = other;
-  }
-  const Vec2 way = (corner - frame.magnified).normalized();
+  // A ring around what is magnified.
   view.circle(frame.magnified, 6.0 * point, {film_colour::dark, 1.2});
-  view.line(frame.magnified + 6.0 * point * way, corner, {film_colour::dark, 0.8});
   for (const FilmCircle& circle : frame.circles)
     view.circle(circle.centre, circle.radius, circle.look);
   return view;
@@ -192,6 +184,9 @@ SideView film_inset(const World& world, const FilmLayout& layout, const FilmFram
   fill_bodies(world, frame.states, view);
   const double point = 2.0 * half / layout.inset;  // [m]
   const Vec2 foot(frame.magnified.x(), low.y() + 6.0 * point);
+  const double strip = low.y() + 30.0 * point;  // white, so that the scale can be read
+  view.fill({low, Vec2(high.x(), low.y()), Vec2(high.x(), strip), Vec2(low.x(), strip)}, 0xffffff,
+            0.85);
   const Vec2 reach(0.5 * layout.bar, 0.0);
   view.line(foot - reach, foot + reach, {film_colour::dark, 3.0});
   view.write(number_text(1e3 * layout.bar) + " mm", foot + Vec2(0.0, 13.0 * point));

@@ -113,7 +113,7 @@ inline constexpr std::uint32_t pivot = 0xd55e00;           // pivots, and circle
 }  // namespace film_colour
 
 // Number of frames of a strip.
-inline constexpr int kFilmFrames = 4;
+inline constexpr int kFilmFrames = 2;
 
 // Adds the settings of a strip.
 // duration: [s] of the motion

@@ -50,7 +50,7 @@ Result measure_clump_settles(const Parameters& settings) {
   for (PictureBox& box : frames.front()) box.colour = 0xc9c9c4;
   frames.push_back(settled.boxes);
   std::vector<Drawing> drawings;
-  const Vec3 direction_w(0.55, 0.5, 1.0);
+  const Vec3 direction_w(1.0, 0.3, 0.25);  // the lowest cubes are seen to stand on the ground
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const Camera camera = camera_for(frames[k], direction_w, 600.0, k == 0 ? 380.0 : 340.0, true);
     drawings.push_back({k == 0 ? "start" : "settled", to_gnuplot(draw_boxes(frames[k], camera))});

@@ -8,6 +8,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 
 #include "driver/experiment.hpp"
+#include "driver/side_by_side.hpp"
 
 namespace tumble::chapters {
 
@@ -52,5 +53,13 @@ inline DampedOptions damped_options(const std::string& parts, const DampedScales
 
 // The technique with Coulomb's friction that damped integration is compared with.
 inline PlayedTechnique coulomb_technique() { return {"contact_damped"}; }
+
+// A film of both on one scene, seen from the side, the damped one on the left.
+// duration: [s] of the runs
+inline std::string film_of_both(const Scene& scene, double duration) {
+  return film_beside(frames_of_run(scene, {"damped"}, 0.0, duration),
+                     frames_of_run(scene, coulomb_technique(), 0.0, duration), Vec3(0.1, 0.3, 1.0),
+                     240, 120);
+}
 
 }  // namespace tumble::chapters

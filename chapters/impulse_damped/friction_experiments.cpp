@@ -133,7 +133,9 @@ Result measure_sliding_blocks(const Parameters& settings) {
            {"mean force on B until then, Coulomb", "N", forces[1][1]},
            {"mean force on B until then, damped", "N", forces[1][0]},
            {"momentum at the end over that at the start, damped", "-",
-            damped.momentum.back() / damped.momentum.front()}}};
+            damped.momentum.back() / damped.momentum.front()}},
+          {},
+          [layout, duration] { return film_of_both(layout, duration); }};
 }
 
 const Registered fig5_2_friction_figure{

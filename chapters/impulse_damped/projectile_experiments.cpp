@@ -10,7 +10,7 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr std::array<double, 6> kFrames{0.05, 0.25, 0.4, 0.7, 1.2, 3.0};  // [s] since the shot
+constexpr std::array<double, 6> kFrames{0.05, 0.25, 0.4, 0.55, 0.8, 3.0};  // [s] since the shot
 
 constexpr double kShotFilmRate = 20.0;        // [1/s]
 constexpr double kFilmTimes[] = {-0.3, 3.0};  // [s] since the shot
@@ -87,13 +87,17 @@ Result measure_projectile(const Parameters& settings) {
   camera.field_of_view = 0.74;
   camera.width = 300.0;
   camera.height = 200.0;
-  film.camera = camera;
+  std::vector<Drawing> drawings;  // all show the ground around the boxes of every frame
+  // The hole and what was shot out of it are behind the pyramid: the later half is seen from there.
+  Camera behind = camera;
+  behind.eye_w = Vec3(0.8, 1.3, -1.35).cwiseProduct(shot.position_w + Vec3(9.0, 6.0, 9.0));
+  film.camera = behind;
   film.camera.width = 480.0;
   film.camera.height = 320.0;
-  std::vector<Drawing> drawings;  // all show the ground around the boxes of every frame
   for (std::size_t k = 0; k < frames.size(); ++k)
     drawings.push_back(
-        {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(frames[k], camera, true, all))});
+        {"frame" + std::to_string(k + 1),
+         to_gnuplot(draw_boxes(frames[k], k < frames.size() / 2 ? camera : behind, true, all))});
   return {{table},
           {{"farthest that a box moves in the first half second", "mm", 1e3 * settles},
            {"farthest that a box moves from then to the shot", "mm", 1e3 * moves},

@@ -9,7 +9,7 @@ set yrange [0:100]
 set xtics -16,2
 set format x '10^{%g}'
 set xlabel 'error of the velocities, up to'
-side = 'share of the problems [%]'; @SIDE
+side = 'fraction of the problems [%]'; @SIDE
 set key at screen 0.56,0.985 center top vertical maxrows 2 width -1
 set label 1 "beyond 10^{-7}:\nnot solved" at first -9.5,60 textcolor rgb soft
 set arrow 1 from first -6.5,0 to first -6.5,100 nohead lt 8

@@ -19,9 +19,9 @@ plot stem.'.csv' using 'threshold':'collisions' with linespoints lt 2 title 'thr
 unset key; unset label 1
 set tmargin at screen 0.45; set bmargin at screen 0.105
 set format x powers
-set xlabel 'threshold, as a share of sqrt(g L)'
+set xlabel 'threshold, over sqrt(g L)'
 set logscale y; set format y powers
 set autoscale y
 set yrange [1e-3:1]
-side = 'other resting place [m]'; @SIDE
+side = 'other resting position [m]'; @SIDE
 plot stem.'.csv' using 'threshold':(column('moved_m') > 0 ? column('moved_m') : NaN) with linespoints lt 2

@@ -11,7 +11,7 @@ set arrow 2 from graph 0,first 1 to graph 1,first 1 nohead lt 8
 
 set tmargin at screen 0.885; set bmargin at screen 0.53
 set format x ''
-side = 'share found'; @SIDE
+side = 'fraction found'; @SIDE
 set label 1 'decides' at 4,0.07 right offset -0.7,0 textcolor rgb soft
 set label 2 'confirmed below 0.9' at graph 0.02,first 0.9 offset 0,-0.7 textcolor rgb soft
 set arrow 3 from graph 0,first 0.9 to graph 1,first 0.9 nohead lt 8 dt (2,4)

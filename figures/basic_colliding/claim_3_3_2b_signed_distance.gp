@@ -29,7 +29,7 @@ set xlabel 'angle from last frame’s face to the true normal [°]' offset 0,0.3
 set logscale y
 set yrange [0.001:1.5]; set ytics 0.001,10; set format y powers
 set boxwidth 4
-side = 'share'; @SIDE
+side = 'fraction'; @SIDE
 set key at screen 0.95,0.615 right top vertical maxcols 1 samplen 1.5
 angles = stem.'_angles.csv'
 plot angles using (column('angle_deg') - 2):'inside' with boxes dt 1 lc rgb '#009E73' title 'inside', \
@@ -40,7 +40,7 @@ unset logscale y
 set logscale x
 set xrange [0.007:0.32]
 set xtics (0.01, 0.02, 0.05, 0.1, 0.2)
-set xlabel 'way in a frame, over the edge of the box' offset 0,0.3
+set xlabel 'distance in a frame, over the edge of the box' offset 0,0.3
 set yrange [0:40]; set ytics 0,20; set format y '%g'
 side = 'off > 10° [%]'; @SIDE
 set key at screen 0.56,0.325 center top horizontal

@@ -14,7 +14,7 @@ NEXT = "set format y '%g'"
 # T5: three cubes on a line, each a band as wide as the cube.
 row = 0
 title_of_row = 'T5  a test at the end of the step only'
-side = 'place [m]'
+side = 'position [m]'
 @ROW
 set xlabel 'time [s]' offset 0,0.4
 set xrange [0:1]; set xtics 0.5

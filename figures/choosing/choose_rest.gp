@@ -1,30 +1,26 @@
-# Speed, chatter and overlap of a stack of ten, and overlap under a heavy load, by technique.
-tall = 1240
+# Speed, chatter and overlap of a stack of ten, and overlap under a heavy load, by technique: a table.
+tall = 710
 @PAGE
-set multiplot
-array names[15] = ['contact\_damped', 'basic', 'analytic', 'time\_stepping', 'impulse', 'damped', 'timewarp\_simple', 'timewarp\_safer', 'timewarp\_swept', 'timewarp\_full', 'glued', 'penalty', 'faure', 'relaxation', 'settling']
-set lmargin at screen 0.285; set rmargin at screen 0.955
-set logscale x
-set xrange [1e-10:3e4]; set xtics 1e-9,1e3; set format x powers; set xtics add ('≤10^{–9}' 1e-9); unset mxtics
-set yrange [14.6:-0.6]
-set border 1 lc rgb '#808080'; unset grid; set grid x
-set ytics scale 0 ('' -5)
-set for [k = 1:15] ytics add (names[k] k - 1)
-# What is less than 1e-9 is shown there; what was not measured is not shown.
-shown(v) = v > 1e-9 ? v : (v <= 1e-9 ? 1e-9 : NaN)
-
-set key at screen 0.6,0.992 center top horizontal samplen 1 width -1
-set tmargin at screen 0.915; set bmargin at screen 0.56
-set xlabel 'stack of ten: mm, and mm/s for the speed' offset 0,0.3
-plot stem.'.csv' using (shown(1e3*column('stack_m_s'))):'technique' with points pt 7 ps 1.1 lc rgb '#0072B2' title 'speed at the end', \
-  '' using (shown(1e3*column('chatter_m'))):'technique' with points pt 6 ps 1.7 lw 2 lc rgb '#D55E00' title 'chatter', \
-  '' using (shown(1e3*column('overlap_m'))):'technique' with points pt 2 ps 1.3 lw 2 lc rgb '#009E73' title 'deepest overlap', \
-  '' using (valid(3) ? NaN : 1e-9):'technique':('does not stand') with labels left textcolor rgb soft notitle
-
-set key at screen 0.6,0.465 center top vertical maxrows 1 samplen 1
-set tmargin at screen 0.43; set bmargin at screen 0.075
-set xlabel 'overlap under a heavier cube [mm]' offset 0,0.3
-plot stem.'.csv' using (shown(1e3*column('mass10_m'))):'technique' with points pt 7 ps 0.8 lc rgb '#56B4E9' title '10 times', \
-  '' using (shown(1e3*column('mass100_m'))):'technique' with points pt 6 ps 1.4 lw 2 lc rgb '#E69F00' title '100', \
-  '' using (shown(1e3*column('mass1000_m'))):'technique' with points pt 4 ps 2 lw 2 lc rgb '#4D4D4D' title '1000', \
-  '' using (valid(6) ? NaN : 1e-9):'technique':('does not stand') with labels left textcolor rgb soft notitle
+array names[15] = ['contact_damped', 'basic', 'analytic', 'time_stepping', 'impulse', 'damped', 'timewarp_simple', 'timewarp_safer', 'timewarp_swept', 'timewarp_full', 'glued', 'penalty', 'faure', 'relaxation', 'settling']
+array columns[6] = ['stack_m_s', 'chatter_m', 'overlap_m', 'mass10_m', 'mass100_m', 'mass1000_m']
+array places[6] = [0.335, 0.445, 0.555, 0.695, 0.805, 0.915]
+unset border; unset tics; unset grid; unset key
+set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
+set xrange [0:1]; set yrange [15.6:-3.6]
+# White: below a micrometre; blue: below a tenth of a millimetre; orange: above it; dark: falls.
+shown(v) = v != v ? '–' : v < 1e-6 ? '0' : v < 1e-3 ? '< 0.001' : v < 10 ? sprintf('%.2g', v) : sprintf('%.0f', v)
+shade(v) = v != v ? 0xF2C9A8 : v < 1e-3 ? 0xFFFFFF : v < 0.1 ? 0xEAF3FA : 0xFBEBDD
+set label 1 'stack of ten' at 0.445,-2.7 center textcolor rgb '#202020'
+set label 2 'overlap, heavier top' at 0.805,-2.7 center textcolor rgb '#202020'
+set label 3 "speed\nmm/s" at 0.335,-1.5 center textcolor rgb soft
+set label 4 "chatter\nmm" at 0.445,-1.5 center textcolor rgb soft
+set label 5 "overlap\nmm" at 0.555,-1.5 center textcolor rgb soft
+set label 6 "10 ×\nmm" at 0.695,-1.5 center textcolor rgb soft
+set label 7 "100 ×\nmm" at 0.805,-1.5 center textcolor rgb soft
+set label 8 "1000 ×\nmm" at 0.915,-1.5 center textcolor rgb soft
+set label 9 '–: does not stand' at 0.02,15.1 left textcolor rgb soft
+set for [k = 0:15] arrow k + 1 from 0.01,k - 0.5 to 0.975,k - 0.5 nohead lw 0.7 lc rgb '#cccccc'
+small = form eq 'svg' ? ',16' : ',11.5'
+plot for [c = 1:6] stem.'.csv' using (places[c]):'technique':(0.055):(0.47):(shade(1e3*column(columns[c]))) with boxxyerror fs solid 1.0 noborder lc rgb variable, \
+  for [c = 1:6] '' using (places[c]):'technique':(shown(1e3*column(columns[c]))) with labels center font small textcolor rgb '#202020', \
+  '' using (0.02):'technique':(names[int(column('technique')) + 1]) with labels left noenhanced font small textcolor rgb '#202020'

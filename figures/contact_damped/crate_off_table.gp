@@ -11,7 +11,7 @@ do for [k=1:8] {
   set size 0.5,0.21
   set autoscale
   stats stem.'.csv' using 'time_s' every ::(k - 1)::(k - 1) name 'shown' nooutput
-  if (column == 0) { set label 1 sprintf('%.2f s', shown_max) at screen 0.5,0.96 - 0.24*(row + 1) + 0.02 center textcolor rgb '#202020' } else { unset label 1 }
+  set label 1 sprintf('%.2f s', shown_max) at screen 0.5*column + 0.035,0.96 - 0.24*(row + 1) + 0.225 left front textcolor rgb '#202020'
   load stem.'_frame'.k.'.gp'
   unset label 90; unset label 91
 }

@@ -42,7 +42,7 @@ set tmargin at screen 0.23; set bmargin at screen 0.07
 side = 'off by at most [mm]'; @SIDE
 unset label 1
 set yrange [-0.4:10.6]; set ytics 0,5
-set xlabel 'way in a frame [radius of the envelope]' offset 0,0.3
+set xlabel 'distance in a frame [radius of the envelope]' offset 0,0.3
 plot stem.'_speeds.csv' using 'speed':'thesis_offset_mm' with points lt 1 ps 0.7, \
   '' using 'speed':'soft_offset_mm' with points lt 2 ps 0.5, \
   '' using 'speed':'euro_offset_mm' with points lt 3 ps 0.5

@@ -25,7 +25,7 @@ set tmargin at screen 0.56; set bmargin at screen 0.365
 set xrange [-0.5:30.5]; set xtics 0,10
 set yrange [-10:41]; set ytics 0,20
 set xlabel 'frames' offset 0,0.3
-side = 'way [mm]'; @SIDE
+side = 'distance [mm]'; @SIDE
 set label 1 'a body creeps' at graph 0.03,0.88 left textcolor rgb '#202020'
 plot creep using 'frame':(1e3*column('computed_m')) with lines lt 8 lw 3, \
   '' using 'frame':(1e3*column('box_m')) with lines lt 1 dt 1, \

@@ -32,7 +32,7 @@ plot stem.'.csv' using 'amplitude':'share' with lines lt 1 lw 3 notitle
 
 unset object; unset arrow; unset label
 set tmargin at screen 0.375; set bmargin at screen 0.095
-side = 'share that chatters'; @SIDE
+side = 'fraction that chatters'; @SIDE
 set logscale x 2
 set format x '%g'
 set xrange [0.42:2.38]; set xtics ('half' 0.5, 'as it is' 1, 'twice' 2)

@@ -23,7 +23,7 @@ unset logscale y
 
 set tmargin at screen 0.365; set bmargin at screen 0.085
 side = 'of the bodies at rest'; @SIDE
-set label 1 'share that shakes by as much or more' at graph 0.98,1.06 right textcolor rgb '#202020'
+set label 1 'fraction that shakes by as much or more' at graph 0.98,1.06 right textcolor rgb '#202020'
 set logscale x
 set xrange [0.01:10]; set xtics (0.01, 0.1, 1, 10)
 set yrange [0:1.02]; set ytics 0,0.25

@@ -20,7 +20,7 @@ set label 2 'damping' at 0.6,0.9 center textcolor rgb soft
 curve(t, hits) = t == 0 ? NaN : hits
 point(r, k, hits) = r == k ? hits : NaN
 plot stem.'.csv' using (on(column('alarms'))):(curve(column('threshold'), column('hits'))) with lines lt 1 title 'the rule', \
-  stem.'_path.csv' using (on(column('alarms'))):(curve(column('threshold'), column('hits'))) with lines lt 2 title 'path over way', \
+  stem.'_path.csv' using (on(column('alarms'))):(curve(column('threshold'), column('hits'))) with lines lt 2 title 'path over distance', \
   stem.'_speed.csv' using (on(column('alarms'))):'hits' with lines lt 3 title 'speed', \
   NaN with points lt 8 pt 7 ps 1.2 title 'standard numbers', \
   for [k=1:4] stem.'_points.csv' using (on(column('alarms'))):(point(column('rule'), k, column('hits'))) with points lt k pt 7 ps 1.2 notitle
@@ -33,7 +33,7 @@ set yrange [7.6:0.4]
 set ytics ('chatters' 1, 'slides' 2, 'creeps' 3, 'rolls' 4, 'rocks' 5, 'falls' 6, 'slides fast' 7)
 unset label 99
 set lmargin at screen 0.22
-set xlabel 'share classified as chatter, or as slow' offset 0,0.3
+set xlabel 'fraction classified as chatter, or as slow' offset 0,0.3
 place(kind) = kind == 5 ? 3 : kind == 3 ? 4 : kind == 4 ? 5 : kind
 set key at screen 0.58,0.592 center top horizontal maxcols 4
 plot stem.'_kinds.csv' using 'rule':(place(column('kind')) - 0.24) with points lt 1 ps 0.9 title 'rule', \

@@ -9,7 +9,7 @@ set xrange [1e-17:1e4]
 set xtics 1e-16,1e4,1e4 format powers
 set yrange [0:1.04]; set ytics 0,0.25,1
 set xlabel 'acceleration over that by the load alone' offset 0,0.1
-side = 'share of boxes with at most this'; @SIDE
+side = 'fraction of boxes below it'; @SIDE
 set object 1 rectangle from 1e-17,graph 0 to 1e-9,graph 1 fc rgb '#d9efe6' fs solid noborder behind
 set object 2 rectangle from 1e-6,graph 0 to 1e4,graph 1 fc rgb '#f7e6da' fs solid noborder behind
 set label 1 'rounding' at 1e-10,graph 0.06 right textcolor rgb soft

@@ -1,5 +1,5 @@
 # A box across two others: in space and from above.
-tall = 585
+tall = 425
 @PAGE
 set multiplot
 outlines = stem.'_outlines.csv'
@@ -21,7 +21,7 @@ air = 0.12
 mark = form eq 'svg' ? 1.2 : 1.8
 set xrange [seen_min_x - air:seen_max_x + air]; set yrange [seen_max_y + air:seen_min_y - air]
 set lmargin at screen 0.52; set rmargin at screen 0.98
-set tmargin at screen height(20); set bmargin at screen height(280)
+set tmargin at screen height(34); set bmargin at screen height(280)
 set style fill solid 1.0 noborder
 plot outlines using (part(9)):'z_m' with filledcurves closed lc rgb '#F0E442', \
   '' using (part(1)):'z_m' with lines lt 1 lw 2.5, \
@@ -32,12 +32,9 @@ plot outlines using (part(9)):'z_m' with filledcurves closed lc rgb '#F0E442', \
 set size noratio
 
 verdict(stable) = stable ? 'stable' : 'not stable'
-set label 1 'By the four corners: '.verdict(corners_stable) at screen 0.05,height(400) left textcolor rgb '#202020'
-set label 2 corners at screen 0.09,height(427) left textcolor rgb soft
-set label 3 'By the hull: '.verdict(hull_stable) at screen 0.05,height(460) left textcolor rgb '#202020'
-set label 4 hull at screen 0.09,height(487) left textcolor rgb soft
-set label 5 'With nothing under the left box: '.verdict(without_stable) at screen 0.05,height(520) left textcolor rgb '#202020'
-set label 6 without at screen 0.09,height(547) left textcolor rgb soft
+both = corners_stable == hull_stable ? verdict(hull_stable) : 'stable by one rule only'
+set label 1 'top box: '.both at screen 0.75,height(14) center textcolor rgb '#202020'
+set label 2 'if nothing were under the left box: '.verdict(without_stable) at screen 0.5,height(400) center textcolor rgb '#202020'
 
 # What the marks mean.
 set xrange [0:1]; set yrange [0:1] noreverse

@@ -58,7 +58,7 @@ shade(k) = k == 0 ? light : k == 1 ? dark : blue
 place(gap, k) = (gap > 0 ? 0 : -6) - k
 set label 1 'unknown forces, '.apart.'; left out:' at screen 0.03,first 1 left textcolor rgb '#202020'
 set label 2 'unknown forces, neighbours touch; left out:' at screen 0.03,first -5 left textcolor rgb '#202020'
-set ytics ('none' 0, 'stable boxes' -1, 'bear every load' -2, 'in balance' -3, \
-           'none' -6, 'stable boxes' -7, 'bear every load' -8, 'in balance' -9)
+set ytics ('no box' 0, 'stable boxes' -1, 'bear every load' -2, 'all in balance' -3, \
+           'no box' -6, 'stable boxes' -7, 'bear every load' -8, 'all in balance' -9)
 plot for [k=0:3] unknowns using (0.5*column(word(names, k+1))):(place(column('gap'), k)):(0.5*column(word(names, k+1))):(0.36) with boxxyerror fs solid 1.0 border rgb '#202020' lw 0.7 dt 1 lc rgb shade(k), \
   for [k=0:3] '' using (column(word(names, k+1)) + 0.012*all_max):(place(column('gap'), k)):(sprintf('%d', column(word(names, k+1)))) with labels left textcolor rgb '#202020'

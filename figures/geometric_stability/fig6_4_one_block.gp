@@ -48,7 +48,7 @@ set lmargin at screen 0.675; set rmargin at screen 0.995
 set label 1 sprintf('step %.2f: tips', beyond_max)
 plot for [r=0:2] boxes using (shown(2, r)):'y_m':(half('width_m')):(half('height_m')) with boxxy dt 1 lw 1 lc rgb tone(r), \
   stem.'_outlines.csv' using 'x_m':'y_m':'dx_m':'dy_m' with vectors nohead lw 1.5 dt (5,4) lc rgb '#D55E00', \
-  stem.'_arrows.csv' using 'x_m':'y_m':'dx_m':'dy_m' with vectors head filled size 0.13,22 fixed lw 3 dt 1 lc rgb '#D55E00'
+  stem.'_arrows.csv' using 'x_m':'y_m':'dx_m':'dy_m' with vectors head filled size 0.09,25 fixed lw 3 dt 1 lc rgb '#D55E00'
 unset arrow; unset label
 @AXES
 set xtics nomirror; set ytics nomirror

@@ -41,7 +41,7 @@ plot stem.'.csv' using (column('arm')-0.08):(column('figure') < 6.65 ? column('c
 set tmargin at screen 0.338; set bmargin at screen 0.189
 set key at screen 0.56,0.385 center top vertical maxrows 2
 set yrange [0:1.05]; set ytics 0,0.25
-side = 'share of runs'; @SIDE
+side = 'fraction of runs'; @SIDE
 set boxwidth 0.18
 set style fill solid 0.8
 sayings = stem.'_sayings.csv'

@@ -4,9 +4,9 @@ tall = 940
 set multiplot
 set logscale xy
 set xrange [0.0017:0.041]
-set yrange [1e-6:0.3]
+set yrange [1e-6:1]
 lowest = 2e-6   # where zeros are marked
-highest = 0.13  # where it is marked that no box rests
+highest = 0.24  # where it is marked that no box rests
 array names[3] = ['closest face of the last step', 'exact normal', 'gradient of the distance']
 array left[2] = [0.18, 0.61]
 array right[2] = [0.55, 0.975]
@@ -25,7 +25,9 @@ restless(s, p, n) = mine(s, p, n) && column('windows') == 0 ? beside(n) : NaN
 height(s, p, n) = curve(s, p, n) > 0 ? column('amplitude_m') : NaN
 
 set arrow 1 from 1.0/60,graph 0 to 1.0/60,graph 1 nohead lt 8 dt (6,4)
-set label 3 'no box rests' at 1.0/480,0.045 left textcolor rgb soft
+set arrow 2 from graph 0,first 0.15 to graph 1,first 0.15 nohead lt 8 lw 1 lc rgb '#808080'
+set label 3 'no box rests' at 1.0/480,0.6 left textcolor rgb soft
+set ytics 1e-6,10,1e-1
 set key at screen 0.57,0.99 center top vertical maxcols 1
 set xtics ('' 1.0/480, '' 1.0/120, '' 1.0/30)
 do for [s = 0:1] {

@@ -20,8 +20,9 @@ set xlabel 'boxes [%]' offset 0,0.2
 plot stem.'.csv' using (50*column('chatter')):0:(50*column('chatter')):(0.35):yticlabels(label(column('set'))) with boxxyerror lc rgb '#0072B2', \
   '' using (100*column('chatter')):0:(sprintf('%.0f', 100*column('chatter'))) with labels left offset 0.7,0
 unset label 1; unset label 2
-set lmargin at screen 0.70; set rmargin at screen 0.95
-set xrange [0:3]; set xtics 0,1
+set lmargin at screen 0.70; set rmargin at screen 0.955
+set xrange [0:3.6]; set xtics 0,1
 set format y ''
 set xlabel 'time [s]' offset 0,0.2
-plot stem.'.csv' using (0.5*column('rest_s')):0:(0.5*column('rest_s')):(0.35) with boxxyerror lc rgb '#D55E00'
+plot stem.'.csv' using (0.5*column('rest_s')):0:(0.5*column('rest_s')):(0.35) with boxxyerror lc rgb '#D55E00', \
+  '' using 'rest_s':0:(sprintf('%.1f', column('rest_s'))) with labels left offset 0.5,0

@@ -1,4 +1,4 @@
-# Five cubes on a line: the scene, then place and time of each under four techniques.
+# Five cubes on a line: the scene, then position and time of each under four techniques.
 tall = 1100
 @PAGE
 set multiplot
@@ -29,7 +29,7 @@ tallness = (high - low)*160/(0.955*wide)  # edges that go into the height
 set yrange [-0.62:tallness - 0.62]
 way(body, from, to) = abs(to - from) > 0 ? to - from : NaN
 level = 0.75
-set label 1 sprintf('start; arrows: way in a frame of %.1f ms', frame) at screen 0.03,height(15) left textcolor rgb soft
+set label 1 sprintf('start; arrows: distance in a frame of %.1f ms', frame) at screen 0.03,height(15) left textcolor rgb soft
 plot scene using 'place_edges':(0):(0.5):(0.5):(tone(column('body'))) with boxxy fs solid 1.0 border rgb '#606060' lw 1 dt 1 lc rgb variable, \
   '' using (column('speed_m_s') != 0 ? column('end_edges') : NaN):(0):(0.5):(0.5):(deep(column('body'))) with boxxy fs empty border lw 1.6 dt (6,4) lc rgb variable, \
   '' using 'place_edges':(level):(way(column('body'), column('place_edges'), column('end_edges'))):(0):(deep(column('body'))) with vectors head filled size 0.13,22 fixed lw 2.5 dt 1 lc rgb variable, \
@@ -37,13 +37,13 @@ plot scene using 'place_edges':(0):(0.5):(0.5):(tone(column('body'))) with boxxy
   '' using (column('speed_m_s') != 0 ? column('place_edges') + 0.02 : NaN):(level + 0.27):(sprintf('%.3g m/s', column('speed_m_s'))) with labels left textcolor rgb '#202020'
 unset label
 
-# Place across, time upwards: one panel for each technique.
+# Position across, time upwards: one panel for each technique.
 @AXES
 set grid x y
 set xtics nomirror 0,2 offset 0,0.3; set ytics nomirror 0,5
 set yrange [0:frame*1.03]
 early = 0.05*frame  # where the letters stand
-titles = '"simple" "safer" "swept" "reference"'
+titles = '"simple: A passes B" "safer: the same order" "swept: as the reference" "reference"'
 marked(panel, wrong) = column('panel') == panel && column('wrong') == wrong ? column('place_edges') : NaN
 of(panel, body) = column('panel') == panel && column('body') == body ? column('place_edges') : NaN
 mark = form eq 'svg' ? 1.55 : 2.9
@@ -54,7 +54,7 @@ do for [panel=0:3] {
   set lmargin at screen left; set rmargin at screen left + 0.39
   set tmargin at screen height(top); set bmargin at screen height(top + 375)
   if (panel % 2 == 0) { set label 99 'time in the frame [ms]' at screen 0.02,height(top + 187) center rotate textcolor rgb '#202020' } else { unset label 99 }
-  if (panel > 1) { set label 98 'place [edges]' at graph 0.5,screen height(1089) center textcolor rgb '#202020' }
+  if (panel > 1) { set label 98 'position [edges]' at graph 0.5,screen height(1089) center textcolor rgb '#202020' }
   set label 1 word(titles, panel + 1) at graph 0.0,screen height(top - 14) left textcolor rgb '#202020'
   plot for [body=0:4] stem.'_bands.csv' using (of(panel, body)):'time_ms' with filledcurves closed lc rgb tone(body) fs solid 1.0 noborder, \
     stem.'_overlaps.csv' using (column('panel') == panel ? column('place_edges') : NaN):'time_ms' with filledcurves closed lc rgb '#202020' fs transparent pattern 4 noborder, \

@@ -47,6 +47,7 @@ async function begin() {
   await app.follow(location.hash);
   watch(app);
   document.getElementById('starting').hidden = true;
+  document.getElementById('waiting').remove();
 }
 
 // For consoles, and for the test that drives the page.

@@ -41,7 +41,7 @@ velocity = [20, 0, 0]
 appears = 0.125
 disappears = 0.25
 )";
-  const std::string rest = " --dt 0.015625 --duration 0.75 --quiet --contacts --out ";
+  const std::string rest = " --dt 0.015625 --duration 0.75 --quiet --force --contacts --out ";
   for (const std::string options :
        {"", " --filter box:5", " --filter envelope:5mm,1deg", " --halvings 3",
         " --technique damped", " --technique impulse --set sleeping=on"}) {

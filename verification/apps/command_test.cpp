@@ -80,7 +80,7 @@ TEST_CASE("A scene that is printed runs as the scene itself does", "[unit][comma
   const Folder one("printed_one");
   const Folder two("printed_two");
   fs::create_directories(folder.path);
-  const std::string rest = " --duration 0.3 --quiet --out ";
+  const std::string rest = " --duration 0.3 --quiet --force --out ";
   const std::string file = folder.text() + "/mine.toml";
   REQUIRE(run_tumble("scenes dice --toml --set count=2 --seed 9 > " + file).code == 0);
   run_tumble("run " + file + rest + one.text());
@@ -97,7 +97,7 @@ TEST_CASE("Short runs end well: no step, one step, every third step recorded", "
   const Folder folder("short");
   const auto rows = [&](const std::string& options, const char* table = "trajectory.csv") {
     const Outcome outcome =
-        run_tumble("run box_drop --quiet --out " + folder.text() + " " + options);
+        run_tumble("run box_drop --quiet --force --out " + folder.text() + " " + options);
     CHECK(outcome.code == 0);
     const std::string text = content(folder.path / table);
     return std::count(text.begin(), text.end(), '\n') - 1;
@@ -176,8 +176,8 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run" + in + "file", "file:1: not TOML"},
       {"run cradle --set moving=5", "moving = 5: expected fewer than count = 5"},
       {"run", "scene is required"},
-      {"", "no command: expected one of: run, compare"},
-      {"fly", "unknown command fly: expected one of: run, compare"},
+      {"", "no command: expected one of: run, view, compare"},
+      {"fly", "unknown command fly: expected one of: run, view, compare"},
       {"rnu stack", "unknown command rnu: did you mean run?"},
       {"scenes piramid", "did you mean pyramid?"},
       {"scenes --toml", "need the name of a scene"},
@@ -191,7 +191,8 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"compare stack --limit 0", "limit = 0: expected a finite number above 0"},
       {"render" + in + "folder.toml --as svg", "trajectory.csv: cannot be read: give the folder"},
       {"render" + in + "folder.toml --as gif", "trajectory.csv: cannot be read: give the folder"},
-      {"render" + in + "folder.toml --as bmp", "--as bmp: expected svg, png, gif, mp4 or gltf"},
+      {"render" + in + "folder.toml --as bmp",
+       "--as bmp: expected svg, png, gif, mp4, gltf or html"},
       {"render" + in + "folder.toml --as svg --strip ,, --width 300", "--strip: \",,\": expected"},
       {"render" + in + "folder.toml --as svg --view 1,,2,3", "--view: \"1,,2,3\": expected words"},
       {"render" + in + "folder.toml --as svg --strip 0,soon", "--strip: soon: expected a finite"},

@@ -17,7 +17,7 @@ const std::string kTumble = TUMBLE_COMMAND;
 TEST_CASE("A run that is refused leaves the run before it, and a user's scene, as they were",
           "[unit][command]") {
   const Folder folder("refused_run");
-  const std::string out = " --quiet --out " + folder.text();
+  const std::string out = " --quiet --force --out " + folder.text();
   REQUIRE(run_tumble("run box_drop --duration 0.1" + out).code == 0);
   const std::string summary = content(folder.path / "summary.json");
   const std::string trajectory = content(folder.path / "trajectory.csv");
@@ -43,7 +43,7 @@ TEST_CASE("Of two runs into one folder the second is refused", "[unit][command]"
   CHECK(both.text.find("is being written by another tumble") != std::string::npos);
   CHECK(both.text.find("second 2") != std::string::npos);
   CHECK(both.code == 143);
-  CHECK(run_tumble("run stack --duration 0.1 --quiet --out " + folder.text()).code == 0);
+  CHECK(run_tumble("run stack --duration 0.1 --quiet --force --out " + folder.text()).code == 0);
 }
 
 TEST_CASE("A folder with tables of another program is refused", "[unit][command]") {

@@ -146,7 +146,7 @@ TEST_CASE("A film that cannot be made is refused in one line with a remedy", "[u
   run_a_die(folder);
   const std::size_t files = files_in(folder);
   const std::pair<const char*, const char*> wrong[] = {
-      {"avi", "expected svg, png, gif, mp4 or gltf"},
+      {"avi", "expected svg, png, gif, mp4, gltf or html"},
       {"gif --from 0.6", "time 0.6 s: the run was recorded"},
       {"gif --to nan", "--to: nan: expected a finite number"},
       {"gif --from 0.3 --to 0.2", "expected the end to come after the beginning"},
@@ -162,7 +162,7 @@ TEST_CASE("A film that cannot be made is refused in one line with a remedy", "[u
       {"gltf --width 120", "--width is for gif and mp4"},
       {"gif --at 0.1", "--at and --strip are for svg and png"},
       {"gltf --strip 0,0.1", "--at and --strip are for svg and png"},
-      {"svg --speed 2", "are for gif, mp4 and gltf"},
+      {"svg --speed 2", "are for gif, mp4, gltf and html"},
       {"gif --view 0,1,0", "vertical"},
       {"gif --view 1,2", "--view: expected X,Y,Z"},
       {"gif --filtered", "run the scene with --filter"},

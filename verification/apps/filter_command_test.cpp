@@ -30,7 +30,8 @@ TEST_CASE("A filtered run leaves all other files as they are, and its own twice 
   const Folder plain("filter_plain");
   const Folder one("filter_one");
   const Folder two("filter_two");
-  const std::string rest = "run dice --set count=2 --duration 0.7083 --contacts --quiet --out ";
+  const std::string rest =
+      "run dice --set count=2 --duration 0.7083 --contacts --quiet --force --out ";
   REQUIRE(run_tumble(rest + plain.text()).code == 0);
   for (const std::string filter : {"box:5", "box:5,causal", "envelope:0.01m,1deg",
                                    "soft_envelope:10mm,0.02rad", "one_euro:1Hz"}) {
@@ -61,7 +62,7 @@ TEST_CASE("The filter that a summary names gives the same filtered trajectory ag
   const Folder two("filter_named_two");
   for (const std::string filter : {"box", "envelope:0.3mm,0.7deg", "one_euro:1.7Hz"}) {
     INFO(filter);
-    const std::string rest = "run box_drop --duration 0.8 --quiet --filter ";
+    const std::string rest = "run box_drop --duration 0.8 --quiet --force --filter ";
     REQUIRE(run_tumble(rest + filter + " --out " + one.text()).code == 0);
     const std::string summary = content(one.path / "summary.json");
     const std::size_t at = summary.find("\"filter\": \"") + 11;
@@ -80,8 +81,8 @@ TEST_CASE("A box filter over one frame writes the trajectory itself",
        {"--duration 0.505", "--duration 0", "--duration 0.5 --every 7", "--duration 0.02"}) {
     INFO(options);
     REQUIRE(
-        run_tumble("run dice --quiet --filter box:1 " + options + " --out " + folder.text()).code ==
-        0);
+        run_tumble("run dice --quiet --force --filter box:1 " + options + " --out " + folder.text())
+            .code == 0);
     CHECK(content(folder.path / "trajectory_filtered.csv") ==
           content(folder.path / "trajectory.csv"));
   }
@@ -178,7 +179,7 @@ TEST_CASE("A halved step keeps the times of the frames, and no halving keeps the
 TEST_CASE("A run is drawn as its filter showed it, beside the picture of what was computed",
           "[unit][command][filtering]") {
   const Folder folder("filter_drawn");
-  const std::string rest = "run bouncing_box --duration 0.4 --quiet --out " + folder.text();
+  const std::string rest = "run bouncing_box --duration 0.4 --quiet --force --out " + folder.text();
   REQUIRE(run_tumble(rest).code == 0);
   const std::string draw = "render " + folder.text() + " --as svg --at 0.2";
   const Outcome missing = run_tumble(draw + " --filtered");

@@ -25,7 +25,8 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
   CHECK(outcome.code == 0);
   CHECK(outcome.text.find("one technique only (basic)") != std::string::npos);
   CHECK(run_tumble(rest + two.text()).code == 0);
-  CHECK(run_tumble(rest + two.text()).code == 0);  // its own folder may be used again
+  CHECK(run_tumble(rest + two.text()).code == 2);
+  CHECK(run_tumble(rest + two.text() + " --force").code == 0);  // its own folder may be used again
   CHECK(content(one.path / "compare.csv").find("\nbasic,complete,done,30,") != std::string::npos);
   const std::string series = content(one.path / "series.csv");
   CHECK(std::count(series.begin(), series.end(), '\n') == 31);

@@ -69,7 +69,7 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
   CHECK_THAT(ledger, Contains("1 verdict stands, in 0 the rule misread the sentence, 0 hang on"));
   CHECK_THAT(ledger, Contains("confirmed</span> <span class=\"reads\">stands</span>"));
   CHECK_THAT(ledger, Contains("\\anchor claim_2_1a\n\\htmlonly\n"));
-  CHECK_THAT(ledger, Contains("href=\"gallery.html#claim_2_1a_fall\""));
+  CHECK_THAT(ledger, Contains("href=\"figures_of_falling.html#claim_2_1a_fall\""));
   CHECK_FALSE(findings.ledger.at(0).number.value != 3.25);
 }
 
@@ -106,15 +106,18 @@ TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
   CHECK_THAT(errata_page(findings), Contains("No chapter has found one yet."));
 }
 
-TEST_CASE("The gallery shows thumbnails first and then figures by chapter", "[unit][ledger]") {
+TEST_CASE("The gallery shows thumbnails and leads to the figures of each chapter",
+          "[unit][ledger]") {
   const Findings findings = findings_with("speed,m/s,3.25,,,0\n");
   const std::string page = gallery_page(findings);
   CHECK_THAT(page, Contains("{#gallery}"));
   CHECK_THAT(page, Contains("src=\"figures/gallery_pile.png\" alt=\"A &lt; B &amp; &quot;C&quot;"));
-  CHECK_THAT(page, Contains("## Falling\n"));
-  CHECK(page.find("gallery_pile.png") < page.find("## Falling"));
-  CHECK(page.find("<article id=\"claim_2_1a_fall\">") != std::string::npos);
-  CHECK(page.find("<article id=\"gallery_pile\">") == std::string::npos);
+  CHECK_THAT(page, Contains("\\subpage figures_of_falling\n"));
+  CHECK(figure_chapters(findings) == std::vector<std::string>{"falling"});
+  const std::string figures = figures_page(findings, "falling");
+  CHECK_THAT(figures, Contains("# Figures: Falling {#figures_of_falling}"));
+  CHECK(figures.find("<article id=\"claim_2_1a_fall\">") != std::string::npos);
+  CHECK(figures.find("<article id=\"gallery_pile\">") == std::string::npos);
   CHECK_THAT(index_page(findings), Contains("src=\"gallery_pile.png\""));
 }
 
@@ -130,14 +133,15 @@ TEST_CASE("A film is shown below its figure and not to readers that want no moti
   const Findings findings = read_findings(
       folder,
       {scratch.file("falling/expected.csv", "figure,quantity,unit,value,tolerance,reason\n")});
-  for (const std::string& page : {gallery_page(findings), index_page(findings)}) {
+  const std::string chapter = findings.figures.front().chapter;
+  for (const std::string& page : {figures_page(findings, chapter), index_page(findings)}) {
     CHECK_THAT(page, Contains("fig1_fall.gif\" alt=\"Film: A fall\""));
     CHECK_THAT(page, Contains("<source media=\"(prefers-reduced-motion: reduce)\" srcset="));
     CHECK_THAT(page, Contains("It &lt;moves&gt;."));
     CHECK_THAT(page, Contains(">gif</a>"));
     CHECK(page.find("It falls.") < page.find("fig1_fall.gif"));
   }
-  const std::string page = gallery_page(findings_with("speed,m/s,3.25,,,0\n"));
+  const std::string page = figures_page(findings_with("speed,m/s,3.25,,,0\n"), "falling");
   CHECK_THAT(page, !Contains(".gif"));
 }
 

@@ -3,7 +3,7 @@
 #include "fuzz/judged_answer.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/record/table_file.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include "fuzz/promise.hpp"
 
@@ -34,7 +34,7 @@ void require_solved(const LcpProblem& problem, const LcpResult& result, std::str
   for (int i = 0; i < n; ++i) {
     const std::string row = name + ": solved, row " + std::to_string(i);
     const double f = result.f[idx(i)];
-    promise(std::isfinite(f), row + ": f = " + full_text(f));
+    promise(std::isfinite(f), row + ": f = " + shortest_text(f));
     double a = problem.b[i];
     double terms = std::abs(a);
     for (int k = 0; k < n; ++k) {
@@ -45,8 +45,8 @@ void require_solved(const LcpProblem& problem, const LcpResult& result, std::str
     const bool equality = is_equality(problem, i);
     const double wrong = equality ? a : std::min(scale_of(problem, i) * f, a);
     promise(std::abs(wrong) / loads <= kLargestResidual + rounding,
-            row + ": residual = " + full_text(std::abs(wrong) / loads));
-    promise(equality || f >= 0.0, row + ": f = " + full_text(f));
+            row + ": residual = " + shortest_text(std::abs(wrong) / loads));
+    promise(equality || f >= 0.0, row + ": f = " + shortest_text(f));
   }
 }
 

@@ -1,10 +1,10 @@
 /// \file
 /// \brief Fuzz targets for numbers: pairs of boxes, random worlds, complementarity problems.
 #include "tumble/base/index.hpp"
+#include "tumble/base/number_text.hpp"
 #include "tumble/base/random.hpp"
 #include "tumble/geometry/manifold.hpp"
 #include "tumble/geometry/signed_distance.hpp"
-#include "tumble/record/table_file.hpp"
 #include "tumble/techniques.hpp"
 
 #include "fuzz/judged_answer.hpp"
@@ -90,14 +90,14 @@ void require_points(const Pair& pair, const Manifold& found, double margin) {
     const std::string name = "point " + std::to_string(i);
     promise(point.position_w.allFinite(), name + " is not finite");
     promise(point.distance >= least - rounding && point.distance <= margin + rounding,
-            name + ": distance = " + full_text(point.distance) + ", from " + full_text(least) +
-                " to " + full_text(margin));
+            name + ": distance = " + shortest_text(point.distance) + ", from " +
+                shortest_text(least) + " to " + shortest_text(margin));
     if (!pair.nearly_aligned) continue;  // no bound is stated for boxes turned anyhow
     const double off = std::max(signed_distance(pair.first, point.position_w).distance,
                                 signed_distance(pair.second, point.position_w).distance);
     const double allowed = margin + 0.5 * std::max(-point.distance, 0.0);
     promise(off <= allowed + kBoundOfPoints * pair.longest,
-            name + ": " + full_text(off) + " m off a box, allowed " + full_text(allowed));
+            name + ": " + shortest_text(off) + " m off a box, allowed " + shortest_text(allowed));
   }
 }
 
@@ -172,18 +172,18 @@ void fuzz_boxes(Bytes bytes) {
   all.prefer_faces = false;
   all.enough = std::numeric_limits<double>::infinity();
   const Separation exact = separation(pair.first, pair.second, all);
-  promise(std::isfinite(exact.distance), "distance = " + full_text(exact.distance));
+  promise(std::isfinite(exact.distance), "distance = " + shortest_text(exact.distance));
   Manifold found;
   const bool touches = collide(pair.first, pair.second, margin, kNoAxis, found);
   promise(std::abs(found.normal_w.norm() - 1.0) < 1e-12,
-          "length of the normal = " + full_text(found.normal_w.norm()));
+          "length of the normal = " + shortest_text(found.normal_w.norm()));
   promise(touches == (found.count > 0), "count = " + std::to_string(found.count));
   const double rounding = 1e-12 * pair.longest;
   promise(touches || exact.distance > -rounding,
-          "no point, at a distance of " + full_text(exact.distance));
-  promise(
-      !touches || exact.distance <= margin + rounding,
-      "touches at a distance of " + full_text(exact.distance) + ", margin " + full_text(margin));
+          "no point, at a distance of " + shortest_text(exact.distance));
+  promise(!touches || exact.distance <= margin + rounding, "touches at a distance of " +
+                                                               shortest_text(exact.distance) +
+                                                               ", margin " + shortest_text(margin));
   require_points(pair, found, margin);
 }
 
@@ -198,9 +198,9 @@ void fuzz_world(Bytes bytes) {
   promise(verdict.thrown.empty(), what + verdict.thrown);
   promise(verdict.finite, what + "a step that is done, with a state that is not finite");
   promise(verdict.momentum_change <= kept.momentum,
-          what + "momentum changed by " + full_text(verdict.momentum_change));
+          what + "momentum changed by " + shortest_text(verdict.momentum_change));
   promise(verdict.unbooked_rise <= kept.unbooked,
-          what + "energy rose unbooked by " + full_text(verdict.unbooked_rise));
+          what + "energy rose unbooked by " + shortest_text(verdict.unbooked_rise));
 }
 
 void fuzz_complementarity(Bytes bytes) {

@@ -1,8 +1,8 @@
 /// \file
 /// \brief Fuzz targets for files: scenes, matrices, folders of runs.
+#include "tumble/base/number_text.hpp"
 #include "tumble/record/matrix_market.hpp"
 #include "tumble/record/recorded_run.hpp"
-#include "tumble/record/table_file.hpp"
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/scenes/simulation.hpp"
 
@@ -80,7 +80,7 @@ void look_at(const RecordedRun& run) {
   double before = -std::numeric_limits<double>::infinity();
   for (const RecordedFrame& frame : run.frames) {
     promise(frame.time > before,
-            "time_s = " + full_text(frame.time) + " after " + full_text(before));
+            "time_s = " + shortest_text(frame.time) + " after " + shortest_text(before));
     before = frame.time;
     for (const RecordedPose& pose : frame.poses) {
       promise(pose.box >= 0 && static_cast<std::size_t>(pose.box) < run.scene.boxes.size(),

@@ -108,8 +108,8 @@ int points_of_lamp(int fewest, std::size_t room, std::size_t boxes) {
 
 PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& camera) {
   const Projection view(camera);
-  return {boxes, camera.eye_w, view, Lamp(view, points_of_lamp(5, 1000, boxes.size())),
-          Lamp(view, points_of_lamp(1, 200, boxes.size()))};
+  return {boxes, camera.eye_w, view, Lamp(view, points_of_lamp(5, 2000, boxes.size())),
+          Lamp(view, points_of_lamp(3, 400, boxes.size()))};
 }
 
 // The floor: concentric discs, the larger the closer to the white of the page, so that it has neither an edge

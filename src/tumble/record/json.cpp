@@ -2,7 +2,7 @@
 /// \brief Writing JSON.
 #include "tumble/record/json.hpp"
 
-#include "tumble/record/table_file.hpp"
+#include "tumble/base/number_text.hpp"
 
 #include <cmath>
 
@@ -72,7 +72,9 @@ void Json::write_text(std::string_view value) {
   out_ += '"';
 }
 
-void Json::write_number(double value) { out_ += std::isfinite(value) ? full_text(value) : "null"; }
+void Json::write_number(double value) {
+  out_ += std::isfinite(value) ? shortest_text(value) : "null";
+}
 
 Json& Json::field(std::string_view name, double value) {
   key(name).after_key_ = false;

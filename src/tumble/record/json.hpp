@@ -10,7 +10,7 @@ namespace tumble {
 
 /// A JSON text as it is being written: begin, fields, end.
 ///
-/// Numbers have 17 significant digits; those that JSON cannot say (NaN, infinities) are `null`.
+/// Numbers have the shortest digits that read back to the same bits; those that JSON cannot say (NaN, infinities) are `null`.
 class Json {
  public:
   /// Opens an object.

@@ -6,7 +6,6 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/one_line.hpp"
 #include "tumble/base/text_file.hpp"
-#include "tumble/record/table_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -213,7 +212,7 @@ std::string to_matrix_market(const MatRef& matrix, std::string_view comment) {
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       require::finite(matrix(i, j), "matrix");
-      out.append(full_text(matrix(i, j))).append("\n");
+      out.append(shortest_text(matrix(i, j))).append("\n");
     }
   }
   return out;

@@ -39,7 +39,7 @@ MatX read_matrix_market(const std::filesystem::path& path);
 /// Writes a matrix as the text of a Matrix Market file: array, real, general.
 /// \param matrix   what to write
 /// \param comment  one line about it, or none
-/// \return the text; its numbers have 17 digits and read back to the same bits
+/// \return the text; its numbers read back to the same bits
 /// \throws std::invalid_argument for an entry that is not finite, or a comment of several lines
 std::string to_matrix_market(const MatRef& matrix, std::string_view comment = {});
 

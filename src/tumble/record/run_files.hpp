@@ -52,7 +52,7 @@ class RunFiles : public RunObserver {
   /// \throws CannotWrite if something cannot be written
   void finish(const RunResult& result);
 
-  /// Writes a file about the step that ended a run: a matrix with 17 digits, so that `tumble lcp` solves
+  /// Writes a file about the step that ended a run: a matrix whose numbers keep their bits, so that `tumble lcp` solves
   /// the very same problem.
   /// \param diagnostic  one of Technique::diagnostics(), called unsolved_A.mtx or unsolved_b.mtx
   /// \throws CannotWrite if something cannot be written

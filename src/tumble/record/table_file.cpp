@@ -28,8 +28,6 @@ std::filesystem::path published_path(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string full_text(double value) { return rounded_text(value, 17); }
-
 void write_file(const std::filesystem::path& path, std::string_view text) {
   // What is no file, such as a pipe, is written as it is. A file is made under another name and renamed, so that
   // there is always a whole one, and so that a link is replaced and not followed.
@@ -80,7 +78,7 @@ void TableFile::separate() {
 
 TableFile& TableFile::cell(double value) {
   separate();
-  pending_ += full_text(value);
+  pending_ += shortest_text(value);
   return *this;
 }
 

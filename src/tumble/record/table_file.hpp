@@ -29,11 +29,6 @@ inline constexpr std::string_view kUnfinishedFolder = ".unfinished";
 /// \throws CannotWrite naming the path that it will have when it is published, and the reason
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// A number as all files of a run have it: 17 significant digits, which read back to the same bits.
-/// \param value any double
-/// \return for example `0.10000000000000001`; every NaN is `nan`, whatever its sign
-std::string full_text(double value);
-
 /// A comma-separated table that grows by whole rows.
 ///
 /// Rows are handed to the system in blocks. If that fails (disk full), the file is cut back to
@@ -51,8 +46,8 @@ class TableFile {
   TableFile(const TableFile&) = delete;
   TableFile& operator=(const TableFile&) = delete;
 
-  /// Adds a cell.
-  /// \param value a number
+  /// Adds a cell: the shortest digits that read back to the same bits.
+  /// \param value a number; every NaN is `nan`, whatever its sign
   /// \return this, for the next cell
   TableFile& cell(double value);
   /// Adds a cell.

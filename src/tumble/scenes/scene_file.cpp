@@ -65,6 +65,13 @@ std::string shown(const toml::node& node) {
   return one_line(out.append(1, ']'));
 }
 
+// What a user of another simulator may try.
+bool is_other_shape(std::string_view key) {
+  constexpr std::array<std::string_view, 8> shapes = {"sphere", "ball", "capsule", "cylinder",
+                                                      "cone",   "mesh", "polygon", "convex"};
+  return std::find(shapes.begin(), shapes.end(), key) != shapes.end();
+}
+
 // A table of the file, with what a message needs to point at a place in it.
 class Place {
  public:
@@ -90,6 +97,8 @@ class Place {
     for (const auto& [key, node] : table_) {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      if (is_other_shape(name))
+        refuse(name, &node, "boxes only, no other shape is simulated: write a table [[box]]");
       refuse(name, &node,
              "unknown key; " + expected_names(name, std::vector<std::string_view>(known)));
     }

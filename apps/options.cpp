@@ -1,0 +1,137 @@
+/// \file
+/// \brief The options of the sub-commands.
+#include "options.hpp"
+
+#include "tumble/base/number_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace tumble::app {
+
+CLI::Validator number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return parse_number(text) ? std::string() : text + ": expected a finite number";
+      },
+      "");
+}
+
+CLI::Validator whole(std::uint64_t most) {
+  return CLI::Validator(
+      [most](std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = error == std::errc() && end == text.data() + text.size() && value <= most;
+        return good ? std::string()
+                    : text + ": expected a whole number from 0 to " + std::to_string(most);
+      },
+      "");
+}
+
+void add_list(CLI::App& command, const std::string& option, const std::string& help,
+              const std::function<void(const std::string&)>& take) {
+  const auto take_all = [option, take](const std::string& list) {
+    for (std::size_t at = 0; at <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', at), list.size());
+      if (comma == at)
+        throw CLI::ValidationError(option, '"' + list + "\": expected words between the commas");
+      take(list.substr(at, comma - at));
+      at = comma + 1;
+    }
+  };
+  command.add_option_function<std::string>(option, take_all, help);
+}
+
+namespace {
+
+// A list of numbers, which replace those that were there.
+void add_numbers(CLI::App& command, const std::string& option, const std::string& help,
+                 std::vector<double>& numbers) {
+  auto given = std::make_shared<std::vector<double>>();
+  add_list(command, option, help, [option, given, &numbers](const std::string& item) {
+    const std::optional<double> value = parse_number(item);
+    if (!value) throw CLI::ValidationError(option, item + ": expected a finite number");
+    given->push_back(*value);
+    numbers = *given;
+  });
+}
+
+}  // namespace
+
+void add_recording_options(CLI::App& run, Request& request) {
+  run.add_option("--technique", request.technique, "technique (list: tumble techniques)");
+  run.add_option("--halvings", request.halvings,
+                 "halve a step up to N times if bodies are fast, overlap or chatter")
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  run.add_option("--every", request.run.every,
+                 "steps from one recorded frame, and one row of a table, to the next")
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  run.add_flag("--contacts", request.contacts, "write contacts.csv as well");
+  run.add_option("--filter", request.filter,
+                 "write trajectory_filtered.csv as well, through a filter, for example box:5 "
+                 "(list: tumble filters)");
+}
+
+void add_run_options(CLI::App& command, Request& request) {
+  command.add_option("scene", request.scene, "built-in scene (list: tumble scenes) or .toml file")
+      ->required();
+  command.add_option("--dt", request.run.dt, "time step [s]")
+      ->check(number())
+      ->capture_default_str();
+  command.add_option("--duration", request.run.duration, "simulated time [s]")
+      ->check(number())
+      ->capture_default_str();
+  command.add_option("--seed", request.run.seed, "random seed")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command
+      .add_option("--set", request.settings,
+                  "change a setting: key=value, scene.key=value or technique.key=value; repeatable")
+      ->allow_extra_args(false);
+  command.add_option("--out", request.out, "output folder; default: one in runs/ that is new");
+  command.add_flag("--force", request.force, "replace what an earlier run has left in the folder");
+  command.add_flag("--quiet", request.quiet, "no progress line and no summary");
+}
+
+void add_render_options(CLI::App& command, RenderRequest& request) {
+  command.add_option("folder", request.folder, "folder of a recorded run")->required();
+  command
+      .add_option(
+          "--as", request.form,
+          "format: svg or png for a picture, gif or mp4 for a film, gltf for an animated scene, "
+          "html for a page to turn it in a browser")
+      ->required();
+  command.add_option("--at", request.at, "picture: time of the frame [s]; default: the last one")
+      ->expected(1)
+      ->check(number());
+  add_numbers(command, "--strip", "picture: times of several frames, separated by commas [s]",
+              request.strip);
+  command.add_flag("--filtered", request.filtered, "draw the filtered trajectory of the run");
+  add_numbers(command, "--view", "direction from the boxes to the camera, X,Y,Z", request.view);
+  command.add_option("--from", request.from, "film, gltf, html: start time [s]")->check(number());
+  command.add_option("--to", request.to, "film, gltf, html: end time [s]")->check(number());
+  command
+      .add_option(
+          "--fps", request.rate,
+          "film, gltf, html: frames per second; default: 25, for gltf and html those of the run")
+      ->check(number());
+  command
+      .add_option("--speed", request.speed,
+                  "film, gltf, html: speed; default: 1; 0.25 is four times slower than the run")
+      ->check(number());
+  command
+      .add_option("--width", request.width,
+                  "film: width in pixels; default: 480 for gif, 960 for mp4")
+      ->check(whole(std::numeric_limits<int>::max()));
+}
+
+}  // namespace tumble::app
