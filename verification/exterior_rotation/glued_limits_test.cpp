@@ -151,8 +151,9 @@ TEST_CASE(
         1e-12);  // [rad] about a fixed axis: rounding
 }
 
-TEST_CASE("More than 600 rows of joints that close loops are refused with their number and what to do",
-          "[unit][exterior_rotation]") {
+TEST_CASE(
+    "More than 600 rows of joints that close loops are refused with their number and what to do",
+    "[unit][exterior_rotation]") {
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   for (int k = 0; k < 2; ++k) world.add(cube, make_state(cube, Vec3(k, 0.0, 0.0)));
