@@ -193,8 +193,8 @@ TEST_CASE("A rod that turns by radians in a step gains no energy and comes to re
 
 TEST_CASE("A body that flies and turns by radians in a step keeps its energy", "[unit][contact]") {
   const Scene scene = spinning_plate();
-  for (const char* technique : {"impulse", "damped", "penalty", "faure", "analytic",
-                                "time_stepping", "basic", "timewarp_full"}) {
+  for (const char* technique :
+       {"impulse", "damped", "penalty", "faure", "analytic", "time_stepping", "basic"}) {
     Simulation simulation(scene, technique);
     simulation.settle();
     const double start = energy_of(simulation.world()).total();
@@ -210,7 +210,8 @@ TEST_CASE("A body that flies and turns by radians in a step keeps its energy", "
 
 TEST_CASE("A timewarp's frame is not divided, and energy gained in it is reported",
           "[unit][timewarp]") {
-  for (const char* technique : {"timewarp_simple", "timewarp_safer", "timewarp_swept"}) {
+  for (const char* technique :
+       {"timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"}) {
     Simulation simulation(spinning_plate(), technique);
     RunSettings settings;
     settings.dt = 0.1085;
