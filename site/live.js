@@ -65,8 +65,9 @@ class Live {
       const [page, words] = this.link.split('#');
       const kept = words.split('&').filter(word => !word.startsWith(`${key}=`));
       this.link = this.alone.href = `${page}#${[...kept, `${key}=${input.value}`].join('&')}`;
-      const frame = this.stage.querySelector('iframe');
-      if (frame) frame.src = `${this.link}&embed=1`; // the page there follows what is behind #
+      if (this.stage.firstChild === this.picture) return;
+      this.stop();
+      this.start();
     });
     say();
     label.append(`${text} `, input, shown);
