@@ -159,6 +159,19 @@ TEST_CASE("A body that turns by radians in a step keeps its energy", "[unit][con
   }
 }
 
+TEST_CASE("A plate that turns by radians in a step does not go through the ground",
+          "[unit][contact_damped]") {
+  Scene scene;
+  scene.ground.emplace();
+  SceneBox plate{.size = Vec3(4.4, 2.3, 0.36), .position_w = Vec3(0.0, 3.0, 0.0)};
+  plate.angular_velocity_w = Vec3(-2.5, -5.7, -17.5);  // 2 rad in a step
+  scene.boxes = {plate};
+  Simulation simulation(scene, "contact_damped");
+  double deepest = 0.0;
+  for (int k = 0; k < 40; ++k) deepest = std::max(deepest, simulation.step(0.1085).deepest_overlap);
+  CHECK(deepest < 1.0);  // [m] of 4.4; 4.8 if steps are not divided
+}
+
 TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
           "[unit][contact_damped]") {
   struct Pull {

@@ -59,6 +59,21 @@ TEST_CASE("The default technique keeps momentum and books all energy in random w
   CHECK(worst.overlapping <= 4);
 }
 
+TEST_CASE("Boxes with unlike masses do not go deep into each other in a step", "[unit][fuzz]") {
+  WorldRange range;
+  range.most_boxes = 30;
+  range.mass_ratio = 1e4;
+  range.edge_ratio = 100.0;
+  // Towers in which every second box moves, and a plate whose corner turns into another box in step 36.
+  const std::vector<std::pair<std::uint64_t, int>> worlds = {{41, 1}, {77, 1}, {199, 1}, {0, 37}};
+  for (const auto& [seed, steps] : worlds) {
+    CAPTURE(seed, steps);
+    const WorldVerdict v = judge(random_world(seed, range), "contact_damped", {}, steps);
+    CHECK(v.status == StepStatus::done);
+    CHECK(v.overlap < 0.05);
+  }
+}
+
 TEST_CASE("Masses up to the limits give finite steps", "[unit][fuzz]") {
   check_masses("contact_damped", 8);
 }

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/integrate.hpp"
@@ -43,6 +44,16 @@ int parts_of_motion(std::span<const ContactPatch> patches, std::span<const Movin
       std::clamp(std::ceil(most / tolerance::way_at_once), 1.0, static_cast<double>(allowed)));
 }
 
+// The same where a body that may touch another turns far: its contacts of the start of the step are elsewhere at its end.
+int parts_of_turn(const World& world, std::span<const ContactPatch> patches, double dt) {
+  int parts = 1;
+  for (const ContactPatch& patch : patches)
+    for (const int body : {patch.first, patch.second})
+      parts =
+          std::max(parts, parts_of_turn(world.bodies()[idx(body)], world.states()[idx(body)], dt));
+  return parts;
+}
+
 }  // namespace
 
 ContactDamped::ContactDamped(const ContactDampedOptions& options) : options_(options) {
@@ -76,11 +87,12 @@ StepReport ContactDamped::step(World& world, double dt) {
   }
   // [S6.3.1:step]
   // Where bodies move far along each other, or into each other, the step
-  // may be divided into parts.
+  // may be divided into parts; where one turns by more than a radian it is.
   load(world, dt);
   find_patches(world, dt, report);
-  storage_.parts =
-      parts_of_motion(memory_.manifolds.patches(), velocities_.free, dt, options_.parts);
+  const std::span<const ContactPatch> patches = memory_.manifolds.patches();
+  storage_.parts = std::max(parts_of_motion(patches, velocities_.free, dt, options_.parts),
+                            parts_of_turn(world, patches, dt));
   if (storage_.parts > 1) memory_.last_dt = dt;  // of the impulses found just now
   const double part = dt / storage_.parts;
   for (int k = 0; k < storage_.parts; ++k) {

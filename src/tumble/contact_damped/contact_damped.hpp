@@ -40,7 +40,7 @@ struct ContactDampedOptions {
   /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;
   /// Sweeps and ADMM iterations over a large island in motion, times its patches: what these would exceed is left to
-  /// `sweeps` at least, and the next step goes on. Of 1000 cubes that fall together a step so fits a frame of 1/60 s.
+  /// `sweeps` at least, and the next step goes on. Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
   int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
   /// Parts of a step, at most. Above 1, a step is divided in which bodies that touch move by more than 4 % of an edge
@@ -58,7 +58,8 @@ struct ContactDampedOptions {
 /// removes energy from the motion of two bodies *relative to each other*, where they touch, so that momentum is
 /// conserved. Friction, torsion and the inelastic normal impulse are the only dissipation.
 ///
-/// **A step**, as step() does it, for each of its parts (ContactDampedOptions::parts):
+/// **A step**, as step() does it, for each of its parts (ContactDampedOptions::parts, and as many as leave a radian of turn
+/// to a body that may touch another):
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
@@ -66,7 +67,8 @@ struct ContactDampedOptions {
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps in a heap
 ///    in which much moves, and where the island moves fast, slides or is nearly done; all patches at once (IslandSolver)
 ///    elsewhere, and where sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where
-///    bodies are sent into others that were out of reach, the island is solved again with these.
+///    bodies are sent into others that were out of reach, the island is solved again with these. Where much moves and
+///    bodies would still sink deeply, all patches at once are tried, too.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate).

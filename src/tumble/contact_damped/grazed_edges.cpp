@@ -5,6 +5,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,17 @@ bool share_a_body(const ContactPatch& a, const ContactPatch& b) {
   return a.first == b.first || a.first == b.second || a.second == b.first || a.second == b.second;
 }
 
+// A box that has turned for a time as its body does.
+Box turned_box(const Box& box, const MovingBody& body, double time) {
+  Box out = box;
+  out.axes_w = rotation_from_vector(time * body.angular_velocity_w) * box.axes_w;
+  return out;
+}
+
 }  // namespace
 
 MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
-                          double size, const Vec3& velocity_w, double dt) {
+                          double size, std::span<const MovingBody> bodies, double dt) {
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground || b.shape == Shape::ground) return {};
@@ -44,13 +52,22 @@ MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manif
   if (gap <= tolerance::contact_damped_slop * size)
     return straight.distance < -least ? MeetingFound{Meeting::graze, straight.normal_w}
                                       : MeetingFound{};
-  // As the bodies moved before the step: when they meet along the normal, and at the end of the step.
+  // As the bodies moved before the step, and turned: when they meet along the normal, and at the end of the step.
+  const auto velocity_before = [&](int body) {
+    const MovingBody& moving = bodies[idx(body)];
+    return moving.inverse_mass.x() == 0.0 ? moving.velocity_w
+                                          : Vec3(moving.velocity_w - dt * world.gravity_w);
+  };
+  const Vec3 velocity_w = velocity_before(pair.second) - velocity_before(pair.first);
   const double speed = -found.normal_w.dot(velocity_w);
-  if (!(speed > 0.0)) return {Meeting::pass};
-  const double meets = gap / speed;
+  const double meets = speed > 0.0 ? gap / speed : dt;
   for (const double time : {meets, std::max(meets, dt)}) {
+    const double turns = std::min(time, dt);
     second.center_w = start_w + time * velocity_w + closer_w;
-    if (separation(first, second).distance < least) return {};
+    if (separation(turned_box(first, bodies[idx(pair.first)], turns),
+                   turned_box(second, bodies[idx(pair.second)], turns))
+            .distance < least)
+      return {};
   }
   return {Meeting::pass};
 }

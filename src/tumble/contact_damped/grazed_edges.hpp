@@ -38,14 +38,14 @@ struct MeetingFound {
 /// \param pair        indices of both
 /// \param found       their manifold, at least one point
 /// \param size        [m] shortest edge of the two
-/// \param velocity_w  [m/s] of the second relative to the first, before gravity acts
+/// \param bodies      how they move in the step, if nothing stops them
 /// \param dt          [s] the step
 /// \return the outcome; overlap if one of them is the ground, which has no edges
 /// \par Cost
 /// Up to three calls of separation().
 [[nodiscard]] MeetingFound find_meeting(const World& world, const IndexPair& pair,
-                                        const Manifold& found, double size, const Vec3& velocity_w,
-                                        double dt);
+                                        const Manifold& found, double size,
+                                        std::span<const MovingBody> bodies, double dt);
 
 /// Removes the patches of grazed edges that lie at the height on which one of their bodies lies: a box that slides
 /// over flush tiles touches the side of the next one with an edge of height 0.

@@ -91,6 +91,15 @@ double scaled_speed(const Island& island, const ContactPatch& patch,
   return most / unit;
 }
 
+// By how much a point of a patch approaches faster than its target allows [m/s]; below 0 if none does.
+double approach_in(const ContactPatch& patch, const Island& island) {
+  const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const ContactPatchPoint& p : patch.used())
+    most = std::max(most, p.target - velocity_at(p.along, p.across, u).z());
+  return most;
+}
+
 }  // namespace
 
 double shortest_edge(const Island& island) {
@@ -129,11 +138,18 @@ double approach_of_slow_patches(const Island& island) {
     if (scaled_speed(island, patch, island.start) >= tolerance::fast_speed &&
         scaled_speed(island, patch, island.now) >= tolerance::fast_speed)
       continue;
-    const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
-    for (const ContactPatchPoint& p : patch.used())
-      most = std::max(most, p.target - (u[2] + p.across * u[3] - p.along * u[4]));
+    most = std::max(most, approach_in(patch, island));
   }
   return most;
+}
+
+double deepest_sinking(const Island& island) {
+  double deepest = 0.0;
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    deepest = std::max(deepest, island.dt * approach_in(patch, island) / patch.size);
+  }
+  return deepest;
 }
 
 bool is_large_and_fast(const Island& island) {

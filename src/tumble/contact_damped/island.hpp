@@ -102,6 +102,11 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [m/s] by how much a point approaches faster than its target; 0 or above
 [[nodiscard]] double approach_of_slow_patches(const Island& island);
 
+/// How far bodies of an island sink into each other within the step, beyond what the targets of their points allow.
+/// \param island  with velocities `now`
+/// \return [-] the deepest, as a share of the shortest edge of its pair
+[[nodiscard]] double deepest_sinking(const Island& island);
+
 /// Sets the velocities to those of the impulses alone. The direct solver may have left some of its springs in them.
 /// \param island  `now` is changed
 void velocities_from_impulses(const Island& island);

@@ -92,14 +92,18 @@ IslandLimits large_limits(const Island& island, int iterations) {
   return limits;
 }
 
+// Whether the direct solver costs more than the budget of an island in motion.
+bool exceeds_budget(const Island& island, const IslandEffort& effort) {
+  return static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations >
+         effort.budget;
+}
+
 // Whether sweeps have to do: in a large island much of which moves, contacts change before weight gets through all of it;
 // and where anything moves, it costs no more than its budget.
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
   const bool moves = speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
-  const std::int64_t work =
-      static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations;
   return !is_small(island) &&
-         (speed.moving > tolerance::loose_share || (moves && work > effort.budget));
+         (speed.moving > tolerance::loose_share || (moves && exceeds_budget(island, effort)));
 }
 
 // Sweeps within the budget.
@@ -140,11 +144,13 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
 
   // [S6.3.1:plan]
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
-  // others, and for small islands in any case. Where much moves, sweeps alone have to do.
+  // others, and for small islands in any case. Where much moves, sweeps have to do, unless bodies sink deeply.
   const bool sweeps_first = loose || fast || converging || has_sliding_patch(island, unit_speed);
-  plan.method = loose || effort.admm_iterations == 0 ? IslandMethod::sweep
-                : sweeps_first                       ? IslandMethod::sweep_then_solve
-                                                     : IslandMethod::solve;
+  plan.method = effort.admm_iterations == 0 || (loose && exceeds_budget(island, effort))
+                    ? IslandMethod::sweep
+                : loose        ? IslandMethod::sweep_or_solve
+                : sweeps_first ? IslandMethod::sweep_then_solve
+                               : IslandMethod::solve;
   // [S6.3.1:plan]
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 

@@ -62,11 +62,6 @@ double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody
   return dt * std::max({v + w, v, w, 0.0});
 }
 
-Vec3 velocity_before_gravity(const World& world, const MovingBody& body, double dt) {
-  return body.inverse_mass.x() == 0.0 ? body.velocity_w
-                                      : Vec3(body.velocity_w - dt * world.gravity_w);
-}
-
 // Where two edges cross, the places at which the boxes could come together next.
 void add_face_points_of_pair(const World& world, const IndexPair& pair, double reach,
                              Manifold& manifold) {
@@ -184,9 +179,7 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   if (!has_point_within(manifold, approach + margin)) return false;
   const double size =
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
-  const MeetingFound met = find_meeting(
-      world, pair, manifold, size,
-      velocity_before_gravity(world, second, dt) - velocity_before_gravity(world, first, dt), dt);
+  const MeetingFound met = find_meeting(world, pair, manifold, size, bodies, dt);
   if (met.meeting == Meeting::pass) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;

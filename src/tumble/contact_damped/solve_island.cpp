@@ -17,8 +17,14 @@ double sweep_number(int k, const Island& island, const IslandPlan& plan, StepRep
                plan.skipped_residual, report);
 }
 
+// Whether slow patches of an island are held, and none sinks deeply.
+bool holds(const Island& island, const IslandPlan& plan) {
+  return approach_of_slow_patches(island) < plan.slow_approach &&
+         deepest_sinking(island) < tolerance::deep_sinking;
+}
+
 // Goes on sweeping after the first two sweeps. Returns whether that was enough. In an island that moves fast it is, if
-// patches that do not are held.
+// patches that do not are held, and none sinks deeply.
 bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
               StepReport& report) {
   double residual = first.up;
@@ -26,8 +32,7 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
     residual = sweep_number(k, island, plan, report);
     if (residual < plan.residual) return true;
   }
-  return residual < plan.fair_residual ||
-         (plan.large_and_fast && approach_of_slow_patches(island) < plan.slow_approach);
+  return residual < plan.fair_residual || (plan.large_and_fast && holds(island, plan));
 }
 
 // All patches together. Returns whether the direct solver accepted the island.
@@ -38,6 +43,23 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
   return result.accepted;
+}
+
+// Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
+// other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
+bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                      StepReport& report) {
+  const double swept = deepest_sinking(island);
+  if (swept < tolerance::deep_sinking) return false;
+  std::vector<PatchImpulses> before;
+  for (const int contact : island.patch_indices)
+    before.push_back(impulses_in(island.all_patches[idx(contact)]));
+  if (!solve_directly(island, plan, solver, report)) return false;
+  if (deepest_sinking(island) < swept) return true;
+  for (std::size_t k = 0; k < before.size(); ++k)
+    go_back(before[k], 0.0, island.all_patches[idx(island.patch_indices[k])]);
+  velocities_from_impulses(island);
+  return false;
 }
 
 // Impulses of the direct solver that add energy are no solution, but are near one. Each sweep that begins with them takes
@@ -51,8 +73,7 @@ double sweep_without_gain(const Island& island, const IslandPlan& plan, StepRepo
     sweep_number(k, island, plan, report);
     if (k % 2 == 0) continue;
     share = share_without_gain(island);
-    if (share >= tolerance::least_share && approach_of_slow_patches(island) < plan.slow_approach)
-      return share;
+    if (share >= tolerance::least_share && holds(island, plan)) return share;
   }
   if (share >= tolerance::least_share) return share;
   discard_impulses(island);
@@ -115,6 +136,10 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
     case IslandMethod::settled: break;
     case IslandMethod::sweep:  // much of it moves, or the direct solver is off
       sweep_on(island, plan, first, report);
+      break;
+    case IslandMethod::sweep_or_solve:  // much of it moves, and there is time for the direct solver
+      if (!sweep_on(island, plan, first, report))
+        direct = solve_if_sinking(island, plan, memory_.island_solver, report);
       break;
     case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
       if (!sweep_on(island, plan, first, report))
