@@ -10,17 +10,17 @@ set xrange [0:1]; set yrange [15.6:-3.6]
 # White: below a micrometre; blue: below a tenth of a millimetre; orange: above it; dark: falls.
 shown(v) = v != v ? '–' : v < 1e-6 ? '0' : v < 1e-3 ? '< 0.001' : v < 10 ? sprintf('%.2g', v) : sprintf('%.0f', v)
 shade(v) = v != v ? 0xF2C9A8 : v < 1e-3 ? 0xFFFFFF : v < 0.1 ? 0xEAF3FA : 0xFBEBDD
+small = form eq 'svg' ? ',16' : ',11.5'
 set label 1 'stack of ten' at 0.445,-2.7 center textcolor rgb '#202020'
 set label 2 'overlap, heavier top' at 0.805,-2.7 center textcolor rgb '#202020'
-set label 3 "speed\nmm/s" at 0.335,-1.5 center textcolor rgb soft
-set label 4 "chatter\nmm" at 0.445,-1.5 center textcolor rgb soft
-set label 5 "overlap\nmm" at 0.555,-1.5 center textcolor rgb soft
-set label 6 "10 ×\nmm" at 0.695,-1.5 center textcolor rgb soft
-set label 7 "100 ×\nmm" at 0.805,-1.5 center textcolor rgb soft
-set label 8 "1000 ×\nmm" at 0.915,-1.5 center textcolor rgb soft
+set label 3 "speed\nmm/s" at 0.335,-1.5 center font small textcolor rgb soft
+set label 4 "chatter\nmm" at 0.445,-1.5 center font small textcolor rgb soft
+set label 5 "overlap\nmm" at 0.555,-1.5 center font small textcolor rgb soft
+set label 6 "10 ×\nmm" at 0.695,-1.5 center font small textcolor rgb soft
+set label 7 "100 ×\nmm" at 0.805,-1.5 center font small textcolor rgb soft
+set label 8 "1000 ×\nmm" at 0.915,-1.5 center font small textcolor rgb soft
 set label 9 '–: does not stand' at 0.02,15.1 left textcolor rgb soft
 set for [k = 0:15] arrow k + 1 from 0.01,k - 0.5 to 0.975,k - 0.5 nohead lw 0.7 lc rgb '#cccccc'
-small = form eq 'svg' ? ',16' : ',11.5'
 plot for [c = 1:6] stem.'.csv' using (places[c]):'technique':(0.055):(0.47):(shade(1e3*column(columns[c]))) with boxxyerror fs solid 1.0 noborder lc rgb variable, \
   for [c = 1:6] '' using (places[c]):'technique':(shown(1e3*column(columns[c]))) with labels center font small textcolor rgb '#202020', \
   '' using (0.02):'technique':(names[int(column('technique')) + 1]) with labels left noenhanced font small textcolor rgb '#202020'
