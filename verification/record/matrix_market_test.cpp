@@ -75,8 +75,7 @@ TEST_CASE("A matrix that is written reads back to the same bits", "[unit][matrix
     REQUIRE(back.cols() == n);
     CHECK(back == matrix);
   }
-  CHECK(to_matrix_market(rows({{0.1, -0.0}}), "small") ==
-        kArray + "% small\n1 2\n0.1\n-0\n");
+  CHECK(to_matrix_market(rows({{0.1, -0.0}}), "small") == kArray + "% small\n1 2\n0.1\n-0\n");
 }
 
 TEST_CASE("What cannot be written as a Matrix Market file is refused", "[unit][matrix_market]") {
