@@ -11,9 +11,9 @@ side = 'energy of eight cubes [J]'; @SIDE
 plot stem.'.csv' using 'step':'settling' with lines lt 1 title 'settling', \
   '' using 'step':'default' with lines lt 2 title 'contact\_damped'
 set key at screen 0.56,0.5 center top horizontal
-set tmargin at screen 0.43; set bmargin at screen 0.09
+set tmargin at screen 0.43; set bmargin at screen 0.11
 set xrange [0:0.8]; set yrange [0:2.6]
-set xlabel 'time [s]'
+set xlabel 'time [s]' offset 0,0.4
 side = 'height of a thrown box [m]'; @SIDE
 thrown = stem.'_thrown.csv'
 plot thrown using 'time_s':'settling' with lines lt 1 title 'settling', \

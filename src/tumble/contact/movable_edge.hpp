@@ -2,7 +2,7 @@
 /// \brief The size of a pair by which resting contact is judged.
 #pragma once
 
-#include "tumble/dynamics/body.hpp"
+#include "tumble/dynamics/world.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,6 +17,17 @@ namespace tumble {
   double edge = std::numeric_limits<double>::infinity();
   for (const BodyProperties* body : {&a, &b})
     if (body->movable()) edge = std::min(edge, body->size.minCoeff());
+  return edge;
+}
+
+/// The shortest edge of all movable bodies.
+/// \param world  the bodies
+/// \return [m] 0 if none is movable
+[[nodiscard]] inline double movable_edge(const World& world) {
+  double edge = 0.0;
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable())
+      edge = edge > 0.0 ? std::min(edge, body.size.minCoeff()) : body.size.minCoeff();
   return edge;
 }
 

@@ -18,27 +18,25 @@ inline constexpr double kTurnOfPart = 1.0;
 /// [-] Parts of a step, at most. Reason: a body that turns 160 times in a step is one that nothing follows. (3.1)
 inline constexpr double kMostPartsOfTurn = 1000.0;
 
-/// Into how many equal parts a step is divided, so that a body turns by no more than kTurnOfPart in one.
-/// \param body   its constant part
-/// \param state  at the start of the step
-/// \param dt     [s] of the step
-/// \return from 1 to kMostPartsOfTurn; 1 if it is immovable
-[[nodiscard]] inline int parts_of_turn(const BodyProperties& body, const BodyState& state,
-                                       double dt) {
-  if (!body.movable()) return 1;
-  const double parts = std::ceil(dt * angular_velocity(body, state).norm() / kTurnOfPart);
-  return static_cast<int>(std::clamp(parts, 1.0, kMostPartsOfTurn));
+/// Into how many equal parts a step is divided in which a body turns far.
+/// \param turn     [rad] in the step
+/// \param at_once  [rad] by which it may turn in a part, above 0
+/// \return from 1 to kMostPartsOfTurn; 1 for a turn that is not a number
+[[nodiscard]] inline int parts_of_turn(double turn, double at_once = kTurnOfPart) {
+  if (!(turn > at_once)) return 1;
+  return static_cast<int>(std::min(std::ceil(turn / at_once), kMostPartsOfTurn));
 }
 
 /// The same for the body of a world that turns fastest.
 /// \param world  the bodies at the start of the step
 /// \param dt     [s] of the step
-/// \return the most parts of a body
+/// \return see there
 [[nodiscard]] inline int parts_of_turn(const World& world, double dt) {
-  int parts = 1;
+  double turn = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
-    parts = std::max(parts, parts_of_turn(world.bodies()[k], world.states()[k], dt));
-  return parts;
+    if (world.bodies()[k].movable())
+      turn = std::max(turn, dt * angular_velocity(world.bodies()[k], world.states()[k]).norm());
+  return parts_of_turn(turn);
 }
 
 /// A step that is divided so.

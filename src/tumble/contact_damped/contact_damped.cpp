@@ -18,14 +18,6 @@
 namespace tumble {
 namespace {
 
-// Into how many parts a step is divided in which a body turns so far [rad]: no rule of rotation keeps the energy
-// of a body that turns by radians at once.
-int parts_of_turn(double turn) {
-  if (!(turn > tolerance::turn_at_once)) return 1;
-  return static_cast<int>(std::min(std::ceil(turn / tolerance::turn_at_once),
-                                   static_cast<double>(tolerance::parts_of_turn)));
-}
-
 // Into how many parts a step is divided: more than one, if allowed, where bodies that touch move far into each other, or
 // edges far along each other. Then a contact found at its start does not stay where it is. On a face it does.
 int parts_of_motion(std::span<const ContactPatch> patches, std::span<const MovingBody> free,
@@ -44,14 +36,14 @@ int parts_of_motion(std::span<const ContactPatch> patches, std::span<const Movin
       std::clamp(std::ceil(most / tolerance::way_at_once), 1.0, static_cast<double>(allowed)));
 }
 
-// The same where a body that may touch another turns far: its contacts of the start of the step are elsewhere at its end.
-int parts_of_turn(const World& world, std::span<const ContactPatch> patches, double dt) {
-  int parts = 1;
+// The farthest turn of a body that may touch another [rad]: its contacts of the start of the step are elsewhere at its end.
+double farthest_turn(std::span<const ContactPatch> patches, std::span<const MovingBody> bodies,
+                     double dt) {
+  double square = 0.0;
   for (const ContactPatch& patch : patches)
     for (const int body : {patch.first, patch.second})
-      parts =
-          std::max(parts, parts_of_turn(world.bodies()[idx(body)], world.states()[idx(body)], dt));
-  return parts;
+      square = std::max(square, bodies[idx(body)].angular_velocity_w.squaredNorm());
+  return dt * std::sqrt(square);
 }
 
 }  // namespace
@@ -92,7 +84,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   find_patches(world, dt, report);
   const std::span<const ContactPatch> patches = memory_.manifolds.patches();
   storage_.parts = std::max(parts_of_motion(patches, velocities_.free, dt, options_.parts),
-                            parts_of_turn(world, patches, dt));
+                            parts_of_turn(farthest_turn(patches, velocities_.start, dt)));
   if (storage_.parts > 1) memory_.last_dt = dt;  // of the impulses found just now
   const double part = dt / storage_.parts;
   for (int k = 0; k < storage_.parts; ++k) {
@@ -259,7 +251,8 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
     if (end[k].inverse_mass.x() == 0.0) continue;
     BodyState& state = world.states()[k];
     // [S6.3.1:move]
-    const int parts = parts_of_turn(dt * end[k].angular_velocity_w.norm());
+    // No rule of rotation keeps the energy of a body that turns by radians at once.
+    const int parts = parts_of_turn(dt * end[k].angular_velocity_w.norm(), tolerance::turn_at_once);
     const double part = dt / parts;
     if (storage_.in_flight[k] != 0) {
       for (int n = 0; n < parts; ++n) fly(body, state, world.gravity_w, part, options_.rotation);

@@ -61,14 +61,14 @@ MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manif
   const Vec3 velocity_w = velocity_before(pair.second) - velocity_before(pair.first);
   const double speed = -found.normal_w.dot(velocity_w);
   const double meets = speed > 0.0 ? gap / speed : dt;
-  for (const double time : {meets, std::max(meets, dt)}) {
+  const auto overlap_after = [&](double time) {
     const double turns = std::min(time, dt);
     second.center_w = start_w + time * velocity_w + closer_w;
-    if (separation(turned_box(first, bodies[idx(pair.first)], turns),
-                   turned_box(second, bodies[idx(pair.second)], turns))
-            .distance < least)
-      return {};
-  }
+    return separation(turned_box(first, bodies[idx(pair.first)], turns),
+                      turned_box(second, bodies[idx(pair.second)], turns))
+               .distance < least;
+  };
+  if (overlap_after(meets) || (meets < dt && overlap_after(dt))) return {};
   return {Meeting::pass};
 }
 

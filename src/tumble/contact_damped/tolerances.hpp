@@ -80,9 +80,6 @@ inline constexpr double least_turn = 1e-5;
 /// swings by up to 2 % for half a radian, and by most of it for two. (3.1)
 inline constexpr double turn_at_once = 0.5;
 
-/// [-] Such parts, at most. Reason: a body that turns 80 times in a step is one that nothing follows. (3.1)
-inline constexpr int parts_of_turn = 1000;
-
 /// [-] Way of a point of a contact in a step, as a share of the shortest edge, beyond which a step may be divided. Reason:
 /// of 0.04 and 0.08 the one with which 125 cubes that fall together overlap by less than a twentieth of an edge in four
 /// parts. (6.3.1)

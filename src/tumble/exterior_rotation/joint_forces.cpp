@@ -127,27 +127,32 @@ double JointForces::seen_by(const Row& row) const {
          row.turn_second_w.dot(second.tail<3>()) - row.turn_first_w.dot(first.tail<3>());
 }
 
+// Accelerations and forces with what the bodies feel in `body_part_`, and b for the joints of the tree.
+void JointForces::solve_tree() {
+  joint_part_.assign(blocks_.size(), Vec6::Zero());
+  for (std::size_t j = 0; j < blocks_.size(); ++j)
+    for (int i = 0; i < blocks_[j].count; ++i) joint_part_[j][i] = b_[at_[j] + idx(i)];
+  tree_.solve(body_part_, joint_part_);
+}
+
 // J W J' x = -b.
 void JointForces::solve(std::span<const MovingBody> bodies) {
   ++solves_;
   collect(bodies);
   require::that(tree_.factor(bodies, blocks_), "joint: its rows depend on one another");
-  body_part_.assign(bodies.size(), Vec6::Zero());
+  answer_.clear();
   if (!loop_rows_.empty()) find_loop_forces(bodies);
   // [S6.2:tree]
   // Forces of loops act on the bodies; the tree holds the rest.
   body_part_.assign(bodies.size(), Vec6::Zero());
-  for (std::size_t k = 0; k < answer_.size() && !loop_rows_.empty(); ++k)
+  for (std::size_t k = 0; k < answer_.size(); ++k)
     apply(rows_[idx(loop_rows_[idx(factor_.indices()[k])])], answer_[k]);
-  joint_part_.assign(blocks_.size(), Vec6::Zero());
-  for (std::size_t j = 0; j < blocks_.size(); ++j)
-    for (int i = 0; i < blocks_[j].count; ++i) joint_part_[j][i] = b_[at_[j] + idx(i)];
-  tree_.solve(body_part_, joint_part_);
+  solve_tree();
   // [S6.2:tree]
   for (std::size_t j = 0; j < blocks_.size(); ++j)
     for (int i = 0; i < blocks_[j].count; ++i) b_[at_[j] + idx(i)] = joint_part_[j][i];
   for (const int row : loop_rows_) b_[idx(row)] = 0.0;
-  for (std::size_t k = 0; k < answer_.size() && !loop_rows_.empty(); ++k)
+  for (std::size_t k = 0; k < answer_.size(); ++k)
     b_[idx(loop_rows_[idx(factor_.indices()[k])])] = answer_[k];
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
@@ -178,9 +183,7 @@ void JointForces::find_loop_forces(std::span<const MovingBody> bodies) {
     for (int i = 0; i < n; ++i) A_(i, j) = seen_by(rows_[idx(loop_rows_[idx(i)])]);
   }
   body_part_.assign(bodies.size(), Vec6::Zero());
-  for (std::size_t j = 0; j < blocks_.size(); ++j)
-    for (int i = 0; i < blocks_[j].count; ++i) joint_part_[j][i] = b_[at_[j] + idx(i)];
-  tree_.solve(body_part_, joint_part_);
+  solve_tree();
   // Scaled by a power of two, exactly, so that roots do not depend on the unit of mass.
   int exponent = 0;
   std::frexp(alone[0], &exponent);
@@ -191,7 +194,6 @@ void JointForces::find_loop_forces(std::span<const MovingBody> bodies) {
   for (int i = 0; i < n; ++i)
     if (factor_.consider(A_, i) > tolerance::redundant_row * scale * alone[idx(i)])
       factor_.append_considered();
-  answer_.clear();
   for (const int i : factor_.indices()) {
     const std::size_t row = idx(loop_rows_[idx(i)]);
     answer_.push_back(-scale * (b_[row] + seen_by(rows_[row])));

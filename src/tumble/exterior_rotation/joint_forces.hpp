@@ -80,6 +80,7 @@ class JointForces {
   void collect(std::span<const MovingBody> bodies);
   void solve(std::span<const MovingBody> bodies);
   void find_loop_forces(std::span<const MovingBody> bodies);
+  void solve_tree();
   void apply(const Row& row, double factor);
   [[nodiscard]] double seen_by(const Row& row) const;
 

@@ -5,12 +5,12 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 namespace tumble {
@@ -142,12 +142,7 @@ void Relaxation::show(World& world, double dt, StepReport& report) {
 
 // At the poses that the particles have come to.
 void Relaxation::find_contacts(const World& world, double dt, StepReport& report) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const BodyProperties& body : world.bodies())
-    if (body.movable()) edge = std::min(edge, body.size.minCoeff());
-  const double margin = first_.empty() || !(edge < std::numeric_limits<double>::infinity())
-                            ? 0.0
-                            : tolerance::relaxation_reach * edge;
+  const double margin = tolerance::relaxation_reach * movable_edge(world);
   repair_bounds(world, margin, bounds_);
   near_.find_pairs(bounds_, pairs_);
   load_moving_bodies(world, moving_);

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/math/rotation.hpp"
@@ -16,15 +17,6 @@
 
 namespace tumble {
 namespace {
-
-// [m] the shortest edge of all movable bodies, or 0
-double shortest_of(const World& world) {
-  double edge = 0.0;
-  for (const BodyProperties& body : world.bodies())
-    if (body.movable())
-      edge = edge > 0.0 ? std::min(edge, body.size.minCoeff()) : body.size.minCoeff();
-  return edge;
-}
 
 constexpr int kMostRounds = 5;  // of a step; each shortens the fall by what was too far
 
@@ -72,7 +64,7 @@ StepReport Settling::step(World& world, double dt) {
     world.states()[k].angular_momentum_w.setZero();
   }
   const double gravity = world.gravity_w.norm();
-  const double reach = options_.reach * shortest_of(world);
+  const double reach = options_.reach * movable_edge(world);
   double time_squared = gravity > 0.0 ? reach / gravity : 0.0;  // [s²] τ²
   find_contacts(world, reach, report);
 

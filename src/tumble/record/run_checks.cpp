@@ -16,8 +16,8 @@
 namespace tumble {
 namespace {
 
-double energy_of_body(const World& world, std::size_t k) {
-  return energy_of(world.bodies()[k], world.states()[k], world.gravity_w).total();
+Energy energy_of_body(const World& world, std::size_t k) {
+  return energy_of(world.bodies()[k], world.states()[k], world.gravity_w);
 }
 
 // The part of a body that stays inside it while it turns by an angle. A corner at |h| from the centre moves by at most
@@ -52,9 +52,10 @@ void EnergyCheck::begin(const World& world) {
   energies_.resize(idx(world.count()));
   for (std::size_t k = 0; k < energies_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
-    energies_[k] = energy_of_body(world, k);
+    const Energy energy = energy_of_body(world, k);
+    energies_[k] = energy.total();
     if (!body.movable()) continue;
-    kinetic += kinetic_energy(body, world.states()[k]);
+    kinetic += energy.kinetic;
     weight_ += body.mass * world.gravity_w.norm() * body.size.maxCoeff();
   }
   allowed_ = std::max(allowed_, tolerance::energy_gain * (kinetic + weight_));
@@ -77,9 +78,10 @@ void EnergyCheck::on_step(const World& world, const StepReport& report) {
   double most = 0.0;
   std::size_t gainer = 0;
   for (std::size_t k = 0; k < energies_.size(); ++k) {
-    const double now = energy_of_body(world, k);
+    const Energy energy = energy_of_body(world, k);
+    const double now = energy.total();
     total += now;
-    kinetic += kinetic_energy(world.bodies()[k], world.states()[k]);
+    kinetic += energy.kinetic;
     if (now - energies_[k] > most) {
       most = now - energies_[k];
       gainer = k;
