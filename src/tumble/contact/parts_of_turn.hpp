@@ -18,12 +18,15 @@ inline constexpr double kTurnOfPart = 1.0;
 /// [-] Parts of a step, at most. Reason: a body that turns 160 times in a step is one that nothing follows. (3.1)
 inline constexpr double kMostPartsOfTurn = 1000.0;
 
+/// [rad] Beyond it a step is not divided. Reason: a thousandth of such a step would still be 160 turns. (3.1)
+inline constexpr double kTurnBeyondParts = 1e6;
+
 /// Into how many equal parts a step is divided in which a body turns far.
 /// \param turn     [rad] in the step
 /// \param at_once  [rad] by which it may turn in a part, above 0
-/// \return from 1 to kMostPartsOfTurn; 1 for a turn that is not a number
+/// \return from 1 to kMostPartsOfTurn; 1 for a turn above kTurnBeyondParts, and for one that is not a number
 [[nodiscard]] inline int parts_of_turn(double turn, double at_once = kTurnOfPart) {
-  if (!(turn > at_once)) return 1;
+  if (!(turn > at_once && turn <= kTurnBeyondParts)) return 1;
   return static_cast<int>(std::min(std::ceil(turn / at_once), kMostPartsOfTurn));
 }
 
