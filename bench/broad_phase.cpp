@@ -1,5 +1,5 @@
 /// \file
-/// \brief Time and tests of the four broad phases as scenes grow, beside Bullet's.
+/// \brief Time and tests of the broad phases as scenes grow, beside Bullet's.
 ///
 /// Boxes of 1 m, turned at random, drift at up to 1 m/s in a volume that grows with their number,
 /// in steps of 1/60 s: once in a cube, once in a layer two boxes high. For every number of bodies all

@@ -8,7 +8,7 @@ set xrange [1.8:4000]
 set format y powers
 set arrow 1 from 1000,graph 0 to 1000,graph 1 nohead lt 8 dt (6,4)
 
-set tmargin at screen 0.87; set bmargin at screen 0.40
+set tmargin at screen 0.85; set bmargin at screen 0.40
 set format x ''
 set yrange [0.4:1e7]; set ytics 1,10
 side = 'tests per step'; @SIDE
@@ -17,6 +17,8 @@ plot stem.'.csv' using 'bodies':'all_pairs' with linespoints lt 2 title 'all pai
   '' using 'bodies':'bounding_tree' with linespoints lt 3 title 'bounding tree', \
   '' using 'bodies':'hashed_grid' with linespoints lt 4 title 'hashed grid', \
   '' using 'bodies':'sweep_and_prune' with linespoints lt 1 title 'sweep and prune', \
+  '' using 'bodies':'kd_tree' with linespoints lt 5 title 'kd-tree', \
+  '' using 'bodies':'octree' with linespoints lt 6 title 'octree', \
   '' using 'bodies':'overlaps' with lines lt 8 title 'bounds that overlap'
 
 unset key
@@ -31,4 +33,6 @@ set arrow 2 from graph 0,first 10 to graph 1,first 10 nohead lt 8 dt (2,4)
 set arrow 3 from graph 0,first 1 to graph 1,first 1 nohead lt 8
 plot stem.'.csv' using 'bodies':(column('all_pairs')/column('bounding_tree')) with linespoints lt 3, \
   '' using 'bodies':(column('all_pairs')/column('hashed_grid')) with linespoints lt 4, \
+  '' using 'bodies':(column('all_pairs')/column('kd_tree')) with linespoints lt 5, \
+  '' using 'bodies':(column('all_pairs')/column('octree')) with linespoints lt 6, \
   '' using 'bodies':(column('all_pairs')/column('sweep_and_prune')) with linespoints lt 1

@@ -64,6 +64,8 @@ TEST_CASE("A broad phase needs a tenth of the pair tests at a thousand bodies",
   CHECK(std::abs(best - 154.2) < 10.0);                    // measured 156.5
   CHECK(figure.number("the same, hashed_grid") > 10.0);    // measured 42.6
   CHECK(figure.number("the same, bounding_tree") > 10.0);  // measured 28.9
+  CHECK(figure.number("the same, kd_tree") > 10.0);        // measured 15.4
+  CHECK(figure.number("the same, octree") > 10.0);         // measured 26.9
 }
 
 TEST_CASE("The signed distance costs less than twice the closest face",

@@ -24,7 +24,7 @@ namespace tumble {
 /// \see Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE Computer
 ///      Graphics and Applications 7(5), 1987, for the cost by surface.
 /// \algorithm{Spatial subdivision: section 4.1}
-/// \verified{Four broad phases agree on thousands of random scenes}
+/// \verified{All broad phases agree on thousands of random scenes}
 class BoundingTree final : public BroadPhase {
  public:
   [[nodiscard]] std::string_view name() const override { return "bounding_tree"; }

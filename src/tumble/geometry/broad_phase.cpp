@@ -6,6 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/geometry/all_pairs.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
+#include "tumble/geometry/cell_trees.hpp"
 #include "tumble/geometry/hashed_grid.hpp"
 #include "tumble/geometry/sweep_and_prune.hpp"
 
@@ -17,8 +18,8 @@
 namespace tumble {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames = {"all_pairs", "sweep_and_prune", "hashed_grid",
-                                                    "bounding_tree"};
+constexpr std::array<std::string_view, 6> kNames = {
+    "all_pairs", "sweep_and_prune", "hashed_grid", "bounding_tree", "kd_tree", "octree"};
 
 // Comparisons with NaN are false, so this refuses NaN as well.
 bool sound(const Bounds& b) {
@@ -52,6 +53,8 @@ std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name) {
   if (name == kNames[1]) return std::make_unique<SweepAndPrune>();
   if (name == kNames[2]) return std::make_unique<HashedGrid>();
   if (name == kNames[3]) return std::make_unique<BoundingTree>();
+  if (name == kNames[4]) return std::make_unique<KdTree>();
+  if (name == kNames[5]) return std::make_unique<Octree>();
   std::string known;
   for (const std::string_view one : kNames) known.append(known.empty() ? "" : ", ").append(one);
   require::that(false, "broad phase '" + std::string(name) + "': give one of " + known);

@@ -20,7 +20,7 @@ namespace tumble {
 /// \see Teschner, Heidelberger, Müller, Pomeranets, Gross, "Optimized Spatial Hashing for Collision
 ///      Detection of Deformable Objects", VMV 2003.
 /// \algorithm{Spatial subdivision: section 4.1}
-/// \verified{Four broad phases agree on thousands of random scenes}
+/// \verified{All broad phases agree on thousands of random scenes}
 class HashedGrid final : public BroadPhase {
  public:
   [[nodiscard]] std::string_view name() const override { return "hashed_grid"; }
