@@ -27,6 +27,7 @@ std::vector<Sized> sized_scenes() {
 // Whether a step takes a second or more: these are run on demand.
 bool takes_long(const std::string& technique, const Sized& sized) {
   if (technique == "basic") return sized.large || (sized.pyramid && sized.boxes > 10);
+  if (technique == "microcollisions") return sized.large;
   if (technique == "time_stepping") return sized.pyramid && sized.boxes > 10;
   const bool sweeps = technique == "contact_damped" || technique == "damped" ||
                       technique == "impulse" || technique == "penalty" || technique == "faure" ||

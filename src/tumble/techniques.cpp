@@ -6,7 +6,6 @@
 #include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/options.hpp"
-#include "tumble/base/suggestion.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/contact_damped/contact_damped_options.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
@@ -15,6 +14,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/impulse.hpp"
 #include "tumble/previous_work/faure.hpp"
+#include "tumble/previous_work/microcollisions.hpp"
 #include "tumble/previous_work/penalty.hpp"
 #include "tumble/previous_work/relaxation.hpp"
 #include "tumble/previous_work/settling.hpp"
@@ -273,28 +273,12 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
+      {"microcollisions", "2.5.2",
+       "every contact is a train of collisions at one point (Mirtich); nothing rests, and high "
+       "stacks meet the cap on impacts",
+       declared_options<MicrocollisionsOptions>, make<Microcollisions, MicrocollisionsOptions>},
   };
   return library;
-}
-
-const TechniqueRecipe& technique_recipe(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const TechniqueRecipe& recipe : technique_library()) {
-    if (recipe.name == name) return recipe;
-    names.push_back(recipe.name);
-  }
-  require::that(false,
-                "unknown technique " + std::string(name) + ": " + expected_names(name, names));
-  return technique_library().front();  // not reached
-}
-
-std::unique_ptr<Technique> make_technique(std::string_view name,
-                                          const std::vector<std::string>& settings,
-                                          std::uint64_t seed) {
-  const TechniqueRecipe& recipe = technique_recipe(name);
-  Parameters options = recipe.options();
-  for (const std::string& setting : settings) options.assign(setting);
-  return recipe.make(options, seed);
 }
 
 }  // namespace tumble

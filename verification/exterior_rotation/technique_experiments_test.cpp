@@ -163,6 +163,7 @@ TEST_CASE(
   for (const std::string scene : {"figure 6.1", "figure 6.2", "figure 6.3"}) {
     CHECK(figure.number("gap, " + scene + ", penalty") > 10.0);  // springs give way
     CHECK(figure.number("gap, " + scene + ", faure") < 1.01);
+    CHECK(figure.number("gap, " + scene + ", microcollisions") < 1.01);
     CHECK(figure.number("gap, " + scene + ", settling") > 10.0);  // it comes down piece by piece
   }
   for (const std::string scene : {"figure 6.2", "figure 6.3"}) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The experiments about relaxation, joints in linear time and settling, small.
+/// \brief The experiments about relaxation, joints in linear time, settling and microcollisions, small.
 #include "driver/quick.hpp"
 #include "support/catch.hpp"
 
@@ -35,4 +35,15 @@ TEST_CASE("Forces of chains and trees take work in proportion to their links",
                       "from 1000 to 100 000 links") < 1.05);  // measured: 1.01 from 10 to 1000
   CHECK(figure.number("the same of memory") < 1.05);
   CHECK(figure.number("relative acceleration left in a joint, over g, at most") < 1e-9);
+}
+
+TEST_CASE(
+    "Four cubes on one another take more than four times the impacts of four beside one another",
+    "[claims][microcollisions]") {
+  const FigureUnderTest figure("claim_2_5_2a_microcollisions");
+  CHECK(figure.number("impacts per second with four cubes on one another over those with one cube, "
+                      "under microcollisions") > 16.0);  // measured: 68
+  CHECK(figure.number("the same for four cubes beside one another") < 4.5);
+  CHECK(figure.number("four cubes on one another over two") > 3.0);  // measured: 4.27
+  CHECK(figure.number("impacts per second with four cubes on one another") > 5000.0);
 }

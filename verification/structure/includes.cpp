@@ -51,6 +51,7 @@ std::optional<int> height_of(const std::string& folder) {
                                                   {"exterior_rotation", 5},
                                                   {"previous_work", 5},
                                                   {"techniques", 6},
+                                                  {"technique_by_name", 6},
                                                   {"scenes", 6},
                                                   {"record", 6},
                                                   {"pictures", 6},

@@ -63,4 +63,31 @@ inline constexpr double dependent_joint = 1e-14;
 /// rest then move by a ten millionth of the reach. (2.7.1)
 inline constexpr double settling_step = 1e-9;
 
+/// [-] Slip that has stopped, over the velocity at the start of an impact. Reason: a straight line that ends at no slip leaves
+/// some roundings. (2.5.2)
+inline constexpr double impact_still = 1e-12;
+
+/// [-] Slip below which its direction is kept, over the slip at the start of an impact. Reason: it hardly turns any more,
+/// and the impulse until it stops is as small. (2.5.2)
+inline constexpr double impact_slow = 1e-6;
+
+/// [-] Turning of slip that counts as none, over the change of the velocity. Reason: in a plane of symmetry only rounding
+/// turns it. (2.5.2)
+inline constexpr double impact_straight = 1e-13;
+
+/// [-] Share of itself by which slip may change, or angle [rad] by which it may turn, in a step of the integration. Reason: with a
+/// thirty-second part of it an impulse has six right digits and mostly eight. (2.5.2)
+inline constexpr double impact_turn = 0.03125;
+
+/// [-] How closely the end of a phase is found, over the length of the step. Reason: some roundings. (2.5.2)
+inline constexpr double impact_root = 1e-15;
+
+/// [-] Slowest rebound of bodies in contact, as a share of sqrt(g L), L the shortest movable edge. Reason: a box of 1 m then hops
+/// by a twentieth of a millimetre, 156 times a second; a tenth of it takes ten times as many. (2.5.2)
+inline constexpr double microcollision = 0.01;
+
+/// [-] Velocities of two points that are the same, over their size. Reason: far above rounding; a spin that is slower
+/// stops no later than in a thousand million hops. (2.5.2)
+inline constexpr double same_velocity = 1e-9;
+
 }  // namespace tumble::tolerance
