@@ -108,7 +108,8 @@ TEST_CASE("Six broad phases can be made by name, and no seventh", "[unit][broad_
     CHECK(make_broad_phase(name)->name() == name);
     CHECK(make_broad_phase(name)->clone()->name() == name);
   }
-  CHECK_THROWS_WITH(make_broad_phase("quadtree"), Contains("quadtree") && Contains("bounding_tree"));
+  CHECK_THROWS_WITH(make_broad_phase("quadtree"),
+                    Contains("quadtree") && Contains("bounding_tree"));
   CHECK_THROWS_AS(make_broad_phase(""), std::invalid_argument);
 }
 
