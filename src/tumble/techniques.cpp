@@ -262,14 +262,14 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
       {"penalty", "2.5.1",
-       "springs and dampers where bodies overlap; heavy loads sink in, and a fast body may pass "
-       "through a thin one",
+       "springs and dampers where bodies overlap; heavy loads sink in; flush edges and fast bodies "
+       "as in timewarp_simple",
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in, and a fast body may pass through a thin one",
+       "sinks in; flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
-      {"relaxation", "2.3", "boxes of particles and rods; nothing bounces, spins die out",
+      {"relaxation", "2.3", "boxes of particles and rods; no bounce, spins die out, slopes creep",
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
