@@ -1,5 +1,5 @@
 # Work of a step against the number of boxes: stacks that stand apart, and one pyramid.
-tall = 1080
+tall = 1110
 @PAGE
 set multiplot
 set lmargin at screen 0.175; set rmargin at screen 0.955
@@ -18,7 +18,7 @@ side = 'work of a step'; @SIDE
 set key at screen 0.56,0.992 center top vertical maxrows 7 width 1 samplen 2
 array scenes[2] = ['stacks of five that stand apart', 'one pyramid']
 do for [s = 0:1] {
-  top = 0.83 - 0.41*s
+  top = 0.812 - 0.4*s
   set tmargin at screen top; set bmargin at screen top - 0.32
   set label 1 scenes[s + 1] at graph 0.5,1.05 center textcolor rgb '#202020'
   if (s == 1) { set xlabel 'boxes' offset 0,0.3 }

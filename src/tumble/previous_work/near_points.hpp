@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tumble/contact/gather.hpp"
+#include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 
 #include <span>
