@@ -15,6 +15,7 @@
 #include "tumble/impulse_damped/damped.hpp"
 #include "tumble/impulse_damped/impulse.hpp"
 #include "tumble/previous_work/faure.hpp"
+#include "tumble/previous_work/optimised.hpp"
 #include "tumble/previous_work/penalty.hpp"
 #include "tumble/previous_work/relaxation.hpp"
 #include "tumble/previous_work/settling.hpp"
@@ -30,15 +31,12 @@
 namespace tumble {
 namespace {
 
-// --- techniques whose options are one struct ------------------------------------------------------
-
 template <class Made, class Options>
 std::unique_ptr<Technique> make(const Parameters& p, std::uint64_t /*seed*/) {
   return std::make_unique<Made>(read_options<Options>(p));
 }
 
 // --- techniques that can sleep, and so be frozen by the filter FreezeOnChatter -------------------
-
 // Visits the option `freeze` behind `sleeping`.
 template <class Visitor>
 struct WithFreeze : Visitor {
@@ -273,6 +271,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
+      {"optimised", "2.7.2", "nearest poses without overlap, then momenta; steps of any length",
+       declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
   };
   return library;
 }

@@ -118,7 +118,8 @@ constexpr std::array kWorldPromises{
     WorldPromise{"timewarp_simple", 1e-9, kAny}, WorldPromise{"timewarp_safer", 1e-9, kAny},
     WorldPromise{"timewarp_swept", 1e-9, kAny},  WorldPromise{"timewarp_full", 1e-9, kAny},
     WorldPromise{"penalty", 1e-9, 0.01},         WorldPromise{"faure", 1e-9, 0.01},
-    WorldPromise{"relaxation", 1e-9, kAny},      WorldPromise{"settling", kAny, kAny}};
+    WorldPromise{"relaxation", 1e-9, kAny},      WorldPromise{"settling", kAny, kAny},
+    WorldPromise{"optimised", 1e-9, 0.01}};
 
 WorldPromise promise_of(std::string_view technique) {
   for (const WorldPromise& p : kWorldPromises)
