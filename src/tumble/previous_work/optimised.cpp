@@ -118,16 +118,21 @@ std::int64_t Optimised::solve(StepReport& report) {
 // --- momenta --------------------------------------------------------------------------------------
 
 void Optimised::find_momenta(World& world, double dt, StepReport& report) {
-  // What is missing to the target is energy that moving bodies there adds.
-  double lifted = 0.0;
-  for (std::size_t k = 0; k < targets_.size(); ++k)
-    if (world.bodies()[k].movable())
-      lifted += world.bodies()[k].mass *
-                world.gravity_w.dot(targets_[k].position_w - world.states()[k].position_w);
+  load_moving_bodies(world, free_);
+  // What is missing to the target is energy that moving bodies there adds; and so is what the same angular momentum has at
+  // another orientation.
+  double lifted = 0.0, turned = 0.0;
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    if (!world.bodies()[k].movable() || pushed_[k] == 0) continue;
+    const BodyState& state = world.states()[k];
+    lifted +=
+        world.bodies()[k].mass * world.gravity_w.dot(targets_[k].position_w - state.position_w);
+    turned += 0.5 * state.angular_momentum_w.dot(free_[k].angular_velocity_w -
+                                                 before_[k].angular_velocity_w);
+  }
 
   // [S2.7.2:momenta]
   // The momenta of free flight, and impulses at the points that touch.
-  load_moving_bodies(world, free_);
   touching_.scale_impulses(last_dt_ > 0.0 ? dt / last_dt_ : 0.0);
   for (std::size_t k = 0; k < before_.size(); ++k) before_[k].position_w = free_[k].position_w;
   touching_.find(world, before_, tolerance::optimised_touch * movable_edge(world), report);
@@ -141,6 +146,7 @@ void Optimised::find_momenta(World& world, double dt, StepReport& report) {
   // [S2.7.2:momenta]
   report.energy.repair = lifted;
   take_gain(report.energy.total(), report);
+  report.energy.repair += turned;
   store_moving_bodies(moving_, world);
   for (std::size_t k = 0; k < moving_.size(); ++k)
     if (world.bodies()[k].movable() && !moving_[k].changed)
