@@ -18,6 +18,12 @@
 #include <utility>
 
 namespace tumble {
+namespace {
+
+constexpr int kShareOfLast =
+    10;  // one round in ten is kept for bodies that overlap where they stop
+
+}  // namespace
 
 Optimised::Optimised(const OptimisedOptions& options) : options_(options) {
   require::positive(options.reach, "reach");
@@ -56,10 +62,13 @@ void Optimised::find_poses(World& world, double dt, StepReport& report) {
   // [S2.7.2:poses]
   // Round by round, until nothing moves any more. Once all have come as far as they can, half spaces are nearly right, and each
   // round may move half as far as the one before.
+  // Where the rounds end before the way does, bodies stop, and the last rounds end overlap only.
   double reach = options_.reach * edge, moved = 0.0;
   bool there = false;
+  const int last = options_.rounds - options_.rounds / kShareOfLast;
   for (int round = 0; round < options_.rounds; ++round) {
-    moved = go_on(world, reach, report);
+    if (round == last && !there) report.status = StepStatus::event_cap;
+    moved = go_on(world, report.status == StepStatus::done, reach, report);
     if (moved <= tolerance::optimised_still * edge) break;
     there = there || moved < reach;
     if (there) reach *= 0.5;
@@ -76,20 +85,21 @@ void Optimised::find_poses(World& world, double dt, StepReport& report) {
   }
 }
 
-// One round. Returns how far a corner moved at most [m].
-double Optimised::go_on(World& world, double& reach, StepReport& report) {
+// One round, to the targets or only out of overlap. Returns how far a corner moved at most [m].
+double Optimised::go_on(World& world, bool fly_on, double& reach, StepReport& report) {
   // [S2.7.2:round]
   // From here to the targets, unless something is in the way; but not farther than the reach.
   load_moving_bodies(world, moving_);
   for (std::size_t k = 0; k < moving_.size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
+    moving_[k].velocity_w.setZero();
+    moving_[k].angular_velocity_w.setZero();
+    if (!world.bodies()[k].movable() || !fly_on) continue;
     const BodyState& state = world.states()[k];
     moving_[k].velocity_w = targets_[k].position_w - state.position_w;
     moving_[k].angular_velocity_w =
         rotation_vector(targets_[k].orientation_wb * state.orientation_wb.conjugate());
-    moving_[k].changed = false;
   }
-  reach = std::min(reach, farthest_move(world, moving_));
+  if (fly_on) reach = std::min(reach, farthest_move(world, moving_));
   near_.find(world, moving_, 2.0 * reach, report);
   least_.clear();
   for (const double gap : near_.gaps()) least_.push_back(-gap);
