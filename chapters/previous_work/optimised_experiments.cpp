@@ -185,7 +185,7 @@ const Registered touches_figure{
                        .add_whole("seeds", 5, 1, 1000, "heaps")
                        .add_whole("per_edge", 3, 1, 20, "cubes along each edge of a heap's grid")
                        .add_number("duration", 3.0, 0.1, 100.0, "s", "of each heap"),
-     .quick = {"seeds=2", "per_edge=2", "duration=2"},
+     .quick = {"seeds=1", "per_edge=2", "duration=1.5"},
      .experiment = measure_touches}};
 
 }  // namespace

@@ -18,6 +18,12 @@
 #include <utility>
 
 namespace tumble {
+namespace {
+
+constexpr int kShareOfLast =
+    10;  // one round in ten is kept for bodies that overlap where they stop
+
+}  // namespace
 
 Optimised::Optimised(const OptimisedOptions& options) : options_(options) {
   require::positive(options.reach, "reach");
@@ -56,10 +62,13 @@ void Optimised::find_poses(World& world, double dt, StepReport& report) {
   // [S2.7.2:poses]
   // Round by round, until nothing moves any more. Once all have come as far as they can, half spaces are nearly right, and each
   // round may move half as far as the one before.
+  // Where the rounds end before the way does, bodies stop, and the last rounds end overlap only.
   double reach = options_.reach * edge, moved = 0.0;
   bool there = false;
+  const int last = options_.rounds - options_.rounds / kShareOfLast;
   for (int round = 0; round < options_.rounds; ++round) {
-    moved = go_on(world, reach, report);
+    if (round == last && !there) report.status = StepStatus::event_cap;
+    moved = go_on(world, report.status == StepStatus::done, reach, report);
     if (moved <= tolerance::optimised_still * edge) break;
     there = there || moved < reach;
     if (there) reach *= 0.5;
@@ -76,20 +85,21 @@ void Optimised::find_poses(World& world, double dt, StepReport& report) {
   }
 }
 
-// One round. Returns how far a corner moved at most [m].
-double Optimised::go_on(World& world, double& reach, StepReport& report) {
+// One round, to the targets or only out of overlap. Returns how far a corner moved at most [m].
+double Optimised::go_on(World& world, bool fly_on, double& reach, StepReport& report) {
   // [S2.7.2:round]
   // From here to the targets, unless something is in the way; but not farther than the reach.
   load_moving_bodies(world, moving_);
   for (std::size_t k = 0; k < moving_.size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
+    moving_[k].velocity_w.setZero();
+    moving_[k].angular_velocity_w.setZero();
+    if (!world.bodies()[k].movable() || !fly_on) continue;
     const BodyState& state = world.states()[k];
     moving_[k].velocity_w = targets_[k].position_w - state.position_w;
     moving_[k].angular_velocity_w =
         rotation_vector(targets_[k].orientation_wb * state.orientation_wb.conjugate());
-    moving_[k].changed = false;
   }
-  reach = std::min(reach, farthest_move(world, moving_));
+  if (fly_on) reach = std::min(reach, farthest_move(world, moving_));
   near_.find(world, moving_, 2.0 * reach, report);
   least_.clear();
   for (const double gap : near_.gaps()) least_.push_back(-gap);
@@ -118,16 +128,21 @@ std::int64_t Optimised::solve(StepReport& report) {
 // --- momenta --------------------------------------------------------------------------------------
 
 void Optimised::find_momenta(World& world, double dt, StepReport& report) {
-  // What is missing to the target is energy that moving bodies there adds.
-  double lifted = 0.0;
-  for (std::size_t k = 0; k < targets_.size(); ++k)
-    if (world.bodies()[k].movable())
-      lifted += world.bodies()[k].mass *
-                world.gravity_w.dot(targets_[k].position_w - world.states()[k].position_w);
+  load_moving_bodies(world, free_);
+  // What is missing to the target is energy that moving bodies there adds; and so is what the same angular momentum has at
+  // another orientation.
+  double lifted = 0.0, turned = 0.0;
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    if (!world.bodies()[k].movable() || pushed_[k] == 0) continue;
+    const BodyState& state = world.states()[k];
+    lifted +=
+        world.bodies()[k].mass * world.gravity_w.dot(targets_[k].position_w - state.position_w);
+    turned += 0.5 * state.angular_momentum_w.dot(free_[k].angular_velocity_w -
+                                                 before_[k].angular_velocity_w);
+  }
 
   // [S2.7.2:momenta]
   // The momenta of free flight, and impulses at the points that touch.
-  load_moving_bodies(world, free_);
   touching_.scale_impulses(last_dt_ > 0.0 ? dt / last_dt_ : 0.0);
   for (std::size_t k = 0; k < before_.size(); ++k) before_[k].position_w = free_[k].position_w;
   touching_.find(world, before_, tolerance::optimised_touch * movable_edge(world), report);
@@ -141,6 +156,7 @@ void Optimised::find_momenta(World& world, double dt, StepReport& report) {
   // [S2.7.2:momenta]
   report.energy.repair = lifted;
   take_gain(report.energy.total(), report);
+  report.energy.repair += turned;
   store_moving_bodies(moving_, world);
   for (std::size_t k = 0; k < moving_.size(); ++k)
     if (world.bodies()[k].movable() && !moving_[k].changed)

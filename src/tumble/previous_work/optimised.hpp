@@ -69,7 +69,7 @@ struct OptimisedWork {
 ///
 /// **What it cannot do.** A bounce is at the end of its step, with the speed of the start of it. A body that is stopped on its way
 /// stays until the end of the step. It turns by half a turn in a step at most on its way; what turns farther takes the shorter one. Where the
-/// rounds end before the way does, bodies stop where they are, and the step ends as StepStatus::event_cap.
+/// rounds end before the way does, bodies stop where they are, the last tenth of the rounds parts them, and the step ends as StepStatus::event_cap.
 /// \par Cost and determinism
 /// At most `rounds` + 2 quadratic programs, each of `budget` steps of O(points). No allocation once warm.
 /// \see Milenkovic, Schmidl, "Optimization-based animation", SIGGRAPH 2001.
@@ -93,7 +93,7 @@ class Optimised : public Technique {
 
  private:
   void find_poses(World& world, double dt, StepReport& report);
-  double go_on(World& world, double& reach, StepReport& report);
+  double go_on(World& world, bool fly_on, double& reach, StepReport& report);
   void find_momenta(World& world, double dt, StepReport& report);
   bool push(const World& world, double dt, bool bounce, StepReport& report);
   void take_gain(double gain, StepReport& report);
