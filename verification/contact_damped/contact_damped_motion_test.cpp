@@ -8,6 +8,9 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace {
 
 using namespace tumble;
@@ -258,6 +261,30 @@ TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_
       }
     }
   }
+}
+
+TEST_CASE("A box slides over a seam on a slope that is hardly too steep for its friction",
+          "[unit][contact_damped]") {
+  constexpr double kAngle = 44.0 / 180.0 * std::numbers::pi, kFriction = 0.95, kTime = 2.0;
+  const double dt = 1.0 / 60.0;
+  Scene scene;
+  scene.gravity_w = 9.81 * Vec3(std::sin(kAngle), -std::cos(kAngle), 0.0);
+  for (int k = 0; k < 4; ++k) {
+    SceneBox tile{.size = Vec3(0.5, 0.5, 2.0), .position_w = Vec3(0.5 * k, -0.25, 0.0)};
+    tile.fixed = true;
+    tile.friction = kFriction;
+    scene.boxes.push_back(tile);
+  }
+  SceneBox slider{.size = Vec3::Constant(0.3), .position_w = Vec3(0.0, 0.15, 0.03)};
+  slider.name = "slider";
+  slider.friction = kFriction;
+  scene.boxes.push_back(slider);
+  Simulation simulation(scene);
+  CHECK(simulation.run_for(kTime, dt) == StepStatus::done);
+  const double acceleration = 9.81 * (std::sin(kAngle) - kFriction * std::cos(kAngle));
+  const double way =
+      0.5 * acceleration * kTime * (kTime + dt);  // in steps with the speed of their ends
+  CHECK(simulation.body("slider").position_w().x() == near(way).margin(0.01 * way));
 }
 
 TEST_CASE("A thin rod that tumbles on the ground gains no energy", "[unit][contact_damped]") {

@@ -87,9 +87,9 @@ double ContactDamped::length_of_part(const World& world, double left, int k) {
 
 void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   // [S6.3.1:part]
-  // 1. Gravity, and
-  // 2. contact patches, where bodies touch or will within the part, by islands
-  // of bodies that touch each other, are there.
+  // 1. Gravity has been added, and
+  // 2. patches have been found where bodies touch or will within the part,
+  // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.in_flight.assign(velocities_.end.size(), 1);
   for (int k = 0; k < memory_.order.islands().count(); ++k)

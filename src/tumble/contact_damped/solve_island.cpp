@@ -35,13 +35,19 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual || (plan.large_and_fast && holds(island, plan));
 }
 
-// All patches together. Returns whether the direct solver accepted the island.
+// All patches together. Returns whether the direct solver accepted the island. In a small one a result that has not
+// converged is the start of sweeps, which put friction back into its cone.
 bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
                     StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
+  if (result.accepted && !result.converged && is_small(island)) {
+    velocities_from_impulses(island);
+    for (int k = 0; k < tolerance::small_island_sweeps; ++k)
+      if (sweep_number(k, island, plan, report) < plan.residual) break;
+  }
   return result.accepted;
 }
 
