@@ -31,7 +31,8 @@ bool takes_long(const std::string& technique, const Sized& sized) {
   if (technique == "time_stepping") return sized.pyramid && sized.boxes > 10;
   const bool sweeps = technique == "contact_damped" || technique == "damped" ||
                       technique == "impulse" || technique == "penalty" || technique == "faure" ||
-                      technique == "relaxation" || technique == "settling" || technique == "glued";
+                      technique == "relaxation" || technique == "settling" ||
+                      technique == "glued" || technique == "optimised";
   return sized.large && sized.pyramid && !sweeps;
 }
 

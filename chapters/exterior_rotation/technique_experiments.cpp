@@ -41,7 +41,7 @@ std::span<const ComparedTechnique> techniques_with_pose() {
 }
 
 std::span<const ComparedTechnique> techniques_without_pose() {
-  static const std::array<ComparedTechnique, 11> list{{
+  static const std::array<ComparedTechnique, 12> list{{
       {"damped", {"damped"}},
       {"timewarp_simple", {"timewarp_simple"}},
       {"timewarp_safer", {"timewarp_safer"}},
@@ -52,6 +52,7 @@ std::span<const ComparedTechnique> techniques_without_pose() {
       {"faure", {"faure"}},
       {"relaxation", {"relaxation"}},
       {"settling", {"settling"}},
+      {"optimised", {"optimised"}},
       {"microcollisions", {"microcollisions"}},
   }};
   return list;

@@ -12,7 +12,7 @@ set tmargin at screen 0.85; set bmargin at screen 0.40
 set format x ''
 set yrange [0.4:1e7]; set ytics 1,10
 side = 'tests per step'; @SIDE
-set key at screen 0.56,0.985 center top vertical maxcols 2
+set key at screen 0.56,0.985 center top vertical maxrows 4
 plot stem.'.csv' using 'bodies':'all_pairs' with linespoints lt 2 title 'all pairs', \
   '' using 'bodies':'bounding_tree' with linespoints lt 3 title 'bounding tree', \
   '' using 'bodies':'hashed_grid' with linespoints lt 4 title 'hashed grid', \

@@ -15,6 +15,7 @@
 #include "tumble/impulse_damped/impulse.hpp"
 #include "tumble/previous_work/faure.hpp"
 #include "tumble/previous_work/microcollisions.hpp"
+#include "tumble/previous_work/optimised.hpp"
 #include "tumble/previous_work/penalty.hpp"
 #include "tumble/previous_work/relaxation.hpp"
 #include "tumble/previous_work/settling.hpp"
@@ -30,15 +31,12 @@
 namespace tumble {
 namespace {
 
-// --- techniques whose options are one struct ------------------------------------------------------
-
 template <class Made, class Options>
 std::unique_ptr<Technique> make(const Parameters& p, std::uint64_t /*seed*/) {
   return std::make_unique<Made>(read_options<Options>(p));
 }
 
 // --- techniques that can sleep, and so be frozen by the filter FreezeOnChatter -------------------
-
 // Visits the option `freeze` behind `sleeping`.
 template <class Visitor>
 struct WithFreeze : Visitor {
@@ -262,17 +260,19 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
       {"penalty", "2.5.1",
-       "springs and dampers where bodies overlap; heavy loads sink in, and a fast body may pass "
-       "through a thin one",
+       "springs and dampers where bodies overlap; heavy loads sink in; flush edges and fast bodies "
+       "as in timewarp_simple",
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in, and a fast body may pass through a thin one",
+       "sinks in; flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
-      {"relaxation", "2.3", "boxes of particles and rods; nothing bounces, spins die out",
+      {"relaxation", "2.3", "boxes of particles and rods; no bounce, spins die out, slopes creep",
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
+      {"optimised", "2.7.2", "nearest poses without overlap, then momenta; steps of any length",
+       declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
        "every contact is a train of collisions at one point (Mirtich); nothing rests, and high "
        "stacks meet the cap on impacts",

@@ -235,6 +235,25 @@ TEST_CASE("A brick that hits a thin plate with a corner at 44 m/s does not pass 
 }
 
 // Its corners hit one after the other: it slides off, as it would with any step. A limit that analytic.hpp states.
+TEST_CASE("The end of a rod that turns does not pass a thin peg beside its middle",
+          "[unit][analytic_lcp]") {
+  Scene scene;
+  scene.gravity_w.setZero();
+  SceneBox peg;
+  peg.name = "peg";
+  peg.size = Vec3(0.05, 2.0, 0.05);
+  peg.position_w = Vec3(0.9, 0.0, -0.3);
+  peg.fixed = true;
+  SceneBox rod;
+  rod.name = "rod";
+  rod.size = Vec3(2.0, 0.05, 0.05);
+  rod.angular_velocity_w = Vec3(0.0, 25.0, 0.0);  // 0.4 rad a step: eight times the peg
+  scene.boxes = {peg, rod};
+  Simulation simulation(scene, "analytic");
+  for (int k = 0; k < 6; ++k) simulation.step(kFrame);
+  CHECK(simulation.body("rod").angular_velocity_w().y() < 20.0);  // [rad/s] measured 6.2
+}
+
 TEST_CASE("A brick that falls on a plate leaves it sideways as fast with any step",
           "[unit][analytic][analytic_lcp]") {
   Scene scene = brick_over_plate();

@@ -8,6 +8,9 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace {
 
 using namespace tumble;
@@ -172,6 +175,51 @@ TEST_CASE("A plate that turns by radians in a step does not go through the groun
   CHECK(deepest < 1.0);  // [m] of 4.4; 4.8 if steps are not divided
 }
 
+TEST_CASE("Boxes that move by many edges in a step meet where their ways cross",
+          "[unit][contact_damped]") {
+  struct Case {
+    const char* name;
+    SceneBox first, second;
+  };
+  const Vec3 cube = Vec3::Constant(0.2);
+  const SceneBox plate{.size = Vec3(0.02, 4.0, 4.0), .fixed = true};
+  const std::vector<Case> cases = {
+      {"at right angles",
+       {.size = cube, .position_w = Vec3(-5.0, 0.0, 0.0), .velocity_w = Vec3(50.0, 0.0, 0.0)},
+       {.size = cube, .position_w = Vec3(0.0, -5.0, 0.0), .velocity_w = Vec3(0.0, 50.0, 0.0)}},
+      {"head on, beside each other, one of them turning",
+       {.size = cube,
+        .position_w = Vec3(-20.0, 0.0, 0.0),
+        .velocity_w = Vec3(60.0, 0.0, 0.0),
+        .angular_velocity_w = Vec3(0.0, 3.0, 9.0)},
+       {.size = cube, .position_w = Vec3(20.3, 0.03, 0.03), .velocity_w = Vec3(-60.0, 0.0, 0.0)}},
+      {"a corner first, into a plate",
+       plate,
+       {.size = Vec3(0.3, 0.2, 0.1),
+        .position_w = Vec3(-19.0, 1.0, -1.2),
+        .orientation_wb = rotation_from_vector(Vec3(0.3, 0.5, 0.7)),
+        .velocity_w = Vec3(60.0, 0.0, 0.0)}},
+      {"a rod that spins, into a plate",
+       plate,
+       {.size = Vec3(0.05, 2.0, 0.05),
+        .position_w = Vec3(-4.0, 0.0, 0.0),
+        .velocity_w = Vec3(30.0, 0.0, 0.0),
+        .angular_velocity_w = Vec3(0.0, 0.0, 40.0)}}};
+  for (const Case& c : cases) {
+    CAPTURE(c.name);
+    Scene scene;
+    scene.gravity_w.setZero();
+    scene.boxes = {c.first, c.second};
+    Simulation simulation(scene);
+    const double start = energy_of(simulation.world()).total();
+    CHECK(simulation.run_for(1.0) == StepStatus::done);
+    CHECK(energy_of(simulation.world()).total() < 0.99 * start);  // they have met
+    const Vec3 between_w =
+        simulation.world().states()[1].position_w - simulation.world().states()[0].position_w;
+    if (c.first.fixed) CHECK(between_w.x() < 0.0);  // and not gone through
+  }
+}
+
 TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
           "[unit][contact_damped]") {
   struct Pull {
@@ -215,6 +263,30 @@ TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_
   }
 }
 
+TEST_CASE("A box slides over a seam on a slope that is hardly too steep for its friction",
+          "[unit][contact_damped]") {
+  constexpr double kAngle = 44.0 / 180.0 * std::numbers::pi, kFriction = 0.95, kTime = 2.0;
+  const double dt = 1.0 / 60.0;
+  Scene scene;
+  scene.gravity_w = 9.81 * Vec3(std::sin(kAngle), -std::cos(kAngle), 0.0);
+  for (int k = 0; k < 4; ++k) {
+    SceneBox tile{.size = Vec3(0.5, 0.5, 2.0), .position_w = Vec3(0.5 * k, -0.25, 0.0)};
+    tile.fixed = true;
+    tile.friction = kFriction;
+    scene.boxes.push_back(tile);
+  }
+  SceneBox slider{.size = Vec3::Constant(0.3), .position_w = Vec3(0.0, 0.15, 0.03)};
+  slider.name = "slider";
+  slider.friction = kFriction;
+  scene.boxes.push_back(slider);
+  Simulation simulation(scene);
+  CHECK(simulation.run_for(kTime, dt) == StepStatus::done);
+  const double acceleration = 9.81 * (std::sin(kAngle) - kFriction * std::cos(kAngle));
+  const double way =
+      0.5 * acceleration * kTime * (kTime + dt);  // in steps with the speed of their ends
+  CHECK(simulation.body("slider").position_w().x() == near(way).margin(0.01 * way));
+}
+
 TEST_CASE("A thin rod that tumbles on the ground gains no energy", "[unit][contact_damped]") {
   for (const Vec3& size :
        {Vec3(2.0, 0.005, 0.005), Vec3(1.0, 0.01, 1.0), Vec3(0.15, 0.007, 0.007)}) {
@@ -240,4 +312,23 @@ TEST_CASE("A thin rod that tumbles on the ground gains no energy", "[unit][conta
       CHECK(most < 1.001 * start);
     }
   }
+}
+
+TEST_CASE("A rod that spins about an axis across it and lands keeps its energy out of its spin",
+          "[unit][contact_damped]") {
+  Scene scene;
+  scene.ground.emplace();
+  SceneBox rod{.size = Vec3(0.02, 2.0, 0.02), .position_w = Vec3(0.0, 2.0, 0.0)};
+  rod.orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, 1.4));
+  rod.angular_velocity_w = Vec3(30.0, 0.0, 0.0);
+  scene.boxes = {rod};
+  Simulation simulation(scene);
+  const double start = energy_of(simulation.world()).total();
+  double most = start;
+  for (int k = 0; k < 240; ++k) {
+    CHECK(simulation.step(1.0 / 60.0).status == StepStatus::done);
+    most = std::max(most, energy_of(simulation.world()).total());
+  }
+  CHECK(most < 1.001 * start);
+  CHECK(energy_of(simulation.world()).kinetic < 1e-6);  // it has come to rest
 }

@@ -165,6 +165,7 @@ TEST_CASE(
     CHECK(figure.number("gap, " + scene + ", faure") < 1.01);
     CHECK(figure.number("gap, " + scene + ", microcollisions") < 1.01);
     CHECK(figure.number("gap, " + scene + ", settling") > 10.0);  // it comes down piece by piece
+    CHECK(figure.number("gap, " + scene + ", optimised") < 0.01);
   }
   for (const std::string scene : {"figure 6.2", "figure 6.3"}) {
     CHECK(figure.number("gap, " + scene + ", damped") < 6.0);

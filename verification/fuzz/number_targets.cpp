@@ -112,14 +112,16 @@ struct WorldPromise {
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr std::array kWorldPromises{
-    WorldPromise{"contact_damped", 1e-9, 0.01},  WorldPromise{"analytic", 1e-9, 0.01},
-    WorldPromise{"time_stepping", 1e-9, 0.01},   WorldPromise{"impulse", 1e-9, 0.01},
-    WorldPromise{"damped", kAny, 0.01},          WorldPromise{"basic", 1e-9, kAny},
+    WorldPromise{"contact_damped", 1e-9, 0.01}, WorldPromise{"analytic", 1e-9, 0.01},
+    WorldPromise{"time_stepping", 1e-9, 0.01}, WorldPromise{"impulse", 1e-9, 0.01},
+    WorldPromise{"damped", kAny, 0.01}, WorldPromise{"basic", 1e-9, kAny},
     WorldPromise{"timewarp_simple", 1e-9, kAny}, WorldPromise{"timewarp_safer", 1e-9, kAny},
-    WorldPromise{"timewarp_swept", 1e-9, kAny},  WorldPromise{"timewarp_full", 1e-9, kAny},
-    WorldPromise{"penalty", 1e-9, 0.01},         WorldPromise{"faure", 1e-9, 0.01},
-    WorldPromise{"relaxation", 1e-9, kAny},      WorldPromise{"settling", kAny, kAny},
-    WorldPromise{"microcollisions", 1e-9, kAny}};
+    WorldPromise{"timewarp_swept", 1e-9, kAny}, WorldPromise{"timewarp_full", 1e-9, kAny},
+    WorldPromise{"penalty", 1e-9, 0.01}, WorldPromise{"faure", 1e-9, 0.01},
+    WorldPromise{"settling", kAny, kAny}, WorldPromise{"optimised", 1e-9, 0.01},
+    WorldPromise{"microcollisions", 1e-9, kAny},
+    // Its velocities are differences of positions, and a ton at rest beside a gram that flies has rounding in them.
+    WorldPromise{"relaxation", 1e-5, kAny}};
 
 WorldPromise promise_of(std::string_view technique) {
   for (const WorldPromise& p : kWorldPromises)

@@ -74,6 +74,20 @@ TEST_CASE("Boxes with unlike masses do not go deep into each other in a step", "
   }
 }
 
+TEST_CASE("Boxes that turn while they touch do not sink into each other", "[unit][fuzz]") {
+  WorldRange range;
+  range.most_boxes = 30;
+  range.mass_ratio = 1e4;
+  range.edge_ratio = 100.0;
+  // Boxes that slide along each other while both turn: without a look at where they come to, up to a tenth of an edge.
+  const std::vector<std::pair<std::uint64_t, int>> worlds = {{123, 60}, {211, 48}, {399, 12},
+                                                             {799, 60}, {876, 60}, {1347, 60}};
+  for (const auto& [seed, steps] : worlds) {
+    CAPTURE(seed, steps);
+    CHECK(judge(random_world(seed, range), "contact_damped", {}, steps).overlap < 0.02);
+  }
+}
+
 TEST_CASE("Masses up to the limits give finite steps", "[unit][fuzz]") {
   check_masses("contact_damped", 8);
 }

@@ -115,6 +115,26 @@ TEST_CASE("A body that goes through another one within a step is found", "[unit]
   }
 }
 
+TEST_CASE("A body that a step leaves inside another one, and the next one beyond, is found",
+          "[unit][record][run]") {
+  // 2.2 m in a step: wholly inside after the first, and 2.2 m beyond after the second.
+  const Scene beyond = two(Vec3::Zero(), Vec3(22.0, 0.0, 0.0), Vec3::Zero());
+  const RunResult through = ran(beyond);
+  CHECK(through.worst == StepStatus::passed_through);
+  REQUIRE(through.findings.size() == 1);
+  CHECK(through.findings[0].find("step 2 at 0.2 s: left went through right") == 0);
+
+  // Two that cross at right angles, and are in one place after the second step.
+  Scene crossing = two(Vec3(0.0, 0.0, -2.2), Vec3(11.0, 0.0, 0.0), Vec3(0.0, 0.0, 11.0));
+  CHECK(ran(crossing).worst == StepStatus::passed_through);
+
+  // A spin hides no thin body that does not turn.
+  Scene spins = two(Vec3::Zero(), Vec3(22.0, 0.0, 0.0), Vec3::Zero());
+  spins.boxes[0].angular_velocity_w = Vec3(0.0, 400.0, 0.0);
+  spins.boxes[1].size = Vec3(0.1, 4.0, 4.0);
+  CHECK(ran(spins).worst == StepStatus::passed_through);
+}
+
 TEST_CASE("A body that spins through a thin one within a step is found", "[unit][record][run]") {
   Scene scene = two(Vec3(0.0, 0.0, 0.0), Vec3(40.0, 0.0, 0.0), Vec3::Zero());
   scene.boxes[1].size = Vec3(0.1, 4.0, 4.0);

@@ -80,6 +80,9 @@ TEST_CASE("A trajectory reads back to the bits that were simulated", "[unit][rec
     }
     CHECK(world_of(run, run.frames[f]).count() == 2);
   }
+  const std::string last = lines_of(folder.path / "trajectory.csv").back();
+  std::ofstream(folder.path / "trajectory.csv", std::ios::app) << last << "\n";
+  CHECK_THROWS_WITH(read_run(folder.path), Catch::Matchers::Contains("right: twice in one frame"));
 }
 
 TEST_CASE("A run's tables have the columns, rows and numbers that they promise",

@@ -21,6 +21,9 @@ namespace {
 // In one step: forces and impacts without an answer cost more than all others, and mostly come again.
 constexpr int kMostFallbacks = 4;
 
+// Multiplications of the solvers of forces in one step: a third of a second.
+constexpr std::int64_t kMostWork = 300'000'000;
+
 std::int64_t movable_bodies(const World& world) {
   return std::count_if(world.bodies().begin(), world.bodies().end(),
                        [](const BodyProperties& body) { return body.movable(); });
@@ -79,10 +82,11 @@ StepReport Analytic::step_part(World& world, double dt) {
   rewound_ = 0;
   unsolved_ = false;
   too_large_ = false;
+  work_ = 0;
   Progress progress{dt, 0.0};
   for (int flight = 0; progress.left() > 0.0; ++flight) {
     const bool capped = flight == options_.event_cap;
-    if ((capped || report.fallbacks >= kMostFallbacks) &&
+    if ((capped || report.fallbacks >= kMostFallbacks || work_ > kMostWork) &&
         options_.friction == AnalyticFriction::coulomb) {
       finish_by_velocities(world, progress, report);
       break;
@@ -156,6 +160,7 @@ bool Analytic::find_forces(World& world, const Progress& progress, Plan& plan, S
   const ForceAim aim{.dt = progress.dt, .relaxation = progress.dt, .duration = progress.left()};
   const ForceReport found = forces_.solve(world, moving_, resting_, aim);
   report.pivots += found.pivots;
+  work_ += found.multiplications;
   too_large_ = found.too_large;
   if (too_large_) return true;
   if (found.status != LcpStatus::solved) return false;
@@ -213,6 +218,7 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
   flight_.put(world, 0.0, options_.rotation);
   // [S3.3.1:midpoint]
   report.pivots += there.pivots;
+  work_ += there.multiplications;
   if (there.status != LcpStatus::solved) return false;
   if (there.without_solution > 0 || there.too_large) {  // those of the start are used, of order 1
     report.fallbacks += there.without_solution;

@@ -116,7 +116,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// - Simultaneous impacts whose friction does not settle are solved as one such step of no length.
 /// - The rest of a step in which friction acts in an island that is too large for exact impacts (more than 150
 ///   points) or forces (FrictionLemkeSolver::kMostUnknowns) is one step of TimeStepping.
-/// - The rest of a step after `event_cap` flights, or four of these cases, is one step of TimeStepping. Without Coulomb's friction it is
+/// - The rest of a step after `event_cap` flights, four of these cases, or 300 million multiplications of forces, is one step of TimeStepping. Without Coulomb's friction it is
 ///   flown without looking for collisions, and the step ends as StepStatus::event_cap.
 ///
 /// **What it cannot do.** Corners of a body that arrives fast hit one after the other, and each throws the next one down: a toy
@@ -209,6 +209,7 @@ class Analytic : public Technique {
   DriftCorrection hold_;
   IslandDamping damping_;
   bool unsolved_ = false;
+  std::int64_t work_ = 0;   // multiplications of the solvers of forces, in this step
   bool too_large_ = false;  // an island, for exact impacts or forces with friction
 
   // Memory from flight to flight: axes of contacts, and which bodies were pushed.

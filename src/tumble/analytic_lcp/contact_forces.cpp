@@ -189,6 +189,7 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
   pyramid_.assemble(task.bodies, island_, friction_points_, options_.directions);
   friction_solver_.solve(pyramid_.lcp(), result_);
   report.pivots += result_.pivots;
+  report.multiplications += result_.multiplications;
   if (!result_.solved_within(tolerance::force_residual)) {
     ++report.without_solution;
     return take_velocity_step(task, report);

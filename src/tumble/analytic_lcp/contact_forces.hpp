@@ -52,7 +52,7 @@ struct ForceReport {
   int pivots = 0;                    ///< of all solvers
   int unknowns = 0;                  ///< points whose normal force was looked for
   int stable = 0;                    ///< movable bodies that were left out
-  std::int64_t multiplications = 0;  ///< of the solver of problems without friction
+  std::int64_t multiplications = 0;  ///< of the solvers
   /// [s] from now until the first sliding point comes to rest; infinity: none does
   double slip_ends = std::numeric_limits<double>::infinity();
 };

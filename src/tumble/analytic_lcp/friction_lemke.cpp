@@ -33,11 +33,12 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
   };
   bool solved = solves(slack_solvers_[0]) || solves(slack_solvers_[1]);
   const bool small = problem.size() <= kMostToTryAll;
-  const int most_pivots = small ? std::numeric_limits<int>::max() : kPivotsEach * problem.size();
+  const std::int64_t most = small ? std::numeric_limits<std::int64_t>::max() : kMostWork;
   for (const double share : {1.0, 0.1, 10.0, 0.01, 100.0})
     for (LemkeSolver& solver : slack_solvers_)
-      if (!solved && pivots < most_pivots)
-        solved = tried(approach(problem, share * tolerance::compliance, solver, result));
+      if (!solved && multiplications < most)
+        solved = tried(approach(problem, share * tolerance::compliance, most - multiplications,
+                                solver, result));
   if (small && !solved) solved = solves(exact_solver_);
   // Masses that differ by thousands leave rows in units that do.
   if (small && !solved && restarts_.solve(problem, result))
@@ -53,9 +54,9 @@ void FrictionLemkeSolver::solve(const LcpProblem& problem, LcpResult& result,
   result.multiplications = multiplications;
 }
 
-// Rounds of the proximal point method. Leaves the count of all of them in the result.
-bool FrictionLemkeSolver::approach(const LcpProblem& problem, double compliance, LcpSolver& solver,
-                                   LcpResult& result) {
+// Rounds of the proximal point method, of about so many multiplications at most. Leaves the count of all of them in the result.
+bool FrictionLemkeSolver::approach(const LcpProblem& problem, double compliance, std::int64_t most,
+                                   LcpSolver& solver, LcpResult& result) {
   yielding_.A = problem.A;
   yielding_.A.diagonal() *= 1.0 + compliance;
   yielding_.b = problem.b;
@@ -63,7 +64,7 @@ bool FrictionLemkeSolver::approach(const LcpProblem& problem, double compliance,
   int pivots = 0;
   std::int64_t multiplications = 0;
   bool solved = false;
-  for (int round = 0; round < kMostRounds && !solved; ++round) {
+  for (int round = 0; round < kMostRounds && !solved && multiplications < most; ++round) {
     solver.solve(yielding_, result);
     pivots += result.pivots;
     multiplications += result.multiplications;

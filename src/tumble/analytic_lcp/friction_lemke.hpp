@@ -23,7 +23,7 @@ namespace tumble {
 /// 3. with the lexicographic rule and no slack;
 /// 4. in rows of unit diagonal and from other bases (LemkeRestarts).
 ///
-/// Above kMostToTryAll unknowns 2 ends after kPivotsEach pivots for each of them, and 3 and 4 are left out; above
+/// Above kMostToTryAll unknowns 2 ends after kMostWork multiplications, and 3 and 4 are left out; above
 /// kMostUnknowns it is better not asked at all (FrictionSweeps).
 /// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14,
 ///      1976.
@@ -32,7 +32,8 @@ class FrictionLemkeSolver : public LcpSolver {
   static constexpr int kMostUnknowns =
       400;  ///< of problems that are solved in a fraction of a second
   static constexpr int kMostToTryAll = 150;  ///< of problems for which every way is tried
-  static constexpr int kPivotsEach = 20;     ///< a path that arrives takes one or less
+  static constexpr std::int64_t kMostWork =
+      100'000'000;  ///< multiplications of a larger one; a path that arrives takes about 2 N³
 
   /// Makes its three solvers.
   FrictionLemkeSolver();
@@ -50,7 +51,8 @@ class FrictionLemkeSolver : public LcpSolver {
              std::span<const int> start = {}) override;
 
  private:
-  bool approach(const LcpProblem& problem, double compliance, LcpSolver& solver, LcpResult& result);
+  bool approach(const LcpProblem& problem, double compliance, std::int64_t most, LcpSolver& solver,
+                LcpResult& result);
 
   // Slack lets the method run in circles. A problem takes about half as many pivots as it has unknowns,
   // and one of a thousand unknowns is too large for a dense method anyway.

@@ -74,7 +74,7 @@ bool ImpactSearch::passes(std::span<const IndexPair> met) const {
 }
 
 // Ascending times at which pairs would be in the middle of their passage if they went straight, without turning, and
-// only gravity acted. Pairs that touch at the start and go or turn far are looked at all along.
+// only gravity acted. Pairs of which a body turns far, or that touch at the start and go far, are looked at all along.
 void ImpactSearch::list_passages(const ForcedFlight& flight, double end, const World& world) {
   passages_.clear();
   through_.clear();
@@ -108,6 +108,8 @@ void ImpactSearch::list_passage(const ForcedFlight& flight, const IndexPair& pai
   const bool turns = turned_[i] + turned_[j] > 0.5 * std::min(a.size.minCoeff(), b.size.minCoeff());
   if (way.status == SweepStatus::hit && (way.leave < 1.0 || turns))
     passages_.push_back(0.5 * (way.enter + std::min(way.leave, 1.0)) * end);
+  // A thin part of it may pass beside the straight way, too.
+  if (turns) list_looks(pair, end, world);
 }
 
 // So many that no point comes half through between two of them.

@@ -174,7 +174,10 @@ bool VelocityStep::solve_points(const Task& task, VelocityStepResult& result) {
     error = error_of(problem);
     return error <= tolerance::step_residual;
   };
-  const bool solved = (!pyramid.has_friction() && solves(smooth_solver_)) || solves(rough_solver_);
+  const bool smooth = !pyramid.has_friction();
+  const bool hasty = smooth && problem.size() > FrictionLemkeSolver::kMostToTryAll;
+  const bool solved =
+      hasty ? solves(hasty_solver_) : (smooth && solves(smooth_solver_)) || solves(rough_solver_);
   // An answer that does not quite hold is where sweeps start.
   if (!solved && !(answer_.residual <= tolerance::sweep_start)) return false;
   pyramid.pushes(answer_.f, pushes_);

@@ -65,7 +65,8 @@ struct VelocityStepResult {
 /// groups of cubes that have turned by a millionth is left without an answer.
 ///
 /// **Sweeps** (FrictionSweeps, counted in `fallbacks`) take over for those, and for groups with more than
-/// FrictionLemkeSolver::kMostUnknowns. They may end before they have settled, as `residual` says; then their pushes
+/// FrictionLemkeSolver::kMostUnknowns; and where nothing rubs, for those above FrictionLemkeSolver::kMostToTryAll that take more
+/// than four pivots for each point. They may end before they have settled, as `residual` says; then their pushes
 /// with e = 0 are cut down to what adds no energy.
 ///
 /// **Energy.** With e = 0 the impulses only take: their work after the accelerations have acted is
@@ -124,6 +125,9 @@ class VelocityStep {
   }
 
  private:
+  // For each row of a problem without friction that sweeps can take over: a path that arrives takes one.
+  static constexpr int kPivotsOfLarge = 4;
+
   // A point that may push.
   struct Candidate {
     int contact = 0;
@@ -198,6 +202,7 @@ class VelocityStep {
   bool failed_ = false;                    // at the last of these
   double speed_ = 0.0;                     // [m/s] the fastest point of the island, as a scale
   BaraffSolver smooth_solver_;
+  BaraffSolver hasty_solver_{kPivotsOfLarge};  // of large problems: sweeps do what it does not
   FrictionLemkeSolver rough_solver_;
   FrictionSweeps sweeps_;
   LcpResult answer_;

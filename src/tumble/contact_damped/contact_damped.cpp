@@ -6,7 +6,9 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
@@ -16,38 +18,6 @@
 #include <tuple>
 
 namespace tumble {
-namespace {
-
-// Into how many parts a step is divided: more than one, if allowed, where bodies that touch move far into each other, or
-// edges far along each other. Then a contact found at its start does not stay where it is. On a face it does.
-int parts_of_motion(std::span<const ContactPatch> patches, std::span<const MovingBody> free,
-                    double dt, int allowed) {
-  if (allowed == 1) return 1;
-  double most = 0.0;  // [-] way of a point in the step, as a share of the shortest edge
-  for (const ContactPatch& patch : patches) {
-    Six u = motion_of(patch, free[idx(patch.first)], free[idx(patch.second)]);
-    if (patch.axis < 6) u[0] = u[1] = u[5] = 0.0;  // a face, or the ground
-    for (const ContactPatchPoint& p : patch.used()) {
-      const Vec3 way = dt * velocity_at(p.along, p.across, u);
-      if (-way.z() > p.gap) most = std::max(most, way.norm() / patch.size);
-    }
-  }
-  return static_cast<int>(
-      std::clamp(std::ceil(most / tolerance::way_at_once), 1.0, static_cast<double>(allowed)));
-}
-
-// The farthest turn of a body that may touch another [rad]: its contacts of the start of the step are elsewhere at its end.
-double farthest_turn(std::span<const ContactPatch> patches, std::span<const MovingBody> bodies,
-                     double dt) {
-  double square = 0.0;
-  for (const ContactPatch& patch : patches)
-    for (const int body : {patch.first, patch.second})
-      square = std::max(square, bodies[idx(body)].angular_velocity_w.squaredNorm());
-  return dt * std::sqrt(square);
-}
-
-}  // namespace
-
 ContactDamped::ContactDamped(const ContactDampedOptions& options) : options_(options) {
   for (const auto& [count, least, name] :
        {std::tuple{options.sweeps, 1, "sweeps"},
@@ -78,20 +48,20 @@ StepReport ContactDamped::step(World& world, double dt) {
     }
   }
   // [S6.3.1:step]
-  // Where bodies move far along each other, or into each other, the step
-  // may be divided into parts; where one turns by more than a radian it is.
-  load(world, dt);
-  find_patches(world, dt, report);
-  const std::span<const ContactPatch> patches = memory_.manifolds.patches();
-  storage_.parts = std::max(parts_of_motion(patches, velocities_.free, dt, options_.parts),
-                            parts_of_turn(farthest_turn(patches, velocities_.start, dt)));
-  if (storage_.parts > 1) memory_.last_dt = dt;  // of the impulses found just now
-  const double part = dt / storage_.parts;
-  for (int k = 0; k < storage_.parts; ++k) {
-    contact_time_ = world.time() + k * part;
-    const StepReport done = step_part(world, part);
+  // A step is divided where bodies that move by half an edge or more meet, where one that may touch
+  // another turns by more than a radian, and, if allowed, where bodies that touch move far.
+  double left = dt;
+  for (int k = 0; left > 0.0; ++k) {
+    contact_time_ = world.time() + (dt - left);
+    load(world, left);
+    StepReport done;
+    find_patches(world, left, done);
+    const double part = length_of_part(world, left, k);
+    if (part < left) shorten(left, part, world);
+    step_part(world, part, done);
     add_report(done, report);
     report.contacts = done.contacts;
+    left = part < left ? left - part : 0.0;
   }
   // [S6.3.1:step]
   // 7. Bodies at rest fall asleep.
@@ -104,22 +74,30 @@ StepReport ContactDamped::step(World& world, double dt) {
   return report;
 }
 
-StepReport ContactDamped::step_part(World& world, double dt) {
-  StepReport report;
+// The length of the k-th part of a step of which some time is left.
+double ContactDamped::length_of_part(const World& world, double left, int k) {
+  const std::span<const ContactPatch> patches = memory_.manifolds.patches();
+  if (k == 0) storage_.parts = parts_of_motion(patches, velocities_.free, left, options_.parts);
+  if (k >= static_cast<int>(kMostPartsOfTurn)) return left;
+  const int turns = parts_of_turn(farthest_turn(patches, velocities_.start, left));
+  storage_.parts = k + std::max(storage_.parts - k, turns);
+  return time_to_fast_meeting(world, velocities_.start, storage_.candidates, options_.rotation,
+                              left / (storage_.parts - k));
+}
+
+void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   // [S6.3.1:part]
-  // 1. Gravity, and
-  // 2. contact patches, where bodies touch or will within the part, by islands
-  // of bodies that touch each other. If the step has one part, they are there.
-  if (storage_.parts > 1) {
-    load(world, dt);
-    find_patches(world, dt, report);
-  }
+  // 1. Gravity has been added, and
+  // 2. patches have been found where bodies touch or will within the part,
+  // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.in_flight.assign(velocities_.end.size(), 1);
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
   solve_missed(world, dt, report);
+  // Where they turn so far that they sink into each other on the way, with targets that know of it.
+  solve_turning(world, dt, report);
   // 4. Bodies move with these velocities.
   move(world, dt, report);
   // 5. Fast impacts bounce from there.
@@ -129,7 +107,6 @@ StepReport ContactDamped::step_part(World& world, double dt) {
   correct_overlaps(world, dt, report);
   // [S6.3.1:part]
   memory_.last_dt = dt;
-  return report;
 }
 
 // Velocities before gravity, with it, and (to be changed) at the end. Sleeping bodies are immovable.
@@ -175,6 +152,12 @@ void ContactDamped::find_candidates(const World& world, std::span<const MovingBo
   std::erase_if(storage_.candidates, [&](const IndexPair& pair) {
     return !memory_.sleeping.needs_test(pair.first, pair.second);
   });
+}
+
+// Goes back to what holds for a part of a step for which patches were found.
+void ContactDamped::shorten(double dt, double part, const World& world) {
+  load(world, part);
+  memory_.manifolds.shorten(velocities_.free, part, part / dt);
 }
 
 void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
@@ -240,6 +223,22 @@ void ContactDamped::find_pivots(const World& world, double dt) {
   storage_.pivots.find(world.bodies(), velocities_.end, storage_.pushed);
 }
 
+// Moves a body with those that it turns with. The exponential turns it about a fixed axis, which a thin rod would not keep:
+// where that would add energy it stays where it is. Returns whether it has moved.
+bool ContactDamped::carry(int k, double dt, World& world, StepReport& report) const {
+  const BodyProperties& body = world.bodies()[idx(k)];
+  BodyState& state = world.states()[idx(k)];
+  const BodyState before = state;
+  const double repair = storage_.pivots.move(k, dt, world);
+  if (kinetic_energy(body, state) >
+      (1.0 + tolerance::carried_gain) * kinetic_energy(body, before)) {
+    state = before;
+    return false;
+  }
+  report.energy.repair += repair;
+  return true;
+}
+
 // Bodies with an impulse move with their velocity at the end of the step, which meets the targets of contacts;
 // the others fly their parabola.
 void ContactDamped::move(World& world, double dt, StepReport& report) {
@@ -258,11 +257,9 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
       for (int n = 0; n < parts; ++n) fly(body, state, world.gravity_w, part, options_.rotation);
     } else {
       state.linear_momentum_w = body.mass * end[k].velocity_w;
-      if (storage_.pivots.carries(static_cast<int>(k))) {
-        report.energy.repair += storage_.pivots.move(static_cast<int>(k), dt, world);
-      } else {
+      if (!storage_.pivots.carries(static_cast<int>(k)) ||
+          !carry(static_cast<int>(k), dt, world, report))
         for (int n = 0; n < parts; ++n) advance_pose(body, state, part, options_.rotation);
-      }
     }
     report.integrations += parts;
     // [S6.3.1:move]

@@ -58,17 +58,18 @@ struct ContactDampedOptions {
 /// removes energy from the motion of two bodies *relative to each other*, where they touch, so that momentum is
 /// conserved. Friction, torsion and the inelastic normal impulse are the only dissipation.
 ///
-/// **A step**, as step() does it, for each of its parts (ContactDampedOptions::parts, and as many as leave a radian of turn
-/// to a body that may touch another):
+/// **A step**, as step() does it, for each of its parts. It has one, unless boxes that move against each other by half an edge
+/// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, or
+/// ContactDampedOptions::parts asks for more:
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps in a heap
 ///    in which much moves, and where the island moves fast, slides or is nearly done; all patches at once (IslandSolver)
-///    elsewhere, and where sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where
-///    bodies are sent into others that were out of reach, the island is solved again with these. Where much moves and
-///    bodies would still sink deeply, all patches at once are tried, too.
+///    elsewhere, and where sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where much
+///    moves and bodies would still sink deeply, all patches at once are tried, too. An island is solved again where bodies
+///    are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate).
@@ -138,18 +139,24 @@ class ContactDamped : public Technique {
     std::vector<PushedPair> pushed;            // pairs with an impulse
     std::vector<Quat> start_wb;                // orientations at the start of the step
     std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
+    KeptSolution kept;                         // of an island, while another one is tried
     PivotUpdate pivots;                        // bodies that are moved together
     std::vector<MovingBody> displacements;     // of the overlap correction
   };
 
-  StepReport step_part(World& world, double dt);
+  [[nodiscard]] double length_of_part(const World& world, double left, int k);
+  void shorten(double dt, double part, const World& world);
+  void step_part(World& world, double dt, StepReport& report);
   void load(const World& world, double dt);
   void find_patches(World& world, double dt, StepReport& report);
   void find_candidates(const World& world, std::span<const MovingBody> moves, double dt);
   void solve_missed(const World& world, double dt, StepReport& report);
+  void solve_again(const Island& island, StepReport& report);
+  void solve_turning(const World& world, double dt, StepReport& report);
   Island view_of_island(const World& world, int k, double dt);
   void solve_island(const Island& island, StepReport& report);
   void find_pivots(const World& world, double dt);
+  bool carry(int k, double dt, World& world, StepReport& report) const;
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
   void correct_overlaps(World& world, double dt, StepReport& report);

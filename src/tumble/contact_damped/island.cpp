@@ -209,6 +209,27 @@ void velocities_from_impulses(const Island& island) {
   }
 }
 
+void KeptSolution::keep(const Island& island, std::span<const char> in_flight) {
+  impulses_.clear();
+  velocities_.clear();
+  in_flight_.clear();
+  for (const int contact : island.patch_indices)
+    impulses_.push_back(impulses_in(island.all_patches[idx(contact)]));
+  for (const int body : island.bodies) {
+    velocities_.push_back(island.now[idx(body)]);
+    in_flight_.push_back(in_flight[idx(body)]);
+  }
+}
+
+void KeptSolution::restore(const Island& island, std::span<char> in_flight) const {
+  for (std::size_t i = 0; i < impulses_.size(); ++i)
+    go_back(impulses_[i], 0.0, island.all_patches[idx(island.patch_indices[i])]);
+  for (std::size_t i = 0; i < velocities_.size(); ++i) {
+    island.now[idx(island.bodies[i])] = velocities_[i];
+    in_flight[idx(island.bodies[i])] = in_flight_[i];
+  }
+}
+
 double share_without_gain(const Island& island) {
   EnergyOnTheWay way = kinetic_energy_from(island, island.free);
   way.start = 0.0;  // compared with `free`

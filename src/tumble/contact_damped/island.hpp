@@ -9,6 +9,7 @@
 #include "tumble/dynamics/world.hpp"
 
 #include <span>
+#include <vector>
 
 namespace tumble {
 
@@ -120,6 +121,24 @@ void discard_impulses(const Island& island);
 /// \param island  the island
 /// \return [-] 1 if all of them add none
 [[nodiscard]] double share_without_gain(const Island& island);
+
+/// The impulses and velocities of an island, kept so that another solution can be tried.
+class KeptSolution {
+ public:
+  /// Keeps those of now.
+  /// \param island     the island
+  /// \param in_flight  by body index: whether a body has no impulse
+  void keep(const Island& island, std::span<const char> in_flight);
+  /// Goes back to them.
+  /// \param island     the same one
+  /// \param in_flight  in and out
+  void restore(const Island& island, std::span<char> in_flight) const;
+
+ private:
+  std::vector<PatchImpulses> impulses_;  // by its patches
+  std::vector<MovingBody> velocities_;   // by its bodies
+  std::vector<char> in_flight_;          // ditto
+};
 
 /// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
 /// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.

@@ -223,6 +223,13 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
   return found;
 }
 
+void PersistentManifolds::shorten(std::span<const MovingBody> bodies, double dt, double ratio) {
+  for (ContactPatch& patch : patches_) {
+    set_for_step({patch.first, patch.second}, bodies, dt, patch);
+    scale_impulses(ratio, patch);
+  }
+}
+
 int PersistentManifolds::add_missed(const World& world, std::span<const MovingBody> bodies,
                                     std::span<const IndexPair> candidates, double dt) {
   const std::size_t found = patches_.size();

@@ -45,6 +45,12 @@ class PersistentManifolds {
   ManifoldsFound find(const World& world, std::span<const MovingBody> bodies,
                       std::span<const IndexPair> candidates, double dt, double impulse_ratio);
 
+  /// Makes the patches of a step those of its first part.
+  /// \param bodies  velocities without contacts in the part
+  /// \param dt      [s] of the part
+  /// \param ratio   [-] of the part to the step
+  void shorten(std::span<const MovingBody> bodies, double dt, double ratio);
+
   /// Adds the patches of pairs that find() left out, since they did not come near each other, and that overlap at the
   /// end of the step with the velocities that impulses have given them.
   /// \param world       where the bodies are

@@ -35,13 +35,19 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual || (plan.large_and_fast && holds(island, plan));
 }
 
-// All patches together. Returns whether the direct solver accepted the island.
+// All patches together. Returns whether the direct solver accepted the island. In a small one a result that has not
+// converged is the start of sweeps, which put friction back into its cone.
 bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
                     StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
+  if (result.accepted && !result.converged && is_small(island)) {
+    velocities_from_impulses(island);
+    for (int k = 0; k < tolerance::small_island_sweeps; ++k)
+      if (sweep_number(k, island, plan, report) < plan.residual) break;
+  }
   return result.accepted;
 }
 
@@ -160,40 +166,6 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   // [S6.3.1:island]
-}
-
-// Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
-void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
-  const auto hit = [&](std::size_t k) {
-    const BodyProperties& body = world.bodies()[k];
-    const Vec3 push_w = velocities_.end[k].velocity_w - velocities_.start[k].velocity_w;
-    const Vec3 turn_w =
-        velocities_.end[k].angular_velocity_w - velocities_.start[k].angular_velocity_w;
-    return body.movable() && dt * fastest_point_speed(body, push_w, turn_w) >
-                                 tolerance::kept_margin * body.size.minCoeff();
-  };
-  bool any = false;
-  for (std::size_t k = 0; k < velocities_.end.size() && !any; ++k) any = hit(k);
-  if (!any) return;
-  PersistentManifolds& manifolds = memory_.manifolds;
-  const std::uint64_t last = manifolds.last_stamp();
-  find_candidates(world, velocities_.end, dt);
-  if (manifolds.add_missed(world, velocities_.end, storage_.candidates, dt) == 0) return;
-  storage_.touching.clear();
-  for (const ContactPatch& patch : manifolds.patches())
-    storage_.touching.push_back({patch.first, patch.second});
-  memory_.order.update(world, manifolds.patches(), storage_.touching);
-  for (int k = 0; k < memory_.order.islands().count(); ++k) {
-    const Island island = view_of_island(world, k, dt);
-    if (std::none_of(island.patch_indices.begin(), island.patch_indices.end(),
-                     [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
-      continue;
-    for (const int body : island.bodies) {
-      velocities_.end[idx(body)] = velocities_.free[idx(body)];
-      storage_.in_flight[idx(body)] = 1;
-    }
-    solve_island(island, report);
-  }
 }
 
 }  // namespace tumble

@@ -6,8 +6,8 @@ namespace tumble::tolerance {
 
 // --- contact_damped -----------------------------------------------------------------------
 
-/// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10
-/// micrometres for a metre is not seen and far above rounding, so that a contact stays one. (6.3.1)
+/// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10 micrometres for a metre is
+/// not seen and far above rounding. (6.3.1)
 inline constexpr double contact_damped_slop = 1e-5;
 
 /// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
@@ -76,6 +76,17 @@ inline constexpr double fast_turn = 0.5;
 /// meet part by its square. (6.2)
 inline constexpr double least_turn = 1e-5;
 
+/// [rad] Turn in a step from which on it is looked where bodies that touch come to. Reason: below it an edge is lost by less
+/// than a thousandth of what slides along it. (3.2)
+inline constexpr double turn_that_shows = 0.02;
+
+/// [-] Overlap that bodies may gain in a step by turning, as a share of the shortest edge. Reason: of 0.003, 0.005 and 0.01 the
+/// one with which 125 cubes that fall together overlap least; it costs a tenth more time. (3.2)
+inline constexpr double sunk_by_turning = 0.003;
+
+/// [-] Solutions of an island to that end, at most. Reason: each loses a small share of what the one before lost. (3.2)
+inline constexpr int solutions_for_turning = 3;
+
 /// [rad] A body that turns further in a step is moved in parts of the step. Reason: the energy of a tumbling body
 /// swings by up to 2 % for half a radian, and by most of it for two. (3.1)
 inline constexpr double turn_at_once = 0.5;
@@ -84,6 +95,14 @@ inline constexpr double turn_at_once = 0.5;
 /// of 0.04 and 0.08 the one with which 125 cubes that fall together overlap by less than a twentieth of an edge in four
 /// parts. (6.3.1)
 inline constexpr double way_at_once = 0.04;
+
+/// [-] Two boxes that move against each other by more than this share of their shortest edge in a step are stopped where they
+/// meet. Reason: half an edge further on the shortest way out of an overlap leads to the far side. (3.2)
+inline constexpr double fast_way = 0.5;
+
+/// [-] A body that would gain more than this share of its kinetic energy by turning about a fixed axis is moved by itself.
+/// Reason: cubes gain nothing; a rod a hundred times as long as thick gains thirty times what it has. (6.2)
+inline constexpr double carried_gain = 0.01;
 
 /// [-] Growth of a pair's reach at which a kept patch is looked for again. Reason: at rest it does not
 /// change; a push changes it by more. (3.2)
@@ -105,9 +124,8 @@ inline constexpr double repair_rest = 0.9e-5;
 /// being seen to go. (4.4)
 inline constexpr double repair_share = 0.2;
 
-/// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than
-/// this share of the largest change. Reason: sweeps over the island come back to the patch and
-/// correct the remainder. (6.3.1)
+/// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than this share of
+/// the largest change. Reason: sweeps over the island come back to the patch. (6.3.1)
 inline constexpr double patch_settled = 1e-4;
 
 /// [-] Friction that exceeds its bound by less than this share of the bound meets it. Reason: about fifty
@@ -116,14 +134,12 @@ inline constexpr double friction_rounding = 1e-14;
 
 // --- one contact patch ---------------------------------------------------------------------------
 
-/// [-] Share of the slop that the targets of a patch's points may be off, in a step, from those of the one motion
-/// that replaces them. Reason: with a whole slop a patch that rests on some points, with others just open,
-/// would move in every step in a way that its points do not ask for. (6.3.1)
+/// [-] Share of the slop that targets of points may be off from those of the one motion that replaces them. Reason: with a
+/// whole slop a patch that rests on some points would move in every step in a way that they do not ask for. (6.3.1)
 inline constexpr double planar_targets = 0.01;
 
-/// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping
-/// points take IslandSolver many steps, and friction under the patch's common bound, which is not
-/// that of each point, would set it back in each. (6.3.1)
+/// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping points
+/// take IslandSolver many steps, and friction under the common bound of their patch would set it back in each. (6.3.1)
 inline constexpr double patch_creep = 10.0;
 
 /// [-] A bound of friction that changes less than this share of the motion is applied without a search. Reason:

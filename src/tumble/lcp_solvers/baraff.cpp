@@ -24,13 +24,13 @@ LcpStatus translated(ComplementarityStatus status) {
 
 // Which contact sinks and which matrix is singular is decided by the largest row. What failed so is tried again in
 // rows of unit diagonal.
-void solve_in_units(const LcpProblem& problem, LcpResult& result) {
+void solve_in_units(const LcpProblem& problem, int pivots_each, LcpResult& result) {
   ScaledProblem units;
   units.assign(problem);
   TwinProblem twins;
   twins.assign(units.problem());
   ComplementarityResult answer;
-  ComplementaritySolver().solve(twins.A(), twins.b(), answer);
+  ComplementaritySolver(pivots_each).solve(twins.A(), twins.b(), answer);
   if (answer.status != ComplementarityStatus::solved) return;
   LcpResult second;
   std::vector<double> f;
@@ -67,7 +67,7 @@ void BaraffSolver::solve(const LcpProblem& problem, LcpResult& result, std::span
 
   const bool solved = result.status == LcpStatus::solved;
   if (problem.factors.rows.empty()) {
-    if (!solved) solve_in_units(problem, result);
+    if (!solved) solve_in_units(problem, pivots_each_, result);
     return;
   }
   // A holds only the squares of what J holds: half of the digits. Where that is too few, J is used.

@@ -29,6 +29,11 @@ namespace tumble {
 /// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class BaraffSolver : public LcpSolver {
  public:
+  /// Makes a solver.
+  /// \param pivots_each pivots for each row, after which a problem ends as LcpStatus::cap_reached
+  explicit BaraffSolver(int pivots_each = ComplementaritySolver::kPivotsEach)
+      : pivots_each_(pivots_each), solver_(pivots_each) {}
+
   /// \return "baraff"
   [[nodiscard]] std::string_view name() const override { return "baraff"; }
 
@@ -42,6 +47,7 @@ class BaraffSolver : public LcpSolver {
              std::span<const int> start = {}) override;
 
  private:
+  int pivots_each_;
   ComplementaritySolver solver_;
   ComplementarityResult answer_;
   TwinProblem twins_;

@@ -157,7 +157,7 @@ void ComplementaritySolver::settle(const MatRef& A, const VecRef& b,
 bool ComplementaritySolver::drive_to_zero(const MatRef& A, const VecRef& b, int d,
                                           ComplementarityResult& result) {
   const int n = static_cast<int>(place_.size());
-  const int cap = 50 * n + 50;
+  const int cap = pivots_each_ * (n + 1);
   const std::vector<int>& pushing = factor_.indices();
   int newest = -1;  // the one that began to push in the last step, if any did
   while (result.pivots < cap) {

@@ -63,6 +63,12 @@ double complementarity_residual(const MatRef& A, const VecRef& b, const VecRef& 
 /// \verified{The solver agrees with trying everything on 10000 singular problems}
 class ComplementaritySolver {
  public:
+  static constexpr int kPivotsEach = 50;  ///< pivots for each contact, after which it gives up
+
+  /// Makes a solver.
+  /// \param pivots_each pivots for each contact, after which a problem ends as `cap_reached`
+  explicit ComplementaritySolver(int pivots_each = kPivotsEach) : pivots_each_(pivots_each) {}
+
   /// Solves one problem.
   /// \param A      [1/kg] (n×n) symmetric positive semidefinite
   /// \param b      [m/s²] (n) what a would be without forces
@@ -98,6 +104,7 @@ class ComplementaritySolver {
   double unsure_ = 0.0;          // [m/s²] the same for a contact that depends on others, per force
   std::int64_t multiplications_ = 0;
   int exchanges_ = 0;  // of contacts that only seemed to sink
+  int pivots_each_ = kPivotsEach;
 };
 
 }  // namespace tumble

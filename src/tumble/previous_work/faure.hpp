@@ -11,6 +11,7 @@
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/previous_work/rubbing_points.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <memory>
@@ -44,67 +45,6 @@ void describe(FaureOptions& o, Visitor& v) {
          "rule for collisions that are too slow to bounce (thesis 4.3)");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
 }
-
-/// Contact points of a step and their impulses, as ProjectedDescent asks for them: three unknowns a point, along its normal and two
-/// directions across it.
-class FaureContacts {
- public:
-  /// Takes contacts up.
-  /// \param bodies    how they would move without contacts
-  /// \param contacts  with the impulses to start from
-  /// \param dt        [s] of the step
-  /// \param world     for the speed at which impacts stick
-  /// \param sticky    see there
-  /// \param bounce    false: no impact bounces
-  void take(std::span<const MovingBody> bodies, std::span<const Contact> contacts, double dt,
-            const World& world, const StickyOptions& sticky, bool bounce);
-  /// \return whether a point bounces
-  [[nodiscard]] bool bounces() const { return bounces_; }
-  /// \return three for each point
-  [[nodiscard]] std::size_t size() const { return 3 * rows_.size(); }
-  /// \param i  unknown
-  /// \return [1/kg]
-  [[nodiscard]] double diagonal(std::size_t i) const { return rows_[i / 3].yield[i % 3]; }
-  /// \param i  unknown
-  /// \return [m/s] how the point would move, less what it may
-  [[nodiscard]] double constant(std::size_t i) const { return rows_[i / 3].constant[i % 3]; }
-  /// What impulses change of the motions of all points.
-  /// \param p    [N s]
-  /// \param out  [m/s] is overwritten
-  void multiply(std::span<const double> p, std::span<double> out);
-  /// Contacts push, and friction is at most the coefficient times the push.
-  /// \param p  [N s] in and out
-  void allow(std::span<double> p) const;
-  /// \return [N s] those to start from, and then the answer
-  [[nodiscard]] std::vector<double>& impulses() { return impulses_; }
-  /// How long the first step from no impulses is, at least.
-  /// \return see DescentReport::step
-  [[nodiscard]] double first_step() const;
-  /// Begins without impulses if those of the start have an energy above 0, and so could add some.
-  void require_no_energy();
-  /// Impulses of a point.
-  /// \param row  the point, in the order of the contacts
-  /// \return [N s] on the second body, world frame
-  [[nodiscard]] Vec3 impulse_w(std::size_t row) const;
-
- private:
-  struct Row {
-    int first = 0, second = 0;         // bodies
-    std::array<Vec3, 3> axis_w;        // [-] normal and tangents
-    std::array<Vec3, 3> arm_first_w;   // [m] lever arm × axis
-    std::array<Vec3, 3> arm_second_w;  // [m]
-    std::array<double, 3> yield{};     // [1/kg] of the pair; across the normal the mean
-    std::array<double, 3> constant{};  // [m/s]
-    double friction = 0.0;             // [-]
-  };
-
-  std::span<const MovingBody> bodies_;
-  std::vector<Row> rows_;
-  std::vector<double> impulses_;
-  std::vector<Vec3> linear_w_, angular_w_;  // [m/s], [rad/s] what impulses change, by body index
-  std::vector<double> image_;
-  bool bounces_ = false;
-};
 
 /// Faure's energy method: impulses of all contacts at once, by as many steps down the energy as there is time for.
 ///
@@ -141,13 +81,14 @@ class Faure : public Technique {
  private:
   StepReport step_part(World& world, double dt);
   void find_contacts(const World& world, double dt, StepReport& report);
-  void push(const World& world, double dt, bool bounce, StepReport& report);
+  bool find_least_motions(const World& world, double dt, bool bounce);
+  bool push(const World& world, double dt, bool bounce, StepReport& report);
   [[nodiscard]] bool gains(const StepReport& report) const;
 
   FaureOptions options_;
   std::unique_ptr<BroadPhase> broad_phase_;
-  FaureContacts rows_;
-  ProjectedDescent<FaureContacts> iteration_;
+  RubbingPoints rows_;
+  ProjectedDescent<RubbingPoints> iteration_;
   DescentReport descent_;
   OverlapRepair repair_;
   double last_dt_ = 0.0;  // [s] of the step before, or 0
@@ -157,6 +98,7 @@ class Faure : public Technique {
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
   std::vector<MovingBody> start_, moving_;
+  std::vector<double> least_;  // [m/s] of each point
   std::vector<ContactRecord> records_;
 };
 

@@ -76,8 +76,10 @@ class ProjectedDescent {
 
  private:
   void prepare(Problem& problem, std::span<const double> p, DescentReport& report) {
-    for (std::vector<double>* all : {&residual_, &target_, &way_, &direction_, &moved_, &image_})
-      all->assign(p.size(), 0.0);
+    for (std::vector<double>* all : {&residual_, &target_, &way_, &direction_, &moved_, &image_}) {
+      all->resize(p.size());  // assign() would ask for memory whenever there is one unknown more
+      std::fill(all->begin(), all->end(), 0.0);
+    }
     if (std::any_of(p.begin(), p.end(), [](double x) { return x != 0.0; })) {
       problem.multiply(p, residual_);
       ++report.products;

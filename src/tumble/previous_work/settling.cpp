@@ -6,40 +6,17 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/movable_edge.hpp"
-#include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
+#include <utility>
 
 namespace tumble {
 namespace {
 
 constexpr int kMostRounds = 5;  // of a step; each shortens the fall by what was too far
-
-// [m] how far a corner goes at most
-double farthest_of(const World& world, std::span<const MovingBody> moving) {
-  double farthest = 0.0;
-  for (std::size_t k = 0; k < moving.size(); ++k)
-    farthest =
-        std::max(farthest, moving[k].velocity_w.norm() + 0.5 * world.bodies()[k].size.norm() *
-                                                             moving[k].angular_velocity_w.norm());
-  return farthest;
-}
-
-// Where edges cross, bodies turn so far in a step that the faces beside them go in: their corners are points too.
-void add_corners(const World& world, double margin, Contact& contact) {
-  if (contact.axis == kNoAxis) return;  // one of the two is the ground
-  const IndexPair pair{contact.first, contact.second};
-  Manifold manifold;
-  if (!touch_pair(world, world.states(), pair, margin, contact.axis, manifold)) return;
-  const auto box = [&](int k) { return box_of(world.bodies()[idx(k)], world.states()[idx(k)]); };
-  add_face_points(box(pair.first), box(pair.second), margin, manifold);
-  set_points(manifold, contact);
-}
 
 }  // namespace
 
@@ -66,7 +43,8 @@ StepReport Settling::step(World& world, double dt) {
   const double gravity = world.gravity_w.norm();
   const double reach = options_.reach * movable_edge(world);
   double time_squared = gravity > 0.0 ? reach / gravity : 0.0;  // [s²] τ²
-  find_contacts(world, reach, report);
+  load_moving_bodies(world, still_);
+  points_.find(world, still_, 2.0 * reach, report);  // both bodies may move as far as they may
 
   // [S2.7.1:step]
   // A free body would fall by τ² g. The nearest displacements to that with which no point goes in are the minimum. If they leave
@@ -77,18 +55,19 @@ StepReport Settling::step(World& world, double dt) {
     moving_ = still_;
     for (std::size_t k = 0; k < moving_.size(); ++k)
       if (world.bodies()[k].movable()) moving_[k].velocity_w = time_squared * world.gravity_w;
-    scale_forces(time_squared);
-    const DescentReport found =
-        program_.solve(moving_, contacts_, gaps_, tolerance::settling_step, options_.budget);
+    points_.scale_impulses(last_time_squared_ > 0.0 ? time_squared / last_time_squared_ : 0.0);
+    last_time_squared_ = time_squared;
+    const DescentReport found = program_.solve(moving_, points_.contacts(), points_.gaps(),
+                                               tolerance::settling_step, options_.budget);
     report.iterations += found.iterations;
-    share = std::min(1.0, reach / farthest_of(world, moving_));
+    share = std::min(1.0, reach / farthest_move(world, moving_));
     if (share == 1.0) break;
   }
-  move(share, world);
+  move_bodies(moving_, share, world);
   // [S2.7.1:step]
 
   records_.clear();
-  for (const Contact& contact : contacts_) {
+  for (const Contact& contact : std::as_const(points_).contacts()) {
     for (int k = 0; k < contact.count; ++k) {
       if (!(contact.points[idx(k)].normal_impulse > 0.0)) continue;
       ContactRecord& record = records_.emplace_back(record_of(contact, k, world.time()));
@@ -101,40 +80,6 @@ StepReport Settling::step(World& world, double dt) {
   report.energy.damping = energy_of(world).total() - energy;
   world.finish_step(dt);
   return report;
-}
-
-// All points that come near each other when both bodies move as far as they may.
-void Settling::find_contacts(const World& world, double reach, StepReport& report) {
-  const double margin = 2.0 * reach;
-  std::swap(previous_, contacts_);
-  repair_bounds(world, margin, bounds_);
-  near_.find_pairs(bounds_, pairs_);
-  load_moving_bodies(world, still_);
-  const GatherReport found = gather_contacts(world, still_, pairs_, margin, previous_, contacts_);
-  report.pair_tests += found.pair_tests;
-  report.deepest_overlap = found.deepest_overlap;
-  for (Contact& contact : contacts_) add_corners(world, margin, contact);
-  carry_over_impulses(previous_, contacts_);
-  gaps_.clear();
-  for (const Contact& contact : contacts_)
-    for (int k = 0; k < contact.count; ++k) gaps_.push_back(contact.points[idx(k)].distance);
-}
-
-// The forces to start from, times τ².
-void Settling::scale_forces(double time_squared) {
-  const double share = last_time_squared_ > 0.0 ? time_squared / last_time_squared_ : 0.0;
-  for (Contact& contact : contacts_)
-    for (int k = 0; k < contact.count; ++k) contact.points[idx(k)].normal_impulse *= share;
-  last_time_squared_ = time_squared;
-}
-
-void Settling::move(double share, World& world) const {
-  for (std::size_t k = 0; k < moving_.size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
-    BodyState& state = world.states()[k];
-    state.position_w += share * moving_[k].velocity_w;
-    state.orientation_wb = turned(state.orientation_wb, moving_[k].angular_velocity_w, share);
-  }
 }
 
 }  // namespace tumble

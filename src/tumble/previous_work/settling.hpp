@@ -5,9 +5,8 @@
 #pragma once
 
 #include "tumble/base/options.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/dynamics/technique.hpp"
-#include "tumble/geometry/bounding_tree.hpp"
+#include "tumble/previous_work/near_points.hpp"
 #include "tumble/previous_work/nearest_motion.hpp"
 
 #include <memory>
@@ -62,20 +61,12 @@ class Settling : public Technique {
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
  private:
-  void find_contacts(const World& world, double reach, StepReport& report);
-  void scale_forces(double time_squared);
-  void move(double share, World& world) const;
-
   SettlingOptions options_;
-  ContactList contacts_, previous_;
+  NearPoints points_;
   double last_time_squared_ = 0.0;  // [s²] τ² of the step before, or 0
 
   // Of one step; kept so that a warm step asks for no memory.
-  BoundingTree near_;
-  std::vector<Bounds> bounds_;
-  std::vector<IndexPair> pairs_;
   std::vector<MovingBody> still_, moving_;
-  std::vector<double> gaps_;
   NearestMotion program_;
   std::vector<ContactRecord> records_;
 };

@@ -63,6 +63,17 @@ inline constexpr double dependent_joint = 1e-14;
 /// rest then move by a ten millionth of the reach. (2.7.1)
 inline constexpr double settling_step = 1e-9;
 
+/// [-] How far a corner moves in a round, over the shortest edge, at which poses are found. Reason: a ten thousandth of
+/// an edge is not seen, and the next round would move the square of it. (2.7.2)
+inline constexpr double optimised_still = 1e-4;
+
+/// [-] Step of the iteration at which a program is solved, over the one from no forces. Reason: with ten times as much heaps do
+/// not come to an end within the rounds at steps of a quarter of a second. (2.7.2)
+inline constexpr double optimised_step = 1e-5;
+
+/// [-] Gap up to which points touch, over the shortest edge. Reason: ten times what the poses may miss. (2.7.2)
+inline constexpr double optimised_touch = 1e-3;
+
 /// [-] Slip that has stopped, over the velocity at the start of an impact. Reason: a straight line that ends at no slip leaves
 /// some roundings. (2.5.2)
 inline constexpr double impact_still = 1e-12;

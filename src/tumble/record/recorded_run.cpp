@@ -88,6 +88,8 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
   for (std::size_t k = 0; k < run.scene.boxes.size(); ++k)
     boxes.emplace(run.scene.boxes[k].name, static_cast<int>(k));
 
+  std::vector<std::size_t> last_frame(run.scene.boxes.size(),
+                                      0);  // with a pose of the box; 0: none yet
   std::vector<char> line(kLongestLine);
   for (int number = 1;
        in.getline(line.data(), static_cast<std::streamsize>(line.size())) || in.gcount() > 0;
@@ -105,7 +107,12 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
                     row.where() + ": time_s = " + shortest_text(time) + ": expected it to grow");
       run.frames.push_back(RecordedFrame{time, {}});
     }
-    run.frames.back().poses.push_back(pose_of(row, boxes));
+    const RecordedPose pose = pose_of(row, boxes);
+    std::size_t& last = last_frame[static_cast<std::size_t>(pose.box)];
+    require::that(last != run.frames.size(),
+                  row.where() + ": body " + one_line(row.name()) + ": twice in one frame");
+    last = run.frames.size();
+    run.frames.back().poses.push_back(pose);
   }
   require::that(!run.frames.empty(), path.string() + ": has no frame");
   return run;

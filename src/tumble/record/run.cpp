@@ -57,9 +57,9 @@ class RunChecks {
                   Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
-  // After the last step.
-  StepStatus end(const World& world) {
-    passage_.at_end(world);
+  // After the last step; with nothing left in anything no pair needs to be looked at.
+  StepStatus end(const World& world, double deepest_overlap) {
+    if (!(deepest_overlap <= 0.0)) passage_.at_end(world);
     return status();
   }
 
@@ -181,7 +181,8 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     }
   }
   if (result.end == RunEnd::complete) {
-    result.worst_report.status = std::max(result.worst_report.status, checks.end(world));
+    result.worst_report.status =
+        std::max(result.worst_report.status, checks.end(world, result.last.deepest_overlap));
     checks.pass_on(observers, result);
   }
   result.worst = result.worst_report.status;

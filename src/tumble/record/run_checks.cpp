@@ -5,6 +5,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/geometry/separation.hpp"
 #include "tumble/geometry/swept.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/record/overlap.hpp"
@@ -115,6 +116,7 @@ PassageCheck::PassageCheck() : near_(make_broad_phase("bounding_tree")) {}
 void PassageCheck::on_begin(const World& world) {
   time_ = world.time();
   before_.assign(world.states().begin(), world.states().end());
+  entered_.clear();
 }
 
 void PassageCheck::on_change(const World& world, double /*energy_added*/) { on_begin(world); }
@@ -128,8 +130,52 @@ void PassageCheck::on_step(const World& world, const StepReport& /*report*/) {
     fast_[k] = way > 0.5 * world.bodies()[k].size.minCoeff() && std::isfinite(way) ? 1 : 0;
     any = any || fast_[k] != 0;
   }
+  look_at_entered(world);
   if (any) look_for_passages(world);
-  on_begin(world);
+  before_.assign(world.states().begin(), world.states().end());
+  time_ = world.time();
+}
+
+void PassageCheck::find_passage(const World& world, std::size_t first, std::size_t second) {
+  status_ = StepStatus::passed_through;
+  find(world, world.name(static_cast<int>(first)) + " went through " +
+                  world.name(static_cast<int>(second)) +
+                  ": a smaller --dt or a technique that catches it is needed");
+}
+
+// [rad] how far a body turned in the step, at most.
+double PassageCheck::turn_of(const World& world, std::size_t k) const {
+  const BodyProperties& body = world.bodies()[k];
+  const BodyState& after = world.states()[k];
+  const double spin =
+      std::max(angular_velocity(body, before_[k]).norm(), angular_velocity(body, after).norm());
+  return std::max(angle_between(before_[k].orientation_wb, after.orientation_wb),
+                  spin * (world.time() - time_));
+}
+
+// Pairs that a step left in each other: whether they are apart now, and where.
+void PassageCheck::look_at_entered(const World& world) {
+  const auto went_on = [&](Entering& of) -> Vec3 {
+    of.turned += turn_of(world, of.body);
+    return world.states()[of.body].position_w - of.before.position_w;
+  };
+  const auto now = [&](std::size_t k) {
+    return core_of(world.bodies()[k], world.states()[k], 0.0);
+  };
+  const auto then = [&](const Entering& of) {
+    return core_of(world.bodies()[of.body], of.before, of.turned);
+  };
+  std::erase_if(entered_, [&](Entered& pair) {
+    const Vec3 way_of_first_w = went_on(pair.first);
+    const Vec3 way_of_second_w = went_on(pair.second);
+    if (!way_of_first_w.allFinite() || !way_of_second_w.allFinite()) return true;
+    if (separation(now(pair.first.body), now(pair.second.body)).distance < 0.0) return false;
+    const SweepResult swept =
+        sweep(then(pair.first), way_of_first_w, then(pair.second), way_of_second_w);
+    if (swept.status == SweepStatus::hit && swept.leave < 1.0)
+      find_passage(world, pair.first.body, pair.second.body);
+    return true;
+  });
 }
 
 void PassageCheck::look_for_passages(const World& world) {
@@ -142,11 +188,7 @@ void PassageCheck::look_for_passages(const World& world) {
   for (std::size_t k = 0; k < before_.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (body.shape == Shape::ground) continue;
-    const double turned = std::max(angular_velocity(body, before_[k]).norm(),
-                                   angular_velocity(body, world.states()[k]).norm()) *
-                          (world.time() - time_);
-    const double angle = angle_between(before_[k].orientation_wb, world.states()[k].orientation_wb);
-    const Box core = core_of(body, before_[k], std::max(angle, turned));
+    const Box core = core_of(body, before_[k], turn_of(world, k));
     solid_.push_back(k);
     cores_.push_back(core);
     swept_.push_back(widened(bounds_of(core), way(k)));
@@ -158,12 +200,12 @@ void PassageCheck::look_for_passages(const World& world) {
     if (fast_[a] == 0 && fast_[b] == 0) continue;
     const SweepResult swept =
         sweep(cores_[idx(pair.first)], way(a), cores_[idx(pair.second)], way(b));
-    if (swept.status != SweepStatus::hit || swept.leave >= 1.0) continue;
-    status_ = StepStatus::passed_through;
-    find(world, world.name(static_cast<int>(a)) + " went through " +
-                    world.name(static_cast<int>(b)) +
-                    " within the step: a smaller --dt or a technique that catches it is needed");
-    return;
+    if (swept.status != SweepStatus::hit) continue;
+    if (swept.leave < 1.0) {
+      find_passage(world, a, b);
+      return;
+    }
+    entered_.push_back({{a, before_[a], turn_of(world, a)}, {b, before_[b], turn_of(world, b)}});
   }
 }
 

@@ -62,7 +62,8 @@ class EnergyCheck : public RunCheck {
 /// meet fast.
 ///
 /// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
-/// on the straight way between. The core of a body is a box within it, so much smaller that it stays inside
+/// on the straight way between; so did two that a step left with their cores in each other, if the way from where they were
+/// apart before to where they are apart again leads through. The core of a body is a box within it, so much smaller that it stays inside
 /// however the body turned in the step. So a finding is certain; a passage near an edge is not found, nor, of a body that
 /// turned far, one with no more than its innermost part.
 /// \par Cost
@@ -80,6 +81,9 @@ class PassageCheck : public RunCheck {
 
  private:
   void look_for_passages(const World& world);
+  void look_at_entered(const World& world);
+  void find_passage(const World& world, std::size_t first, std::size_t second);
+  [[nodiscard]] double turn_of(const World& world, std::size_t k) const;
 
   std::vector<BodyState> before_;  // at the start of the step
   double time_ = 0.0;              // [s] ditto
@@ -89,6 +93,17 @@ class PassageCheck : public RunCheck {
   std::vector<Box> cores_;          // where the step began
   std::vector<Bounds> swept_;
   std::vector<IndexPair> pairs_;
+
+  // Two bodies whose cores met in a step and have not parted since.
+  struct Entering {
+    std::size_t body = 0;
+    BodyState before;     // where that step began
+    double turned = 0.0;  // [rad] since, at most
+  };
+  struct Entered {
+    Entering first, second;
+  };
+  std::vector<Entered> entered_;
 };
 
 /// A body that turns by more than a radian in a step is named, once, with a step that would do. Not every technique finds its

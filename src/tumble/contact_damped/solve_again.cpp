@@ -1,0 +1,153 @@
+/// \file
+/// \brief The default technique: islands that are solved again, with what their first solution brought about.
+#include "tumble/base/index.hpp"
+#include "tumble/contact_damped/contact_damped.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/geometry/separation.hpp"
+#include "tumble/math/rotation.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble {
+namespace {
+
+// A body's box at the end of the step.
+Box box_after(const Island& island, int k) {
+  const MovingBody& now = island.now[idx(k)];
+  Box box = box_of(island.world.bodies()[idx(k)], island.world.states()[idx(k)]);
+  box.center_w += island.dt * now.velocity_w;
+  box.axes_w = rotation_from_vector(island.dt * now.angular_velocity_w) * box.axes_w;
+  return box;
+}
+
+// How far the bodies of a patch are apart at the end of the step [m]; below 0 they overlap.
+double distance_after(const Island& island, const ContactPatch& patch) {
+  const auto is_ground = [&](int k) {
+    return island.world.bodies()[idx(k)].shape == Shape::ground;
+  };
+  if (is_ground(patch.first) || is_ground(patch.second)) {
+    const Box box = box_after(island, is_ground(patch.first) ? patch.second : patch.first);
+    return box.center_w.y() - box.axes_w.row(1).cwiseAbs().dot(box.half);
+  }
+  return separation(box_after(island, patch.first), box_after(island, patch.second)).distance;
+}
+
+// What the points of a patch do not know: its bodies turn in the step, and with them its normal.
+struct Turned {
+  double deeper = 0.0;    // [m] more overlap than at the start of the step
+  double expected = 0.0;  // [m] how far apart the nearest point says that the bodies will be
+};
+
+Turned turned_in_step(const Island& island, const ContactPatch& patch) {
+  const MovingBody& first = island.now[idx(patch.first)];
+  const MovingBody& second = island.now[idx(patch.second)];
+  const double turn =
+      island.dt * std::max(first.angular_velocity_w.norm(), second.angular_velocity_w.norm());
+  if (!(turn > tolerance::turn_that_shows)) return {};
+  const Six u = motion_of(patch, first, second);
+  double expected = std::numeric_limits<double>::infinity();
+  double overlap = 0.0;
+  for (const ContactPatchPoint& p : patch.used()) {
+    expected = std::min(expected, p.gap + island.dt * velocity_at(p.along, p.across, u).z());
+    overlap = std::max(overlap, -p.gap);
+  }
+  return {-overlap - distance_after(island, patch), expected};
+}
+
+// The most that bodies of an island sink into each other in the step by turning, as a share of the size.
+double sunk_by_turning(const Island& island) {
+  double most = 0.0;
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    most = std::max(most, turned_in_step(island, patch).deeper / patch.size);
+  }
+  return most;
+}
+
+// Asks the points of patches that sink so to end as much higher.
+void raise_targets(const Island& island) {
+  for (const int contact : island.patch_indices) {
+    ContactPatch& patch = island.all_patches[idx(contact)];
+    const Turned turned = turned_in_step(island, patch);
+    if (!(turned.deeper > tolerance::sunk_by_turning * patch.size)) continue;
+    for (ContactPatchPoint& p : patch.used())
+      p.target = std::max(p.target, (turned.expected + turned.deeper - p.gap) / island.dt);
+    patch.targets_planar = false;
+  }
+}
+
+// The farthest turn of a body of an island in the step [rad].
+double farthest_turn(const Island& island) {
+  double most = 0.0;
+  for (const int k : island.bodies)
+    most = std::max(most, island.dt * island.now[idx(k)].angular_velocity_w.norm());
+  return most;
+}
+
+}  // namespace
+
+void ContactDamped::solve_again(const Island& island, StepReport& report) {
+  for (const int body : island.bodies) {
+    velocities_.end[idx(body)] = velocities_.free[idx(body)];
+    storage_.in_flight[idx(body)] = 1;
+  }
+  solve_island(island, report);
+}
+
+// Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
+void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
+  const auto hit = [&](std::size_t k) {
+    const BodyProperties& body = world.bodies()[k];
+    const Vec3 push_w = velocities_.end[k].velocity_w - velocities_.start[k].velocity_w;
+    const Vec3 turn_w =
+        velocities_.end[k].angular_velocity_w - velocities_.start[k].angular_velocity_w;
+    return body.movable() && dt * fastest_point_speed(body, push_w, turn_w) >
+                                 tolerance::kept_margin * body.size.minCoeff();
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < velocities_.end.size() && !any; ++k) any = hit(k);
+  if (!any) return;
+  PersistentManifolds& manifolds = memory_.manifolds;
+  const std::uint64_t last = manifolds.last_stamp();
+  find_candidates(world, velocities_.end, dt);
+  if (manifolds.add_missed(world, velocities_.end, storage_.candidates, dt) == 0) return;
+  storage_.touching.clear();
+  for (const ContactPatch& patch : manifolds.patches())
+    storage_.touching.push_back({patch.first, patch.second});
+  memory_.order.update(world, manifolds.patches(), storage_.touching);
+  for (int k = 0; k < memory_.order.islands().count(); ++k) {
+    const Island island = view_of_island(world, k, dt);
+    if (std::none_of(island.patch_indices.begin(), island.patch_indices.end(),
+                     [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
+      continue;
+    solve_again(island, report);
+  }
+}
+
+// Impulses hold points along the normal of the start of the step. A body that turns takes the normal with it, and its corners
+// along an arc. Where bodies so sink into each other, points are asked for as much more, and the island is solved again.
+// Solutions with which they sink further, or that make a body spin, are not taken.
+void ContactDamped::solve_turning(const World& world, double dt, StepReport& report) {
+  for (int k = 0; k < memory_.order.islands().count(); ++k) {
+    const Island island = view_of_island(world, k, dt);
+    // [S6.3.1:turning]
+    double sunk = sunk_by_turning(island);
+    for (int n = 0; n < tolerance::solutions_for_turning && sunk > tolerance::sunk_by_turning;
+         ++n) {
+      const double most_turn = std::max(farthest_turn(island), tolerance::turn_at_once);
+      storage_.kept.keep(island, storage_.in_flight);
+      raise_targets(island);
+      solve_again(island, report);
+      const double now = sunk_by_turning(island);
+      if (!(now < sunk) || farthest_turn(island) > most_turn) {
+        storage_.kept.restore(island, storage_.in_flight);
+        break;
+      }
+      sunk = now;
+    }
+    // [S6.3.1:turning]
+  }
+}
+
+}  // namespace tumble
