@@ -81,8 +81,10 @@ double ContactDamped::length_of_part(const World& world, double left, int k) {
   if (k >= static_cast<int>(kMostPartsOfTurn)) return left;
   const int turns = parts_of_turn(farthest_turn(patches, velocities_.start, left));
   storage_.parts = k + std::max(storage_.parts - k, turns);
+  const double part = left / (storage_.parts - k);
+  if (k >= kMostMeetings) return part;
   return time_to_fast_meeting(world, velocities_.start, storage_.candidates, options_.rotation,
-                              left / (storage_.parts - k));
+                              part);
 }
 
 void ContactDamped::step_part(World& world, double dt, StepReport& report) {
