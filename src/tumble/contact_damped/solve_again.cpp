@@ -7,6 +7,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tumble {
@@ -55,8 +56,17 @@ Turned turned_in_step(const Island& island, const ContactPatch& patch) {
   return {-overlap - distance_after(island, patch), expected};
 }
 
+// The farthest turn of a body of an island in the step [rad].
+double farthest_turn(const Island& island) {
+  double square = 0.0;
+  for (const int k : island.bodies)
+    square = std::max(square, island.now[idx(k)].angular_velocity_w.squaredNorm());
+  return island.dt * std::sqrt(square);
+}
+
 // The most that bodies of an island sink into each other in the step by turning, as a share of the size.
 double sunk_by_turning(const Island& island) {
+  if (!(farthest_turn(island) > tolerance::turn_that_shows)) return 0.0;  // as at rest
   double most = 0.0;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
@@ -75,14 +85,6 @@ void raise_targets(const Island& island) {
       p.target = std::max(p.target, (turned.expected + turned.deeper - p.gap) / island.dt);
     patch.targets_planar = false;
   }
-}
-
-// The farthest turn of a body of an island in the step [rad].
-double farthest_turn(const Island& island) {
-  double most = 0.0;
-  for (const int k : island.bodies)
-    most = std::max(most, island.dt * island.now[idx(k)].angular_velocity_w.norm());
-  return most;
 }
 
 }  // namespace

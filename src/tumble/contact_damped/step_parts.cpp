@@ -3,14 +3,31 @@
 #include "tumble/contact_damped/step_parts.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/contact_damped/island.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
+
+// Whether no two boxes can move by a share of their shortest edge against each other in a step, as at rest.
+bool all_are_slow(const World& world, std::span<const MovingBody> bodies, double dt) {
+  double edge = std::numeric_limits<double>::infinity();
+  double speed = 0.0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (body.shape != Shape::box) continue;
+    edge = std::min(edge, body.size.minCoeff());
+    if (!body.movable()) continue;
+    speed = std::max(speed,
+                     fastest_point_speed(body, bodies[k].velocity_w, bodies[k].angular_velocity_w));
+  }
+  return 2.0 * dt * speed <= tolerance::fast_way * edge;
+}
 
 // How far points of two boxes move against each other in a step, at most, as a share of the shortest edge.
 double way_of_pair(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
@@ -21,9 +38,9 @@ double way_of_pair(const World& world, const IndexPair& pair, std::span<const Mo
     return 0.0;
   const MovingBody& first = bodies[idx(pair.first)];
   const MovingBody& second = bodies[idx(pair.second)];
-  const double speed = (second.velocity_w - first.velocity_w).norm() +
-                       0.5 * a.size.norm() * first.angular_velocity_w.norm() +
-                       0.5 * b.size.norm() * second.angular_velocity_w.norm();
+  const double speed =
+      fastest_point_speed(a, second.velocity_w - first.velocity_w, first.angular_velocity_w) +
+      fastest_point_speed(b, Vec3::Zero(), second.angular_velocity_w);
   return dt * speed / std::min(a.size.minCoeff(), b.size.minCoeff());
 }
 
@@ -56,6 +73,7 @@ double farthest_turn(std::span<const ContactPatch> patches, std::span<const Movi
 
 double time_to_fast_meeting(const World& world, std::span<const MovingBody> bodies,
                             std::span<const IndexPair> candidates, RotationRule rule, double dt) {
+  if (all_are_slow(world, bodies, dt)) return dt;
   Flight flight;
   flight.bodies = world.bodies();
   flight.states = world.states();
