@@ -25,6 +25,16 @@ struct MovingBody {
   bool changed = false;
 };
 
+/// The speed of a body's fastest point.
+/// \param body                the body
+/// \param velocity_w          [m/s] of its centre
+/// \param angular_velocity_w  [rad/s]
+/// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
+[[nodiscard]] inline double fastest_point_speed(const BodyProperties& body, const Vec3& velocity_w,
+                                                const Vec3& angular_velocity_w) {
+  return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
+}
+
 /// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
 /// \param body   its constant part
 /// \param state  where it is and its momenta

@@ -52,16 +52,6 @@ struct SpeedRange {
       0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
 };
 
-/// The speed of a body's fastest point.
-/// \param body                the body
-/// \param velocity_w          [m/s] of its centre
-/// \param angular_velocity_w  [rad/s]
-/// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
-[[nodiscard]] inline double fastest_point_speed(const BodyProperties& body, const Vec3& velocity_w,
-                                                const Vec3& angular_velocity_w) {
-  return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
-}
-
 /// How fast an island moves.
 /// \param island  with a patch at least
 /// \return see there

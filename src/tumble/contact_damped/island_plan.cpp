@@ -28,9 +28,9 @@ double speed_gained(const Island& island) {
   for (const int k : island.bodies) {
     const MovingBody& before = island.start[idx(k)];
     const MovingBody& now = island.now[idx(k)];
-    most = std::max(most, (now.velocity_w - before.velocity_w).norm() +
-                              0.5 * island.world.bodies()[idx(k)].size.norm() *
-                                  (now.angular_velocity_w - before.angular_velocity_w).norm());
+    most = std::max(
+        most, fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - before.velocity_w,
+                                  now.angular_velocity_w - before.angular_velocity_w));
   }
   return most;
 }

@@ -2,9 +2,9 @@
 /// \brief The default technique: islands that are solved again, with what their first solution brought about.
 #include "tumble/base/index.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
+#include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/geometry/separation.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,9 @@ namespace {
 // A body's box at the end of the step.
 Box box_after(const Island& island, int k) {
   const MovingBody& now = island.now[idx(k)];
-  Box box = box_of(island.world.bodies()[idx(k)], island.world.states()[idx(k)]);
+  Box box = turned_box(box_of(island.world.bodies()[idx(k)], island.world.states()[idx(k)]), now,
+                       island.dt);
   box.center_w += island.dt * now.velocity_w;
-  box.axes_w = rotation_from_vector(island.dt * now.angular_velocity_w) * box.axes_w;
   return box;
 }
 

@@ -3,7 +3,6 @@
 #include "tumble/contact_damped/step_parts.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact_damped/island.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 

@@ -52,9 +52,8 @@ void NearPoints::scale_impulses(double factor) {
 double farthest_move(const World& world, std::span<const MovingBody> moving) {
   double farthest = 0.0;
   for (std::size_t k = 0; k < moving.size(); ++k)
-    farthest =
-        std::max(farthest, moving[k].velocity_w.norm() + 0.5 * world.bodies()[k].size.norm() *
-                                                             moving[k].angular_velocity_w.norm());
+    farthest = std::max(farthest, fastest_point_speed(world.bodies()[k], moving[k].velocity_w,
+                                                      moving[k].angular_velocity_w));
   return farthest;
 }
 

@@ -36,9 +36,9 @@ to_chars_result to_chars(char* /*first*/, char* last, Float /*value*/, Form... /
 #define TOML_INT_CHARCONV 1
 #else
 #include <charconv>
+// A stream for each number would be a fifth of the time of a large scene.
 #if defined(__cpp_lib_to_chars)
-#define TOML_FLOAT_CHARCONV \
-  1  // a stream for each number would be a fifth of the time of a large scene
+#define TOML_FLOAT_CHARCONV 1
 #endif
 #endif
 #include <toml++/toml.h>

@@ -31,8 +31,8 @@ bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
 }  // namespace
 
 double speed_change(const BodyProperties& body, const MovingBody& before, const MovingBody& after) {
-  return (after.velocity_w - before.velocity_w).norm() +
-         0.5 * body.size.norm() * (after.angular_velocity_w - before.angular_velocity_w).norm();
+  return fastest_point_speed(body, after.velocity_w - before.velocity_w,
+                             after.angular_velocity_w - before.angular_velocity_w);
 }
 
 bool only_rounding(const World& world, const Event& event, double time) {
