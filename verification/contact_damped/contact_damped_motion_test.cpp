@@ -1,6 +1,8 @@
 /// \file
 /// \brief The default technique in motion: bodies that do not move fast keep carrying, whatever moves among them.
+#include "tumble/base/random.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/geometry/separation.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
@@ -116,7 +118,7 @@ TEST_CASE("A heap in motion costs no more than its budget", "[unit][contact_damp
 TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",
           "[unit][contact_damped]") {
   double one = 0.0, four = 0.0;
-  for (const unsigned seed : {1U, 2U, 3U}) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}) {
     one += deepest_in_clump("4", seed, {"parts=1"});
     four += deepest_in_clump("4", seed, {"parts=4"});
   }
@@ -218,6 +220,39 @@ TEST_CASE("Boxes that move by many edges in a step meet where their ways cross",
         simulation.world().states()[1].position_w - simulation.world().states()[0].position_w;
     if (c.first.fixed) CHECK(between_w.x() < 0.0);  // and not gone through
   }
+}
+
+TEST_CASE("Cubes that are thrown at each other hardly get into each other",
+          "[unit][contact_damped]") {
+  // One in 170 was not seen coming, and got in by up to 6 cm of the 10 that it moves in a step. One of these still does: it
+  // is turned by the impact, and the energy allows no more.
+  Random random(1);
+  int deep = 0;
+  for (int k = 0; k < 1500; ++k) {
+    CAPTURE(k);
+    Scene scene;
+    scene.gravity_w.setZero();
+    const Vec3 from_w = 2.2 * random.direction();
+    const Vec3 aim_w = random.in_cube(0.7) - from_w;
+    scene.boxes = {{.name = "target", .orientation_wb = random.orientation()},
+                   {.name = "thrown",
+                    .position_w = from_w,
+                    .orientation_wb = random.orientation(),
+                    .velocity_w = 6.0 * aim_w.normalized(),
+                    .angular_velocity_w = random.in_cube(1.0)}};
+    Simulation simulation(scene);
+    double deepest = 0.0;
+    for (int n = 0; n < 30; ++n) {
+      CHECK(simulation.step().status == StepStatus::done);
+      const World& world = simulation.world();
+      const auto box = [&](std::size_t body) {
+        return box_of(world.bodies()[body], world.states()[body]);
+      };
+      deepest = std::max(deepest, -separation(box(0), box(1)).distance);
+    }
+    if (deepest > 0.02) ++deep;
+  }
+  CHECK(deep <= 1);
 }
 
 TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",

@@ -2,6 +2,7 @@
 /// \brief Contact points of boxes that are almost aligned lie on both boxes.
 #include "tumble/base/random.hpp"
 #include "tumble/geometry/manifold.hpp"
+#include "tumble/geometry/nearest_point.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 
 #include "geometry/boxes.hpp"
@@ -156,4 +157,29 @@ TEST_CASE("Boxes apart with two edges side by side touch at both ends of the str
   CHECK(std::abs(m.points[1].position_w.x()) < 1e-12);
   CHECK(std::abs(m.points[0].position_w.z() - m.points[1].position_w.z()) ==
         near(1.25).margin(1e-12));
+}
+
+TEST_CASE("A corner that comes down beside a face is seen before it is in", "[unit][manifold]") {
+  constexpr double kMargin = 0.2, kNearer = 0.005;
+  Random random(7);
+  int missed = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Box first = cube_at(Vec3::Zero(), random.orientation());
+    const Box second = cube_at(random.in_cube(1.5), random.orientation());
+    const double apart = separation(first, second, {false, kMargin, kNoAxis}).distance;
+    if (!(apart > 0.0 && apart < kMargin - kNearer)) continue;
+    CAPTURE(k);
+    Manifold m;
+    if (!collide(first, second, kMargin, kNoAxis, m)) ++missed;
+    add_nearest_point(first, second, kMargin, kNearer, m);
+    REQUIRE(m.count > 0);
+    const double along = (second.center_w - first.center_w).dot(m.normal_w) -
+                         reach(first, m.normal_w) - reach(second, m.normal_w);
+    double least = kMargin;
+    for (int i = 0; i < m.count; ++i)
+      least = std::min(least, m.points[static_cast<std::size_t>(i)].distance);
+    CHECK(least < along + kNearer + 1e-9);
+    CHECK(least > -1e-9);
+  }
+  CHECK(missed > 100);  // by collide() alone
 }

@@ -98,12 +98,16 @@ bool exceeds_budget(const Island& island, const IslandEffort& effort) {
          effort.budget;
 }
 
+// Whether anything in an island moves, so that its contacts change in the next step.
+bool moves(const SpeedRange& speed) {
+  return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
+}
+
 // Whether sweeps have to do: in a large island much of which moves, contacts change before weight gets through all of it;
 // and where anything moves, it costs no more than its budget.
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
-  const bool moves = speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
-  return !is_small(island) &&
-         (speed.moving > tolerance::loose_share || (moves && exceeds_budget(island, effort)));
+  return !is_small(island) && (speed.moving > tolerance::loose_share ||
+                               (moves(speed) && exceeds_budget(island, effort)));
 }
 
 // Sweeps within the budget.
@@ -116,8 +120,12 @@ int swept_within(const Island& island, const IslandEffort& effort) {
 
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report) {
   const int patch_iterations = patch_iterations_of(island);
-  const double skipped = skipped_residual_of(island);
   const double negligible = negligible_residual(island);
+  // What the direct solver has found within the bounds of single points, sweeps would change: they bound the friction
+  // of a patch as a whole.
+  const double skipped = direct_last_step && is_small(island)
+                             ? tolerance::solved_residual_exact * negligible
+                             : skipped_residual_of(island);
   FirstSweeps first;
   first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
   // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
@@ -169,10 +177,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.direct = small   ? small_limits(island, effort.admm_iterations)
                 : quiet ? quiet_limits(island, effort.admm_iterations)
                         : large_limits(island, effort.admm_iterations);
-  if (fast && !small) {  // its contacts change in the next step
-    plan.direct.early_stop_residual = tolerance::fast_residual * unit_speed;
-    plan.direct.max_newton_steps = 0;
-  }
+  if (moves(speed) && !small)
+    plan.direct.early_stop_residual = tolerance::moving_residual * unit_speed;
+  plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
   if (small) return plan;

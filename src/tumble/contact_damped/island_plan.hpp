@@ -46,6 +46,7 @@ struct IslandPlan {
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
   bool large_and_fast = false;      ///< then they are also enough if `slow_approach` is met
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
+  bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
   IslandLimits direct;              ///< of the direct solver
 };
 

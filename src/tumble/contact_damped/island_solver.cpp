@@ -129,7 +129,7 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
     result.residual = std::max(stiffness_ * primal, dual);
     result.converged = result.residual < limits.residual;
     if (k == 1) first_residual = result.residual;
-    if (result.converged || result.residual < limits.early_stop_residual ||
+    if (result.converged || std::max(primal, dual) < limits.early_stop_residual ||
         std::isnan(result.residual))
       break;
     if (k % tolerance::stiffness_interval == 0 &&

@@ -28,7 +28,7 @@ struct IslandLimits {
   double shift_tolerance = 0.0;
   int max_shift_updates = 100;  ///< updates of impulses and shifts between Newton steps
   double early_stop_residual =
-      0.0;  ///< [m/s] ADMM ends below it too, though that does not count as solved
+      0.0;  ///< [m/s] ADMM ends if velocities change by less, though that does not count as solved
 };
 
 /// How IslandSolver ended.

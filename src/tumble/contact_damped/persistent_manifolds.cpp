@@ -7,6 +7,7 @@
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/geometry/nearest_point.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,13 +63,20 @@ double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody
   return dt * std::max({v + w, v, w, 0.0});
 }
 
-// Where two edges cross, the places at which the boxes could come together next.
-void add_face_points_of_pair(const World& world, const IndexPair& pair, double reach,
-                             Manifold& manifold) {
-  if (manifold.axis == kNoAxis) return;  // one of the two is the ground
-  add_face_points(box_of(world.bodies()[idx(pair.first)], world.states()[idx(pair.first)]),
-                  box_of(world.bodies()[idx(pair.second)], world.states()[idx(pair.second)]), reach,
-                  manifold);
+// All points at which a pair could come together within the step. Returns whether there are any.
+bool find_points_ahead(const World& world, const IndexPair& pair, double reach, AxisIndex axis,
+                       Manifold& manifold) {
+  const bool found = touch_pair(world, world.states(), pair, reach, axis, manifold);
+  const BodyProperties& a = world.bodies()[idx(pair.first)];
+  const BodyProperties& b = world.bodies()[idx(pair.second)];
+  const double nearer = tolerance::corner_beside * movable_edge(a, b);
+  const bool fast = reach > nearer;
+  if (a.shape == Shape::ground || b.shape == Shape::ground || !(found || fast)) return found;
+  const Box first = box_of(a, world.states()[idx(pair.first)]);
+  const Box second = box_of(b, world.states()[idx(pair.second)]);
+  if (found) add_face_points(first, second, reach, manifold);  // of the faces beside two edges
+  if (fast) add_nearest_point(first, second, reach, nearer, manifold);  // of a corner beside a face
+  return manifold.count > 0;
 }
 
 // Indices and targets of a patch in this step.
@@ -173,8 +181,7 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   const double margin = margin_of(world, pair, bodies, dt);
   const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
   Manifold manifold;
-  if (!touch_pair(world, world.states(), pair, reach, axis, manifold)) return false;
-  add_face_points_of_pair(world, pair, reach, manifold);
+  if (!find_points_ahead(world, pair, reach, axis, manifold)) return false;
   const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
   if (!has_point_within(manifold, approach + margin)) return false;
   const double size =

@@ -2,9 +2,9 @@
 /// \brief The default technique: islands that are solved again, with what their first solution brought about.
 #include "tumble/base/index.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
-#include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/geometry/separation.hpp"
+#include "tumble/dynamics/flight.hpp"
+#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,25 +13,22 @@
 namespace tumble {
 namespace {
 
-// A body's box at the end of the step.
-Box box_after(const Island& island, int k) {
+// Where a body is at the end of the step.
+BodyState state_after(const Island& island, int k) {
   const MovingBody& now = island.now[idx(k)];
-  Box box = turned_box(box_of(island.world.bodies()[idx(k)], island.world.states()[idx(k)]), now,
-                       island.dt);
-  box.center_w += island.dt * now.velocity_w;
-  return box;
+  BodyState state = island.world.states()[idx(k)];
+  state.position_w += island.dt * now.velocity_w;
+  state.orientation_wb =
+      rotation_from_vector(island.dt * now.angular_velocity_w) * state.orientation_wb;
+  return state;
 }
 
 // How far the bodies of a patch are apart at the end of the step [m]; below 0 they overlap.
 double distance_after(const Island& island, const ContactPatch& patch) {
-  const auto is_ground = [&](int k) {
-    return island.world.bodies()[idx(k)].shape == Shape::ground;
-  };
-  if (is_ground(patch.first) || is_ground(patch.second)) {
-    const Box box = box_after(island, is_ground(patch.first) ? patch.second : patch.first);
-    return box.center_w.y() - box.axes_w.row(1).cwiseAbs().dot(box.half);
-  }
-  return separation(box_after(island, patch.first), box_after(island, patch.second)).distance;
+  const std::span<const BodyProperties> bodies = island.world.bodies();
+  return gap_between(bodies[idx(patch.first)], state_after(island, patch.first),
+                     bodies[idx(patch.second)], state_after(island, patch.second))
+      .distance;
 }
 
 // What the points of a patch do not know: its bodies turn in the step, and with them its normal.

@@ -35,15 +35,15 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual || (plan.large_and_fast && holds(island, plan));
 }
 
-// All patches together. Returns whether the direct solver accepted the island. In a small one a result that has not
-// converged is the start of sweeps, which put friction back into its cone.
+// All patches together. Returns whether the direct solver accepted the island. In a small one that moves a result that
+// has not converged is the start of sweeps, which put friction back into its cone.
 bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
                     StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;
-  if (result.accepted && !result.converged && is_small(island)) {
+  if (result.accepted && !result.converged && plan.sweep_unconverged) {
     velocities_from_impulses(island);
     for (int k = 0; k < tolerance::small_island_sweeps; ++k)
       if (sweep_number(k, island, plan, report) < plan.residual) break;
@@ -54,17 +54,14 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
 // other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
 bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                      StepReport& report) {
+                      std::span<char> in_flight, StepReport& report) {
   const double swept = deepest_sinking(island);
   if (swept < tolerance::deep_sinking) return false;
-  std::vector<PatchImpulses> before;
-  for (const int contact : island.patch_indices)
-    before.push_back(impulses_in(island.all_patches[idx(contact)]));
+  KeptSolution before;
+  before.keep(island, in_flight);
   if (!solve_directly(island, plan, solver, report)) return false;
   if (deepest_sinking(island) < swept) return true;
-  for (std::size_t k = 0; k < before.size(); ++k)
-    go_back(before[k], 0.0, island.all_patches[idx(island.patch_indices[k])]);
-  velocities_from_impulses(island);
+  before.restore(island, in_flight);
   return false;
 }
 
@@ -145,7 +142,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       break;
     case IslandMethod::sweep_or_solve:  // much of it moves, and there is time for the direct solver
       if (!sweep_on(island, plan, first, report))
-        direct = solve_if_sinking(island, plan, memory_.island_solver, report);
+        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.in_flight, report);
       break;
     case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
       if (!sweep_on(island, plan, first, report))
@@ -161,8 +158,9 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
     share = sweep_without_gain(island, plan, report);
     direct = false;
   }
-  for (const int contact : island.patch_indices)
-    island.all_patches[idx(contact)].solved_directly = direct;
+  if (plan.method != IslandMethod::settled)  // which changes nothing
+    for (const int contact : island.patch_indices)
+      island.all_patches[idx(contact)].solved_directly = direct;
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   // [S6.3.1:island]
