@@ -1,6 +1,6 @@
 /// \file
 /// \brief The load and the drop at which a plank breaks, of tetrahedra and of glued boxes (thesis 2.4.1).
-#include "tumble/contact_damped/contact_damped.hpp"
+#include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/previous_work/breaking_row.hpp"
 
 #include "driver/experiment.hpp"
@@ -9,10 +9,12 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kLoadGrows = 1.01;   // of the load, from one step to the next
-constexpr double kMostLoad = 200.0;   // times the beam's
-constexpr double kSmallStrain = 1e-6; // [-] about that of the static solution, where Green's strain is linear
+constexpr double kLoadGrows = 1.01;  // of the load, from one step to the next
+constexpr double kMostLoad = 200.0;  // times the beam's
+constexpr double kSmallStrain =
+    1e-6;  // [-] about that of the static solution, where Green's strain is linear
 constexpr double kSolved = 1e-8;      // [-] residual of the static solution
+constexpr double kTouching = 1e-6;    // [m] gap before a drop, so that gravity adds no speed
 constexpr double kSpeedFound = 1.02;  // [-] between two speeds, of which one breaks
 constexpr double kWatched = 0.02;     // [s] after the drop: a few swings of the plank
 
@@ -56,8 +58,8 @@ std::vector<Vec3> bent(const ElasticMesh& mesh) {
 }
 
 struct Break {
-  double load = 0.0;   // over the beam's
-  double place = 0.0;  // from the middle, over the length
+  double load = 0.0;       // over the beam's
+  double place = 0.0;      // from the middle, over the length
   double toughness = 0.0;  // [N] the largest eigenvalue there, the paper's measure
 };
 
@@ -113,7 +115,7 @@ Break row_breaks(RowRule rule) {
   for (const double x : {-0.5, 0.5})
     world.add(support, make_state(support, Vec3(x * kPlank.x(), 0.05, 0.0)));
   BreakingRow row(world, glued_plank(rule), Vec3(0.0, 0.1 + 0.5 * kPlank.y(), 0.0));
-  ContactDamped technique;
+  TimeStepping technique;
   const double beam = beam_load(soft_material().strength);
   for (double load = 0.5 * beam; load < kMostLoad * beam; load *= kLoadGrows) {
     row.push(world, Vec3(0.0, -load * kStep, 0.0), 0.5);
@@ -126,7 +128,7 @@ Break row_breaks(RowRule rule) {
 
 // Whether a drop across the bar breaks it.
 bool elements_drop(double speed, int cells, FractureWork& work) {
-  Fracture plank = falling_plank(soft_material(), speed, {20 * cells, cells, 2 * cells});
+  Fracture plank = falling_plank(soft_material(), speed, {20 * cells, cells, 2 * cells}, kTouching);
   const int parts = 20;
   for (int k = 0; k < parts; ++k) {
     finished(plank.step(kWatched / parts));
@@ -141,8 +143,8 @@ bool row_drop(double speed, double dt) {
   const BodyProperties bar = fixed_box_properties(kBar);
   world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
   BreakingRow row(world, glued_plank(RowRule::stress),
-                  Vec3(0.0, kHeight + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
-  ContactDamped technique;
+                  Vec3(0.0, kBar.y() + kTouching + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
+  TimeStepping technique;
   for (double time = 0.0; time < 0.1; time += dt)
     if (finished(row.step(world, technique, dt)).events > 0) return true;
   return false;
@@ -171,8 +173,8 @@ double work_ratio(int cells, double speed) {
   const BodyProperties bar = fixed_box_properties(kBar);
   world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
   BreakingRow row(world, glued_plank(RowRule::stress),
-                  Vec3(0.0, kHeight + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
-  ContactDamped technique;
+                  Vec3(0.0, kBar.y() + kTouching + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
+  TimeStepping technique;
   for (int k = 0; k < 12; ++k) finished(row.step(world, technique, kStep));
   const double elements = static_cast<double>(plank.work().evaluations) / kWatched;
   return elements / (static_cast<double>(row.joints_solved()) / (12.0 * kStep));

@@ -6,12 +6,13 @@
 namespace tumble::chapters {
 namespace {
 
-constexpr double kMillion = 1e6;      // steps per second
-constexpr double kDropSpeed = 4.0;    // [m/s] of the plank
-constexpr double kShotSpeed = 20.0;   // [m/s] of the cube
-constexpr int kIterations = 150;      // of the power iteration: half a per cent
-constexpr int kStableSteps = 1000;    // after which a swing that grows is seen
-constexpr double kGrown = 100.0;      // times the energy of the start
+constexpr double kMillion = 1e6;     // steps per second
+constexpr double kDropSpeed = 4.0;   // [m/s] of the plank
+constexpr double kShotSpeed = 20.0;  // [m/s] of the cube
+constexpr double kDamped = 3.2e-3;   // [m] way of the wave in the time of the damping
+constexpr int kIterations = 150;     // of the power iteration: half a per cent
+constexpr int kStableSteps = 1000;   // after which a swing that grows is seen
+constexpr double kGrown = 100.0;     // times the energy of the start
 
 // The highest angular frequency of a mesh at rest, by power iteration with Rayleigh's quotient.
 double highest_frequency(const ElasticMesh& mesh) {
@@ -68,10 +69,16 @@ struct NamedMaterial {
   ElasticMaterial material;
 };
 
+// Glass and concrete as strong as they are in an impact, and viscosity that lets waves of a few cells live on.
 std::array<NamedMaterial, 3> materials() {
-  return {{{"glass", elastic_material(70e9, 0.22, 2500.0, 40e6)},
-           {"concrete", elastic_material(30e9, 0.2, 2400.0, 3e6)},
-           {"soft", elastic_material(0.26e9, 0.25, 2600.0, 1e6)}}};
+  std::array<NamedMaterial, 3> all{{{"glass", elastic_material(70e9, 0.22, 2500.0, 60e6)},
+                                    {"concrete", elastic_material(30e9, 0.2, 2400.0, 30e6)},
+                                    {"soft", elastic_material(0.26e9, 0.25, 2600.0, 3e6)}}};
+  for (auto& [name, material] : all) {
+    material.phi = kDamped / material.wave_speed() * material.lambda;
+    material.psi = kDamped / material.wave_speed() * material.mu;
+  }
+  return all;
 }
 
 // A run of a scene: steps per second that stability needs at the start, and at the worst mesh.
@@ -88,8 +95,8 @@ Needed needed_by(Fracture scene, double transits, double longest) {
   needed.worst = needed.start;
   const double time = transits * longest / scene.mesh().material.wave_speed();
   std::size_t elements = 0;
-  for (int k = 0; k < 20; ++k) {
-    finished(scene.step(time / 20.0));
+  for (int k = 0; k < 10; ++k) {
+    finished(scene.step(time / 10.0));
     if (scene.mesh().elements.size() == elements) continue;  // it has not cracked any further
     elements = scene.mesh().elements.size();
     needed.worst = std::max(needed.worst, 0.5 * highest_frequency(scene.mesh()));
@@ -112,7 +119,8 @@ void add_stable_steps(int most, Result& result) {
   for (const NamedMaterial& named : materials()) {
     for (int cells = 2; cells <= most; cells *= 2) {
       const double edge = 0.1;  // [m] of the cube
-      const ElasticMesh cube = elastic_box(Vec3::Constant(edge), {cells, cells, cells}, named.material);
+      ElasticMesh cube = elastic_box(Vec3::Constant(edge), {cells, cells, cells}, named.material);
+      cube.material.phi = cube.material.psi = 0.0;
       const double courant = courant_step(cube), found = longest_step(cube);
       const double exact = 2.0 / highest_frequency(cube);
       const ElasticMaterial& m = named.material;
@@ -126,7 +134,8 @@ void add_stable_steps(int most, Result& result) {
   result.tables.push_back(table);
   result.add("longest stable step over the Courant step, at least", "-", least);
   result.add("longest stable step over the Courant step, at most", "-", largest);
-  result.add("longest stable step found by runs, beside two over the highest frequency", "-", worst);
+  result.add("longest stable step found by runs, beside two over the highest frequency", "-",
+             worst);
 }
 
 Result measure_fracture_steps(const Parameters& settings) {
@@ -170,7 +179,9 @@ Result measure_fracture_steps(const Parameters& settings) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::vector<double>& row = table.rows[k];
     result.add(std::string("steps per second for a ") + (row[0] < 1.5 ? "plank" : "wall") + " of " +
-                   (row[1] < 1.5 ? "glass" : row[1] < 2.5 ? "concrete" : "soft material"),
+                   (row[1] < 1.5   ? "glass"
+                    : row[1] < 2.5 ? "concrete"
+                                   : "soft material"),
                "1/s", row[3]);
   }
   return result;
@@ -180,10 +191,10 @@ const Registered fracture_steps_figure{
     {.name = "claim_2_4_1a_fracture_steps",
      .parameters = Parameters{}
                        .add_whole("fine", 2, 1, 8, "cells through the thickness of plank and wall")
-                       .add_number("transits", 40.0, 1.0, 1000.0, "-",
+                       .add_number("transits", 10.0, 1.0, 1000.0, "-",
                                    "of a wave through the longest edge, for each run")
                        .add_whole("cells", 8, 2, 16, "largest number along an edge of the cube"),
-     .quick = {"fine=1", "transits=4", "cells=4"},
+     .quick = {"fine=1", "transits=3", "cells=4"},
      .experiment = measure_fracture_steps}};
 
 }  // namespace

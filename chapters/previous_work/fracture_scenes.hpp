@@ -12,11 +12,13 @@ namespace tumble::chapters {
 inline const Vec3 kPlank(1.0, 0.05, 0.1);  // [m]
 inline const Vec3 kWall(1.0, 0.8, 0.1);    // [m]
 inline const Vec3 kBar(0.05, 0.1, 0.3);    // [m] lies under the middle of the plank
-constexpr double kHeight = 0.101;          // [m] of the underside of the plank
+constexpr double kGap = 0.001;             // [m] from there to the plank
 constexpr double kCube = 0.2;              // [m] that hits the wall
 
 // A material as soft as films use: its wave takes as many steps for a length as glass, and three milliseconds for a metre.
-inline ElasticMaterial soft_material() { return elastic_material(0.26e9, 0.25, 2600.0, 1e6, 1e-5); }
+inline ElasticMaterial soft_material(double strength = 1e6) {
+  return elastic_material(0.26e9, 0.25, 2600.0, strength, 1e-5);
+}
 
 // Smallest height of an element that a crack may leave.
 inline double least_height(const ElasticMesh& mesh) {
@@ -25,9 +27,9 @@ inline double least_height(const ElasticMesh& mesh) {
 
 // A plank that has come down to just above the bar.
 inline Fracture falling_plank(const ElasticMaterial& material, double speed,
-                              const std::array<int, 3>& cells) {
+                              const std::array<int, 3>& cells, double gap = kGap) {
   ElasticMesh plank =
-      elastic_box(kPlank, cells, material, Vec3(0.0, kHeight + 0.5 * kPlank.y(), 0.0));
+      elastic_box(kPlank, cells, material, Vec3(0.0, kBar.y() + gap + 0.5 * kPlank.y(), 0.0));
   for (ElasticNode& node : plank.nodes) node.velocity_w.y() = -speed;
   World around;
   around.add_ground();

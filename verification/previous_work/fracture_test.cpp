@@ -75,8 +75,9 @@ Vec3 outside_sum(const ElasticMesh& mesh, double& area) {
   area = 0.0;
   for (const OutsideFace& face : outside_of(mesh)) {
     const Vec3& a = mesh.nodes[idx(face.nodes[0])].rest;
-    const Vec3 cross = 0.5 * (mesh.nodes[idx(face.nodes[1])].rest - a)
-                                 .cross(mesh.nodes[idx(face.nodes[2])].rest - a);
+    const Vec3 cross =
+        0.5 *
+        (mesh.nodes[idx(face.nodes[1])].rest - a).cross(mesh.nodes[idx(face.nodes[2])].rest - a);
     sum += cross;
     area += cross.norm();
   }
@@ -86,7 +87,8 @@ Vec3 outside_sum(const ElasticMesh& mesh, double& area) {
 }  // namespace
 
 TEST_CASE(
-    "A box of tetrahedra has the mass and the volume of the box, and no face without partner inside",
+    "A box of tetrahedra has the mass and the volume of the box, and no face without partner "
+    "inside",
     "[exact][fracture]") {
   const ElasticMesh mesh = elastic_box(Vec3(1.0, 0.5, 0.25), {4, 3, 2}, kRubber);
   CHECK(mesh.elements.size() == 144);
@@ -101,7 +103,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A deformation that is the same everywhere is so in each element, and nodes inside feel no force",
+    "A deformation that is the same everywhere is so in each element, and nodes inside feel no "
+    "force",
     "[exact][fracture]") {
   const Vec3 half(0.5, 0.25, 0.125);
   ElasticMesh mesh = elastic_box(2.0 * half, {4, 3, 3}, kRubber);
@@ -109,7 +112,8 @@ TEST_CASE(
   F << 1.02, 0.01, 0.0, -0.02, 0.97, 0.03, 0.01, 0.0, 1.01;
   deform(mesh, F);
   const Mat3 strain = 0.5 * (F.transpose() * F - Mat3::Identity());
-  const Mat3 wanted = kRubber.lambda * strain.trace() * Mat3::Identity() + 2.0 * kRubber.mu * strain;
+  const Mat3 wanted =
+      kRubber.lambda * strain.trace() * Mat3::Identity() + 2.0 * kRubber.mu * strain;
   double worst = 0.0;
   for (const Tetrahedron& element : mesh.elements)
     worst = std::max(worst, (stress_of(mesh, element).stress - wanted).norm() / wanted.norm());
@@ -131,8 +135,8 @@ TEST_CASE(
 
 TEST_CASE("A mesh that is turned and moved has no stress", "[exact][fracture]") {
   ElasticMesh mesh = elastic_box(Vec3(1.0, 0.5, 0.25), {3, 2, 2}, kRubber);
-  const Mat3 turn = Quat(0.5, 0.5, -0.5, 0.5).toRotationMatrix() *
-                    Quat(0.8, 0.0, 0.6, 0.0).toRotationMatrix();
+  const Mat3 turn =
+      Quat(0.5, 0.5, -0.5, 0.5).toRotationMatrix() * Quat(0.8, 0.0, 0.6, 0.0).toRotationMatrix();
   for (ElasticNode& node : mesh.nodes) {
     node.position_w = Vec3(3.0, -2.0, 1.0) + turn * node.rest;
     node.velocity_w = Vec3(1.0, 2.0, 3.0).cross(node.position_w);
@@ -193,8 +197,7 @@ TEST_CASE("The frequency of an element is the largest eigenvalue of its stiffnes
       for (int row = 0; row < 12; ++row) stiffness(row, column) = -forces[idx(row / 3)][row % 3];
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> modes(stiffness);
-    const double wanted =
-        modes.eigenvalues()[11] / (0.25 * element.volume * kRubber.density);
+    const double wanted = modes.eigenvalues()[11] / (0.25 * element.volume * kRubber.density);
     CHECK(element_rate(element, kRubber.lambda, kRubber.mu, kRubber.density) ==
           near(wanted).margin(1e-9 * wanted));
   }
@@ -253,8 +256,9 @@ TEST_CASE("A bar swings for a hundred periods with its energy at nine tenths of 
   CHECK(least > 0.8 * start);
 }
 
-TEST_CASE("No mesh swings faster than its fastest element, and its stable step is near the Courant step",
-          "[exact][fracture]") {
+TEST_CASE(
+    "No mesh swings faster than its fastest element, and its stable step is near the Courant step",
+    "[exact][fracture]") {
   ElasticMesh mesh = elastic_box(Vec3(0.4, 0.2, 0.2), {4, 2, 2}, kRubber);
   mesh.material.strength = 1e9;
   const double bound = stable_step(mesh), courant = courant_step(mesh);
@@ -281,8 +285,9 @@ TEST_CASE("No mesh swings faster than its fastest element, and its stable step i
   CHECK(growth(2.0 * courant) > 1e5);
 }
 
-TEST_CASE("The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar",
-          "[exact][fracture]") {
+TEST_CASE(
+    "The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar",
+    "[exact][fracture]") {
   const Vec3 along = Vec3(2.0, 1.0, 2.0) / 3.0;
   const Quat turn = Quat::FromTwoVectors(Vec3::UnitX(), along);
   for (const int cells : {2, 4}) {
@@ -372,11 +377,12 @@ TEST_CASE("A plane through a node in the middle of a bar, again and again, parts
   CHECK(std::min(right, 0.04 - right) == near(0.4 * 0.04).margin(1e-12));
 }
 
-TEST_CASE("A plank that falls on a bar breaks, and keeps its mass and its momentum between contacts",
-          "[exact][fracture]") {
-  ElasticMesh mesh = elastic_box(Vec3(1.0, 0.05, 0.1), {20, 1, 2},
-                                 elastic_material(0.26e9, 0.25, 2588.0, 1e6, 1e-5),
-                                 Vec3(0.0, 0.126, 0.0));
+TEST_CASE(
+    "A plank that falls on a bar breaks, and keeps its mass and its momentum between contacts",
+    "[exact][fracture]") {
+  ElasticMesh mesh =
+      elastic_box(Vec3(1.0, 0.05, 0.1), {20, 1, 2},
+                  elastic_material(0.26e9, 0.25, 2588.0, 1e6, 1e-5), Vec3(0.0, 0.126, 0.0));
   for (ElasticNode& node : mesh.nodes) node.velocity_w.y() = -3.0;
   World around;
   const BodyProperties bar = fixed_box_properties(Vec3(0.05, 0.1, 0.3));
@@ -431,7 +437,8 @@ TEST_CASE("Pieces that meet push each other and keep both momenta", "[exact][fra
   for (int k = 0; k < 40; ++k) REQUIRE(both.step(0.01).status == StepStatus::done);
   const ElasticMesh& now = both.mesh();
   double first = 0.0;
-  for (int n = 0; n < nodes; ++n) first += now.nodes[idx(n)].mass * now.nodes[idx(n)].velocity_w.x();
+  for (int n = 0; n < nodes; ++n)
+    first += now.nodes[idx(n)].mass * now.nodes[idx(n)].velocity_w.x();
   CHECK(first < -0.4);  // [kg m/s] of 1.6: it was hit
   CHECK((now.momentum_w() - momentum).norm() < 1e-10);
   CHECK((spin_of(now) - spin).norm() < 1e-10);
@@ -452,7 +459,8 @@ TEST_CASE("A movable box that meets the body keeps the momentum of both", "[exac
   CHECK((wall.mesh().momentum_w() + state.linear_momentum_w - Vec3(10.0, 0.0, 0.0)).norm() < 1e-10);
 }
 
-TEST_CASE("A material, a mesh or a step that cannot be is refused with its value", "[unit][fracture]") {
+TEST_CASE("A material, a mesh or a step that cannot be is refused with its value",
+          "[unit][fracture]") {
   CHECK_THROWS_WITH(elastic_material(-1.0, 0.3, 1.0, 1.0), Contains("young") && Contains("-1"));
   CHECK_THROWS_WITH(elastic_material(1.0, 0.5, 1.0, 1.0), Contains("poisson = 0.5"));
   CHECK_THROWS_WITH(elastic_material(1.0, 0.3, 0.0, 1.0), Contains("density"));

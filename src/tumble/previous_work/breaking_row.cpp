@@ -166,9 +166,9 @@ StepReport BreakingRow::step(World& world, Technique& technique, double dt) {
     if (pieces_[k].count < 2) continue;
     const std::size_t from = loads_.size();
     find_loads(world, pieces_[k], dt);
-    const auto most = std::max_element(
-        loads_.begin() + static_cast<std::ptrdiff_t>(from), loads_.end(),
-        [](const JointLoad& a, const JointLoad& b) { return a.share < b.share; });
+    const auto most =
+        std::max_element(loads_.begin() + static_cast<std::ptrdiff_t>(from), loads_.end(),
+                         [](const JointLoad& a, const JointLoad& b) { return a.share < b.share; });
     if (most->share <= 1.0) continue;
     divide(world, k, most->joint + 1 - pieces_[k].first);
     ++report.events;

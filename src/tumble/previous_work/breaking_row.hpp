@@ -29,10 +29,10 @@ struct RowOptions {
 
 /// What a joint carries, in the frame of its row.
 struct JointLoad {
-  int joint = 0;                     ///< from 0, between boxes `joint` and `joint + 1`
-  Vec3 force_b = Vec3::Zero();       ///< [N] on the box at larger x
-  Vec3 torque_b = Vec3::Zero();      ///< [N m] about the middle of the joint
-  double share = 0.0;                ///< [-] of what breaks it
+  int joint = 0;                 ///< from 0, between boxes `joint` and `joint + 1`
+  Vec3 force_b = Vec3::Zero();   ///< [N] on the box at larger x
+  Vec3 torque_b = Vec3::Zero();  ///< [N m] about the middle of the joint
+  double share = 0.0;            ///< [-] of what breaks it
 };
 
 /// A row of glued boxes in a world, moved by any technique.
@@ -66,7 +66,7 @@ class BreakingRow {
 
   /// A step of the technique, and what it breaks.
   /// \param world      the world
-  /// \param technique  with contacts()
+  /// \param technique  with contacts() of the whole step: one that divides steps, as contact_damped does, shows those of the last part
   /// \param dt         [s]
   /// \return the report of the technique; `events` are joints that broke
   StepReport step(World& world, Technique& technique, double dt);
@@ -91,8 +91,7 @@ class BreakingRow {
     Vec3 arm_b;  // of the point, from the centre of the piece
   };
   BodyId add(World& world, int count, const BodyState& state) const;
-  void take_pushes(const World& before, const World& after, const Technique& technique,
-                   double dt);
+  void take_pushes(const World& before, const World& after, const Technique& technique, double dt);
   void find_loads(const World& world, const Piece& piece, double dt);
   void divide(World& world, std::size_t piece, int count);
 

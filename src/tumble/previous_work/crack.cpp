@@ -2,20 +2,12 @@
 /// \brief Cracks.
 #include "tumble/previous_work/crack.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace tumble {
 namespace {
-
-// m(a) = a a' / |a|
-Mat3 spread(const Vec3& a) {
-  const double length = a.norm();
-  return length > 0.0 ? Mat3(a * a.transpose() / length) : Mat3(Mat3::Zero());
-}
 
 int place_in(const Tetrahedron& element, int node) {
   for (int i = 0; i < 4; ++i)
@@ -205,6 +197,7 @@ void Splitter::loosen(int node) {
 bool Splitter::split() {
   for (const int k : mesh_.star[idx(node_)])
     for (const int node : mesh_.elements[idx(k)].nodes) add_side(node);
+  // [S2.4.1:split]
   for (std::vector<Edge> edges = crossing(); !edges.empty(); edges = crossing()) {
     Side& first = side(edges.front().first);
     Side& second = side(edges.front().second);
@@ -216,6 +209,7 @@ bool Splitter::split() {
       (share < 0.5 ? first : second).sign = 0;  // through the nearer end
     }
   }
+  // [S2.4.1:split]
   // Now the plane runs along faces, if it parts anything.
   const int sign = sign_of(mesh_.elements[idx(mesh_.star[idx(node_)].front())]);
   if (std::all_of(mesh_.star[idx(node_)].begin(), mesh_.star[idx(node_)].end(),
@@ -245,37 +239,6 @@ bool Splitter::split() {
 }
 
 }  // namespace
-
-NodeSeparation separation_at(const ElasticMesh& mesh, int node) {
-  NodeSeparation found;
-  Vec3 all_tensile = Vec3::Zero(), all_compressive = Vec3::Zero();
-  for (const int k : mesh.star[idx(node)]) {
-    const Tetrahedron& element = mesh.elements[idx(k)];
-    const ElementStress now = stress_of(mesh, element);
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(now.stress);
-    const Mat3& axes = principal.eigenvectors();
-    const Mat3 tensile =
-        axes * principal.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
-    const Vec3 g = element.gradients.row(place_in(element, node)).transpose();
-    const Vec3 pull = -element.volume * (now.deformation * (tensile * g));
-    const Vec3 push = -element.volume * (now.deformation * ((now.stress - tensile) * g));
-    all_tensile += pull;
-    all_compressive += push;
-    found.tensor += spread(pull) - spread(push);
-  }
-  found.tensor = 0.5 * (found.tensor - spread(all_tensile) + spread(all_compressive));
-  const Eigen::SelfAdjointEigenSolver<Mat3> most(found.tensor);
-  found.force = most.eigenvalues()[2];
-  found.normal_w = most.eigenvectors().col(2);
-  for (const int k : mesh.star[idx(node)]) {
-    const Tetrahedron& element = mesh.elements[idx(k)];
-    const Vec3 normal =  // in the body at rest
-        (stress_of(mesh, element).deformation.transpose() * found.normal_w).normalized();
-    found.area +=
-        0.5 * element.volume * std::abs(element.gradients.row(place_in(element, node)).dot(normal));
-  }
-  return found;
-}
 
 bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, CrackWork& work) {
   return Splitter(mesh, node, normal_w, least, work).split();

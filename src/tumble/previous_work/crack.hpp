@@ -13,10 +13,10 @@ namespace tumble {
 
 /// How much the elements around a node pull it apart.
 struct NodeSeparation {
-  Mat3 tensor = Mat3::Zero();      ///< [N] the separation tensor ς, world frame
-  Vec3 normal_w = Vec3::UnitX();   ///< [-] direction in which it is pulled apart most
-  double force = 0.0;              ///< [N] the largest eigenvalue of ς
-  double area = 0.0;               ///< [m²] the area across the normal that belongs to the node
+  Mat3 tensor = Mat3::Zero();     ///< [N] the separation tensor ς, world frame
+  Vec3 normal_w = Vec3::UnitX();  ///< [-] direction in which it is pulled apart most
+  double force = 0.0;             ///< [N] the largest eigenvalue of ς
+  double area = 0.0;              ///< [m²] the area across the normal that belongs to the node
   /// \return [Pa] force over area; 0 without an area
   [[nodiscard]] double stress() const { return area > 0.0 ? force / area : 0.0; }
 };

@@ -28,8 +28,7 @@ Mat3 isotropic(double lambda, double mu, const Mat3& strain) {
 template <class Field>
 Mat3 gradient(const Tetrahedron& element, const Field& field) {
   Mat3 sum = Mat3::Zero();
-  for (int i = 0; i < 4; ++i)
-    sum += field(element.nodes[idx(i)]) * element.gradients.row(i);
+  for (int i = 0; i < 4; ++i) sum += field(element.nodes[idx(i)]) * element.gradients.row(i);
   return sum;
 }
 
@@ -158,8 +157,9 @@ ElasticMesh elastic_box(const Vec3& size, const std::array<int, 3>& cells,
 ElementStress stress_of(const ElasticMesh& mesh, const Tetrahedron& element) {
   const ElasticMaterial& m = mesh.material;
   ElementStress found;
-  found.deformation = gradient(
-      element, [&](int node) -> const Vec3& { return mesh.nodes[idx(node)].position_w; });
+  found.deformation =
+      gradient(element, [&](int node) -> const Vec3& { return mesh.nodes[idx(node)].position_w; });
+  // [S2.4.1:stress]
   const Mat3& F = found.deformation;
   found.stress = isotropic(m.lambda, m.mu, 0.5 * (F.transpose() * F - Mat3::Identity()));
   if (m.phi > 0.0 || m.psi > 0.0) {
@@ -167,6 +167,7 @@ ElementStress stress_of(const ElasticMesh& mesh, const Tetrahedron& element) {
         element, [&](int node) -> const Vec3& { return mesh.nodes[idx(node)].velocity_w; });
     found.stress += isotropic(m.phi, m.psi, symmetric(F.transpose() * rate));
   }
+  // [S2.4.1:stress]
   return found;
 }
 

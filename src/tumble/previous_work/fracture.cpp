@@ -8,15 +8,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace tumble {
 namespace {
 
 constexpr double kFriction = 0.5;       // [-] between pieces
+constexpr double kStiffRoom = 0.67;     // share of the stiffness that the substep is made for
 constexpr int kTouchesEvery = 40;       // substeps: a node moves by a fraction of an edge
-constexpr double kTouchesReach = 0.25;  // of the edge of an element
+constexpr double kTouchesReach = 0.02;  // of the extent of an element
+constexpr double kTouchesApart =
+    -0.1;  // smallest share of a node's place in an element that is near
 
 // The way out of a box for a point in it.
 struct WayOut {
@@ -52,7 +55,6 @@ Fracture::Fracture(ElasticMesh mesh, World rigid, double least)
 void Fracture::measure(int from) {
   substep_ = std::min(substep_, tolerance::fracture_step * stable_step(mesh_, stiffness_, from));
   work_.shortest = substep_;
-  until_touches_ = 0;
 }
 
 // The penalty force on a node: a spring and a damper that only push, and friction. All are in proportion to the mass
@@ -107,21 +109,39 @@ void Fracture::find_forces() {
 }
 
 void Fracture::find_touches() {
-  touches_.clear();
+  const std::vector<Touch> known = std::exchange(touches_, {});
   until_touches_ = kTouchesEvery;
   std::vector<int> piece;
   if (pieces_of(mesh_, piece) < 2) return;
-  for (const NearPair& near : near_pieces(mesh_, piece, kTouchesReach))
-    touches_.push_back({near.node, near.element, near.corner});
+  const auto key = [](const Touch& t) { return std::tie(t.element, t.corner, t.node); };
+  for (const NearPair& near : near_pieces(mesh_, piece, kTouchesReach)) {
+    Touch touch{near.node, near.element, near.corner, mesh_.elements[idx(near.element)].volume,
+                0.0,       false};
+    const auto same =
+        std::lower_bound(known.begin(), known.end(), touch,
+                         [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
+    if (same != known.end() && key(*same) == key(touch)) touch = *same;
+    const Sunk sunk = sunk_in(mesh_, mesh_.elements[idx(near.element)], near.corner,
+                              mesh_.nodes[idx(near.node)].position_w);
+    if (*std::min_element(sunk.shares.begin(), sunk.shares.end()) < kTouchesApart) continue;
+    touch.volume = mesh_.elements[idx(near.element)].volume;
+    touches_.push_back(touch);
+  }
 }
 
 // Of nodes in elements of other pieces: out through the face on the outside, and the element's nodes the other way by their
-// shares at the point, so that both momenta are kept.
+// shares at the point, so that both momenta are kept. Only what has come in through this face is pushed: a spring that
+// begins deep would add energy.
 void Fracture::push_by_pieces() {
-  for (const Touch& touch : touches_) {
+  for (Touch& touch : touches_) {
     const Tetrahedron& element = mesh_.elements[idx(touch.element)];
-    const Sunk sunk = sunk_in(mesh_, element, touch.corner, mesh_.nodes[idx(touch.node)].position_w);
-    if (sunk.depth <= 0.0 || sunk.depth > deepest_) continue;
+    if (element.volume != touch.volume) continue;
+    const Sunk sunk =
+        sunk_in(mesh_, element, touch.corner, mesh_.nodes[idx(touch.node)].position_w);
+    touch.open = sunk.inside && sunk.depth > 0.0 && sunk.depth < deepest_ &&
+                 (touch.open || touch.depth <= 0.0);
+    touch.depth = sunk.depth;
+    if (!touch.open) continue;
     Vec3 slip_w = mesh_.nodes[idx(touch.node)].velocity_w;
     double inverse_mass = 1.0 / mesh_.nodes[idx(touch.node)].mass;
     for (int i = 0; i < 4; ++i) {
@@ -159,6 +179,7 @@ StepReport Fracture::step(double dt) {
       report.status = StepStatus::event_cap;
       break;
     }
+    // [S2.4.1:substep]
     find_forces();
     since_look_ += substep_;
     if (since_look_ >= look_) {
@@ -170,13 +191,19 @@ StepReport Fracture::step(double dt) {
       }
     }
     if (until_touches_-- <= 0) find_touches();
-    const double h = std::min(left, substep_);
+    // Equal substeps: varying ones would feed the fastest swings. Green's strain ε stiffens what is stretched by 1 + 3 ε,
+    // for which the substep has room as long as ε is small.
+    const double pulled = std::max(0.0, *std::max_element(tension_.begin(), tension_.end()));
+    const double stiffer = std::max(1.0, kStiffRoom * (1.0 + 1.5 * pulled / mesh_.material.mu));
+    const double most = substep_ / std::sqrt(stiffer);
+    const double h = left / std::ceil(left / most);
     push_by_pieces();
     push_by_boxes(h);
     if (!move(h)) report.status = StepStatus::not_finite;
+    // [S2.4.1:substep]
     ++work_.substeps;
     report.integrations += static_cast<std::int64_t>(mesh_.nodes.size());
-    left -= h;
+    left = h < left ? left - h : 0.0;
   }
   report.events = work_.cracks.cracks - cracks;
   rigid_.finish_step(dt);

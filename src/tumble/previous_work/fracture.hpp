@@ -71,7 +71,10 @@ class Fracture {
   struct Touch {
     int node;
     int element;
-    int corner;  // of the element, across from its face on the outside
+    int corner;     // of the element, across from its face on the outside
+    double volume;  // [m³] of the element; another one: it has been divided since
+    double depth;   // [m] below the face in the last substep; below 0: outside
+    bool open;      // whether it is pushed out
   };
   void measure(int from);
   void find_forces();
@@ -87,7 +90,7 @@ class Fracture {
   double least_;
   double stiffness_ = 0.0;  // [1/s²] of contacts, over mass
   double substep_ = std::numeric_limits<double>::infinity();
-  double look_ = 0.0;       // [s] between searches for cracks
+  double look_ = 0.0;        // [s] between searches for cracks
   double since_look_ = 0.0;  // [s]
   double deepest_ = 0.0;     // [m] node in another piece that is still pushed out
   FractureWork work_;

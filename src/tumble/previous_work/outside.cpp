@@ -12,8 +12,7 @@ namespace tumble {
 namespace {
 
 // Across from each corner, counter-clockwise seen from outside.
-constexpr std::array<std::array<int, 3>, 4> kFaces{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<std::array<int, 3>, 4> kFaces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 using Cell = std::array<int, 3>;
 
@@ -110,8 +109,7 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
 }
 
 // Barycentric coordinates in the element as it is now.
-Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner,
-             const Vec3& point_w) {
+Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w) {
   Mat3 edges;
   const Vec3& origin_w = mesh.nodes[idx(element.nodes[0])].position_w;
   for (int k = 0; k < 3; ++k)
@@ -123,7 +121,7 @@ Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner,
   Eigen::Vector4d at = gradients * (point_w - origin_w);
   at[0] += 1.0;
   Sunk sunk;
-  if (at.minCoeff() <= 0.0 || edges.determinant() <= 0.0) return sunk;
+  sunk.inside = at.minCoeff() > 0.0 && edges.determinant() > 0.0;
   const Vec3 inwards = gradients.row(corner).transpose();
   sunk.depth = at[corner] / inwards.norm();
   sunk.normal_w = -inwards.normalized();

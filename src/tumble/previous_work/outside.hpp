@@ -43,9 +43,10 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
 
 /// How deep a point is in an element.
 struct Sunk {
-  double depth = 0.0;                       ///< [m] below the face; 0: outside the element
-  Vec3 normal_w = Vec3::UnitY();            ///< [-] of the face, outwards
-  std::array<double, 4> shares{0, 0, 0, 0};  ///< [-] of the element's nodes at the point (barycentric)
+  bool inside = false;                       ///< whether it is in the element
+  double depth = 0.0;                        ///< [m] below the plane of the face; negative above it
+  Vec3 normal_w = Vec3::UnitY();             ///< [-] of the face, outwards
+  std::array<double, 4> shares{0, 0, 0, 0};  ///< [-] of its nodes at the point (barycentric)
 };
 
 /// Measures it.
