@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFilmFrame = 0.0025;    // [s] of the scene between two frames
 constexpr double kBreakFilmRate = 15.0;  // [1/s] of them
-constexpr double kWallStrength = 1.5e6;  // [Pa] more than that of the plank, which is hit less hard
+constexpr double kWallStrength = 2.0e6;  // [Pa] more than that of the plank, which is hit less hard
 
 // Where a still is taken, and all that it counts.
 struct Watched {
@@ -100,8 +100,8 @@ const Registered wall_figure{
     {.name = "fracture_wall",
      .parameters = Parameters{}
                        .add_whole("fine", 2, 1, 8, "cells through the thickness")
-                       .add_number("speed", 12.0, 0.0, 100.0, "m/s", "of the cube")
-                       .add_number("duration", 0.06, 0.0025, 1.0, "s", "of the film"),
+                       .add_number("speed", 17.0, 0.0, 100.0, "m/s", "of the cube")
+                       .add_number("duration", 0.05, 0.0025, 1.0, "s", "of the film"),
      .quick = {"fine=1", "duration=0.01"},
      .experiment = measure_wall}};
 

@@ -14,7 +14,7 @@ namespace tumble::chapters {
 // A frame: triangles of the body's outside, and boxes.
 struct FractureFrame {
   double time = 0.0;                   // [s]
-  std::vector<FacePart> faces;         // of the body; cut tells nothing, face counts them
+  std::vector<FacePart> faces;         // of the body; in any order
   std::vector<std::uint32_t> colours;  // by face
   std::vector<PictureBox> boxes;       // around it
 };

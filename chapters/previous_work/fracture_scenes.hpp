@@ -3,7 +3,6 @@
 #pragma once
 
 #include "tumble/previous_work/fracture.hpp"
-#include "tumble/previous_work/tolerances.hpp"
 
 #include <array>
 
@@ -18,11 +17,6 @@ constexpr double kCube = 0.2;              // [m] that hits the wall
 // A material as soft as films use: its wave takes as many steps for a length as glass, and three milliseconds for a metre.
 inline ElasticMaterial soft_material(double strength = 1e6) {
   return elastic_material(0.26e9, 0.25, 2600.0, strength, 1e-5);
-}
-
-// Smallest height of an element that a crack may leave.
-inline double least_height(const ElasticMesh& mesh) {
-  return tolerance::crack_least * courant_step(mesh) * mesh.material.wave_speed();
 }
 
 // A plank that has come down to just above the bar.

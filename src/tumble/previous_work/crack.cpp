@@ -240,6 +240,10 @@ bool Splitter::split() {
 
 }  // namespace
 
+double least_height(const ElasticMesh& mesh) {
+  return tolerance::crack_least * courant_step(mesh) * mesh.material.wave_speed();
+}
+
 bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, CrackWork& work) {
   return Splitter(mesh, node, normal_w, least, work).split();
 }

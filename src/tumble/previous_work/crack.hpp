@@ -1,5 +1,5 @@
 /// \file
-/// \brief Where a body of tetrahedra cracks, and how its mesh is split there (thesis 2.4.1).
+/// \brief Cracks of a body of tetrahedra, and the split of its mesh (thesis 2.4.1).
 ///
 /// Uses no other chapter.
 #pragma once
@@ -37,6 +37,11 @@ struct NodeSeparation {
 /// \see O'Brien, Hodgins, SIGGRAPH 1999.
 /// \verified{The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar}
 NodeSeparation separation_at(const ElasticMesh& mesh, int node);
+
+/// Smallest height of an element that a crack may leave, `tolerance::crack_least` of the smallest one now.
+/// \param mesh  the mesh, before the first crack
+/// \return [m]
+[[nodiscard]] double least_height(const ElasticMesh& mesh);
 
 /// Counts of a mesh that was split.
 struct CrackWork {

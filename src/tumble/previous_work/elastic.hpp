@@ -146,7 +146,7 @@ double element_rate(const Tetrahedron& element, double lambda, double mu, double
 /// \verified{No mesh swings faster than its fastest element, and its stable step is near the Courant step}
 double stable_step(const ElasticMesh& mesh, double extra = 0.0, int from = 0);
 
-/// The time that the fastest wave takes through the smallest height of an element (Courant, Friedrichs, Lewy 1928).
+/// The time that the fastest wave takes through the smallest height of an element.
 /// \param mesh  the mesh
 /// \return [s]
 double courant_step(const ElasticMesh& mesh);

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What pulls a node apart.
+/// \brief The separation tensor of a node.
 #include "tumble/previous_work/crack.hpp"
 
 #include <Eigen/Eigenvalues>

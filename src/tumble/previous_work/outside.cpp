@@ -1,5 +1,5 @@
 /// \file
-/// \brief Faces on the outside, and what is near them.
+/// \brief Faces on the outside, and nodes near them.
 #include "tumble/previous_work/outside.hpp"
 
 #include <algorithm>
