@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/scenes/wish.hpp"
 
 #include <limits>
 #include <optional>
@@ -42,6 +43,7 @@ struct Scene {
   Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);  ///< [m/s²]
   std::optional<SceneGround> ground = {};  ///< none: bodies may fall for ever
   std::vector<SceneBox> boxes = {};        ///< in the order in which they get their ids
+  std::vector<Wish> wishes = {};           ///< about its end; a run does without
 };
 
 /// The constant part of a box.
@@ -57,10 +59,14 @@ class SceneMistake : public std::invalid_argument {
   /// \param box      place of the box in the scene, from 0; -1 if it is about the scene
   /// \param key      the wrong key of scene files; empty: the box as a whole
   /// \param message  the value and the expected one, for example "= die: two boxes have this name"
-  SceneMistake(int box, std::string key, const std::string& message);
+  /// \param table    "box"; of another list, such as "wish", `box` is the place in that
+  SceneMistake(int box, std::string key, const std::string& message, std::string table = "box");
 
+  /// The list that it is about.
+  /// \return its name in scene files, for example "box"
+  [[nodiscard]] const std::string& table() const { return table_; }
   /// The box.
-  /// \return its place in the scene, from 0; -1 if it is about the scene
+  /// \return its place in the scene or in table(), from 0; -1 if it is about the scene
   [[nodiscard]] int box() const { return box_; }
   /// The wrong key.
   /// \return of scene files; may be empty
@@ -69,6 +75,7 @@ class SceneMistake : public std::invalid_argument {
  private:
   int box_;
   std::string key_;
+  std::string table_;
 };
 
 /// The message of a mistake without the name of the program.

@@ -33,6 +33,14 @@ class EventsOfStep : public Observer {
   Technique& technique_;
 };
 
+// Wishes about a box that there will not be.
+void leave_out(const std::string& name, std::vector<Wish>& wishes) {
+  for (Wish& wish : wishes)
+    wish.bodies.erase(std::remove(wish.bodies.begin(), wish.bodies.end(), name), wish.bodies.end());
+  const auto empty = [](const Wish& wish) { return wish.bodies.empty(); };
+  wishes.erase(std::remove_if(wishes.begin(), wishes.end(), empty), wishes.end());
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, std::unique_ptr<Technique> technique)
@@ -137,6 +145,7 @@ void Simulation::take_away(std::string_view asked) {
   if (world_.steps() == 0) {
     Scene next = scene_;
     next.boxes.erase(next.boxes.begin() + (box - scene_.boxes.begin()));
+    leave_out(name, next.wishes);
     begin(std::move(next));
     return;
   }
