@@ -100,7 +100,7 @@ ChainWatch::ChainWatch(OutputFolder& folder, const std::vector<NoiseChain>& chai
       written_(chains.size(), 0),
       begin_(Clock::now()),
       shown_at_(begin_),
-      written_at_(begin_) {}
+      written_at_(begin_ - kWriteInterval) {}
 
 ChainWatch::~ChainWatch() {
   if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
@@ -109,10 +109,11 @@ ChainWatch::~ChainWatch() {
 void ChainWatch::look() {
   const Clock::time_point now = Clock::now();
   if (shown_ && now - shown_at_ > kShowInterval) show();
-  if (now - written_at_ > kWriteInterval) write();
+  if (now - written_at_ >= kWriteInterval) write();
 }
 
 void ChainWatch::write() {
+  if (counts_of(chains_).proposals == 0) return;
   for (std::size_t k = 0; k < chains_.size(); ++k) {
     const std::size_t count = chains_[k].proposals().size();
     if (count == written_[k]) continue;
@@ -120,7 +121,7 @@ void ChainWatch::write() {
                chain_table(chains_[k].proposals()));
     written_[k] = count;
   }
-  if (counts_of(chains_).proposals > 0) folder_.publish();
+  folder_.publish();
   written_at_ = Clock::now();
 }
 

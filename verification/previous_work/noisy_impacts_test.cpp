@@ -122,6 +122,7 @@ TEST_CASE("The values of one impact change nothing before it", "[unit][sampling]
   const auto impacts = run_with(noise, before);
   REQUIRE(impacts.size() > 1);
   noise.set(impacts[1], {0.1, 0.9, 0.3});
+  noise.set({impacts[0].first, impacts[0].second, 1}, {0.1, 0.9, 0.3});
   CHECK(run_with(noise, after) == impacts);
   REQUIRE(after.size() == before.size());
   before.pop_back();

@@ -81,6 +81,17 @@ TEST_CASE("A motion that is no valid one has an infinite violation", "[unit][sam
         std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("A motion that is asked to stop is not finished", "[unit][sampling]") {
+  const SceneSampler sampler = sampler_of(thrown_die());
+  int steps = 0;
+  CHECK_FALSE(sampler.motion(ImpactNoise(), [&] { return ++steps > 10; }).finished);
+  CHECK(steps == 11);
+  std::atomic<bool> stop = true;
+  CHECK_FALSE(sampler.simulate(stop)(ImpactNoise()).finished);
+  stop = false;
+  CHECK(sampler.simulate(stop)(ImpactNoise()).finished);
+}
+
 TEST_CASE("Sampling works with every technique that reports its impacts", "[unit][sampling]") {
   for (const TechniqueRecipe& recipe : technique_library()) {
     const NoisyMotion motion =
