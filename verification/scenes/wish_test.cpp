@@ -4,6 +4,7 @@
 
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/scene_file.hpp"
+#include "tumble/scenes/simulation.hpp"
 
 #include "scenes/refusal.hpp"
 #include "support/catch.hpp"
@@ -176,4 +177,16 @@ TEST_CASE("A wish that cannot come true is refused with its line, the value and 
   scene.boxes.push_back({.name = "a"});
   scene.wishes = {{.kind = WishKind::stays, .bodies = {"a"}, .distance = -1.0}};
   CHECK_THROWS_AS(checked(scene), SceneMistake);
+}
+
+TEST_CASE("A box that is taken away before the first step takes its wishes with it",
+          "[unit][scenes][sampling]") {
+  Scene scene;
+  scene.boxes = {{.name = "a"}, {.name = "b", .position_w = {5.0, 0.0, 0.0}}};
+  scene.wishes = {{.kind = WishKind::stays, .bodies = {"a"}},
+                  {.kind = WishKind::stands, .bodies = {"a", "b"}}};
+  Simulation simulation(scene);
+  simulation.take_away("a");
+  REQUIRE(simulation.scene().wishes.size() == 1);
+  CHECK(simulation.scene().wishes[0].bodies == std::vector<std::string>{"b"});
 }

@@ -117,15 +117,16 @@ BodyProperties properties_of(const SceneBox& box) {
                    : box_properties(box.size, box.mass, box.friction, box.restitution);
 }
 
-SceneMistake::SceneMistake(int box, std::string key, const std::string& message, std::string table)
-    : std::invalid_argument(
-          "tumble: " +
-          (box < 0 ? key
-                   : table + "[" + std::to_string(box + 1) + "]" + (key.empty() ? "" : "." + key)) +
-          message),
+SceneMistake::SceneMistake(int box, std::string key, const std::string& message,
+                           std::string_view table)
+    : std::invalid_argument("tumble: " +
+                            (box < 0 ? key
+                                     : std::string(table) + "[" + std::to_string(box + 1) + "]" +
+                                           (key.empty() ? "" : "." + key)) +
+                            message),
       box_(box),
       key_(std::move(key)),
-      table_(std::move(table)) {}
+      table_(table) {}
 
 std::string_view message_of(const std::invalid_argument& error) {
   constexpr std::string_view program = "tumble: ";

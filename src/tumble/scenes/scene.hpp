@@ -56,18 +56,19 @@ BodyProperties properties_of(const SceneBox& box);
 class SceneMistake : public std::invalid_argument {
  public:
   /// A mistake.
-  /// \param box      place of the box in the scene, from 0; -1 if it is about the scene
+  /// \param box      place of the box, or other table, in the scene, from 0; -1 if it is about the scene
   /// \param key      the wrong key of scene files; empty: the box as a whole
   /// \param message  the value and the expected one, for example "= die: two boxes have this name"
-  /// \param table    "box"; of another list, such as "wish", `box` is the place in that
-  SceneMistake(int box, std::string key, const std::string& message, std::string table = "box");
+  /// \param table    the key of the table in scene files
+  SceneMistake(int box, std::string key, const std::string& message,
+               std::string_view table = "box");
 
-  /// The list that it is about.
-  /// \return its name in scene files, for example "box"
-  [[nodiscard]] const std::string& table() const { return table_; }
-  /// The box.
-  /// \return its place in the scene or in table(), from 0; -1 if it is about the scene
+  /// The box, or other table.
+  /// \return its place in the scene, from 0; -1 if it is about the scene
   [[nodiscard]] int box() const { return box_; }
+  /// What it is about, unless it is about the scene.
+  /// \return the key of a table in scene files
+  [[nodiscard]] const std::string& table() const { return table_; }
   /// The wrong key.
   /// \return of scene files; may be empty
   [[nodiscard]] const std::string& key() const { return key_; }

@@ -167,6 +167,18 @@ class Place : public SceneTable {
     return true;
   }
 
+  // The tables of a list, if there is one.
+  std::vector<Place> tables(const std::string& key) const {
+    std::vector<Place> out;
+    const toml::node* node = find(key);
+    if (node == nullptr) return out;
+    if (!node->is_array_of_tables()) refuse(key, node, "expected [[" + key + "]] tables");
+    for (const toml::node& element : *node->as_array())
+      out.emplace_back(*element.as_table(), file_,
+                       key + "[" + std::to_string(out.size() + 1) + "].");
+    return out;
+  }
+
  private:
   template <std::size_t n>
   bool numbers(std::string_view key, std::array<double, n>& out) const {
@@ -189,23 +201,6 @@ class Place : public SceneTable {
   std::string prefix_;
 };
 
-// The tables [[name]], which need not be there.
-std::vector<Place> tables(const Place& place, const toml::table& root, std::string_view file,
-                          const std::string& name) {
-  std::vector<Place> found;
-  const toml::node* node = root.get(name);
-  if (node == nullptr) return found;
-  const toml::array* list = node->as_array();
-  const std::string wanted = "expected [[" + name + "]] tables";
-  if (list == nullptr) place.refuse(name, wanted);
-  for (const toml::node& item : *list) {
-    if (!item.is_table()) place.refuse(name, wanted);
-    found.emplace_back(*item.as_table(), file,
-                       name + "[" + std::to_string(found.size() + 1) + "].");
-  }
-  return found;
-}
-
 Scene read_table(const toml::table& root, std::string_view file) {
   const Place place(root, file, "");
   place.only({"title", "gravity", "ground", "box", "wish"});
@@ -219,11 +214,11 @@ Scene read_table(const toml::table& root, std::string_view file) {
     scene.ground.emplace();
     read_surface(ground, scene.ground->friction, scene.ground->restitution);
   }
-  const std::vector<Place> boxes = tables(place, root, file, "box");
-  if (boxes.empty()) place.refuse("box", "a scene needs at least one [[box]] table");
-  for (const Place& box : boxes) scene.boxes.push_back(read_box(box));
-  for (const Place& wish : tables(place, root, file, "wish"))
-    scene.wishes.push_back(read_wish(wish));
+  const toml::node* boxes = place.find("box");
+  if (boxes == nullptr || !boxes->is_array() || boxes->as_array()->empty())
+    place.refuse("box", boxes, "a scene needs at least one [[box]] table");
+  for (const Place& box : place.tables("box")) scene.boxes.push_back(read_box(box));
+  for (const Place& wish : place.tables("wish")) scene.wishes.push_back(read_wish(wish));
   return scene;
 }
 
@@ -242,17 +237,12 @@ Scene parse_scene(std::string_view text, std::string_view file) {
   try {
     return checked(std::move(scene));
   } catch (const SceneMistake& mistake) {
-    const Place place(root, file, "");
-    const toml::node* node = mistake.box() < 0 ? place.find(mistake.key()) : nullptr;
-    if (mistake.box() >= 0) {
-      const toml::table& table = *root[mistake.table()]
-                                      .as_array()
-                                      ->get(static_cast<std::size_t>(mistake.box()))
-                                      ->as_table();
-      node = table.get(mistake.key());
-      if (node == nullptr) node = &table;
-    }
-    throw std::invalid_argument(place.place_of(node) + std::string(message_of(mistake)));
+    const Place all(root, file, "");
+    const Place place = mistake.box() < 0
+                            ? all
+                            : all.tables(mistake.table())[static_cast<std::size_t>(mistake.box())];
+    throw std::invalid_argument(place.place_of(place.find(mistake.key())) +
+                                std::string(message_of(mistake)));
   }
 }
 

@@ -43,28 +43,6 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-void write(const SceneBox& box, std::string& out) {
-  const Quat& q = box.orientation_wb;
-  out.append("\n[[box]]\n");
-  if (!box.name.empty()) out.append("name = ").append(quoted(box.name)).append("\n");
-  out.append("size = ").append(list(box.size)).append("\n");
-  if (box.fixed) out.append("fixed = true\n");
-  if (!box.fixed) out.append("mass = ").append(number(box.mass)).append("\n");
-  out.append("position = ").append(list(box.position_w)).append("\n");
-  out.append("orientation = [").append(number(q.w()));
-  for (int k = 0; k < 3; ++k) out.append(", ").append(number(q.vec()[k]));
-  out.append("]\n");
-  if (!box.fixed) {
-    out.append("velocity = ").append(list(box.velocity_w)).append("\n");
-    out.append("angular_velocity = ").append(list(box.angular_velocity_w)).append("\n");
-  }
-  out.append("friction = ").append(number(box.friction)).append("\n");
-  out.append("restitution = ").append(number(box.restitution)).append("\n");
-  if (box.appears > 0.0) out.append("appears = ").append(number(box.appears)).append("\n");
-  if (std::isfinite(box.disappears))
-    out.append("disappears = ").append(number(box.disappears)).append("\n");
-}
-
 void write(const Wish& wish, std::string& out) {
   out.append("\n[[wish]]\nkind = ")
       .append(quoted(std::string(kWishKinds[static_cast<std::size_t>(wish.kind)])));
@@ -89,6 +67,28 @@ void write(const Wish& wish, std::string& out) {
       if (wish.distance > 0.0) out.append("distance = ").append(number(wish.distance)).append("\n");
       break;
   }
+}
+
+void write(const SceneBox& box, std::string& out) {
+  const Quat& q = box.orientation_wb;
+  out.append("\n[[box]]\n");
+  if (!box.name.empty()) out.append("name = ").append(quoted(box.name)).append("\n");
+  out.append("size = ").append(list(box.size)).append("\n");
+  if (box.fixed) out.append("fixed = true\n");
+  if (!box.fixed) out.append("mass = ").append(number(box.mass)).append("\n");
+  out.append("position = ").append(list(box.position_w)).append("\n");
+  out.append("orientation = [").append(number(q.w()));
+  for (int k = 0; k < 3; ++k) out.append(", ").append(number(q.vec()[k]));
+  out.append("]\n");
+  if (!box.fixed) {
+    out.append("velocity = ").append(list(box.velocity_w)).append("\n");
+    out.append("angular_velocity = ").append(list(box.angular_velocity_w)).append("\n");
+  }
+  out.append("friction = ").append(number(box.friction)).append("\n");
+  out.append("restitution = ").append(number(box.restitution)).append("\n");
+  if (box.appears > 0.0) out.append("appears = ").append(number(box.appears)).append("\n");
+  if (std::isfinite(box.disappears))
+    out.append("disappears = ").append(number(box.disappears)).append("\n");
 }
 
 }  // namespace

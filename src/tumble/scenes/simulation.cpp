@@ -35,10 +35,8 @@ class EventsOfStep : public Observer {
 
 // Wishes about a box that there will not be.
 void leave_out(const std::string& name, std::vector<Wish>& wishes) {
-  for (Wish& wish : wishes)
-    wish.bodies.erase(std::remove(wish.bodies.begin(), wish.bodies.end(), name), wish.bodies.end());
-  const auto empty = [](const Wish& wish) { return wish.bodies.empty(); };
-  wishes.erase(std::remove_if(wishes.begin(), wishes.end(), empty), wishes.end());
+  for (Wish& wish : wishes) std::erase(wish.bodies, name);
+  std::erase_if(wishes, [](const Wish& wish) { return wish.bodies.empty(); });
 }
 
 }  // namespace
