@@ -163,7 +163,7 @@ Result measure_sampling(const Parameters& settings) {
   Camera camera;
   camera.eye_w = Vec3(0.35, 1.5, 1.1);
   camera.target_w = Vec3(0.0, 0.12, -0.62);
-  camera.field_of_view = 0.58;
+  camera.field_of_view = 0.62;
   camera.width = 200.0;
   camera.height = 150.0;
   Result result;
