@@ -16,25 +16,15 @@
 
 namespace tumble {
 
-// All events of one pair in one step.
-struct NoisyImpacts::Meeting {
-  BodyId first{};
-  BodyId second{};
-  Vec3 impulse_w = Vec3::Zero();  // [N s] on the second body
-  Vec3 normal_w = Vec3::Zero();   // [-] sum of the normals, weighted
-  Vec3 point_w = Vec3::Zero();    // [m] sum of the points, weighted
-  double time = 0.0;              // [s] sum of the times, weighted
-  double weight = 0.0;            // [N s] along the normals
-
-  void add(const Vec3& point, const Vec3& normal, const Vec3& impulse, double at) {
-    const double along = std::abs(normal.dot(impulse));
-    impulse_w += impulse;
-    normal_w += along * normal;
-    point_w += along * point;
-    time += along * at;
-    weight += along;
-  }
-};
+void NoisyImpacts::Meeting::add(const Vec3& point, const Vec3& normal, const Vec3& impulse,
+                                double at) {
+  const double along = std::abs(normal.dot(impulse));
+  impulse_w += impulse;
+  normal_w += along * normal;
+  point_w += along * point;
+  time += along * at;
+  weight += along;
+}
 
 namespace {
 

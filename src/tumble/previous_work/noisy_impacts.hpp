@@ -60,7 +60,18 @@ class NoisyImpacts : public WrappedTechnique {
   [[nodiscard]] std::span<const ImpactName> impacts() const { return impacts_; }
 
  private:
-  struct Meeting;
+  /// The impulses of a pair in a step, added up.
+  struct Meeting {
+    BodyId first{};                 // the body with the smaller id
+    BodyId second{};                // the other one
+    Vec3 impulse_w = Vec3::Zero();  // [N s] on the second body
+    Vec3 normal_w = Vec3::Zero();   // [N s] sum of the normals, weighted
+    Vec3 point_w = Vec3::Zero();    // [N s m] sum of the points, weighted
+    double time = 0.0;              // [N s²] sum of the times, weighted
+    double weight = 0.0;            // [N s] along the normals
+
+    void add(const Vec3& point, const Vec3& normal, const Vec3& impulse, double at);
+  };
   [[nodiscard]] MovingBody before_impact(const World& world, int index, double flown) const;
   void disturb(World& world, const Meeting& meeting, double start, BookedEnergy& energy);
 

@@ -46,7 +46,7 @@ class SceneSampler {
   /// \param noise      of its impacts
   /// \param observers  called in this order
   /// \return how it ended
-  /// \throws as run_scene() does
+  /// \throws std::invalid_argument as run_scene() does
   RunResult run(const ImpactNoise& noise, std::span<RunObserver* const> observers) const;
 
   /// motion(), for chains.
