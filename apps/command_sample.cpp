@@ -26,7 +26,7 @@ void require_count(int value, int low, int high, const std::string& option) {
 
 void require_valid(const SampleRequest& sample) {
   require_count(sample.samples, 1, kMostMotions, "--samples");
-  require_count(sample.chains, 1, kMostChains, "--chains");
+  require_count(sample.chains, 0, kMostChains, "--chains");
   constexpr int most_cores = 1024;
   require_count(sample.cores, 0, most_cores, "--cores");
   constexpr int most_proposals = 1000000;  // of which the table of a chain has some 50 MB
@@ -133,8 +133,11 @@ int report(const RunDescription& d, const SampleRequest& sample,
 
 }  // namespace
 
-int sample(const Request& request, const SampleRequest& sample) {
-  require_valid(sample);
+int sample(const Request& request, const SampleRequest& asked) {
+  require_valid(asked);
+  SampleRequest sample = asked;
+  constexpr int usual_chains = 4;
+  if (sample.chains == 0) sample.chains = std::min(usual_chains, sample.samples);
   Request lookup = request;
   lookup.out.clear();
   const ResolvedRequest r = resolve(lookup);  // all mistakes come out before anything is written

@@ -118,7 +118,8 @@ void add_sample_options(CLI::App& command, Request& request, SampleRequest& samp
     command.add_option(name, value, help)->check(number())->capture_default_str();
   };
   add_count("--samples", sample.samples, "motions wanted that meet all wishes");
-  add_count("--chains", sample.chains, "Markov chains; each finds its share of the motions");
+  add_count("--chains", sample.chains,
+            "Markov chains, each of which finds its share; 0: four, or fewer for fewer motions");
   add_count("--cores", sample.cores, "cores that work; 0: all. They change no bit of the result");
   add_count("--proposals", sample.proposals, "motions that a chain tries at most");
   add_number("--strictness", sample.strictness,

@@ -159,7 +159,7 @@ int stability(const Request& request, const std::string& rule);
 /// What `tumble sample` has beside a run, as typed.
 struct SampleRequest {
   int samples = 4;           ///< motions that are wanted
-  int chains = 4;            ///< Markov chains
+  int chains = 0;            ///< Markov chains; 0: four, or as many as samples if these are fewer
   int cores = 0;             ///< threads; 0: one for each core of the machine
   int proposals = 1000;      ///< of each chain, at most
   double strictness = 10.0;  ///< [-] see NoiseChain
@@ -169,9 +169,9 @@ struct SampleRequest {
 
 /// `tumble sample`.
 /// \param request  what was typed
-/// \param sample   what was typed
+/// \param asked    what was typed
 /// \return the exit code
-int sample(const Request& request, const SampleRequest& sample);
+int sample(const Request& request, const SampleRequest& asked);
 
 /// A linear complementarity problem in files, as typed.
 struct LcpRequest {

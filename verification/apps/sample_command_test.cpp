@@ -120,10 +120,9 @@ TEST_CASE("Chains that find too little end at their cap with the nearest motion 
                          "nearest one misses the wishes by 0.99") != std::string::npos);
   CHECK(files_in(folder.path / "out").count("motion_1.csv") == 1);
   CHECK(lines_of(folder.path / "out" / "chain_2.csv").size() == 6);
-  const Outcome slow =
-      run_tumble("sample " + scene +
-                 " --duration 0.5 --samples 1 --chains 1 --proposals 3 --noise-speed 1000 --out " +
-                 (folder.path / "slow").string());
+  const Outcome slow = run_tumble(
+      "sample " + scene + " --duration 0.5 --samples 1 --proposals 3 --noise-speed 1000 --out " +
+      (folder.path / "slow").string());
   CHECK(slow.code == 3);
   CHECK(slow.text.find("no impact was fast enough for noise: try a smaller --noise-speed") !=
         std::string::npos);

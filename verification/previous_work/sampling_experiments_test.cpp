@@ -5,13 +5,10 @@
 
 using namespace tumble::chapters;
 
-TEST_CASE(
-    "A chain finds a motion that knocks down the wished pins, and puts a die where chance does not",
-    "[claims][sampling]") {
+TEST_CASE("A chain finds a motion that knocks down the wished pins", "[claims][sampling]") {
   const FigureUnderTest figure("sampled_motions");
-  CHECK(figure.number("motions tried by the chains until each has found one") <= 600);
+  CHECK(figure.number("motions tried by the chains until each has found one") <= 60);
   CHECK(figure.number("share of proposals that were accepted") > 0.1);
   CHECK(figure.result.drawings.size() == 3);
-  CHECK(figure.number("chains that put a six on a square centimetre") > 0.0);
-  CHECK(figure.number("motions without a chain that put it there") == 0.0);
+  CHECK(figure.number("motions that they have tried") <= 60);
 }
