@@ -86,7 +86,7 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
   // One that is killed leaves whole tables, if any, and no summary.
   const std::string long_run =
       scene + " --duration 1 --chains 2 --quiet --cores 1 --samples 1000 --proposals 1000000 ";
-  shell("timeout -s KILL 1.5 " + std::string(TUMBLE_COMMAND) + " sample " + long_run + "--out " +
+  shell("timeout -s KILL 1.2 " + std::string(TUMBLE_COMMAND) + " sample " + long_run + "--out " +
         out("killed"));
   REQUIRE(std::filesystem::exists(folder.path / "killed" / "chain_1.csv"));
   const std::string killed = content(folder.path / "killed" / "chain_1.csv");
@@ -96,7 +96,7 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
                   "chains that are not finished: go on with --resume"},
                  {"sample " + options + "--seed 2 --resume --out " + out("killed"),
                   "sampling.txt has \"seed = 1\", and this is \"seed = 2\""}});
-  const Outcome on = shell("timeout -s INT 0.4 " + std::string(TUMBLE_COMMAND) + " sample " +
+  const Outcome on = shell("timeout -s INT 0.3 " + std::string(TUMBLE_COMMAND) + " sample " +
                            long_run + "--resume --out " + out("killed"));
   CHECK(on.text.find("interrupted: the chains in") != std::string::npos);
   CHECK(run_tumble("sample " + options + "--samples 8 --resume --out " + out("killed")).code == 0);
