@@ -88,8 +88,7 @@ std::string draw_still(const RenderRequest& request, const RecordedRun& run) {
     commands += to_gnuplot(draw_boxes(frame.boxes, camera, floor));
   }
   if (frames.size() > 1) commands += "unset multiplot\n";
-  const std::string stem = std::string(request.strip.empty() ? "picture" : "strip") +
-                           (request.filtered ? "_filtered" : "");
+  const std::string stem = (request.strip.empty() ? "picture" : "strip") + suffix_of(request);
   draw_with_gnuplot(request.folder, stem + ".gp", commands, stem + "." + request.form);
   return stem + "." + request.form;
 }
@@ -110,6 +109,19 @@ void require_fitting(const RenderRequest& request, bool still) {
 
 }  // namespace
 
+std::string table_of(const RenderRequest& request) {
+  const bool sampled = request.motion || is_sampling(request.folder);
+  require::that(!sampled || !request.filtered,
+                "--filtered: the motions of tumble sample are not filtered");
+  if (sampled) return motion_file(request.motion.value_or(1));
+  return std::string(request.filtered ? kFilteredFile : kTrajectoryFile);
+}
+
+std::string suffix_of(const RenderRequest& request) {
+  if (request.filtered) return "_filtered";
+  return request.motion.value_or(1) != 1 ? "_" + std::to_string(*request.motion) : "";
+}
+
 int render(const RenderRequest& request) {
   const bool still = request.form == "svg" || request.form == "png";
   const bool moves = request.form == "gif" || request.form == "mp4" || request.form == "gltf" ||
@@ -117,8 +129,7 @@ int render(const RenderRequest& request) {
   require::that(still || moves,
                 "--as " + request.form + ": expected svg, png, gif, mp4, gltf or html");
   require_fitting(request, still);
-  const RecordedRun run =
-      read_run(request.folder, request.filtered ? kFilteredFile : kTrajectoryFile);
+  const RecordedRun run = read_run(request.folder, table_of(request));
   try {
     const std::string made = still ? draw_still(request, run) : write_moving(request, run);
     std::printf("%s\n", (std::filesystem::path(request.folder) / made).c_str());

@@ -1,5 +1,7 @@
 /// \file
 /// \brief `tumble view`: a run in the browser.
+#include "tumble/base/error.hpp"
+
 #include "program.hpp"
 #include "request.hpp"
 
@@ -21,15 +23,20 @@ int view(const Request& request, bool open) {
   std::filesystem::path folder = request.scene;
   std::error_code none;
   int code = kDone;
-  if (!std::filesystem::exists(folder / kTrajectoryFile, none)) code = run_into(request, folder);
+  const bool sampled = is_sampling(folder);
+  require::that(sampled || !request.motion,
+                "--motion: " + request.scene + " is no folder of tumble sample");
+  if (!sampled && !std::filesystem::exists(folder / kTrajectoryFile, none))
+    code = run_into(request, folder);
   if (stop_signal() != 0 || code == kBadInput) return code;
   RenderRequest page;
   page.folder = folder.string();
   page.form = "html";
   page.filtered = request.filter.has_value();
+  page.motion = request.motion;
   render(page);
-  const std::filesystem::path file = std::filesystem::absolute(
-      folder / (page.filtered ? "view_filtered.html" : "view.html"), none);
+  const std::filesystem::path file =
+      std::filesystem::absolute(folder / ("view" + suffix_of(page) + ".html"), none);
   if (open && !opened(file))
     std::printf("no browser could be started: open file://%s\n", file.c_str());
   return code;

@@ -17,8 +17,8 @@ namespace {
 using namespace tumble::app;
 
 // The first word is a sub-command; the message about an unknown one lists these.
-constexpr std::array<std::string_view, 10> kCommands = {
-    "run", "view",   "compare",   "diff",       "render",
+constexpr std::array<std::string_view, 11> kCommands = {
+    "run", "view",   "compare",   "sample",     "diff",   "render",
     "lcp", "scenes", "stability", "techniques", "filters"};
 
 // One line about a command line that cannot be read.
@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   add_run_options(*view, request);
   add_recording_options(*view, request);
   view->add_flag("--no-browser", page_only, "write the page and do not open it");
+  add_motion_option(*view, request.motion);
   view->footer(kSceneHelp);
 
   CLI::App* compare = app.add_subcommand("compare", "simulate a scene with several techniques");
@@ -74,6 +75,13 @@ int main(int argc, char** argv) {
   compare->add_option("--limit", limit, "wall-clock limit of each technique [s]")
       ->check(number())
       ->capture_default_str();
+
+  SampleRequest sampling;
+  CLI::App* sample = app.add_subcommand(
+      "sample", "find motions of a scene that meet its wishes, by noise in its impacts");
+  add_run_options(*sample, request);
+  add_sample_options(*sample, request, sampling);
+  sample->footer(kSampleHelp);
 
   std::string first;
   std::string second;
@@ -132,12 +140,14 @@ int main(int argc, char** argv) {
     return kBadInput;
   }
   try {
-    if (run->parsed() || view->parsed() || compare->parsed() || render->parsed())
+    if (run->parsed() || view->parsed() || compare->parsed() || sample->parsed() ||
+        render->parsed())
       catch_stop_signals();
     if (run->parsed()) return printed(tumble::app::run(request));
     if (view->parsed()) return printed(tumble::app::view(request, !page_only));
     if (diff->parsed()) return printed(tumble::app::diff(first, second));
     if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
+    if (sample->parsed()) return printed(tumble::app::sample(request, sampling));
     if (lcp->parsed() && list_solvers) return printed(list_lcp_solvers());
     if (lcp->parsed()) return printed(solve_lcp(problem));
     if (render->parsed()) return printed(tumble::app::render(picture));

@@ -137,8 +137,7 @@ void write_film(const RenderRequest& request, const RecordedRun& run,
 
 std::string write_moving(const RenderRequest& request, const RecordedRun& run) {
   const bool page = request.form == "html";
-  const std::string name = std::string(page ? "view" : "film") +
-                           (request.filtered ? "_filtered" : "") + "." + request.form;
+  const std::string name = (page ? "view" : "film") + suffix_of(request) + "." + request.form;
   const std::filesystem::path path = std::filesystem::path(request.folder) / name;
   const double speed = request.speed.value_or(1.0);
   require::within(speed, kSpeeds[0], kSpeeds[1], "--speed");

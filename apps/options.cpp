@@ -81,6 +81,11 @@ void add_recording_options(CLI::App& run, Request& request) {
                  "(list: tumble filters)");
 }
 
+void add_motion_option(CLI::App& command, std::optional<int>& motion) {
+  command.add_option("--motion", motion, "which motion in a folder of tumble sample; default: 1")
+      ->check(whole(std::numeric_limits<int>::max()));
+}
+
 void add_run_options(CLI::App& command, Request& request) {
   command.add_option("scene", request.scene, "built-in scene (list: tumble scenes) or .toml file")
       ->required();
@@ -102,6 +107,32 @@ void add_run_options(CLI::App& command, Request& request) {
   command.add_flag("--quiet", request.quiet, "no progress line and no summary");
 }
 
+void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample) {
+  command.add_option("--technique", request.technique, "technique (list: tumble techniques)");
+  const auto add_count = [&](const char* name, int& value, const char* help) {
+    command.add_option(name, value, help)
+        ->check(whole(std::numeric_limits<int>::max()))
+        ->capture_default_str();
+  };
+  const auto add_number = [&](const char* name, double& value, const char* help) {
+    command.add_option(name, value, help)->check(number())->capture_default_str();
+  };
+  add_count("--samples", sample.samples, "motions wanted that meet all wishes");
+  add_count("--chains", sample.chains,
+            "Markov chains, each of which finds its share; 0: four, or fewer for fewer motions");
+  add_count("--cores", sample.cores, "cores that work; 0: all. They change no bit of the result");
+  add_count("--proposals", sample.proposals, "motions that a chain tries at most");
+  add_number("--strictness", sample.strictness,
+             "s of exp(-s V), with V the sum of what wishes are missed by");
+  add_number("--noise-speed", sample.noise.speed,
+             "slowest impact with noise, as a share of sqrt(g L), L the shortest edge");
+  add_number("--noise-normal", sample.noise.normal,
+             "standard deviation of the angle by which an impulse is turned [rad]");
+  add_number("--noise-restitution", sample.noise.restitution,
+             "half the range in which restitution varies");
+  command.add_flag("--resume", sample.resume, "go on with the chains in the folder");
+}
+
 void add_render_options(CLI::App& command, RenderRequest& request) {
   command.add_option("folder", request.folder, "folder of a recorded run")->required();
   command
@@ -116,6 +147,7 @@ void add_render_options(CLI::App& command, RenderRequest& request) {
   add_numbers(command, "--strip", "picture: times of several frames, separated by commas [s]",
               request.strip);
   command.add_flag("--filtered", request.filtered, "draw the filtered trajectory of the run");
+  add_motion_option(command, request.motion);
   add_numbers(command, "--view", "direction from the boxes to the camera, X,Y,Z", request.view);
   command.add_option("--from", request.from, "film, gltf, html: start time [s]")->check(number());
   command.add_option("--to", request.to, "film, gltf, html: end time [s]")->check(number());

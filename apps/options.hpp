@@ -34,10 +34,21 @@ void add_list(CLI::App& command, const std::string& option, const std::string& h
 /// \param request takes the typed values
 void add_recording_options(CLI::App& run, Request& request);
 
+/// Adds the choice of a sampled motion.
+/// \param command `tumble view` or `tumble render`
+/// \param motion  takes the typed value
+void add_motion_option(CLI::App& command, std::optional<int>& motion);
+
 /// Adds the scene and the options of every command that runs it.
-/// \param command `tumble run`, `tumble compare` or `tumble view`
+/// \param command `tumble run`, `tumble compare`, `tumble sample` or `tumble view`
 /// \param request takes the typed values
 void add_run_options(CLI::App& command, Request& request);
+
+/// Adds what `tumble sample` has beside the scene.
+/// \param command this one
+/// \param request takes the typed values
+/// \param sample  takes the typed values
+void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample);
 
 /// Adds the options of `tumble render`.
 /// \param command this one
@@ -53,6 +64,17 @@ inline constexpr const char* kSceneHelp =
     "A scene file is TOML, with a table [[box]] for each box: size, position, mass and more.\n"
     "  tumble scenes two_boxes --toml > mine.toml   writes one to start from\n"
     "All keys: site/how_to_read.md of the sources (in the book: How to read, Scene files).\n";
+
+/// The end of the help of `tumble sample`.
+inline constexpr const char* kSampleHelp =
+    "Examples:\n"
+    "  tumble sample examples/scenes/bowling.toml --duration 3\n"
+    "  tumble sample bowling.toml --samples 20 --chains 8 --out found\n"
+    "  tumble sample bowling.toml --samples 40 --chains 8 --out found --resume   goes on\n"
+    "  tumble view found --motion 2\n"
+    "What is wished stands in tables [[wish]] of the scene file, with kind and body:\n"
+    "  face_up, ends_in, topples, stands, moves, stays\n"
+    "All keys: site/how_to_read.md of the sources (in the book: How to read, Wishes).\n";
 
 /// The end of the help of `tumble render`.
 inline constexpr const char* kRenderHelp =

@@ -2,6 +2,7 @@
 /// \brief Requests of the command line, as typed and resolved.
 #pragma once
 
+#include "tumble/previous_work/noisy_impacts.hpp"
 #include "tumble/record/run_files.hpp"
 #include "tumble/scenes/scene.hpp"
 
@@ -35,6 +36,7 @@ struct Request {
   std::optional<std::string> filter;  ///< as filter_of() takes it; no filtered trajectory without
   int halvings = 0;                   ///< how often a step may be halved; 0: never
   bool quiet = false;                 ///< no progress line and no summary
+  std::optional<int> motion;          ///< `tumble view`: of a folder of `tumble sample`, from 1
 };
 
 /// The same, looked up and checked.
@@ -113,6 +115,7 @@ struct RenderRequest {
   std::vector<double> strip;                   ///< [s] times of several frames in one picture
   std::vector<double> view = {2.0, 1.0, 4.0};  ///< [-] direction from the boxes to the eye
   bool filtered = false;                       ///< as its filter showed it, not as it was computed
+  std::optional<int> motion;                   ///< of a folder of `tumble sample`, from 1
   std::optional<double> from;                  ///< [s] start of a film; none: the first frame
   std::optional<double> to;                    ///< [s] end of a film; none: the last frame
   std::optional<double>
@@ -120,6 +123,27 @@ struct RenderRequest {
   std::optional<double> speed;  ///< [-] seconds of the run in a second of a film; none: 1
   std::optional<int> width;     ///< [px] of a film; none: 480 for gif, 960 for mp4
 };
+
+/// Whether a folder was written by `tumble sample`.
+/// \param folder  a path
+/// \return true if it has a first motion
+bool is_sampling(const std::filesystem::path& folder);
+
+/// The file of a sampled motion.
+/// \param motion from 1
+/// \return its name
+std::string motion_file(int motion);
+
+/// The table that is drawn.
+/// \param request what was typed
+/// \return of the run, filtered or not, or of a sampled motion: the first one unless another was asked for
+/// \throws std::invalid_argument for a filtered motion
+std::string table_of(const RenderRequest& request);
+
+/// The end of the names of its pictures and films.
+/// \param request what was typed
+/// \return for example "_filtered", or "_2" of the second motion; empty for a run as computed
+std::string suffix_of(const RenderRequest& request);
 
 /// `tumble render`.
 /// \param request what was typed
@@ -131,6 +155,23 @@ int render(const RenderRequest& request);
 /// \param rule     corners, hull, load_proof or equilibrium
 /// \return the exit code
 int stability(const Request& request, const std::string& rule);
+
+/// What `tumble sample` has beside a run, as typed.
+struct SampleRequest {
+  int samples = 4;           ///< motions that are wanted
+  int chains = 0;            ///< Markov chains; 0: four, or as many as samples if these are fewer
+  int cores = 0;             ///< threads; 0: one for each core of the machine
+  int proposals = 1000;      ///< of each chain, at most
+  double strictness = 10.0;  ///< [-] see NoiseChain
+  ImpactNoiseOptions noise;  ///< see there
+  bool resume = false;       ///< whether chains in the folder go on
+};
+
+/// `tumble sample`.
+/// \param request  what was typed
+/// \param asked    what was typed
+/// \return the exit code
+int sample(const Request& request, const SampleRequest& asked);
 
 /// A linear complementarity problem in files, as typed.
 struct LcpRequest {

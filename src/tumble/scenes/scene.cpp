@@ -117,14 +117,16 @@ BodyProperties properties_of(const SceneBox& box) {
                    : box_properties(box.size, box.mass, box.friction, box.restitution);
 }
 
-SceneMistake::SceneMistake(int box, std::string key, const std::string& message)
-    : std::invalid_argument(
-          "tumble: " +
-          (box < 0 ? key
-                   : "box[" + std::to_string(box + 1) + "]" + (key.empty() ? "" : "." + key)) +
-          message),
+SceneMistake::SceneMistake(int box, std::string key, const std::string& message,
+                           std::string_view table)
+    : std::invalid_argument("tumble: " +
+                            (box < 0 ? key
+                                     : std::string(table) + "[" + std::to_string(box + 1) + "]" +
+                                           (key.empty() ? "" : "." + key)) +
+                            message),
       box_(box),
-      key_(std::move(key)) {}
+      key_(std::move(key)),
+      table_(table) {}
 
 std::string_view message_of(const std::invalid_argument& error) {
   constexpr std::string_view program = "tumble: ";
@@ -161,6 +163,7 @@ World start_world(Scene& scene) {
     }
   }
   refuse_overlaps(scene);
+  check_wishes(scene);
   return world;
 }
 

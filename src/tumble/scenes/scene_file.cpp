@@ -7,9 +7,8 @@
 #include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/text_file.hpp"
-#include "tumble/base/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/scenes/readable_toml.hpp"
+#include "tumble/scenes/scene_table.hpp"
 
 // Some bad files, such as "[[[", break what toml++ takes for granted: it would end the process, or with
 // NDEBUG and clang do anything at all. Without checks of its own it goes on to where it reports the mistake.
@@ -79,10 +78,14 @@ bool is_other_shape(std::string_view key) {
 }
 
 // A table of the file, with what a message needs to point at a place in it.
-class Place {
+class Place : public SceneTable {
  public:
   Place(const toml::table& table, std::string_view file, std::string prefix)
       : table_(table), file_(file), prefix_(std::move(prefix)) {}
+
+  [[noreturn]] void refuse(std::string_view key, const std::string& wanted) const override {
+    refuse(key, find(key), wanted);
+  }
 
   [[noreturn]] void refuse(std::string_view key, const toml::node* node,
                            const std::string& wanted) const {
@@ -99,7 +102,7 @@ class Place {
   }
 
   // A key that is not part of the format is a mistake of the user's.
-  void only(std::initializer_list<std::string_view> known) const {
+  void only(std::initializer_list<std::string_view> known) const override {
     for (const auto& [key, node] : table_) {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -112,7 +115,7 @@ class Place {
 
   const toml::node* find(std::string_view key) const { return table_.get(key); }
 
-  bool number(std::string_view key, double& out) const {
+  bool number(std::string_view key, double& out) const override {
     const toml::node* node = find(key);
     if (node == nullptr) return false;
     const auto value = node->is_number() ? node->value<double>() : std::nullopt;
@@ -121,21 +124,21 @@ class Place {
     return true;
   }
 
-  bool vector(std::string_view key, Vec3& out) const {
+  bool vector(std::string_view key, Vec3& out) const override {
     std::array<double, 3> v{};
     if (!numbers(key, v)) return false;
     out = Vec3(v[0], v[1], v[2]);
     return true;
   }
 
-  bool quaternion(std::string_view key, Quat& out) const {
+  bool quaternion(std::string_view key, Quat& out) const override {
     std::array<double, 4> v{};
     if (!numbers(key, v)) return false;
     out = Quat(v[0], v[1], v[2], v[3]);
     return true;
   }
 
-  bool text(std::string_view key, std::string& out) const {
+  bool text(std::string_view key, std::string& out) const override {
     const toml::node* node = find(key);
     if (node == nullptr) return false;
     if (!node->is_string()) refuse(key, node, "expected a text in quotes");
@@ -143,12 +146,37 @@ class Place {
     return true;
   }
 
-  bool flag(std::string_view key, bool& out) const {
+  bool texts(std::string_view key, std::vector<std::string>& out) const override {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    const toml::array* list = node->as_array();
+    if (list == nullptr) return text(key, out.emplace_back());
+    if (list->empty()) refuse(key, "expected a text in quotes, or a list of them");
+    for (const toml::node& item : *list) {
+      if (!item.is_string()) refuse(key, "expected texts in quotes in the list");
+      out.push_back(item.value<std::string>().value_or(""));
+    }
+    return true;
+  }
+
+  bool flag(std::string_view key, bool& out) const override {
     const toml::node* node = find(key);
     if (node == nullptr) return false;
     if (!node->is_boolean()) refuse(key, node, "expected true or false");
     out = node->value<bool>().value_or(false);
     return true;
+  }
+
+  // The tables of a list, if there is one.
+  std::vector<Place> tables(const std::string& key) const {
+    std::vector<Place> out;
+    const toml::node* node = find(key);
+    if (node == nullptr) return out;
+    if (!node->is_array_of_tables()) refuse(key, node, "expected [[" + key + "]] tables");
+    for (const toml::node& element : *node->as_array())
+      out.emplace_back(*element.as_table(), file_,
+                       key + "[" + std::to_string(out.size() + 1) + "].");
+    return out;
   }
 
  private:
@@ -173,66 +201,9 @@ class Place {
   std::string prefix_;
 };
 
-void read_surface(const Place& place, double& friction, double& restitution) {
-  if (place.number("friction", friction) && friction < 0.0)
-    place.refuse("friction", place.find("friction"), "expected 0 or above");
-  if (place.number("restitution", restitution) && !(restitution >= 0.0 && restitution <= 1.0))
-    place.refuse("restitution", place.find("restitution"), "expected a number from 0 to 1");
-}
-
-void read_mass(const Place& place, SceneBox& box) {
-  place.flag("fixed", box.fixed);
-  const bool has_mass = place.number("mass", box.mass);
-  if (box.fixed && has_mass)
-    place.refuse("mass", place.find("mass"), "a fixed box has none: give mass or fixed = true");
-  if (!box.fixed && !has_mass) place.refuse("mass", nullptr, "missing: give mass or fixed = true");
-  if (has_mass && !(box.mass > 0.0))
-    place.refuse("mass", place.find("mass"), "expected a number above 0 kg");
-}
-
-void read_orientation(const Place& place, SceneBox& box) {
-  Vec3 degrees;
-  const bool turned = place.vector("rotation_deg", degrees);
-  if (place.quaternion("orientation", box.orientation_wb)) {
-    if (turned)
-      place.refuse("rotation_deg", place.find("rotation_deg"),
-                   "give orientation or rotation_deg, not both");
-    if (std::abs(box.orientation_wb.norm() - 1.0) > tolerance::unit_length)
-      place.refuse("orientation", place.find("orientation"),
-                   "expected w x y z of length 1, this has length " +
-                       shortest_text(box.orientation_wb.norm()));
-  }
-  if (turned) box.orientation_wb = rotation_from_degrees(degrees);
-}
-
-SceneBox read_box(const Place& place) {
-  place.only({"name", "size", "mass", "fixed", "position", "orientation", "rotation_deg",
-              "velocity", "angular_velocity", "friction", "restitution", "appears", "disappears"});
-  SceneBox box;
-  place.text("name", box.name);
-  if (!place.vector("size", box.size)) place.refuse("size", nullptr, "missing: [x, y, z] in m");
-  if (!(box.size.minCoeff() > 0.0))
-    place.refuse("size", place.find("size"), "expected three numbers above 0 m");
-  if (!place.vector("position", box.position_w))
-    place.refuse("position", nullptr, "missing: [x, y, z] in m");
-  read_mass(place, box);
-  read_orientation(place, box);
-  place.vector("velocity", box.velocity_w);
-  place.vector("angular_velocity", box.angular_velocity_w);
-  if (box.fixed && !(box.velocity_w.isZero(0.0) && box.angular_velocity_w.isZero(0.0)))
-    place.refuse("velocity", place.find("velocity"), "a fixed box cannot move");
-  read_surface(place, box.friction, box.restitution);
-  if (place.number("appears", box.appears) && box.appears < 0.0)
-    place.refuse("appears", place.find("appears"), "expected 0 s or later");
-  if (place.number("disappears", box.disappears) && !(box.disappears > box.appears))
-    place.refuse("disappears", place.find("disappears"),
-                 "expected later than " + shortest_text(box.appears) + " s, when it appears");
-  return box;
-}
-
 Scene read_table(const toml::table& root, std::string_view file) {
   const Place place(root, file, "");
-  place.only({"title", "gravity", "ground", "box"});
+  place.only({"title", "gravity", "ground", "box", "wish"});
   Scene scene;
   place.text("title", scene.title);
   place.vector("gravity", scene.gravity_w);
@@ -244,14 +215,10 @@ Scene read_table(const toml::table& root, std::string_view file) {
     read_surface(ground, scene.ground->friction, scene.ground->restitution);
   }
   const toml::node* boxes = place.find("box");
-  const toml::array* list = boxes != nullptr ? boxes->as_array() : nullptr;
-  if (list == nullptr || list->empty())
+  if (boxes == nullptr || !boxes->is_array() || boxes->as_array()->empty())
     place.refuse("box", boxes, "a scene needs at least one [[box]] table");
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::table* table = list->get(i)->as_table();
-    if (table == nullptr) place.refuse("box", boxes, "expected [[box]] tables");
-    scene.boxes.push_back(read_box(Place(*table, file, "box[" + std::to_string(i + 1) + "].")));
-  }
+  for (const Place& box : place.tables("box")) scene.boxes.push_back(read_box(box));
+  for (const Place& wish : place.tables("wish")) scene.wishes.push_back(read_wish(wish));
   return scene;
 }
 
@@ -270,15 +237,12 @@ Scene parse_scene(std::string_view text, std::string_view file) {
   try {
     return checked(std::move(scene));
   } catch (const SceneMistake& mistake) {
-    const Place place(root, file, "");
-    const toml::node* node = mistake.box() < 0 ? place.find(mistake.key()) : nullptr;
-    if (mistake.box() >= 0) {
-      const toml::table& box =
-          *root["box"].as_array()->get(static_cast<std::size_t>(mistake.box()))->as_table();
-      node = box.get(mistake.key());
-      if (node == nullptr) node = &box;
-    }
-    throw std::invalid_argument(place.place_of(node) + std::string(message_of(mistake)));
+    const Place all(root, file, "");
+    const Place place = mistake.box() < 0
+                            ? all
+                            : all.tables(mistake.table())[static_cast<std::size_t>(mistake.box())];
+    throw std::invalid_argument(place.place_of(place.find(mistake.key())) +
+                                std::string(message_of(mistake)));
   }
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Writing a scene as a TOML file.
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
@@ -42,6 +43,32 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
+void write(const Wish& wish, std::string& out) {
+  out.append("\n[[wish]]\nkind = ")
+      .append(quoted(std::string(kWishKinds[static_cast<std::size_t>(wish.kind)])));
+  out.append("\nbody = [");
+  for (const std::string& name : wish.bodies)
+    out.append(&name == &wish.bodies.front() ? "" : ", ").append(quoted(name));
+  out.append("]\n");
+  switch (wish.kind) {
+    case WishKind::face_up:
+      out.append("face = ").append(quoted(std::string(kFaces[idx(wish.face)]))).append("\n");
+      break;
+    case WishKind::ends_in:
+      out.append("low = ").append(list(wish.low_w)).append("\n");
+      out.append("high = ").append(list(wish.high_w)).append("\n");
+      break;
+    case WishKind::topples:
+    case WishKind::stands:
+      out.append("angle = ").append(number(wish.angle_deg)).append("\n");
+      break;
+    case WishKind::moves:
+    case WishKind::stays:
+      if (wish.distance > 0.0) out.append("distance = ").append(number(wish.distance)).append("\n");
+      break;
+  }
+}
+
 void write(const SceneBox& box, std::string& out) {
   const Quat& q = box.orientation_wb;
   out.append("\n[[box]]\n");
@@ -75,6 +102,7 @@ std::string to_toml(const Scene& scene) {
     out.append("\nrestitution = ").append(number(scene.ground->restitution)).append("\n");
   }
   for (const SceneBox& box : scene.boxes) write(box, out);
+  for (const Wish& wish : scene.wishes) write(wish, out);
   return out;
 }
 

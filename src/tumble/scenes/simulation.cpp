@@ -33,6 +33,12 @@ class EventsOfStep : public Observer {
   Technique& technique_;
 };
 
+// Wishes about a box that there will not be.
+void leave_out(const std::string& name, std::vector<Wish>& wishes) {
+  for (Wish& wish : wishes) std::erase(wish.bodies, name);
+  std::erase_if(wishes, [](const Wish& wish) { return wish.bodies.empty(); });
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, std::unique_ptr<Technique> technique)
@@ -137,6 +143,7 @@ void Simulation::take_away(std::string_view asked) {
   if (world_.steps() == 0) {
     Scene next = scene_;
     next.boxes.erase(next.boxes.begin() + (box - scene_.boxes.begin()));
+    leave_out(name, next.wishes);
     begin(std::move(next));
     return;
   }

@@ -80,7 +80,7 @@ class Simulation {
   /// \throws SceneMistake naming the value that is wrong; nothing is changed then
   std::string throw_in(SceneBox box);
 
-  /// Removes a box now.
+  /// Removes a box now. Before the first step the wishes about it go with it.
   /// \param name of a box that is there
   /// \throws std::invalid_argument if there is no such box, if it came in at this very time, or if it is
   ///         the last one of the start; nothing is done then but settle()

@@ -1,0 +1,70 @@
+/// \file
+/// \brief Random values for the impacts of a motion, named by the impacts (thesis 2.4.2).
+#pragma once
+
+#include "tumble/base/random.hpp"
+
+#include <array>
+#include <map>
+#include <tuple>
+
+namespace tumble {
+
+/// Names one fast impact of a motion: the pair that meets, and how many fast impacts the pair had before. So a change to
+/// the impacts of one pair leaves the values of all other pairs with them.
+struct ImpactName {
+  BodyId first{};   ///< the body with the smaller id
+  BodyId second{};  ///< the other one
+  int number = 0;   ///< how many fast impacts this pair had before
+};
+
+/// The order of names.
+/// \param a  the one
+/// \param b  the other
+/// \return true if a is before b: by the first body, the second, then the number
+[[nodiscard]] inline bool operator<(const ImpactName& a, const ImpactName& b) {
+  return std::tie(a.first, a.second, a.number) < std::tie(b.first, b.second, b.number);
+}
+
+/// Whether two names are the same.
+/// \param a  the one
+/// \param b  the other
+/// \return true for the same impact
+[[nodiscard]] inline bool operator==(const ImpactName& a, const ImpactName& b) {
+  return std::tie(a.first, a.second, a.number) == std::tie(b.first, b.second, b.number);
+}
+
+/// [-] The random values of one impact, each uniform in [0, 1).
+using ImpactValues = std::array<double, 3>;
+
+/// The noise of a motion: values for every impact that it may have, independent and uniform.
+///
+/// Values that were not set come from a stream that is named by the impact, so that infinitely many of them take no
+/// memory and are the same whichever impacts happen.
+class ImpactNoise {
+ public:
+  /// New values for all impacts.
+  /// \param stream  names them
+  explicit ImpactNoise(const Random& stream = Random(0)) : stream_(stream) {}
+
+  /// The values of an impact.
+  /// \param name  of any impact
+  /// \return those that were set, or those of the stream
+  [[nodiscard]] ImpactValues of(const ImpactName& name) const;
+
+  /// Changes the values of one impact.
+  /// \param name    of the impact
+  /// \param values  [-] each in [0, 1)
+  void set(const ImpactName& name, const ImpactValues& values) { set_[name] = values; }
+
+ private:
+  Random stream_;
+  std::map<ImpactName, ImpactValues> set_;
+};
+
+/// Three uniform values.
+/// \param stream  in and out
+/// \return each in [0, 1)
+[[nodiscard]] ImpactValues draw_values(Random& stream);
+
+}  // namespace tumble

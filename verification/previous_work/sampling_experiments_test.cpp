@@ -1,0 +1,14 @@
+/// \file
+/// \brief The experiment about motion chosen by sampling, small.
+#include "driver/quick.hpp"
+#include "support/catch.hpp"
+
+using namespace tumble::chapters;
+
+TEST_CASE("A chain finds a motion that knocks down the wished pins", "[claims][sampling]") {
+  const FigureUnderTest figure("sampled_motions");
+  CHECK(figure.number("motions tried by the chains until each has found one") <= 60);
+  CHECK(figure.number("share of proposals that were accepted") > 0.1);
+  CHECK(figure.result.drawings.size() == 3);
+  CHECK(figure.number("motions that they have tried") <= 60);
+}
