@@ -113,6 +113,9 @@ BodyId World::add(const BodyProperties& body, const BodyState& state, std::strin
 
 void World::remove(BodyId id) {
   const std::ptrdiff_t i = index_of(id);
+  std::erase_if(joints_, [&](const BodyJoint& joint) {
+    return joint.bodies[0] == id || joint.bodies[1] == id;
+  });
   ids_.erase(ids_.begin() + i);
   bodies_.erase(bodies_.begin() + i);
   states_.erase(states_.begin() + i);

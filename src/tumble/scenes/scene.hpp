@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/scenes/scene_joint.hpp"
 
 #include <limits>
 #include <optional>
@@ -42,6 +43,7 @@ struct Scene {
   Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);  ///< [m/s²]
   std::optional<SceneGround> ground = {};  ///< none: bodies may fall for ever
   std::vector<SceneBox> boxes = {};        ///< in the order in which they get their ids
+  std::vector<SceneJoint> joints = {};     ///< between boxes, or a box and the ground
 };
 
 /// The constant part of a box.
@@ -54,14 +56,19 @@ BodyProperties properties_of(const SceneBox& box);
 class SceneMistake : public std::invalid_argument {
  public:
   /// A mistake.
-  /// \param box      place of the box in the scene, from 0; -1 if it is about the scene
+  /// \param box      place of the box, or other table, in the scene, from 0; -1 if it is about the scene
   /// \param key      the wrong key of scene files; empty: the box as a whole
   /// \param message  the value and the expected one, for example "= die: two boxes have this name"
-  SceneMistake(int box, std::string key, const std::string& message);
+  /// \param table    the key of the table in scene files
+  SceneMistake(int box, std::string key, const std::string& message,
+               std::string_view table = "box");
 
-  /// The box.
+  /// The box, or other table.
   /// \return its place in the scene, from 0; -1 if it is about the scene
   [[nodiscard]] int box() const { return box_; }
+  /// What it is about, unless it is about the scene.
+  /// \return the key of a table in scene files
+  [[nodiscard]] const std::string& table() const { return table_; }
   /// The wrong key.
   /// \return of scene files; may be empty
   [[nodiscard]] const std::string& key() const { return key_; }
@@ -69,6 +76,7 @@ class SceneMistake : public std::invalid_argument {
  private:
   int box_;
   std::string key_;
+  std::string table_;
 };
 
 /// The message of a mistake without the name of the program.
@@ -84,8 +92,8 @@ std::string_view message_of(const std::invalid_argument& error);
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass that
 ///         box_properties() refuses, a number that is not finite or above tolerance::largest_value, a quaternion that is not of length 1, a name that is used
 ///         twice, is "ground" beside a ground or has control characters in it, a velocity of
-///         a fixed box, or two boxes present at the start, not both fixed, that overlap by more than
-///         `tolerance::start_overlap` of the smaller one's smallest edge
+///         a fixed box, a joint that join_bodies() refuses, or two boxes present at the start, not both fixed and
+///         in no joint, that overlap by more than `tolerance::start_overlap` of the smaller one's smallest edge
 /// \par Cost
 /// n log n, and 60 ns for each pair of boxes that are near each other.
 World start_world(Scene& scene);

@@ -9,6 +9,7 @@
 #include "tumble/base/text_file.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/scenes/read_joint.hpp"
 #include "tumble/scenes/readable_toml.hpp"
 
 // Some bad files, such as "[[[", break what toml++ takes for granted: it would end the process, or with
@@ -151,6 +152,18 @@ class Place {
     return true;
   }
 
+  // The tables of a list, if there is one.
+  std::vector<Place> tables(const std::string& key) const {
+    std::vector<Place> out;
+    const toml::node* node = find(key);
+    if (node == nullptr) return out;
+    if (!node->is_array_of_tables()) refuse(key, node, "expected [[" + key + "]] tables");
+    for (const toml::node& element : *node->as_array())
+      out.emplace_back(*element.as_table(), file_,
+                       key + "[" + std::to_string(out.size() + 1) + "].");
+    return out;
+  }
+
  private:
   template <std::size_t n>
   bool numbers(std::string_view key, std::array<double, n>& out) const {
@@ -232,7 +245,7 @@ SceneBox read_box(const Place& place) {
 
 Scene read_table(const toml::table& root, std::string_view file) {
   const Place place(root, file, "");
-  place.only({"title", "gravity", "ground", "box"});
+  place.only({"title", "gravity", "ground", "box", "joint"});
   Scene scene;
   place.text("title", scene.title);
   place.vector("gravity", scene.gravity_w);
@@ -244,14 +257,10 @@ Scene read_table(const toml::table& root, std::string_view file) {
     read_surface(ground, scene.ground->friction, scene.ground->restitution);
   }
   const toml::node* boxes = place.find("box");
-  const toml::array* list = boxes != nullptr ? boxes->as_array() : nullptr;
-  if (list == nullptr || list->empty())
+  if (boxes == nullptr || !boxes->is_array() || boxes->as_array()->empty())
     place.refuse("box", boxes, "a scene needs at least one [[box]] table");
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::table* table = list->get(i)->as_table();
-    if (table == nullptr) place.refuse("box", boxes, "expected [[box]] tables");
-    scene.boxes.push_back(read_box(Place(*table, file, "box[" + std::to_string(i + 1) + "].")));
-  }
+  for (const Place& box : place.tables("box")) scene.boxes.push_back(read_box(box));
+  for (const Place& joint : place.tables("joint")) scene.joints.push_back(read_joint(joint));
   return scene;
 }
 
@@ -270,15 +279,12 @@ Scene parse_scene(std::string_view text, std::string_view file) {
   try {
     return checked(std::move(scene));
   } catch (const SceneMistake& mistake) {
-    const Place place(root, file, "");
-    const toml::node* node = mistake.box() < 0 ? place.find(mistake.key()) : nullptr;
-    if (mistake.box() >= 0) {
-      const toml::table& box =
-          *root["box"].as_array()->get(static_cast<std::size_t>(mistake.box()))->as_table();
-      node = box.get(mistake.key());
-      if (node == nullptr) node = &box;
-    }
-    throw std::invalid_argument(place.place_of(node) + std::string(message_of(mistake)));
+    const Place all(root, file, "");
+    const Place place = mistake.box() < 0
+                            ? all
+                            : all.tables(mistake.table())[static_cast<std::size_t>(mistake.box())];
+    throw std::invalid_argument(place.place_of(place.find(mistake.key())) +
+                                std::string(message_of(mistake)));
   }
 }
 

@@ -91,6 +91,7 @@ void require_time_step(double dt) {
 
 StepReport Simulation::step(double dt) {
   require_time_step(dt);
+  require_joints_held(*technique_, world_);
   settle();
   StepReport report;
   {
@@ -137,6 +138,8 @@ void Simulation::take_away(std::string_view asked) {
   if (world_.steps() == 0) {
     Scene next = scene_;
     next.boxes.erase(next.boxes.begin() + (box - scene_.boxes.begin()));
+    std::erase_if(next.joints,
+                  [&](const SceneJoint& j) { return j.first == name || j.second == name; });
     begin(std::move(next));
     return;
   }
