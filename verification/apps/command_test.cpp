@@ -227,13 +227,17 @@ TEST_CASE("Every example scene runs", "[unit][command]") {
        fs::directory_iterator(fs::path(TUMBLE_SOURCE_DIR) / "examples/scenes")) {
     const Folder folder("example");
     INFO(entry.path());
-    const bool joints = !read_scene(entry.path()).joints.empty();
+    const bool joints = !tumble::read_scene(entry.path()).joints.empty();
     const Outcome outcome =
         run_tumble("run " + entry.path().string() + " --duration 0.2 --quiet --out " +
                    folder.text() + (joints ? " --technique glued --set contacts=collide" : ""));
     INFO(outcome.text);
     CHECK((outcome.code == 0 || outcome.code == 3));  // 3: the basic technique does not rest
     ++found;
+    if (!joints) continue;
+    const Outcome refused = run_tumble("stability " + entry.path().string());
+    CHECK(refused.code == 2);
+    CHECK(refused.text.find("knows no joints, and the scene has 3") != std::string::npos);
   }
   CHECK(found >= 3);
 }

@@ -61,13 +61,12 @@ void World::join(JointKind kind, BodyId first, BodyId second, const Vec3& anchor
   }
   require::that(movable, joint.name + ": both bodies are immovable: expected one at least to move");
   joint.second_in_first = turned[0].conjugate() * turned[1];
+  joined_.insert(std::upper_bound(joined_.begin(), joined_.end(), joint.bodies), joint.bodies);
   joints_.push_back(std::move(joint));
 }
 
 bool World::joined(BodyId a, BodyId b) const {
-  const std::array<BodyId, 2> pair = in_order(a, b);
-  return std::any_of(joints_.begin(), joints_.end(),
-                     [&](const BodyJoint& joint) { return joint.bodies == pair; });
+  return std::binary_search(joined_.begin(), joined_.end(), in_order(a, b));
 }
 
 void leave_out_joined(const World& world, std::vector<IndexPair>& pairs) {

@@ -9,6 +9,7 @@
 #include "tumble/dynamics/mass_range.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -74,7 +75,7 @@ class World {
   /// \return in the order in which they were made, without those whose bodies are gone
   [[nodiscard]] std::span<const BodyJoint> joints() const { return joints_; }
 
-  /// Whether a joint is between two bodies. Such bodies do not collide. O(joints)
+  /// Whether a joint is between two bodies. Such bodies do not collide. O(log joints)
   /// \param a  the one
   /// \param b  the other
   /// \return true for one joint or more
@@ -199,6 +200,7 @@ class World {
   // nothing but where a name is found.
   std::vector<std::int32_t> places_;
   std::vector<BodyJoint> joints_;
+  std::vector<std::array<BodyId, 2>> joined_;  // their bodies, sorted
   MassRange masses_;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
