@@ -143,9 +143,9 @@ class Technique {
   Observer* observer_ = nullptr;
 };
 
-/// Refuses a world with joints for a technique that knows none. A Simulation asks before each step; so should whoever
-/// steps a technique by hand.
-/// \param technique  what is to step
+/// Refuses a world with joints for a technique that knows none. A Simulation asks before each step; a program that
+/// steps a technique by hand should ask, too.
+/// \param technique  the one that is to step
 /// \param world      the bodies
 /// \throws std::invalid_argument naming the technique, a joint and a technique that holds it
 void require_joints_held(const Technique& technique, const World& world);

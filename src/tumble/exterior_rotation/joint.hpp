@@ -131,7 +131,7 @@ JointGap gap_of(const Joint& joint, std::span<const BodyState> states);
 /// \return maxima over all of them
 JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states);
 
-/// How far two bodies have turned against each other in a joint, as its corners tell.
+/// How far two bodies have turned against each other in a joint, as its corners show.
 /// \param joint   with two corners or more
 /// \param states  of all bodies, by index
 /// \return [rad] rotation vector of the second body, world frame, to first order; of an edge only its part across the edge

@@ -1,5 +1,5 @@
 /// \file
-/// \brief What joints do to pushes and to gaps: loops, responses, closing.
+/// \brief Effects of joints on pushes and on gaps: loops, responses, closing.
 #include "tumble/base/index.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"

@@ -196,7 +196,7 @@ void add_jointed(std::vector<SceneRecipe>& list) {
   list.push_back({"pendulum", "2.6.5", "a pendulum of links on hinges; for glued",
                   pendulum_parameters, pendulum});
   list.push_back({"crane", "2.6.5",
-                  "a wrecking box on a crane swings into a wall; for glued with contacts=collide",
+                  "a crane swings a box into a wall; for glued with contacts=collide",
                   crane_parameters, crane});
   list.push_back({"plank_bridge", "2.6.5",
                   "a load falls on a bridge of planks; for glued with contacts=collide",
