@@ -184,6 +184,9 @@ int stability(const Request& request, const std::string& rule) {
   require::that(std::find(kRules.begin(), kRules.end(), rule) != kRules.end(),
                 "--rule " + rule + ": " + expected_names(rule, kRules));
   const Start start(resolve_scene(request));
+  const std::size_t joints = start.world.joints().size();
+  require::that(joints == 0, "tumble stability knows no joints, and the scene has " +
+                                 std::to_string(joints) + ": leave out [[joint]]");
   Levels levels(start, rule);
   std::vector<Line> lines;
   for (int b = 0; b < start.world.count(); ++b)

@@ -159,7 +159,7 @@ void Session::look_at_bodies(unsigned wanted) {
   if ((wanted & (kLookStable | kLookBalanced)) != 0) find_stable((wanted & kLookBalanced) != 0);
   if ((wanted & kLookIslands) != 0) find_islands();
   if ((wanted & kLookPivots) != 0) find_pivots();
-  if ((wanted & kLookOverlap) != 0) overlap_.look(world.bodies(), world.states());
+  if ((wanted & kLookOverlap) != 0) overlap_.look(world);
 
   bodies_.clear();
   for (std::size_t i = 0; i < n; ++i) {

@@ -166,7 +166,7 @@ struct Shot {
   std::array<double, 3> view;       // from the boxes to the eye
 };
 
-const std::array<Shot, 26> kShots = {{
+const std::array<Shot, 30> kShots = {{
     {"box_drop", {}, 0.4, {0.4, 0.4, 1.0}},
     {"bouncing_box", {}, 0.8, {0.6, 0.4, 1.0}},
     {"tumbling_box", {}, 2.8, {0.5, 0.6, 1.0}},
@@ -190,6 +190,11 @@ const std::array<Shot, 26> kShots = {{
     {"toss", {}, 0.0, {0.5, 0.5, 1.0}},
     {"line", {}, 0.3, {0.3, 0.4, 1.0}},
     {"cage", {}, 2.0, {0.6, 0.5, 1.0}},
+    // The basic technique knows no joints: these are shown as they begin.
+    {"chain", {}, 0.0, {0.3, 0.3, 1.0}},
+    {"pendulum", {}, 0.0, {0.3, 0.3, 1.0}},
+    {"crane", {}, 0.0, {1.0, 0.35, 0.45}},
+    {"plank_bridge", {}, 0.0, {0.3, 0.45, 1.0}},
     // Figures of the thesis that run in the book: these are their still pictures.
     {"fig5_1", {}, 0.0, {0.3, 0.4, 1.0}},
     {"fig5_6", {"rows=9"}, 0.0, {0.35, 0.3, 1.0}},

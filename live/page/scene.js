@@ -8,7 +8,7 @@ const FAR = 10;  // edges that a box goes in that time at most, where the scene 
 export function readScene(toml) {
   const vector = (part, key) =>
     JSON.parse(part.match(new RegExp(`^${key} = (\\[.*\\])$`, 'm'))?.[1] ?? '[0, 0, 0]');
-  const [head, ...boxes] = toml.split('\n[[box]]\n');
+  const [head, ...boxes] = toml.split('\n[[joint]]\n')[0].split('\n[[box]]\n');
   return {
     gravity: vector(head, 'gravity'),
     ground: /^\[ground\]$/m.test(head),

@@ -257,7 +257,10 @@ const std::vector<TechniqueRecipe>& technique_library() {
        "a time of its own for every body; a body that flew past a collision is rolled back; flush "
        "edges, leaning and carried bodies as in timewarp_simple",
        declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
-      {"glued", "6.2", "bodies that touch at the start stick for ever, by one of seven integrators",
+      {"glued", "2.6.5, 6.2",
+       "bodies that touch at the start stick for ever, by one of seven integrators; holds joints "
+       "of "
+       "scenes, with collisions if contacts=collide",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
       {"penalty", "2.5.1",
        "springs and dampers where bodies overlap; heavy loads sink in; flush edges and fast bodies "

@@ -2,6 +2,9 @@
 /// \brief The command `tumble` from outside: exit codes, messages, files.
 #include "apps/command.hpp"
 
+#include "tumble/scenes/library.hpp"
+#include "tumble/scenes/scene_file.hpp"
+
 #include "support/catch.hpp"
 
 namespace {
@@ -59,11 +62,14 @@ TEST_CASE("Every built-in scene runs again from its own scene.toml to the same h
     if (name == "pyramid3d" || name == "pyramid") small = " --set rows=4";
     if (name == "clump" || name == "fig6_7") small = " --set per_edge=2";
     if (name == "fig6_6" || name == "projectile") small = " --set rows=4 --set appears=0.03";
+    const tumble::SceneRecipe& recipe = tumble::scene_recipe(name);
+    const bool joints = !recipe.build(recipe.parameters(), tumble::Random(5)).joints.empty();
+    const std::string how = (joints ? " --technique glued --set contacts=collide" : "") + rest;
     const Folder one("scene_one");
     const Folder two("scene_two");
-    const Outcome first = run_tumble("run " + name + small + " --seed 5" + rest + one.text());
+    const Outcome first = run_tumble("run " + name + small + " --seed 5" + how + one.text());
     const Outcome again =
-        run_tumble("run " + one.text() + "/scene.toml --seed 5" + rest + two.text());
+        run_tumble("run " + one.text() + "/scene.toml --seed 5" + how + two.text());
     INFO(first.text << again.text);
     CHECK((first.code == 0 || first.code == 3));  // 3: the cap was met
     CHECK(again.code == first.code);
@@ -225,11 +231,17 @@ TEST_CASE("Every example scene runs", "[unit][command]") {
        fs::directory_iterator(fs::path(TUMBLE_SOURCE_DIR) / "examples/scenes")) {
     const Folder folder("example");
     INFO(entry.path());
-    const Outcome outcome = run_tumble("run " + entry.path().string() +
-                                       " --duration 0.2 --quiet --out " + folder.text());
+    const bool joints = !tumble::read_scene(entry.path()).joints.empty();
+    const Outcome outcome =
+        run_tumble("run " + entry.path().string() + " --duration 0.2 --quiet --out " +
+                   folder.text() + (joints ? " --technique glued --set contacts=collide" : ""));
     INFO(outcome.text);
     CHECK((outcome.code == 0 || outcome.code == 3));  // 3: the basic technique does not rest
     ++found;
+    if (!joints) continue;
+    const Outcome refused = run_tumble("stability " + entry.path().string());
+    CHECK(refused.code == 2);
+    CHECK(refused.text.find("knows no joints, and the scene has 3") != std::string::npos);
   }
   CHECK(found >= 3);
 }

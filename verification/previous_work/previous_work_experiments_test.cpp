@@ -37,6 +37,17 @@ TEST_CASE("Forces of chains and trees take work in proportion to their links",
   CHECK(figure.number("relative acceleration left in a joint, over g, at most") < 1e-9);
 }
 
+TEST_CASE("A crane's joints hold while its box breaks a wall, and a link swings as a pendulum does",
+          "[claims][joints]") {
+  const FigureUnderTest figure("joint_crane");
+  CHECK(figure.number("largest distance of the two sides of a joint") < 1000.0);  // [pm]
+  CHECK(figure.number("period of a link on a hinge over that of a physical pendulum") ==
+        near(1.0).margin(1e-6));
+  CHECK(figure.number("largest change of a double pendulum's energy at 120 steps a second, over m "
+                      "g L") < 1e-3);
+  CHECK(figure.number("the same over that at 240") > 10.0);
+}
+
 TEST_CASE("Optimisation takes very large steps without overlap, at many times the work",
           "[claims][optimised]") {
   const FigureUnderTest figure("claim_2_7_2a_optimised");

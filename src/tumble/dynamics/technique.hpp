@@ -105,6 +105,11 @@ class Technique {
     return {};
   }
 
+  /// Whether it holds the joints of a world. A world with joints is refused for any other technique: see
+  /// require_joints_held().
+  /// \return false unless overridden
+  [[nodiscard]] virtual bool holds_joints() const { return false; }
+
   /// Sets the observer of events during a step.
   /// \param observer  called during every step until changed; nullptr: none. Not owned
   void observe(Observer* observer) { observer_ = observer; }
@@ -137,6 +142,13 @@ class Technique {
   std::span<const char> slow_bodies_;
   Observer* observer_ = nullptr;
 };
+
+/// Refuses a world with joints for a technique that knows none. A Simulation asks before each step; a program that
+/// steps a technique by hand should ask, too.
+/// \param technique  the one that is to step
+/// \param world      the bodies
+/// \throws std::invalid_argument naming the technique, a joint and a technique that holds it
+void require_joints_held(const Technique& technique, const World& world);
 
 /// Watches a run. A technique reports events; whatever steps it, for example a Simulation, reports the rest.
 class Observer {

@@ -113,6 +113,11 @@ BodyId World::add(const BodyProperties& body, const BodyState& state, std::strin
 
 void World::remove(BodyId id) {
   const std::ptrdiff_t i = index_of(id);
+  const auto has_it = [&](const std::array<BodyId, 2>& pair) {
+    return pair[0] == id || pair[1] == id;
+  };
+  std::erase_if(joints_, [&](const BodyJoint& joint) { return has_it(joint.bodies); });
+  std::erase_if(joined_, has_it);
   ids_.erase(ids_.begin() + i);
   bodies_.erase(bodies_.begin() + i);
   states_.erase(states_.begin() + i);

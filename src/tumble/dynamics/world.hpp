@@ -5,8 +5,11 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/state_hash.hpp"
 #include "tumble/dynamics/body.hpp"
+#include "tumble/dynamics/body_joint.hpp"
 #include "tumble/dynamics/mass_range.hpp"
+#include "tumble/geometry/broad_phase.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,10 +54,32 @@ class World {
   ///         that is taken, or a mass too far from others (see MassRange); the world is then as before
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
-  /// Removes a body. Its id is never given again. Whatever slept on it is the technique's to wake.
+  /// Removes a body and its joints. Its id is never given again. Whatever slept on it is the technique's to wake.
   /// \param id the body
   /// \throws std::invalid_argument if there is no such body
   void remove(BodyId id);
+
+  /// Joins two bodies as they are now. A technique holds the joint, or refuses the world: see Technique::holds_joints().
+  /// \param kind      what stays free
+  /// \param first     the one body
+  /// \param second    the other; one of the two has to be movable
+  /// \param anchor_w  [m] the joint's point
+  /// \param axis_w    [-] of a hinge, of any length above 0; otherwise 0
+  /// \param name      in messages; empty: "joint" and its number from 1
+  /// \throws std::invalid_argument naming the value: no such body, twice the same one, both immovable, an axis that is
+  ///         missing or too much, or a number that is not finite; the world is then as before
+  void join(JointKind kind, BodyId first, BodyId second, const Vec3& anchor_w,
+            const Vec3& axis_w = Vec3::Zero(), std::string name = "");
+
+  /// The joints.
+  /// \return in the order in which they were made, without those whose bodies are gone
+  [[nodiscard]] std::span<const BodyJoint> joints() const { return joints_; }
+
+  /// Whether a joint is between two bodies. Such bodies do not collide. O(log joints)
+  /// \param a  the one
+  /// \param b  the other
+  /// \return true for one joint or more
+  [[nodiscard]] bool joined(BodyId a, BodyId b) const;
 
   /// Changes a body's momenta by an impulse at a point and wakes it.
   /// \param id         the body
@@ -174,6 +199,8 @@ class World {
   // A hash table of the names: an index, or -1 for an empty place. A power of two, at most half of it in use. It decides
   // nothing but where a name is found.
   std::vector<std::int32_t> places_;
+  std::vector<BodyJoint> joints_;
+  std::vector<std::array<BodyId, 2>> joined_;  // their bodies, sorted
   MassRange masses_;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
@@ -222,6 +249,11 @@ class BodyView {
   const World* world_;
   int index_;
 };
+
+/// Leaves out pairs of bodies that a joint joins.
+/// \param world  the bodies
+/// \param pairs  by index, in and out, in the same order
+void leave_out_joined(const World& world, std::vector<IndexPair>& pairs);
 
 /// Whether all states are numbers: a step that fails leaves others behind.
 /// \param world the bodies

@@ -26,6 +26,7 @@ class WrappedTechnique : public Technique {
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const override {
     return inner_->diagnostics();
   }
+  [[nodiscard]] bool holds_joints() const override { return inner_->holds_joints(); }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override {
     return inner_->ignores(world);
   }

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/contact/contact_records.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
@@ -36,6 +37,13 @@ SimpleScheme simple_of(GluedScheme scheme) {
   }
 }
 
+void require_finite(double error, double dt) {
+  if (!std::isfinite(error))
+    require::that(false, "dt = " + shortest_text(dt) +
+                             ": a body makes a full turn or more in it, " +
+                             "or its state becomes infinite: expected a shorter dt");
+}
+
 constexpr std::size_t kMostChanges = 20;  // of each joint in a step, on average
 
 double kinetic_energy_of(const World& world) {
@@ -53,41 +61,19 @@ Glued::Glued(const GluedOptions& options) : options_(options) {
                 "pose = exponential: scheme = " + std::string(name_of(options.scheme)) +
                     " moves bodies by its stages; expected forward_euler, semi_implicit, impulse "
                     "or leapfrog");
+  if (options.contacts != GluedContacts::collide) return;
+  require::that(options.scheme == GluedScheme::rk4 || options.scheme == GluedScheme::midpoint,
+                "contacts = collide: expected scheme = rk4 or midpoint, not " +
+                    std::string(name_of(options.scheme)));
+  require::that(options.joints == GluedJoints::bilateral,
+                "contacts = collide: expected joints = bilateral, as bodies that meet part anyway");
 }
 
 std::unique_ptr<Technique> Glued::clone() const { return std::make_unique<Glued>(*this); }
 
 std::vector<std::string> Glued::ignores(const World&) const {
+  if (options_.contacts == GluedContacts::collide) return {};
   return {"collisions", "contacts other than those at the start", "limits of friction"};
-}
-
-void Glued::find(const World& world) {
-  joints_ = find_joints(world, tolerance::glue_margin);
-  found_for_.assign(world.ids().begin(), world.ids().end());
-  try_dt_ = 0.0;
-}
-
-// Adds joints of new bodies and removes those of removed bodies. Returns whether there are any, as in the
-// first step; `fresh` receives the new joints.
-bool Glued::join(const World& world, std::vector<Joint>& fresh) {
-  const auto was_there = [&](int body) {
-    return std::binary_search(found_for_.begin(), found_for_.end(), world.ids()[idx(body)]);
-  };
-  const bool known =
-      std::equal(found_for_.begin(), found_for_.end(), world.ids().begin(), world.ids().end());
-  if (known && forces_.solves() > 0) return false;
-  if (known) {  // find() was called before the first step
-    fresh = joints_;
-    return true;
-  }
-  std::vector<Joint> now = renewed_joints(joints_, found_for_, world, tolerance::glue_margin);
-  fresh = now;
-  std::erase_if(
-      fresh, [&](const Joint& joint) { return was_there(joint.first) && was_there(joint.second); });
-  joints_ = std::move(now);
-  found_for_.assign(world.ids().begin(), world.ids().end());
-  try_dt_ = 0.0;
-  return true;
 }
 
 StepReport Glued::step(World& world, double dt) {
@@ -107,8 +93,10 @@ StepReport Glued::step(World& world, double dt) {
     // One step, or the part of it that the accuracy permits.
     const double left = dt - passed;
     start_.assign(world.states().begin(), world.states().end());
-    double taken = options_.scheme == GluedScheme::dormand_prince ? advance_adaptively(left, world)
-                                                                  : advance(left, world);
+    double taken = options_.contacts == GluedContacts::collide ? meet(left, world, report)
+                   : options_.scheme == GluedScheme::dormand_prince
+                       ? advance_adaptively(left, world)
+                       : advance(left, world);
     // If a joint has changed on the way: only up to that event.
     JointChange change;
     if (unilateral && report.events >= most_events) report.status = StepStatus::event_cap;
@@ -119,10 +107,13 @@ StepReport Glued::step(World& world, double dt) {
     passed = taken < left ? passed + taken : dt;
   }
   // [S6.2:glued]
-  report.iterations = forces_.solves() - solves_before;
+  close(world);
+  if (options_.contacts == GluedContacts::stick) {
+    report.iterations = forces_.solves() - solves_before;
+    report.deepest_overlap = gap_of(joints_, world.states()).overlap;
+  }
   for (const BodyProperties& body : world.bodies())
     if (body.movable()) ++report.integrations;
-  report.deepest_overlap = gap_of(joints_, world.states()).overlap;
   world.finish_step(dt);
   record(world);
   report.contacts = static_cast<std::int64_t>(records_.size());
@@ -132,12 +123,21 @@ StepReport Glued::step(World& world, double dt) {
 // One step of the scheme; returns its length, dt.
 double Glued::advance(double dt, World& world) {
   if (const ButcherTable* table = table_of(options_.scheme)) {
-    if (!std::isfinite(runge_kutta_.step(*table, dt, joints_, forces_, world)))
-      require::that(false, "dt = " + shortest_text(dt) +
-                               ": a body makes a full turn or more in it, " +
-                               "or its state becomes infinite: expected a shorter dt");
+    require_finite(runge_kutta_.step(*table, dt, joints_, forces_, world), dt);
   } else {
     simple_.step(simple_of(options_.scheme), options_.pose, dt, joints_, forces_, world);
+  }
+  return dt;
+}
+
+// The same for bodies that meet others.
+double Glued::meet(double dt, World& world, StepReport& report) {
+  require_finite(meeting_.step(*table_of(options_.scheme), dt, joints_, forces_, world, report),
+                 dt);
+  for (const Contact& contact : meeting_.impacts()) {
+    Event moment;
+    moment.time = world.time();
+    if (report_collision(contact, moment, observer())) ++report.events;
   }
   return dt;
 }
@@ -224,31 +224,6 @@ void Glued::end_relative_motion(std::span<const Joint> fresh, World& world, Step
   World trial = world;
   if (loss(fresh, trial) > tolerance::joining_energy * kinetic_energy_of(world))
     report.energy.restitution -= loss(joints_, world);
-}
-
-void Glued::record(const World& world) {
-  load_moving_bodies(world, moving_);
-  record_forces_.hold(world, moving_, joints_, wrenches_);
-  records_.clear();
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Joint& joint = joints_[j];
-    if (joint.hold == JointHold::nothing) continue;
-    const Wrench& push = record_forces_.on_second(static_cast<int>(j));
-    const JointPoint held = held_point(joint, world.states());
-    ContactRecord record;
-    record.time = world.time();
-    record.first = world.ids()[idx(joint.first)];
-    record.second = world.ids()[idx(joint.second)];
-    record.normal_w = world.states()[idx(joint.first)].orientation_wb * joint.normal_first_b;
-    record.point_w = 0.5 * (held.first_w + held.second_w);
-    record.push_w = push.force_w;
-    record.is_impulse = false;
-    record.state = ContactState::stick;
-    // The centre of pressure: the point about which the moment has no component across the normal.
-    const double normal = push.force_w.dot(record.normal_w);
-    if (normal > 0.0) record.point_w += record.normal_w.cross(push.torque_w) / normal;
-    records_.push_back(record);
-  }
 }
 
 }  // namespace tumble

@@ -6,6 +6,7 @@
 
 #include "tumble/base/options.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/exterior_rotation/joint_contacts.hpp"
 #include "tumble/exterior_rotation/joint_events.hpp"
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 #include "tumble/exterior_rotation/simple_steps.hpp"
@@ -50,12 +51,19 @@ enum class GluedEvents : std::uint8_t {
   step_end  ///< at the end of the step
 };
 
+/// What bodies do that touch, other than by a joint of the scene.
+enum class GluedContacts : std::uint8_t {
+  stick,   ///< those that touch at the start stick; later ones pass through each other
+  collide  ///< they push and rub, see JointContacts; only joints of the scene hold
+};
+
 /// Options of the glued technique.
 struct GluedOptions {
-  GluedScheme scheme = GluedScheme::rk4;        ///< time integration
-  PoseUpdate pose = PoseUpdate::separate;       ///< of the schemes with one evaluation of forces
-  GluedJoints joints = GluedJoints::bilateral;  ///< whether joints can open
-  GluedEvents events = GluedEvents::located;    ///< time of their changes
+  GluedScheme scheme = GluedScheme::rk4;          ///< time integration
+  PoseUpdate pose = PoseUpdate::separate;         ///< of the schemes with one evaluation of forces
+  GluedJoints joints = GluedJoints::bilateral;    ///< whether joints can open
+  GluedEvents events = GluedEvents::located;      ///< time of their changes
+  GluedContacts contacts = GluedContacts::stick;  ///< of bodies that touch
   /// [-] of dormand_prince: error allowed in a step, see RungeKutta::step()
   double accuracy = tolerance::rotation_accuracy;
 };
@@ -74,6 +82,11 @@ void describe(GluedOptions& o, Visitor& v) {
   v.word("events", o.events,
          {{"located", GluedEvents::located}, {"step_end", GluedEvents::step_end}},
          "joints=unilateral: time at which joints open or close");
+  v.word(
+      "contacts", o.contacts,
+      {{"stick", GluedContacts::stick}, {"collide", GluedContacts::collide}},
+      "bodies that touch at the start stick, and others pass; or all collide, and only [[joint]] "
+      "holds (thesis 2.6.5)");
   v.number("accuracy", o.accuracy, tolerance::least_rotation_accuracy, 1.0, "-",
            "scheme=dormand_prince: error allowed in a step, in edges and radians");
 }
@@ -87,6 +100,10 @@ void describe(GluedOptions& o, Visitor& v) {
 /// touches in the next step; other joints do not change. Relative velocity that new joints forbid is
 /// removed, as in an impact without restitution. Bodies that have come apart, or meet later, pass
 /// through each other.
+///
+/// **Joints of the scene** (World::joints()) are held beside them, or alone with `contacts = collide`: bodies then meet as
+/// JointContacts has it. Two bodies that a joint joins stick nowhere else and never collide. What a step leaves of a gap in such
+/// joints is closed after it.
 ///
 /// **Unilateral joints** change at events, see joint_margin(). A located event is found to
 /// `tolerance::joint_moment` of a step by repeating the step with other lengths; the joint is changed, and
@@ -102,8 +119,9 @@ class Glued : public Technique {
  public:
   /// Makes the technique.
   /// \param options see there
-  /// \throws std::invalid_argument for an accuracy out of range, or pose=exponential with a scheme of
-  ///         several stages
+  /// \throws std::invalid_argument for an accuracy out of range, pose=exponential with a scheme of
+  ///         several stages, or contacts=collide with one that is not of Runge and Kutta, has steps of its own
+  ///         length, or with joints that open
   explicit Glued(const GluedOptions& options = {});
 
   [[nodiscard]] std::string_view name() const override { return "glued"; }
@@ -112,9 +130,11 @@ class Glued : public Technique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
-  /// One for each closed joint: the point of action of its force, at the pose of the last evaluation.
+  /// One for each closed joint: the point of action of its force, at the pose of the last evaluation. With
+  /// contacts=collide those of bodies that met, as impulses of the step, come before.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
+  [[nodiscard]] bool holds_joints() const override { return true; }
 
   /// The present joints.
   /// \return empty before the first step, unless find() was called
@@ -128,7 +148,10 @@ class Glued : public Technique {
 
  private:
   bool join(const World& world, std::vector<Joint>& fresh);
+  void add_made(const World& world);
+  void close(World& world);
   double advance(double dt, World& world);
+  double meet(double dt, World& world, StepReport& report);
   double advance_adaptively(double most, World& world);
   double margin(const World& world, JointChange& change);
   double find_event(double taken, double dt, World& world);
@@ -142,7 +165,9 @@ class Glued : public Technique {
   JointForces forces_;
   RungeKutta runge_kutta_;
   SimpleSteps simple_;
-  double try_dt_ = 0.0;  // [s] of dormand_prince: length to try for the next step; 0: unknown
+  JointContacts meeting_;
+  std::size_t made_ = 0;  // joints of the scene
+  double try_dt_ = 0.0;   // [s] of dormand_prince: length to try for the next step; 0: unknown
 
   // Storage of one step.
   std::vector<BodyState> start_;

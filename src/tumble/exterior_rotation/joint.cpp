@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -61,6 +62,42 @@ Joint joint_of(const World& world, const Contact& contact) {
   return joint;
 }
 
+Joint joint_of(const World& world, const BodyJoint& made) {
+  Joint joint;
+  joint.first = world.index_of(made.bodies[0]);
+  joint.second = world.index_of(made.bodies[1]);
+  joint.of_scene = true;
+  double edge = std::numeric_limits<double>::infinity();
+  for (const int body : {joint.first, joint.second})
+    if (world.bodies()[idx(body)].shape == Shape::box)
+      edge = std::min(edge, world.bodies()[idx(body)].size.minCoeff());
+  const auto add = [&](const Vec3& first_b, const Vec3& second_b) {
+    joint.corners_first_b[idx(joint.count)] = made.anchors_b[0] + 0.5 * edge * first_b;
+    joint.corners_second_b[idx(joint.count)] = made.anchors_b[1] + 0.5 * edge * second_b;
+    ++joint.count;
+  };
+  switch (made.kind) {
+    case JointKind::ball:
+      joint.hold = JointHold::corner;
+      add(Vec3::Zero(), Vec3::Zero());
+      break;
+    case JointKind::hinge:
+      joint.hold = JointHold::edge;
+      joint.normal_first_b = made.axes_b[0];
+      for (const double side : {-1.0, 1.0}) add(side * made.axes_b[0], side * made.axes_b[1]);
+      break;
+    case JointKind::fixed:
+      joint.hold = JointHold::area;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+          const Vec3 along = side * Vec3::Unit(axis);
+          add(along, made.second_in_first.conjugate() * along);
+        }
+      break;
+  }
+  return joint;
+}
+
 std::vector<Joint> find_joints(const World& world, double margin) {
   require::not_negative(margin, "margin");
   double size = 0.0;  // the margin of the broad phase has to cover all pairs
@@ -71,6 +108,7 @@ std::vector<Joint> find_joints(const World& world, double margin) {
     bounds.push_back(bounds_of(world.bodies()[k], world.states()[k], 0.5 * margin * size));
   std::vector<IndexPair> pairs;
   make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  leave_out_joined(world, pairs);
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
   ContactList contacts;
@@ -102,6 +140,7 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
                                   const World& world, double margin) {
   std::vector<Joint> now;
   for (Joint joint : joints) {
+    if (joint.of_scene) continue;
     const std::optional<int> first = world.find(before[idx(joint.first)]);
     const std::optional<int> second = world.find(before[idx(joint.second)]);
     if (!first || !second) continue;
@@ -161,6 +200,20 @@ JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states
     largest.apart = std::max(largest.apart, gap.apart);
   }
   return largest;
+}
+
+Vec3 turned_in(const Joint& joint, std::span<const BodyState> states) {
+  const JointPoint held = held_point(joint, states);
+  Vec3 sum_w = Vec3::Zero();
+  double squares = 0.0;  // [m²]
+  for (int k = 0; k < joint.count; ++k) {
+    const JointPoint corner = corner_of(joint, k, states);
+    const Vec3 arm_w = corner.first_w - held.first_w;
+    sum_w += arm_w.cross(corner.second_w - held.second_w);
+    squares += arm_w.squaredNorm();
+  }
+  // Arms r, turned by a small θ: the sum of r × (θ × r). Along three axes alike that is two thirds of r² θ.
+  return sum_w / (joint.hold == JointHold::edge ? squares : squares * 2.0 / 3.0);
 }
 
 double opened(const Joint& joint, std::span<const BodyState> states) {

@@ -45,6 +45,7 @@ struct Joint {
   Vec3 normal_first_b = Vec3::UnitY();      ///< [-] towards the second body, frame of the first
   JointHold hold = JointHold::area;         ///< degrees of freedom held now
   int side = 0;                             ///< of an edge: from this corner to the next one
+  bool of_scene = false;                    ///< made by World::join(): neither opens nor closes
 
   /// Whether the area has an extent; only then it can open and close.
   /// \return false for a line or a point
@@ -68,7 +69,7 @@ Joint joint_of(const World& world, const Contact& contact);
 
 /// All joints of bodies that touch and do not separate.
 ///
-/// A pair separates if all its points do, faster than tolerance::resting_speed times sqrt(g L) of its
+/// Bodies that a joint of the scene joins stick nowhere else. A pair separates if all its points do, faster than tolerance::resting_speed times sqrt(g L) of its
 /// smaller edge L, and times the speed of its faster body.
 /// \param world   the bodies
 /// \param margin  [-] largest gap of touching surfaces, over the shortest edge of the pair
@@ -78,9 +79,17 @@ Joint joint_of(const World& world, const Contact& contact);
 /// One test of two boxes for each pair whose bounds overlap.
 std::vector<Joint> find_joints(const World& world, double margin);
 
+/// A joint of the scene: a ball holds a corner, a hinge an edge along its axis, a fixed joint an area.
+///
+/// Corners lie half the shortest edge of the two bodies from the anchor, so that turning shows in them as distance.
+/// \param world  the bodies
+/// \param joint  one of World::joints()
+/// \return with the degrees of freedom that its kind holds
+Joint joint_of(const World& world, const BodyJoint& joint);
+
 /// The joints of a world after bodies were added or removed.
 ///
-/// Existing joints stay, open or not; a new body sticks to the bodies that it touches.
+/// Existing joints stay, open or not, but for those of the scene; a new body sticks to the bodies that it touches.
 /// \param joints  joints before the change
 /// \param before  the ids of the bodies then, by index
 /// \param world   the present bodies
@@ -121,6 +130,12 @@ JointGap gap_of(const Joint& joint, std::span<const BodyState> states);
 /// \param states  of all bodies, by index
 /// \return maxima over all of them
 JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states);
+
+/// How far two bodies have turned against each other in a joint, as its corners show.
+/// \param joint   with two corners or more
+/// \param states  of all bodies, by index
+/// \return [rad] rotation vector of the second body, world frame, to first order; of an edge only its part across the edge
+Vec3 turned_in(const Joint& joint, std::span<const BodyState> states);
 
 /// Opening of an area that is held by an edge.
 /// \param joint   with an area

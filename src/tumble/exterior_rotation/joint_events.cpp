@@ -40,7 +40,7 @@ double joint_margin(std::span<const Joint> joints, const World& world,
   };
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Joint& joint = joints[j];
-    if (joint.hold == JointHold::nothing) continue;
+    if (joint.hold == JointHold::nothing || joint.of_scene) continue;
     const int place = static_cast<int>(j);
     const Unit unit = unit_of(joint, world);
     const double weight = unit.mass * std::max(world.gravity_w.norm(), 1.0);

@@ -135,13 +135,21 @@ void JointForces::solve_tree() {
   tree_.solve(body_part_, joint_part_);
 }
 
-// J W J' x = -b.
-void JointForces::solve(std::span<const MovingBody> bodies) {
+void JointForces::factor(std::span<const MovingBody> bodies) {
   ++solves_;
   collect(bodies);
   require::that(tree_.factor(bodies, blocks_), "joint: its rows depend on one another");
+  if (!loop_rows_.empty()) factor_loops(bodies);
+}
+
+// J W J' x = -b.
+void JointForces::solve(std::span<const MovingBody> bodies) {
+  factor(bodies);
   answer_.clear();
-  if (!loop_rows_.empty()) find_loop_forces(bodies);
+  if (!loop_rows_.empty()) {
+    body_part_.assign(bodies.size(), Vec6::Zero());
+    find_loop_forces();
+  }
   // [S6.2:tree]
   // Forces of loops act on the bodies; the tree holds the rest.
   body_part_.assign(bodies.size(), Vec6::Zero());
@@ -161,58 +169,26 @@ void JointForces::solve(std::span<const MovingBody> bodies) {
   }
 }
 
-// Forces of the rows of loops: what one of them does to all of them, with the tree held, is a column of a
-// matrix. Rows that depend on the tree or on earlier ones are left out.
-void JointForces::find_loop_forces(std::span<const MovingBody> bodies) {
-  const int n = static_cast<int>(loop_rows_.size());
-  if (A_.rows() != n) A_.resize(n, n);
-  std::vector<double> alone(loop_rows_.size());  // what a row does to itself without joints
-  for (int j = 0; j < n; ++j) {
-    const Row& row = rows_[idx(loop_rows_[idx(j)])];
-    body_part_.assign(bodies.size(), Vec6::Zero());
-    joint_part_.assign(blocks_.size(), Vec6::Zero());
-    apply(row, 1.0);
-    for (const int body : {row.first, row.second}) {
-      const MovingBody& m = bodies[idx(body)];
-      const Vec6& push = body_part_[idx(body)];
-      alone[idx(j)] += push.head<3>().dot(m.inverse_mass.cwiseProduct(push.head<3>())) +
-                       push.tail<3>().dot(m.inverse_inertia_w * push.tail<3>());
-      if (m.inverse_mass.isZero(0.0)) body_part_[idx(body)].setZero();
-    }
-    tree_.solve(body_part_, joint_part_);
-    for (int i = 0; i < n; ++i) A_(i, j) = seen_by(rows_[idx(loop_rows_[idx(i)])]);
-  }
-  body_part_.assign(bodies.size(), Vec6::Zero());
-  solve_tree();
-  // Scaled by a power of two, exactly, so that roots do not depend on the unit of mass.
-  int exponent = 0;
-  std::frexp(alone[0], &exponent);
-  const double scale = std::ldexp(1.0, -exponent);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i <= j; ++i) A_(i, j) = A_(j, i) = 0.5 * scale * (A_(i, j) + A_(j, i));
-  factor_.clear(n);
-  for (int i = 0; i < n; ++i)
-    if (factor_.consider(A_, i) > tolerance::redundant_row * scale * alone[idx(i)])
-      factor_.append_considered();
-  for (const int i : factor_.indices()) {
-    const std::size_t row = idx(loop_rows_[idx(i)]);
-    answer_.push_back(-scale * (b_[row] + seen_by(rows_[row])));
-  }
-  factor_.solve(answer_);
-}
-
 void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
-                       std::span<const Joint> joints, std::vector<Wrench>& rates) {
+                       std::span<const Joint> joints, std::vector<Wrench>& rates,
+                       std::span<const Wrench> pushes) {
   assemble(bodies, joints, world.states());
   rates.assign(bodies.size(), Wrench{});
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (world.bodies()[k].movable()) rates[k].force_w = world.bodies()[k].mass * world.gravity_w;
+  for (std::size_t k = 0; k < pushes.size(); ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    rates[k].force_w += pushes[k].force_w;
+    rates[k].torque_w += pushes[k].torque_w;
+  }
 
   // J a + dJ/dt v without joints. A free body: W g, and ω' = I^-1 (L x ω).
   const auto alone = [&](int body) {
     const MovingBody& m = bodies[idx(body)];
     const Vec3& momentum_w = world.states()[idx(body)].angular_momentum_w;
-    return Vec3(m.inverse_inertia_w * momentum_w.cross(m.angular_velocity_w));
+    Vec3 torque_w = momentum_w.cross(m.angular_velocity_w);
+    if (!pushes.empty()) torque_w += pushes[idx(body)].torque_w;
+    return Vec3(m.inverse_inertia_w * torque_w);
   };
   b_.assign(rows_.size(), 0.0);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -220,7 +196,10 @@ void JointForces::hold(const World& world, std::span<const MovingBody> bodies,
     const MovingBody& first = bodies[idx(row.first)];
     const MovingBody& second = bodies[idx(row.second)];
     const auto falls = [&](int body) -> Vec3 {
-      return world.bodies()[idx(body)].movable() ? world.gravity_w : Vec3::Zero();
+      const BodyProperties& falling = world.bodies()[idx(body)];
+      if (!falling.movable()) return Vec3::Zero();
+      if (pushes.empty()) return world.gravity_w;
+      return world.gravity_w + falling.inverse_mass * pushes[idx(body)].force_w;
     };
     // [S6.2:arcs]
     b_[i] = row.along_w.dot(falls(row.second) + centripetal(second, row.point.second_w) -

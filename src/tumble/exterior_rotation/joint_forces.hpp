@@ -39,9 +39,10 @@ class JointForces {
   /// \param world   masses, inertias, gravity
   /// \param bodies  their present motion, one for each body index
   /// \param joints  the joints
-  /// \param rates   receives force and torque of gravity and joints, one for each index
+  /// \param rates   receives force and torque of gravity, joints and pushes, one for each index
+  /// \param pushes  other forces, and torques about the centres, one for each index; empty: none
   void hold(const World& world, std::span<const MovingBody> bodies, std::span<const Joint> joints,
-            std::vector<Wrench>& rates);
+            std::vector<Wrench>& rates, std::span<const Wrench> pushes = {});
 
   /// Computes and applies impulses that end all relative motion in the joints.
   ///
@@ -52,6 +53,22 @@ class JointForces {
   /// \param states  poses of the bodies
   void project(std::span<MovingBody> bodies, std::span<const Joint> joints,
                std::span<const BodyState> states);
+
+  /// Moves bodies together again that errors of steps have moved apart in joints of the scene: one step of Newton's
+  /// method, which moves them least in the norm of project().
+  /// \param joints  all joints; others than the scene's get no gap by that
+  /// \param world   poses in and out; momenta stay
+  void close(std::span<const Joint> joints, World& world);
+
+  /// Makes ready for respond().
+  /// \param bodies  one for each body index
+  /// \param joints  the joints
+  /// \param states  poses of the bodies
+  void take(std::span<const MovingBody> bodies, std::span<const Joint> joints,
+            std::span<const BodyState> states);
+  /// What impulses change of the velocities of bodies in joints: \f$(W - W J^{\mathsf T}(J W J^{\mathsf T})^{-1} J W)\,p\f$.
+  /// \param parts  [N s], [N m s] of each body; then [m/s], [rad/s]. 0 for immovable bodies
+  void respond(std::span<Vec6> parts);
 
   /// The wrench of a joint on its second body in the last call.
   /// \param joint its index
@@ -78,8 +95,10 @@ class JointForces {
   void assemble(std::span<const MovingBody> bodies, std::span<const Joint> joints,
                 std::span<const BodyState> states);
   void collect(std::span<const MovingBody> bodies);
+  void factor(std::span<const MovingBody> bodies);
   void solve(std::span<const MovingBody> bodies);
-  void find_loop_forces(std::span<const MovingBody> bodies);
+  void factor_loops(std::span<const MovingBody> bodies);
+  void find_loop_forces();
   void solve_tree();
   void apply(const Row& row, double factor);
   [[nodiscard]] double seen_by(const Row& row) const;
@@ -94,8 +113,11 @@ class JointForces {
   std::vector<std::size_t> at_;    // by block: its first row
   std::vector<int> loop_rows_;     // rows of joints that close loops
   std::vector<Vec6> body_part_, joint_part_;
-  MatX A_;                      // of the rows of loops
-  std::vector<double> answer_;  // of the independent ones
+  std::vector<MovingBody> closing_;
+  std::vector<char> immovable_;  // by body
+  double scale_ = 1.0;           // [kg] of A_
+  MatX A_;                       // of the rows of loops
+  std::vector<double> answer_;   // of the independent ones
   SubsetCholesky factor_;
   std::vector<Wrench> pushes_;
   int solves_ = 0;

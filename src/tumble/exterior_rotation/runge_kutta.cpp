@@ -76,7 +76,7 @@ void RungeKutta::change(const std::array<double, ButcherTable::kMostStages>& wei
 }
 
 double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Joint> joints,
-                        JointForces& forces, World& world) {
+                        JointForces& forces, World& world, std::span<const Wrench> pushes) {
   start_.assign(world.states().begin(), world.states().end());
   const auto put = [&] {  // adds the changes to the start
     for (std::size_t k = 0; k < start_.size(); ++k) {
@@ -100,7 +100,7 @@ double RungeKutta::step(const ButcherTable& table, double dt, std::span<const Jo
     if (!within_a_turn(change_)) return too_far();
     put();
     load_moving_bodies(world, moving_);
-    forces.hold(world, moving_, joints, wrenches_);
+    forces.hold(world, moving_, joints, wrenches_, pushes);
     slopes_[idx(s)].resize(start_.size());
     for (std::size_t k = 0; k < start_.size(); ++k)
       slopes_[idx(s)][k] = {moving_[k].velocity_w,

@@ -58,12 +58,13 @@ class RungeKutta {
   /// \param joints  held during the step
   /// \param forces  solver for the forces
   /// \param world   states in and out; its time does not change
+  /// \param pushes  forces, and torques about the centres, that last for all of the step, by index; empty: none
   /// \return [-] error estimate, the largest over bodies of position over shortest edge, of angle, and of
   ///         the momenta's velocities over \f$\sqrt{gL}\f$ (L/dt without gravity) and that over L; 0 for a
   ///         table without an estimate. Infinite if a body would make a full turn or more, or its state
   ///         become infinite: the states are then unchanged
   double step(const ButcherTable& table, double dt, std::span<const Joint> joints,
-              JointForces& forces, World& world);
+              JointForces& forces, World& world, std::span<const Wrench> pushes = {});
 
  private:
   // The rates of a body's unknowns, or their changes.

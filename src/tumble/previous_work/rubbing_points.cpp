@@ -61,10 +61,7 @@ void RubbingPoints::multiply(std::span<const double> p, std::span<double> out) {
       angular_w_[idx(row.second)] += impulse * row.arm_second_w[i];
     }
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    linear_w_[b] = bodies_[b].inverse_mass.cwiseProduct(linear_w_[b]);
-    angular_w_[b] = bodies_[b].inverse_inertia_w * angular_w_[b];
-  }
+  yield(linear_w_, angular_w_);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Row& row = rows_[k];
     const Vec3 linear_w = linear_w_[idx(row.second)] - linear_w_[idx(row.first)];
@@ -75,6 +72,13 @@ void RubbingPoints::multiply(std::span<const double> p, std::span<double> out) {
   }
 }
 // [S2.6.4:multiply]
+
+void RubbingPoints::yield(std::span<Vec3> linear_w, std::span<Vec3> angular_w) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    linear_w[b] = bodies_[b].inverse_mass.cwiseProduct(linear_w[b]);
+    angular_w[b] = bodies_[b].inverse_inertia_w * angular_w[b];
+  }
+}
 
 void RubbingPoints::allow(std::span<double> p) const {
   for (std::size_t k = 0; k < rows_.size(); ++k) {

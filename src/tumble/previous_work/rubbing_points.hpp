@@ -21,6 +21,7 @@ namespace tumble {
 /// velocities, or displacements with kg m in place of N s.
 class RubbingPoints {
  public:
+  virtual ~RubbingPoints() = default;
   /// Takes contacts up.
   /// \param bodies    how they would move without contacts
   /// \param contacts  with the impulses to start from
@@ -55,6 +56,11 @@ class RubbingPoints {
   void push(std::span<Contact> contacts, std::span<MovingBody> bodies) const;
 
  private:
+  /// What the velocities of all bodies become by impulses: by their own masses and inertias, unless something else holds them.
+  /// \param linear_w   [N s] by body index; then [m/s]
+  /// \param angular_w  [N m s] by body index; then [rad/s]
+  virtual void yield(std::span<Vec3> linear_w, std::span<Vec3> angular_w);
+
   [[nodiscard]] Vec3 impulse_w(std::size_t row) const;  // [N s] on the second body
 
   struct Row {

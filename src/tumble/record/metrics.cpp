@@ -57,7 +57,7 @@ Metrics MetricsMeter::measure_now(const World& world) {
   }
   if (scale > 0.0) m.energy_error_share = m.energy_error / scale;
   if (!std::isfinite(energy.total())) return m;  // nowhere in particular: nothing to measure
-  m.deepest_overlap = overlap_.look(world.bodies(), world.states());
+  m.deepest_overlap = overlap_.look(world);
   chatter_.add(world, overlap_.in_contact());
   m.chatter = chatter_.measure(gravity);
   return m;

@@ -17,12 +17,28 @@ OverlapMeter::OverlapMeter() : broad_phase_(make_broad_phase("bounding_tree")) {
 
 double OverlapMeter::look(std::span<const BodyProperties> bodies,
                           std::span<const BodyState> states) {
+  find_pairs(bodies, states);
+  return measure(bodies, states);
+}
+
+double OverlapMeter::look(const World& world) {
+  find_pairs(world.bodies(), world.states());
+  leave_out_joined(world, pairs_);
+  return measure(world.bodies(), world.states());
+}
+
+void OverlapMeter::find_pairs(std::span<const BodyProperties> bodies,
+                              std::span<const BodyState> states) {
   bounds_.resize(bodies.size());
-  in_contact_.assign(bodies.size(), 0);
-  depths_.assign(bodies.size(), 0.0);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     bounds_[i] = bounds_of(bodies[i], states[i], tolerance::touching * bodies[i].size.minCoeff());
   broad_phase_->find_pairs(bounds_, pairs_);
+}
+
+double OverlapMeter::measure(std::span<const BodyProperties> bodies,
+                             std::span<const BodyState> states) {
+  in_contact_.assign(bodies.size(), 0);
+  depths_.assign(bodies.size(), 0.0);
   for (const IndexPair& pair : pairs_) {
     const auto a = static_cast<std::size_t>(pair.first);
     const auto b = static_cast<std::size_t>(pair.second);

@@ -2,7 +2,7 @@
 /// \brief Contacts and overlap of bodies, from poses alone.
 #pragma once
 
-#include "tumble/dynamics/body.hpp"
+#include "tumble/dynamics/world.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <memory>
@@ -31,6 +31,11 @@ class OverlapMeter {
   /// \return [m] the deepest penetration; 0 if no pair overlaps
   double look(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
 
+  /// The same for the pairs of a world that no joint joins.
+  /// \param world  the bodies, their states finite
+  /// \return [m] as look() of its bodies
+  double look(const World& world);
+
   /// How deep each body is in others.
   /// \return [m] by index as of the last look: its deepest penetration, 0 or above
   [[nodiscard]] std::span<const double> depths() const { return depths_; }
@@ -40,6 +45,9 @@ class OverlapMeter {
   [[nodiscard]] std::span<const char> in_contact() const { return in_contact_; }
 
  private:
+  void find_pairs(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
+  double measure(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
+
   std::unique_ptr<BroadPhase> broad_phase_;
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;

@@ -198,6 +198,7 @@ void PassageCheck::look_for_passages(const World& world) {
     const std::size_t a = solid_[idx(pair.first)];
     const std::size_t b = solid_[idx(pair.second)];
     if (fast_[a] == 0 && fast_[b] == 0) continue;
+    if (world.joined(world.ids()[a], world.ids()[b])) continue;
     const SweepResult swept =
         sweep(cores_[idx(pair.first)], way(a), cores_[idx(pair.second)], way(b));
     if (swept.status != SweepStatus::hit) continue;
@@ -211,7 +212,7 @@ void PassageCheck::look_for_passages(const World& world) {
 
 void PassageCheck::at_end(const World& world) {
   OverlapMeter meter;
-  meter.look(world.bodies(), world.states());
+  meter.look(world);
   for (std::size_t k = 0; k < idx(world.count()); ++k) {
     const double depth = meter.depths()[k];
     const double edge = world.bodies()[k].size.minCoeff();

@@ -21,6 +21,7 @@ const std::vector<SceneRecipe>& scene_library() {
     recipes::add_thrown(list);
     recipes::add_lines(list);
     recipes::add_turning(list);
+    recipes::add_jointed(list);
     return list;
   }();
   return library;

@@ -40,6 +40,10 @@ void add_thrown(std::vector<SceneRecipe>& list);
 /// \param list gets the recipes
 void add_turning(std::vector<SceneRecipe>& list);
 
+/// Boxes in joints: chain, pendulum, crane, plank_bridge.
+/// \param list gets the recipes
+void add_jointed(std::vector<SceneRecipe>& list);
+
 /// Boxes on a line whose collisions have an order: line, fig5_1.
 /// \param list gets the recipes
 void add_lines(std::vector<SceneRecipe>& list);

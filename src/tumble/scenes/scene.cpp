@@ -8,6 +8,7 @@
 #include "tumble/dynamics/mass_range.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/separation.hpp"
+#include "tumble/scenes/scene_joint.hpp"
 
 #include <algorithm>
 #include <map>
@@ -33,7 +34,10 @@ void refuse_overlap(const Scene& scene, int box, const std::string& other, doubl
 }
 
 // Boxes may touch and overlap a little at the start, as numbers typed by hand do.
-void refuse_overlaps(const Scene& scene) {
+void refuse_overlaps(const Scene& scene, const World& world) {
+  const auto joined = [&](const std::string& a, const std::string& b) {
+    return !scene.joints.empty() && world.joined(*world.find(a), *world.find(b));
+  };
   std::vector<int> present;  // places of the boxes that are there at the start
   std::vector<Box> shapes;
   std::vector<Bounds> bounds;
@@ -44,7 +48,7 @@ void refuse_overlaps(const Scene& scene) {
     shapes.push_back(make_box(box.position_w, box.orientation_wb, box.size));
     bounds.push_back(bounds_of(shapes.back()));
     const double lowest = box.position_w.y() - reach(shapes.back(), Vec3::UnitY());
-    if (scene.ground && !box.fixed)
+    if (scene.ground && !box.fixed && !joined(box.name, "ground"))
       refuse_overlap(scene, present.back(), "the ground", -lowest,
                      tolerance::start_overlap * box.size.minCoeff());
   }
@@ -57,7 +61,7 @@ void refuse_overlaps(const Scene& scene) {
     const auto second = static_cast<std::size_t>(pair.second);
     const SceneBox& a = scene.boxes[static_cast<std::size_t>(present[first])];
     const SceneBox& b = scene.boxes[static_cast<std::size_t>(present[second])];
-    if (a.fixed && b.fixed) continue;
+    if ((a.fixed && b.fixed) || joined(a.name, b.name)) continue;
     refuse_overlap(scene, present[second], a.name,
                    -separation(shapes[first], shapes[second], exact).distance,
                    tolerance::start_overlap * std::min(a.size.minCoeff(), b.size.minCoeff()));
@@ -162,7 +166,8 @@ World start_world(Scene& scene) {
       throw SceneMistake(static_cast<int>(i), "", name + std::string(message_of(error)));
     }
   }
-  refuse_overlaps(scene);
+  join_bodies(scene, world);
+  refuse_overlaps(scene, world);
   check_wishes(scene);
   return world;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/scenes/scene_joint.hpp"
 #include "tumble/scenes/wish.hpp"
 
 #include <limits>
@@ -44,6 +45,7 @@ struct Scene {
   std::optional<SceneGround> ground = {};  ///< none: bodies may fall for ever
   std::vector<SceneBox> boxes = {};        ///< in the order in which they get their ids
   std::vector<Wish> wishes = {};           ///< about its end; a run does without
+  std::vector<SceneJoint> joints = {};     ///< between boxes, or a box and the ground
 };
 
 /// The constant part of a box.
@@ -92,8 +94,8 @@ std::string_view message_of(const std::invalid_argument& error);
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass that
 ///         box_properties() refuses, a number that is not finite or above tolerance::largest_value, a quaternion that is not of length 1, a name that is used
 ///         twice, is "ground" beside a ground or has control characters in it, a velocity of
-///         a fixed box, or two boxes present at the start, not both fixed, that overlap by more than
-///         `tolerance::start_overlap` of the smaller one's smallest edge
+///         a fixed box, a joint that join_bodies() refuses, or two boxes present at the start, not both fixed and
+///         in no joint, that overlap by more than `tolerance::start_overlap` of the smaller one's smallest edge
 /// \par Cost
 /// n log n, and 60 ns for each pair of boxes that are near each other.
 World start_world(Scene& scene);

@@ -203,7 +203,7 @@ class Place : public SceneTable {
 
 Scene read_table(const toml::table& root, std::string_view file) {
   const Place place(root, file, "");
-  place.only({"title", "gravity", "ground", "box", "wish"});
+  place.only({"title", "gravity", "ground", "box", "joint", "wish"});
   Scene scene;
   place.text("title", scene.title);
   place.vector("gravity", scene.gravity_w);
@@ -219,6 +219,7 @@ Scene read_table(const toml::table& root, std::string_view file) {
     place.refuse("box", boxes, "a scene needs at least one [[box]] table");
   for (const Place& box : place.tables("box")) scene.boxes.push_back(read_box(box));
   for (const Place& wish : place.tables("wish")) scene.wishes.push_back(read_wish(wish));
+  for (const Place& joint : place.tables("joint")) scene.joints.push_back(read_joint(joint));
   return scene;
 }
 

@@ -65,6 +65,7 @@ class SceneTable {
 };
 
 struct SceneBox;
+struct SceneJoint;
 struct Wish;
 
 /// Reads friction and restitution.
@@ -79,6 +80,12 @@ void read_surface(const SceneTable& table, double& friction, double& restitution
 /// \return the box, not checked beside others
 /// \throws std::invalid_argument for a key or a value that is wrong
 SceneBox read_box(const SceneTable& table);
+
+/// Reads a joint. What its values mean is checked by join_bodies().
+/// \param table  [[joint]]
+/// \return the joint, not checked against the scene
+/// \throws std::invalid_argument for a key or a value that is wrong
+SceneJoint read_joint(const SceneTable& table);
 
 /// Reads a wish.
 /// \param table  [[wish]]

@@ -91,6 +91,16 @@ void write(const SceneBox& box, std::string& out) {
     out.append("disappears = ").append(number(box.disappears)).append("\n");
 }
 
+void write(const SceneJoint& joint, std::string& out) {
+  out.append("\n[[joint]]\n");
+  if (!joint.name.empty()) out.append("name = ").append(quoted(joint.name)).append("\n");
+  out.append("kind = ").append(quoted(std::string(name_of(joint.kind)))).append("\n");
+  out.append("first = ").append(quoted(joint.first)).append("\n");
+  out.append("second = ").append(quoted(joint.second)).append("\n");
+  out.append("anchor = ").append(list(joint.anchor_w)).append("\n");
+  if (joint.kind == JointKind::hinge) out.append("axis = ").append(list(joint.axis_w)).append("\n");
+}
+
 }  // namespace
 
 std::string to_toml(const Scene& scene) {
@@ -103,6 +113,7 @@ std::string to_toml(const Scene& scene) {
   }
   for (const SceneBox& box : scene.boxes) write(box, out);
   for (const Wish& wish : scene.wishes) write(wish, out);
+  for (const SceneJoint& joint : scene.joints) write(joint, out);
   return out;
 }
 

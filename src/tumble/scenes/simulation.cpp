@@ -97,6 +97,7 @@ void require_time_step(double dt) {
 
 StepReport Simulation::step(double dt) {
   require_time_step(dt);
+  require_joints_held(*technique_, world_);
   settle();
   StepReport report;
   {
@@ -144,6 +145,8 @@ void Simulation::take_away(std::string_view asked) {
     Scene next = scene_;
     next.boxes.erase(next.boxes.begin() + (box - scene_.boxes.begin()));
     leave_out(name, next.wishes);
+    std::erase_if(next.joints,
+                  [&](const SceneJoint& j) { return j.first == name || j.second == name; });
     begin(std::move(next));
     return;
   }

@@ -1,0 +1,145 @@
+/// \file
+/// \brief Forces in ball joints, hinges and fixed joints, against a dense solver and against Featherstone's articulated bodies.
+#include "tumble/base/random.hpp"
+#include "tumble/exterior_rotation/joint_forces.hpp"
+
+#include "previous_work/articulated_body.hpp"
+#include "support/catch.hpp"
+
+#include <Eigen/Dense>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::test;
+
+}  // namespace
+
+TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact][joints]") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random chance(seed);
+    World world;
+    constexpr int kBodies = 10;
+    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+    world.add(wall, make_state(wall, Vec3::Zero()));
+    std::vector<std::pair<int, int>> rows_of;  // first row and count of each joint
+    for (int k = 1; k < kBodies; ++k) {
+      const BodyProperties box = box_properties(Vec3(1.0, 0.5, 0.7), chance.uniform(0.5, 3.0));
+      const Vec3 place_w = chance.in_cube(2.0);
+      const Quat turn = chance.orientation();
+      const BodyId id = world.add(box, make_state(box, place_w, turn));
+      const int parent = static_cast<int>(chance.uniform(0.0, 0.999) * k);
+      const JointKind kind = joint_kinds()[static_cast<std::size_t>(chance.uniform(0.0, 2.999))];
+      const Vec3 anchor_w = chance.in_cube(2.0);
+      const Vec3 axis_w = chance.in_cube(1.0);
+      world.join(kind, world.ids()[static_cast<std::size_t>(parent)], id, anchor_w,
+                 kind == JointKind::hinge ? axis_w : Vec3(Vec3::Zero()));
+    }
+    // J of all joints at rest, and J a = 0 with M a = f + J' λ.
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6 * kBodies, 6 * kBodies);
+    Eigen::Index row = 0;
+    for (const BodyJoint& joint : world.joints()) {
+      const int a = world.index_of(joint.bodies[0]), b = world.index_of(joint.bodies[1]);
+      const BodyState& sa = world.states()[static_cast<std::size_t>(a)];
+      const BodyState& sb = world.states()[static_cast<std::size_t>(b)];
+      const Mat3 arm_a = cross_matrix(sa.orientation_wb * joint.anchors_b[0]);
+      const Mat3 arm_b = cross_matrix(sb.orientation_wb * joint.anchors_b[1]);
+      J.block<3, 3>(row, 6 * a) = -Mat3::Identity();
+      J.block<3, 3>(row, 6 * a + 3) = arm_a;
+      J.block<3, 3>(row, 6 * b) = Mat3::Identity();
+      J.block<3, 3>(row, 6 * b + 3) = -arm_b;
+      row += 3;
+      if (joint.kind == JointKind::ball) continue;
+      Mat3 held = Mat3::Identity();
+      if (joint.kind == JointKind::hinge) {
+        const Vec3 axis_w = sa.orientation_wb * joint.axes_b[0];
+        held -= axis_w * axis_w.transpose();
+      }
+      J.block<3, 3>(row, 6 * a + 3) = -held;
+      J.block<3, 3>(row, 6 * b + 3) = held;
+      row += 3;
+    }
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(6 * kBodies, 6 * kBodies);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(6 * kBodies);
+    std::vector<MovingBody> moving;
+    load_moving_bodies(world, moving);
+    for (int k = 0; k < kBodies; ++k) {
+      const MovingBody& m = moving[static_cast<std::size_t>(k)];
+      W.block<3, 3>(6 * k, 6 * k) = m.inverse_mass.asDiagonal();
+      W.block<3, 3>(6 * k + 3, 6 * k + 3) = m.inverse_inertia_w;
+      if (k > 0)
+        f.segment<3>(6 * k) = world.bodies()[static_cast<std::size_t>(k)].mass * world.gravity_w;
+    }
+    const Eigen::MatrixXd A = J * W * J.transpose();
+    const Eigen::VectorXd force =
+        A.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-J * W * f));
+    const Eigen::VectorXd exact = W * (f + J.transpose() * force);
+    std::vector<Joint> joints;
+    for (const BodyJoint& joint : world.joints()) joints.push_back(joint_of(world, joint));
+    JointForces forces;
+    std::vector<Wrench> rates;
+    forces.hold(world, moving, joints, rates);
+    const double scale = exact.cwiseAbs().maxCoeff();
+    CAPTURE(seed);
+    for (int k = 1; k < kBodies; ++k) {
+      const MovingBody& m = moving[static_cast<std::size_t>(k)];
+      const Wrench& push = rates[static_cast<std::size_t>(k)];
+      CHECK((m.inverse_mass.cwiseProduct(push.force_w) - exact.segment<3>(6 * k)).norm() <
+            1e-10 * scale);
+      CHECK((m.inverse_inertia_w * push.torque_w - exact.segment<3>(6 * k + 3)).norm() <
+            1e-10 * scale);
+    }
+  }
+}
+
+TEST_CASE("Balls and hinges in motion give Featherstone's accelerations", "[reference][joints]") {
+  for (const int children : {1, 2}) {
+    Random chance(static_cast<std::uint64_t>(children));
+    World world;
+    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+    world.add(wall, make_state(wall, Vec3::Zero()));
+    std::vector<HungLink> links;
+    std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
+    for (int k = 1; k <= 20; ++k) {
+      const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
+      const auto p = static_cast<std::size_t>(parent);
+      const BodyState& on = world.states()[p];
+      const Vec3 anchor_w = on.position_w + on.orientation_wb * chance.in_cube(0.5);
+      const Quat turn = chance.orientation();
+      const Vec3 arm_w = chance.in_cube(0.6);
+      const Vec3 turning_w = chance.in_cube(2.0);
+      const bool hinge = k % 2 == 0;
+      spin_w.push_back(spin_w[p] + turning_w);
+      const Vec3 at_anchor_w = speed_w[p] + spin_w[p].cross(anchor_w - on.position_w);
+      speed_w.push_back(at_anchor_w + spin_w.back().cross(arm_w));
+      const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
+      const BodyId id =
+          world.add(box, make_state(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back()));
+      world.join(hinge ? JointKind::hinge : JointKind::ball, world.ids()[p], id, anchor_w,
+                 hinge ? turning_w : Vec3(Vec3::Zero()));
+      links.push_back({parent - 1, anchor_w, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}});
+      if (hinge) links.back().axes_w = {turning_w.normalized()};
+    }
+    std::vector<MovingBody> moving;
+    load_moving_bodies(world, moving);
+    const std::vector<Spatial> exact =
+        articulated_accelerations(links, {moving.begin() + 1, moving.end()}, world.gravity_w);
+    std::vector<Joint> joints;
+    for (const BodyJoint& joint : world.joints()) joints.push_back(joint_of(world, joint));
+    JointForces forces;
+    std::vector<Wrench> rates;
+    forces.hold(world, moving, joints, rates);
+    double scale = 0.0;
+    for (const Spatial& a : exact) scale = std::max(scale, a.cwiseAbs().maxCoeff());
+    for (std::size_t k = 1; k < moving.size(); ++k) {
+      const MovingBody& m = moving[k];
+      const Vec3& momentum_w = world.states()[k].angular_momentum_w;
+      const Vec3 linear_w = m.inverse_mass.cwiseProduct(rates[k].force_w);
+      const Vec3 angular_w =
+          m.inverse_inertia_w * (rates[k].torque_w - m.angular_velocity_w.cross(momentum_w));
+      CAPTURE(children, k);
+      CHECK((linear_w - exact[k - 1].tail<3>()).norm() < 1e-9 * scale);
+      CHECK((angular_w - exact[k - 1].head<3>()).norm() < 1e-9 * scale);
+    }
+  }
+}
