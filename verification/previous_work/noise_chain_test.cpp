@@ -208,8 +208,7 @@ TEST_CASE("A chain without luck ends at its cap with the best that it found", "[
     CHECK(chain.proposals().size() == 50);
     CHECK(chain.found().empty());
     CHECK(no_luck(chain.best().noise).violation == chain.least_violation());
-    for (const NoiseProposal& p : chain.proposals())
-      {
+    for (const NoiseProposal& p : chain.proposals()) {
       if (p.accepted) CHECK(p.violation >= chain.least_violation());
     }
   }
