@@ -178,6 +178,14 @@ int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> co
   return found;
 }
 
+void scale_impulses(double factor, std::span<Contact> contacts) {
+  for (Contact& contact : contacts)
+    for (int k = 0; k < contact.count; ++k) {
+      contact.points[idx(k)].normal_impulse *= factor;
+      contact.points[idx(k)].friction_impulse_w *= factor;
+    }
+}
+
 void stamp_approach_speeds(std::span<const MovingBody> bodies, std::span<Contact> contacts) {
   for (Contact& contact : contacts) stamp(bodies, contact);
 }

@@ -88,6 +88,11 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 /// \return how many points were found again
 int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> contacts);
 
+/// Multiplies the impulses of all points, as a start for a step of another length.
+/// \param factor    [-] length of this step over that of the one before
+/// \param contacts  in and out
+void scale_impulses(double factor, std::span<Contact> contacts);
+
 /// Stamps every point with the speed at which the bodies approach there now.
 /// \param bodies    how the bodies move, one for each body index
 /// \param contacts  approach speeds are overwritten

@@ -27,13 +27,14 @@ bool share_a_body(const ContactPatch& a, const ContactPatch& b) {
   return a.first == b.first || a.first == b.second || a.second == b.first || a.second == b.second;
 }
 
-}  // namespace
-
+// A box that has turned for a time as its body does.
 Box turned_box(const Box& box, const MovingBody& body, double time) {
   Box out = box;
   out.axes_w = rotation_from_vector(time * body.angular_velocity_w) * box.axes_w;
   return out;
 }
+
+}  // namespace
 
 MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
                           double size, std::span<const MovingBody> bodies, double dt) {

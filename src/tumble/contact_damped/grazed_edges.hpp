@@ -27,13 +27,6 @@ struct MeetingFound {
   Vec3 flat_w = Vec3::Zero();          ///< [-] world frame, length 1 if it grazes; else 0
 };
 
-/// A box that turns where it is.
-/// \param box   at the start
-/// \param body  how it turns
-/// \param time  [s] for which
-/// \return it after this time
-[[nodiscard]] Box turned_box(const Box& box, const MovingBody& body, double time);
-
 /// Finds whether two boxes that have a manifold will overlap when they have met along its normal.
 ///
 /// A manifold of boxes with a gap says that they are near along one axis only. Both are moved together until they

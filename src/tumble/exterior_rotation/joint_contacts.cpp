@@ -9,11 +9,10 @@
 #include "tumble/contact/repair.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
+#include "tumble/previous_work/near_points.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace tumble {
 namespace {
@@ -66,17 +65,7 @@ double JointContacts::step(const ButcherTable& table, double dt, std::span<const
 // Points that may meet within the step, with the impulses that they had.
 void JointContacts::find(const World& world, double dt, StepReport& report) {
   load_moving_bodies(world, moving_);
-  double fastest = 0.0, edge = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < moving_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    if (!body.movable()) continue;
-    fastest = std::max(
-        fastest, dt * world.gravity_w.norm() + fastest_point_speed(body, moving_[k].velocity_w,
-                                                                   moving_[k].angular_velocity_w));
-    edge = std::min(edge, body.size.minCoeff());
-  }
-  const double margin =
-      std::isfinite(edge) ? std::min(2.0 * dt * fastest, tolerance::faure_reach * edge) : 0.0;
+  const double margin = meeting_margin(world, moving_, dt);
   std::swap(previous_, contacts_);
   repair_bounds(world, margin, bounds_);
   near_.find_pairs(bounds_, pairs_);
@@ -86,11 +75,7 @@ void JointContacts::find(const World& world, double dt, StepReport& report) {
   report.deepest_overlap = std::max(report.deepest_overlap, found.deepest_overlap);
   if (!(last_dt_ > 0.0)) return;
   carry_over_impulses(previous_, contacts_);
-  for (Contact& contact : contacts_)
-    for (int k = 0; k < contact.count; ++k) {
-      contact.points[idx(k)].normal_impulse *= dt / last_dt_;
-      contact.points[idx(k)].friction_impulse_w *= dt / last_dt_;
-    }
+  scale_impulses(dt / last_dt_, contacts_);
 }
 
 // Impulses after which all points move as `least_` asks for.

@@ -9,10 +9,10 @@
 #include "tumble/contact/impulse_work.hpp"
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
+#include "tumble/previous_work/near_points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -89,16 +89,7 @@ StepReport Faure::step_part(World& world, double dt) {
 
 // Those that may close their gap within the step, with the impulses that they had.
 void Faure::find_contacts(const World& world, double dt, StepReport& report) {
-  double fastest = 0.0, edge = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < start_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    if (!body.movable()) continue;
-    fastest = std::max(fastest, start_[k].velocity_w.norm() + dt * world.gravity_w.norm() +
-                                    0.5 * body.size.norm() * start_[k].angular_velocity_w.norm());
-    edge = std::min(edge, body.size.minCoeff());
-  }
-  const double margin =
-      std::isfinite(edge) ? std::min(2.0 * dt * fastest, tolerance::faure_reach * edge) : 0.0;
+  const double margin = meeting_margin(world, start_, dt);
   std::swap(previous_, contacts_);
   repair_bounds(world, margin, bounds_);
   broad_phase_->find_pairs(bounds_, pairs_);
@@ -107,11 +98,7 @@ void Faure::find_contacts(const World& world, double dt, StepReport& report) {
   report.deepest_overlap = found.deepest_overlap;
   if (!options_.warm || !(last_dt_ > 0.0)) return;
   carry_over_impulses(previous_, contacts_);
-  for (Contact& contact : contacts_)
-    for (int k = 0; k < contact.count; ++k) {
-      contact.points[idx(k)].normal_impulse *= dt / last_dt_;
-      contact.points[idx(k)].friction_impulse_w *= dt / last_dt_;
-    }
+  scale_impulses(dt / last_dt_, contacts_);
 }
 
 // Whether the impulses add energy.

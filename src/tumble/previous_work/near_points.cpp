@@ -5,8 +5,11 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/repair.hpp"
 #include "tumble/math/rotation.hpp"
+#include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace tumble {
@@ -40,13 +43,18 @@ void NearPoints::find(const World& world, std::span<const MovingBody> bodies, do
     for (int k = 0; k < contact.count; ++k) gaps_.push_back(contact.points[idx(k)].distance);
 }
 
-void NearPoints::scale_impulses(double factor) {
-  for (Contact& contact : contacts_) {
-    for (int k = 0; k < contact.count; ++k) {
-      contact.points[idx(k)].normal_impulse *= factor;
-      contact.points[idx(k)].friction_impulse_w *= factor;
-    }
+void NearPoints::scale_impulses(double factor) { tumble::scale_impulses(factor, contacts_); }
+
+double meeting_margin(const World& world, std::span<const MovingBody> bodies, double dt) {
+  double fastest = 0.0, edge = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    if (!body.movable()) continue;
+    fastest = std::max(fastest, bodies[k].velocity_w.norm() + dt * world.gravity_w.norm() +
+                                    0.5 * body.size.norm() * bodies[k].angular_velocity_w.norm());
+    edge = std::min(edge, body.size.minCoeff());
   }
+  return std::isfinite(edge) ? std::min(2.0 * dt * fastest, tolerance::faure_reach * edge) : 0.0;
 }
 
 double farthest_move(const World& world, std::span<const MovingBody> moving) {

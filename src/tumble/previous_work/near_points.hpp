@@ -50,6 +50,14 @@ class NearPoints {
 /// \return [m] the displacement of the centre and half the diagonal times the turn, of the body for which this is most
 [[nodiscard]] double farthest_move(const World& world, std::span<const MovingBody> moving);
 
+/// How far apart two points may be that meet within a step, up to `tolerance::faure_reach` of the shortest edge.
+/// \param world   where the bodies are
+/// \param bodies  their velocities at the start of the step, by index
+/// \param dt      [s] its length
+/// \return [m] twice the way of the fastest point
+[[nodiscard]] double meeting_margin(const World& world, std::span<const MovingBody> bodies,
+                                    double dt);
+
 /// Moves all movable bodies.
 /// \param moving  displacements, as velocities
 /// \param share   [-] of them
