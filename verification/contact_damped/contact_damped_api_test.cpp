@@ -58,6 +58,41 @@ TEST_CASE("A box that is removed from below lets those above fall, and no other 
   }
 }
 
+TEST_CASE("Contacts of bodies that sleep name no body that is gone", "[unit][contact_damped]") {
+  World world;
+  world.add_ground(0.5);
+  const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
+  for (const double x : {0.0, 50.0}) world.add(body, make_state(body, Vec3(x, 0.5, 0.0)));
+  const std::unique_ptr<Technique> technique = contact_damped({{"sleeping", "on"}});
+  run(world, *technique, 3.0);
+  REQUIRE(sleepers(world) == 2);
+  const BodyId gone = world.ids()[2];
+  world.remove(gone);
+  technique->step(world, kFrame);
+  for (const ContactRecord& contact : technique->contacts()) CHECK(contact.second != gone);
+}
+
+TEST_CASE("An impact is reported when and where the bodies meet", "[unit][contact_damped]") {
+  // Two cubes 5 m apart come together at 50 m/s each, the left one a little lower: at x = 0 after 0.04 s, in a part of
+  // the third step. The ground is hit by a cube that slides along at 3 m/s, after 0.01 s.
+  World world;
+  world.gravity_w.setZero();
+  world.add_ground(0.5, 0.5);
+  const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
+  world.add(body, make_state(body, Vec3(-2.5, 4.9, 0.0), Quat::Identity(), Vec3(50.0, 0.0, 0.0)));
+  world.add(body, make_state(body, Vec3(2.5, 5.1, 0.0), Quat::Identity(), Vec3(-50.0, 0.0, 0.0)));
+  world.add(body, make_state(body, Vec3(0.0, 0.55, 9.0), Quat::Identity(), Vec3(3.0, -5.0, 0.0)));
+  const std::unique_ptr<Technique> technique = contact_damped({});
+  Listener listener;
+  technique->observe(&listener);
+  run(world, *technique, 0.06);
+  REQUIRE(listener.events.size() == 2);
+  CHECK(listener.events[0].time == near(0.01).margin(1e-9));
+  CHECK((listener.events[0].point_w - Vec3(0.03, 0.0, 9.0)).norm() < 1e-9);
+  CHECK(listener.events[1].time == near(0.04).margin(1e-9));
+  CHECK((listener.events[1].point_w - Vec3(0.0, 5.0, 0.0)).norm() < 1e-9);
+}
+
 TEST_CASE("A box that is put onto a stack between two steps stands on it",
           "[unit][contact_damped]") {
   BOTH_POSES;

@@ -120,7 +120,7 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
   if (any_bounced) store_bounced_velocities(world);
   if (observer() == nullptr) return;
   for (std::size_t k = 0; k < patches.size(); ++k)
-    if (storage_.hit[k] != 0) notify_observer(patches[k], world.time());
+    if (storage_.hit[k] != 0) notify_observer(patches[k], dt);
 }
 
 // Bodies have turned since their impulses were found, and take their angular momentum with them: in its own frame a
@@ -215,13 +215,26 @@ void ContactDamped::account(const World& world, StepReport& report) const {
   if (!std::all_of(end.begin(), end.end(), finite)) report.status = StepStatus::not_finite;
 }
 
-void ContactDamped::notify_observer(const ContactPatch& patch, double time) const {
+// The bodies meet when the first of the points that were hit has closed its gap: halfway, and beside that where the
+// lighter one has come.
+void ContactDamped::notify_observer(const ContactPatch& patch, double dt) const {
+  double until = dt;
+  for (const ContactPatchPoint& p : patch.used())
+    if (p.impulse > 0.0 && p.approach < 0.0)
+      until = std::min(until, std::max(0.0, p.gap) / -p.approach);
+  const MovingBody& first = velocities_.start[idx(patch.first)];
+  const MovingBody& second = velocities_.start[idx(patch.second)];
   Event event;
-  event.time = time;
+  event.time = contact_time_ + until;
   event.first = patch.first_id;
   event.second = patch.second_id;
   event.normal_w = patch.frame_w.col(2);
-  event.point_w = velocities_.start[idx(patch.first)].position_w + patch.first_arm_w;
+  const Vec3 middle_w = first.position_w + patch.first_arm_w;
+  const Vec3 first_w = velocity_at(first, middle_w), second_w = velocity_at(second, middle_w);
+  const double share = first.inverse_mass.x() / (first.inverse_mass.x() + second.inverse_mass.x());
+  const Vec3 lighter_w = share * first_w + (1.0 - share) * second_w;
+  const double halfway = event.normal_w.dot(0.5 * (first_w + second_w) - lighter_w);
+  event.point_w = middle_w + until * (lighter_w + halfway * event.normal_w);
   const Six impulse = impulse_of(patch);
   event.impulse_w = patch.frame_w * Vec3(impulse[0], impulse[1], impulse[2]);
   observer()->on_event(event);

@@ -43,6 +43,8 @@ StepReport ContactDamped::step(World& world, double dt) {
   if (options_.sleeping) {
     const int woken = sleeping.wake_disturbed(world);
     if (woken == 0 && sleeping.nobody_awake()) {
+      records_.clear();  // their bodies may be gone
+      recorded_ = true;
       world.finish_step(dt);
       return report;
     }

@@ -139,7 +139,8 @@ class ContactDamped : public Technique {
     std::vector<PushedPair> pushed;            // pairs with an impulse
     std::vector<Quat> start_wb;                // orientations at the start of the step
     std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
-    KeptSolution kept;                         // of an island, while another one is tried
+    KeptSolution kept;                         // of an island, while raised targets are tried
+    KeptSolution swept;                        // ditto, while the direct solver is
     PivotUpdate pivots;                        // bodies that are moved together
     std::vector<MovingBody> displacements;     // of the overlap correction
   };
@@ -162,7 +163,7 @@ class ContactDamped : public Technique {
   void correct_overlaps(World& world, double dt, StepReport& report);
   void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;
-  void notify_observer(const ContactPatch& patch, double time) const;
+  void notify_observer(const ContactPatch& patch, double dt) const;
 
   ContactDampedOptions options_;
   Memory memory_;

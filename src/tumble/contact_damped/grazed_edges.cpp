@@ -23,8 +23,13 @@ Vec3 middle_of(const ContactPatch& patch, std::span<const MovingBody> bodies) {
   return bodies[idx(patch.first)].position_w + patch.first_arm_w;
 }
 
-bool share_a_body(const ContactPatch& a, const ContactPatch& b) {
-  return a.first == b.first || a.first == b.second || a.second == b.first || a.second == b.second;
+// Whether one that can move: a floor carries others as well.
+bool share_a_body(const ContactPatch& a, const ContactPatch& b,
+                  std::span<const MovingBody> bodies) {
+  const auto of_both = [&](int body) {
+    return (body == b.first || body == b.second) && bodies[idx(body)].inverse_mass.x() > 0.0;
+  };
+  return of_both(a.first) || of_both(a.second);
 }
 
 // A box that has turned for a time as its body does.
@@ -76,7 +81,7 @@ void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPa
   const auto grazes = [](const ContactPatch& patch) { return !patch.flat_w.isZero(); };
   // Whether a body of the edge's pair lies on something in the plane of the edge.
   const auto supports = [&](const ContactPatch& edge, const ContactPatch& other) {
-    if (grazes(other) || !share_a_body(edge, other)) return false;
+    if (grazes(other) || !share_a_body(edge, other, bodies)) return false;
     const Vec3 height_w = middle_of(edge, bodies) - middle_of(other, bodies);
     return std::abs(other.frame_w.col(2).dot(edge.flat_w)) > tolerance::flush_plane &&
            std::abs(height_w.dot(edge.flat_w)) < tolerance::flush_height * edge.size;

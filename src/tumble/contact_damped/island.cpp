@@ -210,11 +210,15 @@ void velocities_from_impulses(const Island& island) {
 }
 
 void KeptSolution::keep(const Island& island, std::span<const char> in_flight) {
-  impulses_.clear();
+  patches_.clear();
   velocities_.clear();
   in_flight_.clear();
-  for (const int contact : island.patch_indices)
-    impulses_.push_back(impulses_in(island.all_patches[idx(contact)]));
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    KeptPatch& kept = patches_.emplace_back(
+        KeptPatch{impulses_in(patch), {}, patch.targets_planar, patch.solved_directly});
+    for (int i = 0; i < patch.count; ++i) kept.targets[idx(i)] = patch.points[idx(i)].target;
+  }
   for (const int body : island.bodies) {
     velocities_.push_back(island.now[idx(body)]);
     in_flight_.push_back(in_flight[idx(body)]);
@@ -222,8 +226,13 @@ void KeptSolution::keep(const Island& island, std::span<const char> in_flight) {
 }
 
 void KeptSolution::restore(const Island& island, std::span<char> in_flight) const {
-  for (std::size_t i = 0; i < impulses_.size(); ++i)
-    go_back(impulses_[i], 0.0, island.all_patches[idx(island.patch_indices[i])]);
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    ContactPatch& patch = island.all_patches[idx(island.patch_indices[i])];
+    go_back(patches_[i].impulses, 0.0, patch);
+    patch.targets_planar = patches_[i].targets_planar;
+    patch.solved_directly = patches_[i].solved_directly;
+    for (int k = 0; k < patch.count; ++k) patch.points[idx(k)].target = patches_[i].targets[idx(k)];
+  }
   for (std::size_t i = 0; i < velocities_.size(); ++i) {
     island.now[idx(island.bodies[i])] = velocities_[i];
     in_flight[idx(island.bodies[i])] = in_flight_[i];

@@ -112,7 +112,7 @@ void discard_impulses(const Island& island);
 /// \return [-] 1 if all of them add none
 [[nodiscard]] double share_without_gain(const Island& island);
 
-/// The impulses and velocities of an island, kept so that another solution can be tried.
+/// The impulses, velocities and targets of an island, kept so that another solution can be tried.
 class KeptSolution {
  public:
   /// Keeps those of now.
@@ -125,9 +125,15 @@ class KeptSolution {
   void restore(const Island& island, std::span<char> in_flight) const;
 
  private:
-  std::vector<PatchImpulses> impulses_;  // by its patches
-  std::vector<MovingBody> velocities_;   // by its bodies
-  std::vector<char> in_flight_;          // ditto
+  struct KeptPatch {
+    PatchImpulses impulses;
+    std::array<double, Manifold::kMostPoints> targets;
+    bool targets_planar;
+    bool solved_directly;
+  };
+  std::vector<KeptPatch> patches_;
+  std::vector<MovingBody> velocities_;  // by its bodies
+  std::vector<char> in_flight_;         // ditto
 };
 
 /// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where

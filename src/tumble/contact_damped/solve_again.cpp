@@ -96,13 +96,17 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
 
 // Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
 void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
-  const auto hit = [&](std::size_t k) {
+  // Candidates were found along `free`; at rest `end` is `start`, which the margins include.
+  const auto differs = [&](std::size_t k, const std::vector<MovingBody>& velocities) {
     const BodyProperties& body = world.bodies()[k];
-    const Vec3 push_w = velocities_.end[k].velocity_w - velocities_.start[k].velocity_w;
-    const Vec3 turn_w =
-        velocities_.end[k].angular_velocity_w - velocities_.start[k].angular_velocity_w;
-    return body.movable() && dt * fastest_point_speed(body, push_w, turn_w) >
-                                 tolerance::kept_margin * body.size.minCoeff();
+    const Vec3 push_w = velocities_.end[k].velocity_w - velocities[k].velocity_w;
+    const Vec3 turn_w = velocities_.end[k].angular_velocity_w - velocities[k].angular_velocity_w;
+    return dt * fastest_point_speed(body, push_w, turn_w) >
+           tolerance::kept_margin * body.size.minCoeff();
+  };
+  const auto hit = [&](std::size_t k) {
+    return world.bodies()[k].movable() && differs(k, velocities_.start) &&
+           differs(k, velocities_.free);
   };
   bool any = false;
   for (std::size_t k = 0; k < velocities_.end.size() && !any; ++k) any = hit(k);

@@ -54,10 +54,9 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
 // other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
 bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                      std::span<char> in_flight, StepReport& report) {
+                      KeptSolution& before, std::span<char> in_flight, StepReport& report) {
   const double swept = deepest_sinking(island);
   if (swept < tolerance::deep_sinking) return false;
-  KeptSolution before;
   before.keep(island, in_flight);
   if (!solve_directly(island, plan, solver, report)) return false;
   if (deepest_sinking(island) < swept) return true;
@@ -142,7 +141,8 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       break;
     case IslandMethod::sweep_or_solve:  // much of it moves, and there is time for the direct solver
       if (!sweep_on(island, plan, first, report))
-        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.in_flight, report);
+        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
+                                  storage_.in_flight, report);
       break;
     case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
       if (!sweep_on(island, plan, first, report))

@@ -11,6 +11,9 @@ namespace tumble {
 /// Edges of the second box count on from those of the first.
 inline constexpr FeatureId kEdgesOfSecond = 12;
 
+/// Names the second point of two edges that lie side by side.
+inline constexpr FeatureId kOtherEnd = 1U << 16U;
+
 /// The number of a box edge, 0 to 11.
 /// \param axis               the axis that it is parallel to
 /// \param next_is_positive   on which side of the next axis it lies

@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/edge_crossing.hpp"
+#include "tumble/geometry/edge_on_edge.hpp"
 #include "tumble/geometry/rectangle_clip.hpp"
 #include "tumble/geometry/tolerances.hpp"
 
@@ -18,9 +19,6 @@ namespace tumble {
 namespace {
 
 using Three = std::array<double, 3>;
-
-// Names the second point of two edges that lie side by side.
-constexpr FeatureId kOtherEnd = 1U << 16U;
 
 // Takes out points that fall together with the one before them, or the last with the first.
 void merge_repeated(double near, Manifold& out) {
@@ -248,6 +246,7 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
     if (options.remembered == kNoAxis) options.prefer_faces = false;
     options.remembered = kNoAxis;
   }
+  turn_to_edges(pair, margin, out);
   return out.count > 0;
 }
 

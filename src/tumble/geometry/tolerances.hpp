@@ -20,4 +20,24 @@ inline constexpr double nearly_parallel_edges = 1e-4;
 /// longest edge. Reason: a contact point may lie off a box by so much; edges side by side leave rounding. (4.1)
 inline constexpr double beside_the_normal = 1e-6;
 
+/// [-] Two edges lie on each other if a contact is no farther from both than this share of the longest edge. Reason: what
+/// techniques let boxes overlap at rest, 5e-4 at most. (3.2)
+inline constexpr double edge_on_edge = 1e-3;
+
+/// [-] And than this share of the shortest edge. Reason: in thin plates the other edge beside the same face is meant no
+/// longer. (3.2)
+inline constexpr double edge_on_edge_of_shortest = 0.1;
+
+/// [-] 1 - cosine of the angle up to which such edges count as parallel. Reason: at 1e-3 rad the distance between them
+/// changes along them by what edge_on_edge allows. (3.2)
+inline constexpr double edge_on_edge_turn = 5e-7;
+
+/// [-] Cosine of the angle (6 degrees) below which faces beside such edges count as parallel. Reason: boxes laid in rows
+/// are turned by less. (3.2)
+inline constexpr double edge_on_edge_aligned = 0.995;
+
+/// [-] Cosine of the angle (24 degrees) below which the outermost normals of two such edges count as one. Reason: a
+/// friction of 0.2 makes up for half of it; a box that tips over on the edge of another one keeps its face's normal. (3.2)
+inline constexpr double edge_on_edge_same = 0.914;
+
 }  // namespace tumble::tolerance
