@@ -147,8 +147,10 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   saved_members_ = members_;
   factored_stamps_.clear();  // the matrix will no longer hold the factors of ADMM
   int steps = 0;
+  int unbalanced = 0;
   double change = 0.0;  // [m/s] by the last Newton step
   double residual = result.residual;
+  const double balanced = tolerance::newton_balanced * limits.residual;
   // [S6.3.1:newton]
   for (int update = 0; update < limits.max_shift_updates; ++update) {
     if (steps >= limits.max_newton_steps || residual < limits.residual) break;
@@ -156,8 +158,11 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
     for (int k = 0; k < tolerance::newton_steps_in_a_row && steps < limits.max_newton_steps; ++k) {
       ++steps;
       change = newton_step(patches);
-      if (change < tolerance::newton_balanced * limits.residual) break;
+      if (change <= balanced) break;
     }
+    if (change > balanced && steps < limits.max_newton_steps &&
+        ++unbalanced == tolerance::newton_gives_up)
+      break;
     residual = update_impulses(limits.shift_tolerance, change);
   }
   // [S6.3.1:newton]

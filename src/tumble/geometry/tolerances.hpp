@@ -20,8 +20,8 @@ inline constexpr double nearly_parallel_edges = 1e-4;
 /// longest edge. Reason: a contact point may lie off a box by so much; edges side by side leave rounding. (4.1)
 inline constexpr double beside_the_normal = 1e-6;
 
-/// [-] Two edges lie on each other if a contact is no farther from both than this share of the longest edge. Reason: what
-/// techniques let boxes overlap at rest, 5e-4 at most. (3.2)
+/// [-] Two edges lie on each other if a contact is no farther from both than this share of the longest edge. Reason:
+/// what an impact leaves, an overlap of at most a thousandth. (3.2)
 inline constexpr double edge_on_edge = 1e-3;
 
 /// [-] And than this share of the shortest edge. Reason: in thin plates the other edge beside the same face is meant no
