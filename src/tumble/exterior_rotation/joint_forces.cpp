@@ -106,7 +106,7 @@ void JointForces::collect(std::span<const MovingBody> bodies) {
   if (loop_rows_.size() > kMostLoopRows)
     require::that(false, std::to_string(loop_rows_.size()) +
                              " rows of joints close loops: expected " +
-                             std::to_string(kMostLoopRows) + " at most; use fewer bodies");
+                             std::to_string(kMostLoopRows) + " at most; leave out joints that close loops");
 }
 
 // The force of a row on its bodies.

@@ -1,10 +1,9 @@
 /// \file
 /// \brief Explicit steps of a body that breaks.
-#include "tumble/previous_work/fracture.hpp"
+#include "tumble/fracture/fracture.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/previous_work/outside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,20 +110,24 @@ void Fracture::find_forces() {
 void Fracture::find_touches() {
   const std::vector<Touch> known = std::exchange(touches_, {});
   until_touches_ = kTouchesEvery;
-  std::vector<int> piece;
-  if (pieces_of(mesh_, piece) < 2) return;
+  if (std::exchange(has_cracked_, false)) {
+    pieces_ = pieces_of(mesh_, piece_);
+    outside_ = outside_of(mesh_);
+  }
+  if (pieces_ < 2) return;
   const auto key = [](const Touch& t) { return std::tie(t.element, t.corner, t.node); };
-  for (const NearPair& near : near_pieces(mesh_, piece, kTouchesReach)) {
-    Touch touch{near.node, near.element, near.corner, mesh_.elements[idx(near.element)].volume,
-                0.0,       false};
+  for (const NearPair& near : near_pieces(mesh_, piece_, outside_, kTouchesReach)) {
+    const Tetrahedron& element = mesh_.elements[idx(near.element)];
+    const Vec3& point_w = mesh_.nodes[idx(near.node)].position_w;
+    if (is_clear_of(mesh_, element, near.corner, point_w, -kTouchesApart)) continue;
+    Touch touch{near.node, near.element, near.corner, element.volume, 0.0, false};
     const auto same =
         std::lower_bound(known.begin(), known.end(), touch,
                          [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
     if (same != known.end() && key(*same) == key(touch)) touch = *same;
-    const Sunk sunk = sunk_in(mesh_, mesh_.elements[idx(near.element)], near.corner,
-                              mesh_.nodes[idx(near.node)].position_w);
+    const Sunk sunk = sunk_in(mesh_, element, near.corner, point_w);
     if (*std::min_element(sunk.shares.begin(), sunk.shares.end()) < kTouchesApart) continue;
-    touch.volume = mesh_.elements[idx(near.element)].volume;
+    touch.volume = element.volume;
     touches_.push_back(touch);
   }
 }
@@ -136,8 +139,13 @@ void Fracture::push_by_pieces() {
   for (Touch& touch : touches_) {
     const Tetrahedron& element = mesh_.elements[idx(touch.element)];
     if (element.volume != touch.volume) continue;
-    const Sunk sunk =
-        sunk_in(mesh_, element, touch.corner, mesh_.nodes[idx(touch.node)].position_w);
+    const Vec3& point_w = mesh_.nodes[idx(touch.node)].position_w;
+    if (is_clear_of(mesh_, element, touch.corner, point_w, tolerance::fracture_clear)) {
+      touch.open = false;
+      touch.depth = 0.0;
+      continue;
+    }
+    const Sunk sunk = sunk_in(mesh_, element, touch.corner, point_w);
     touch.open = sunk.inside && sunk.depth > 0.0 && sunk.depth < deepest_ &&
                  (touch.open || touch.depth <= 0.0);
     touch.depth = sunk.depth;
@@ -187,6 +195,7 @@ StepReport Fracture::step(double dt) {
       const int before = static_cast<int>(mesh_.nodes.size());
       if (crack_all(mesh_, tension_, least_, work_.cracks)) {
         measure(before);
+        has_cracked_ = true;
         find_forces();  // the same positions, other nodes
       }
     }

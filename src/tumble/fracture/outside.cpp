@@ -1,6 +1,6 @@
 /// \file
 /// \brief Faces on the outside, and nodes near them.
-#include "tumble/previous_work/outside.hpp"
+#include "tumble/fracture/outside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +59,7 @@ std::vector<OutsideFace> outside_of(const ElasticMesh& mesh) {
 }
 
 std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> piece,
-                                  double reach) {
-  const std::vector<OutsideFace> outside = outside_of(mesh);
+                                  std::span<const OutsideFace> outside, double reach) {
   std::vector<Bounds> bounds;
   double largest = 0.0;
   for (const OutsideFace& face : outside) {
@@ -108,6 +107,19 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
   return near;
 }
 
+bool is_clear_of(const ElasticMesh& mesh, const Tetrahedron& element, int corner,
+                 const Vec3& point_w, double by) {
+  const std::array<int, 3>& face = kFaces[idx(corner)];
+  const auto at = [&](int k) -> const Vec3& {
+    return mesh.nodes[idx(element.nodes[idx(k)])].position_w;
+  };
+  const Vec3& origin_w = at(face[0]);
+  const Vec3 across_w = (at(face[1]) - origin_w).cross(at(face[2]) - origin_w);
+  const double inside = across_w.dot(at(corner) - origin_w);
+  const double here = across_w.dot(point_w - origin_w);
+  return inside > 0.0 ? here < -by * inside : inside < 0.0 && here > -by * inside;
+}
+
 // Barycentric coordinates in the element as it is now.
 Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w) {
   Mat3 edges;
@@ -123,8 +135,9 @@ Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, co
   Sunk sunk;
   sunk.inside = at.minCoeff() > 0.0 && edges.determinant() > 0.0;
   const Vec3 inwards = gradients.row(corner).transpose();
-  sunk.depth = at[corner] / inwards.norm();
-  sunk.normal_w = -inwards.normalized();
+  const double steep = inwards.norm();
+  sunk.depth = at[corner] / steep;
+  sunk.normal_w = -inwards / steep;
   for (int i = 0; i < 4; ++i) sunk.shares[idx(i)] = at[i];
   return sunk;
 }

@@ -6,7 +6,8 @@
 
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/dynamics/world.hpp"
-#include "tumble/previous_work/crack.hpp"
+#include "tumble/fracture/crack.hpp"
+#include "tumble/fracture/outside.hpp"
 
 #include <limits>
 #include <span>
@@ -73,7 +74,7 @@ class Fracture {
     int element;
     int corner;     // of the element, across from its face on the outside
     double volume;  // [m³] of the element; another one: it has been divided since
-    double depth;   // [m] below the face in the last substep; below 0: outside
+    double depth;   // [m] below the face in the last substep; 0 or less: outside
     bool open;      // whether it is pushed out
   };
   void measure(int from);
@@ -96,6 +97,10 @@ class Fracture {
   FractureWork work_;
   std::vector<Vec3> forces_;
   std::vector<double> tension_;
+  std::vector<int> piece_;            // by element
+  std::vector<OutsideFace> outside_;  // of all pieces
+  int pieces_ = 1;
+  bool has_cracked_ = true;  // since these three were found
   std::vector<Touch> touches_;
   int until_touches_ = 0;  // substeps
 };

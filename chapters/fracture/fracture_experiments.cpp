@@ -1,7 +1,7 @@
 /// \file
 /// \brief Steps that fracture needs to stay stable (thesis 2.4.1).
 #include "driver/experiment.hpp"
-#include "previous_work/fracture_scenes.hpp"
+#include "fracture/fracture_scenes.hpp"
 
 namespace tumble::chapters {
 namespace {
