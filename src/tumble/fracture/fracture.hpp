@@ -74,7 +74,7 @@ class Fracture {
     int element;
     int corner;     // of the element, across from its face on the outside
     double volume;  // [m³] of the element; another one: it has been divided since
-    double depth;   // [m] below the face in the last substep; 0 or less: outside
+    double depth;   // [m] below the face in the last substep; below 0: outside
     bool open;      // whether it is pushed out
   };
   void measure(int from);

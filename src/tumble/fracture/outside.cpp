@@ -107,37 +107,27 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
   return near;
 }
 
-bool is_clear_of(const ElasticMesh& mesh, const Tetrahedron& element, int corner,
-                 const Vec3& point_w, double by) {
-  const std::array<int, 3>& face = kFaces[idx(corner)];
-  const auto at = [&](int k) -> const Vec3& {
-    return mesh.nodes[idx(element.nodes[idx(k)])].position_w;
-  };
-  const Vec3& origin_w = at(face[0]);
-  const Vec3 across_w = (at(face[1]) - origin_w).cross(at(face[2]) - origin_w);
-  const double inside = across_w.dot(at(corner) - origin_w);
-  const double here = across_w.dot(point_w - origin_w);
-  return inside > 0.0 ? here < -by * inside : inside < 0.0 && here > -by * inside;
+NearFace::NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner)
+    : corner_(corner), origin_w_(mesh.nodes[idx(element.nodes[0])].position_w) {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k)
+    edges.col(k) = mesh.nodes[idx(element.nodes[idx(k + 1)])].position_w - origin_w_;
+  const Mat3 inverse = edges.inverse();
+  gradients_.bottomRows<3>() = inverse;
+  gradients_.row(0) = -inverse.colwise().sum();
+  turned_ = !(edges.determinant() > 0.0);
+  const Vec3 inwards = gradients_.row(corner).transpose();
+  steep_ = inwards.norm();
+  normal_w_ = -inwards / steep_;
 }
 
 // Barycentric coordinates in the element as it is now.
-Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w) {
-  Mat3 edges;
-  const Vec3& origin_w = mesh.nodes[idx(element.nodes[0])].position_w;
-  for (int k = 0; k < 3; ++k)
-    edges.col(k) = mesh.nodes[idx(element.nodes[idx(k + 1)])].position_w - origin_w;
-  const Mat3 inverse = edges.inverse();
-  Eigen::Matrix<double, 4, 3> gradients;
-  gradients.bottomRows<3>() = inverse;
-  gradients.row(0) = -inverse.colwise().sum();
-  Eigen::Vector4d at = gradients * (point_w - origin_w);
+Sunk NearFace::sunk(const Vec3& point_w) const {
+  Eigen::Vector4d at = gradients_ * (point_w - origin_w_);
   at[0] += 1.0;
   Sunk sunk;
-  sunk.inside = at.minCoeff() > 0.0 && edges.determinant() > 0.0;
-  const Vec3 inwards = gradients.row(corner).transpose();
-  const double steep = inwards.norm();
-  sunk.depth = at[corner] / steep;
-  sunk.normal_w = -inwards / steep;
+  sunk.inside = at.minCoeff() > 0.0 && !turned_;
+  sunk.depth = at[corner_] / steep_;
   for (int i = 0; i < 4; ++i) sunk.shares[idx(i)] = at[i];
   return sunk;
 }

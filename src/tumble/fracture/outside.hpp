@@ -46,29 +46,32 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
 struct Sunk {
   bool inside = false;                       ///< whether it is in the element
   double depth = 0.0;                        ///< [m] below the plane of the face; negative above it
-  Vec3 normal_w = Vec3::UnitY();             ///< [-] of the face, outwards
   std::array<double, 4> shares{0, 0, 0, 0};  ///< [-] of its nodes at the point (barycentric)
 };
 
-/// Whether a point is on the outer side of a face, by a share of the height of the element: sunk_in() then has a depth below 0. This one
-/// takes a fifth of its time.
-/// \param mesh     the mesh
-/// \param element  one of its elements
-/// \param corner   which of its nodes, 0 to 3, is across from the face
-/// \param point_w  [m] the point
-/// \param by       [-] of the height, at least 0
-/// \return false also for an element without a volume
-/// \verified{A point that is clear of a face has a depth below 0 there}
-[[nodiscard]] bool is_clear_of(const ElasticMesh& mesh, const Tetrahedron& element, int corner,
-                               const Vec3& point_w, double by);
-
-/// Measures it.
-/// \param mesh     the mesh
-/// \param element  one of its elements
-/// \param corner   which of its nodes, 0 to 3, is across from the face
-/// \param point_w  [m] the point
-/// \return see there
+/// A face on the outside, with its element, where they are now: several nodes are near it.
 /// \verified{Pieces that meet push each other and keep both momenta}
-Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w);
+class NearFace {
+ public:
+  /// Measures the element.
+  /// \param mesh     the mesh
+  /// \param element  one of its elements
+  /// \param corner   which of its nodes, 0 to 3, is across from the face
+  NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner);
+  /// Measures a point.
+  /// \param point_w  [m] the point
+  /// \return see there
+  [[nodiscard]] Sunk sunk(const Vec3& point_w) const;
+  /// \return [-] of the face, outwards
+  [[nodiscard]] const Vec3& normal_w() const { return normal_w_; }
+
+ private:
+  int corner_;
+  Vec3 origin_w_;                          // [m] the first node
+  Eigen::Matrix<double, 4, 3> gradients_;  // [1/m] of the barycentric coordinates
+  bool turned_;                            // inside out
+  double steep_;                           // [1/m] of the coordinate across from the face
+  Vec3 normal_w_;                          // [-]
+};
 
 }  // namespace tumble

@@ -26,10 +26,6 @@ inline constexpr double crack_look = 0.5;
 /// come from another side. (2.4.1)
 inline constexpr double fracture_deepest = 0.02;
 
-/// [-] How far out of an element a point is clear of it, over the height of the element. Reason: far above rounding, and no
-/// depth that matters. (2.4.1)
-inline constexpr double fracture_clear = 1e-6;
-
 /// [-] Stiffness of contacts over mass, as a share of the square of the highest frequency of an element at the start.
 /// Reason: it shortens the step by a twentieth. (2.4.1)
 inline constexpr double fracture_contact = 0.1;
