@@ -60,13 +60,12 @@ void FrictionSweeps::load(std::span<const Contact> contacts, std::span<const Fri
     const MovingBody& first = bodies_[idx(row.first)];
     const MovingBody& second = bodies_[idx(row.second)];
     row.free_w = relative_velocity(first, second, row.place_w);
-    const Mat3 yield_w = inverse_mass_at(first, second, row.place_w);
-    row.normal_yield_w = yield_w * row.normal_w;
-    row.normal_yield = row.normal_w.dot(row.normal_yield_w);
+    row.yield_w = inverse_mass_at(first, second, row.place_w);
+    row.normal_yield = row.normal_w.dot(row.yield_w * row.normal_w);
     const Tangents tangents = tangents_of(row.normal_w);
     Eigen::Matrix<double, 3, 2> plane;
     plane << tangents.first_w, tangents.second_w;
-    const Eigen::Matrix2d yield = plane.transpose() * yield_w * plane;
+    const Eigen::Matrix2d yield = plane.transpose() * row.yield_w * plane;
     row.stop_w = plane * yield.inverse() * plane.transpose();
     const double half = 0.5 * (yield(0, 0) - yield(1, 1));
     row.slip_yield = 0.5 * yield.trace() + std::sqrt(half * half + yield(0, 1) * yield(0, 1));
@@ -90,11 +89,10 @@ double FrictionSweeps::settle(Row& row) {
   const double was = n.dot(row.push_w);
   const double sinks = n.dot(u - row.free_w) + row.constant;
   const double pressed = std::max(0.0, was - sinks / row.normal_yield);
-  if (pressed == 0.0 && row.push_w.isZero(0.0)) return 0.0;  // it does not push, and need not
   const Vec3 rubbed_w = across(row.push_w, n);
   Vec3 rubs_w = Vec3::Zero();
   if (row.friction > 0.0 && pressed > 0.0) {
-    const Vec3 slip = across(Vec3(u + (pressed - was) * row.normal_yield_w), n);
+    const Vec3 slip = across(Vec3(u + (pressed - was) * (row.yield_w * n)), n);
     const double limit = row.friction * pressed;
     rubs_w = rubbed_w - row.stop_w * slip;
     if (rubs_w.norm() > limit) {

@@ -66,17 +66,17 @@ class FrictionSweeps {
     int second = 0;
     Vec3 place_w = Vec3::Zero();
     Vec3 normal_w = Vec3::Zero();
-    Vec3 free_w = Vec3::Zero();          // [m/s] motion without any push
-    double constant = 0.0;               // [m/s] of the normal motion, see FrictionPoint
-    double friction = 0.0;               // [-]
-    Mat3 stop_w = Mat3::Zero();          // [kg] inverse of K across the normal
-    Vec3 normal_yield_w = Vec3::Zero();  // [1/kg] K n
-    double normal_yield = 0.0;           // [1/kg]
-    double slip_yield = 0.0;             // [1/kg] largest across the normal
-    Vec3 push_w = Vec3::Zero();          // [N s]
-    Vec3 before_w = Vec3::Zero();        // [N s] before the sweep
-    Vec3 way_w = Vec3::Zero();           // [N s] the conjugate direction
-    Vec3 closest_w = Vec3::Zero();       // [N s] of the best sweep so far
+    Vec3 free_w = Vec3::Zero();     // [m/s] motion without any push
+    double constant = 0.0;          // [m/s] of the normal motion, see FrictionPoint
+    double friction = 0.0;          // [-]
+    Mat3 yield_w = Mat3::Zero();    // [1/kg] K
+    Mat3 stop_w = Mat3::Zero();     // [kg] inverse of K across the normal
+    double normal_yield = 0.0;      // [1/kg]
+    double slip_yield = 0.0;        // [1/kg] largest across the normal
+    Vec3 push_w = Vec3::Zero();     // [N s]
+    Vec3 before_w = Vec3::Zero();   // [N s] before the sweep
+    Vec3 way_w = Vec3::Zero();      // [N s] the conjugate direction
+    Vec3 closest_w = Vec3::Zero();  // [N s] of the best sweep so far
   };
 
   void load(std::span<const Contact> contacts, std::span<const FrictionPoint> points,
