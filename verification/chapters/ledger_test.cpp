@@ -252,8 +252,8 @@ TEST_CASE("The project's ledger holds 74 claims, each once", "[unit][ledger]") {
       ids.insert(claim.id);
     }
   }
-  CHECK(count == 73);
-  CHECK(ids.size() == 73);
+  CHECK(count == 74);
+  CHECK(ids.size() == 74);
 }
 
 }  // namespace tumble::chapters
