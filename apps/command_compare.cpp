@@ -113,6 +113,7 @@ Outcome run_one(const Request& request, ResolvedRequest& resolved, double limit,
                      [&] { return stop_signal() != 0 || passed() > limit; });
     out.end = name_of(out.result.end);
     if (out.result.end == RunEnd::interrupted && stop_signal() == 0) out.end = "time_limit";
+    if (out.result.end == RunEnd::complete && !out.result.findings.empty()) out.end = "unphysical";
   } catch (const std::invalid_argument& error) {
     out.end = "refused";
     std::fprintf(stderr, "%s: %s\n", out.technique.c_str(), error.what());
@@ -166,7 +167,8 @@ int compare(const Request& request, const std::vector<std::string>& techniques, 
     picture.clear();
   }
   print_table(outcomes);
-  std::printf("overlap and energy error: the largest of a step; chatter: at the end\n");
+  std::printf("overlap and energy error: the largest of a step; chatter: at the end; ");
+  std::printf("unphysical: a check of the run objects, with the lines above\n");
   std::printf("files in %s%s\n", path.c_str(), picture.c_str());
   return stop_signal() != 0 ? 128 + stop_signal() : kDone;
 }

@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 from browser import Browser  # noqa: E402, beside this file
 
 CHAPTERS = ("basic_colliding", "lcp_solvers", "analytic_lcp", "impulse_damped", "contact_damped", "geometric_stability",
-            "timewarp", "filtering", "exterior_rotation", "previous_work")
+            "timewarp", "filtering", "exterior_rotation", "previous_work", "fracture")
 PAGES = ("how_to_read", "notation", *[chapter + page for chapter in CHAPTERS for page in ("", "_algorithm")],
          "choose_a_technique", "glossary", "references")
 STYLE = """

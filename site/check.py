@@ -25,7 +25,7 @@ from browser import PATIENCE, Browser  # noqa: E402, beside this file
 # Chapters of three pages: idea, algorithm, measured.
 SPLIT = [f"{chapter}{page}"
          for chapter in ("basic_colliding", "lcp_solvers", "analytic_lcp", "geometric_stability", "timewarp", "filtering",
-                         "exterior_rotation", "previous_work")
+                         "exterior_rotation", "previous_work", "fracture")
          for page in ("", "_algorithm", "_measured")]
 PAGES = ("index", "how_to_read", "thesis_map", "notation", "glossary",
          "impulse_damped", "contact_damped", *SPLIT, "gallery", "figures_of_exterior_rotation", "ledger", "errata",

@@ -50,6 +50,20 @@ TEST_CASE("A technique that takes too long is marked as such in the comparison",
   CHECK(content(folder.path / "compare.csv").find("basic,time_limit") != std::string::npos);
 }
 
+TEST_CASE("A comparison marks what no scene can do, and what refuses the scene",
+          "[unit][command]") {
+  const Folder fell("unphysical"), joined("refused");
+  CHECK(run_tumble("compare bouncing_box --techniques glued --duration 1 --out " + fell.text())
+            .text.find("3.9 m deep in another body") != std::string::npos);
+  CHECK(content(fell.path / "compare.csv").find("\nglued,unphysical,") != std::string::npos);
+  const Outcome outcome =
+      run_tumble("compare chain --techniques basic,glued --duration 0.1 --out " + joined.text());
+  INFO(outcome.text);
+  CHECK(outcome.text.find("basic: tumble: technique basic knows no joints") != std::string::npos);
+  CHECK(content(joined.path / "compare.csv").find("\nbasic,refused,") != std::string::npos);
+  CHECK(content(joined.path / "compare.csv").find("\nglued,complete,") != std::string::npos);
+}
+
 TEST_CASE("Where gnuplot is missing its package is named", "[unit][command]") {
   const Folder folder("no_gnuplot");
   const Folder compared("no_gnuplot_compare");

@@ -37,24 +37,57 @@ struct FirstCommit {
 // By "chapter: quantity".
 using FirstCommits = std::map<std::string, FirstCommit>;
 
-FirstCommits first_commits() {
-  FirstCommits first;
-  std::istringstream history(
-      git("log --reverse --topo-order -p -U0 --date=format:'%Y-%m-%d %H:%M' "
-          "--format='commit %H %ad' -- 'chapters/*/expected.csv'"));
-  FirstCommit now;
+// A row that a commit adds to or takes from a chapter's table.
+struct ChangedRow {
   std::string chapter;
+  std::string line;
+  std::string quantity;
+};
+
+// The quantities that a commit adds are new, unless it takes the same row, number and all, from another chapter: such a
+// row has moved, and its quantity is as old as it was there.
+void note_commit(FirstCommits& first, const FirstCommit& commit,
+                 const std::vector<ChangedRow>& added, const std::vector<ChangedRow>& taken) {
+  for (const ChangedRow& row : added) {
+    const auto old = std::find_if(taken.begin(), taken.end(), [&](const ChangedRow& other) {
+      return other.line == row.line && other.chapter != row.chapter;
+    });
+    const auto known =
+        old == taken.end() ? first.end() : first.find(old->chapter + ": " + old->quantity);
+    first.emplace(row.chapter + ": " + row.quantity, known == first.end() ? commit : known->second);
+  }
+}
+
+FirstCommits first_commits(std::istream& history) {
+  FirstCommits first;
+  FirstCommit now;
+  std::string from, to;
+  std::vector<ChangedRow> added, taken;
+  const auto chapter_in = [](const std::string& line) {
+    return line.substr(15, line.find('/', 15) - 15);
+  };
+  const auto note = [](std::vector<ChangedRow>& rows, const std::string& chapter,
+                       const std::string& line) {
+    const auto cells = split_csv("head\n" + line + '\n');
+    if (cells.size() == 2 && cells[1].size() > 1) rows.push_back({chapter, line, cells[1][1]});
+  };
   for (std::string line; std::getline(history, line);) {
     if (line.rfind("commit ", 0) == 0) {
+      note_commit(first, now, added, taken);
+      added.clear();
+      taken.clear();
       now = {line.substr(7, 40), line.substr(48)};
-    } else if (line.rfind("+++ b/chapters/", 0) == 0) {
-      chapter = line.substr(15, line.find('/', 15) - 15);
+    } else if (line.rfind("--- ", 0) == 0) {
+      from = line.rfind("--- a/chapters/", 0) == 0 ? chapter_in(line) : "";
+    } else if (line.rfind("+++ ", 0) == 0) {
+      to = line.rfind("+++ b/chapters/", 0) == 0 ? chapter_in(line) : "";
     } else if (line.rfind('+', 0) == 0) {
-      const auto cells = split_csv("head\n" + line.substr(1) + '\n');
-      if (cells.size() == 2 && cells[1].size() > 1)
-        first.emplace(chapter + ": " + cells[1][1], now);
+      note(added, to, line.substr(1));
+    } else if (line.rfind('-', 0) == 0) {
+      note(taken, from, line.substr(1));
     }
   }
+  note_commit(first, now, added, taken);
   return first;
 }
 
@@ -93,7 +126,10 @@ TEST_CASE("No rule is younger than its number", "[unit][ledger]") {
     WARN("there is no history here to compare rules with: skipped");
     return;
   }
-  const FirstCommits first = first_commits();
+  std::istringstream history(
+      git("log --reverse --topo-order -p -U0 --date=format:'%Y-%m-%d %H:%M' "
+          "--format='commit %H %ad' -- 'chapters/*/expected.csv'"));
+  const FirstCommits first = first_commits(history);
   REQUIRE(first.size() > 500);
   const Scratch scratch("history");
   int compared = 0;
@@ -123,6 +159,22 @@ TEST_CASE("No rule is younger than its number", "[unit][ledger]") {
     }
   }
   CHECK(compared > 0);
+}
+
+TEST_CASE("A number that moves to another chapter is as old as it was, and a changed one is new",
+          "[unit][ledger]") {
+  const std::string old(40, 'a'), late(40, 'b');
+  const auto moved = [&](const std::string& line) {
+    std::istringstream history("commit " + old + " 2026-11-26 03:00\n--- /dev/null\n" +
+                               "+++ b/chapters/falling/expected.csv\n+depth,deepest,m,1,0,it\n" +
+                               "commit " + late + " 2026-11-26 04:00\n--- /dev/null\n" +
+                               "+++ b/chapters/breaking/expected.csv\n+" + line +
+                               "\n--- a/chapters/falling/expected.csv\n" +
+                               "+++ b/chapters/falling/expected.csv\n-depth,deepest,m,1,0,it\n");
+    return first_commits(history).at("breaking: deepest").hash;
+  };
+  CHECK(moved("depth,deepest,m,1,0,it") == old);
+  CHECK(moved("depth,deepest,m,2,0,it") == late);
 }
 
 TEST_CASE("Verdicts by a first rule stay as they were when second words were added",

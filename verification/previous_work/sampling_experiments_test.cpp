@@ -12,3 +12,12 @@ TEST_CASE("A chain finds a motion that knocks down the wished pins", "[claims][s
   CHECK(figure.result.drawings.size() == 3);
   CHECK(figure.number("motions that they have tried") <= 60);
 }
+
+TEST_CASE("Chains meet a wish that can be met nearly, and chance is counted beside them",
+          "[claims][sampling]") {
+  const FigureUnderTest figure("claim_2_4_2b_efficiency");
+  CHECK(figure.number("motions that independent noise tries for a wish, mean") <= 30.0);
+  CHECK(figure.number("motions that chains try for a wish, mean") >= 1.0);
+  CHECK(figure.number("motions that independent noise tries until a wish is met, over those that "
+                      "chains try, geometric mean over twenty wishes") > 0.1);
+}

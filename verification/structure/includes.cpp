@@ -50,6 +50,7 @@ std::optional<int> height_of(const std::string& folder) {
                                                   {"filtering", 5},
                                                   {"exterior_rotation", 5},
                                                   {"previous_work", 5},
+                                                  {"fracture", 5},
                                                   {"techniques", 6},
                                                   {"technique_by_name", 6},
                                                   {"scenes", 6},

@@ -8,7 +8,7 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/exterior_rotation/runge_kutta.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
-#include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/math/projected_descent.hpp"
 #include "tumble/previous_work/rubbing_points.hpp"
 
 #include <span>

@@ -104,9 +104,9 @@ void JointForces::collect(std::span<const MovingBody> bodies) {
     for (int i = 0; i < blocks_[idx(loop)].count; ++i)
       loop_rows_.push_back(static_cast<int>(at_[idx(loop)]) + i);
   if (loop_rows_.size() > kMostLoopRows)
-    require::that(false, std::to_string(loop_rows_.size()) +
-                             " rows of joints close loops: expected " +
-                             std::to_string(kMostLoopRows) + " at most; use fewer bodies");
+    require::that(
+        false, std::to_string(loop_rows_.size()) + " rows of joints close loops: expected " +
+                   std::to_string(kMostLoopRows) + " at most; leave out joints that close loops");
 }
 
 // The force of a row on its bodies.

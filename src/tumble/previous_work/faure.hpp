@@ -10,7 +10,7 @@
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
-#include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/math/projected_descent.hpp"
 #include "tumble/previous_work/rubbing_points.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"
-#include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/math/projected_descent.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 namespace tumble {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
-#include "tumble/previous_work/projected_descent.hpp"
+#include "tumble/math/projected_descent.hpp"
 
 #include <cstdint>
 #include <span>

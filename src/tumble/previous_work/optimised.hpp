@@ -8,8 +8,8 @@
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/math/projected_descent.hpp"
 #include "tumble/previous_work/near_points.hpp"
-#include "tumble/previous_work/projected_descent.hpp"
 #include "tumble/previous_work/rubbing_points.hpp"
 
 #include <memory>

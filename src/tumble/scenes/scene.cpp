@@ -9,9 +9,9 @@
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/scene_joint.hpp"
+#include "tumble/scenes/scene_names.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace tumble {
 namespace {
@@ -68,34 +68,6 @@ void refuse_overlaps(const Scene& scene, const World& world) {
   }
 }
 
-// Files and messages identify bodies by their names; a line break in one would break rows.
-void settle_names(Scene& scene) {
-  std::map<std::string, std::size_t> owners;
-  if (scene.ground) owners.emplace("ground", scene.boxes.size());
-  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
-    const std::string& name = scene.boxes[i].name;
-    if (name.empty()) continue;
-    for (const char c : name)
-      if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f)
-        throw SceneMistake(static_cast<int>(i), "name",
-                           ": contains a control character: expected printable characters");
-    const auto [owner, first] = owners.emplace(name, i);
-    if (first) continue;
-    std::string message = " = ";
-    message.append(name).append(owner->second == scene.boxes.size() ? ": the ground has"
-                                                                    : ": two boxes have");
-    throw SceneMistake(static_cast<int>(i), "name",
-                       message.append(" this name: choose another one"));
-  }
-  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
-    std::string& name = scene.boxes[i].name;
-    for (std::size_t number = i + 1; name.empty(); ++number) {
-      const std::string candidate = "box" + std::to_string(number);
-      if (owners.emplace(candidate, i).second) name = candidate;
-    }
-  }
-}
-
 // Squares and products of larger numbers would not be numbers.
 void require_limited(const Vec3& value, std::string_view name) {
   require::finite(value, name);
@@ -148,7 +120,10 @@ World start_world(Scene& scene) {
     throw SceneMistake(-1, "", std::string(message_of(error)));
   }
   world.gravity_w = scene.gravity_w;
-  settle_names(scene);
+  settle_names(scene.boxes, "box", "boxes", scene.ground.has_value(),
+               [](std::size_t place, const std::string& message) {
+                 throw SceneMistake(static_cast<int>(place), "name", message);
+               });
   MassRange masses;  // of boxes that appear later, too
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     const SceneBox& box = scene.boxes[i];

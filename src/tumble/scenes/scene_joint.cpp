@@ -7,9 +7,9 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 #include "tumble/scenes/scene.hpp"
+#include "tumble/scenes/scene_names.hpp"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 namespace tumble {
@@ -54,31 +54,13 @@ class JointInScene {
   std::size_t place_;
 };
 
-// Names of joints are for messages; they are unique, as those of boxes.
-void settle_joint_names(Scene& scene) {
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-    const std::string& name = scene.joints[i].name;
-    const JointInScene place(scene, i);
-    for (const char c : name)
-      if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f)
-        place.refuse("name", ": contains a control character: expected printable characters");
-    if (!name.empty() && !taken.insert(name).second)
-      place.refuse("name", " = " + name + ": two joints have this name: choose another one");
-  }
-  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-    std::string& name = scene.joints[i].name;
-    for (std::size_t number = i + 1; name.empty(); ++number) {
-      const std::string candidate = "joint" + std::to_string(number);
-      if (taken.insert(candidate).second) name = candidate;
-    }
-  }
-}
-
 }  // namespace
 
 void join_bodies(Scene& scene, World& world) {
-  settle_joint_names(scene);
+  settle_names(scene.joints, "joint", "joints", false,
+               [&](std::size_t place, const std::string& message) {
+                 JointInScene(scene, place).refuse("name", message);
+               });
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const SceneJoint& joint = scene.joints[i];
     const JointInScene place(scene, i);

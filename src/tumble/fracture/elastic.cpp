@@ -1,6 +1,6 @@
 /// \file
 /// \brief Tetrahedra under strain.
-#include "tumble/previous_work/elastic.hpp"
+#include "tumble/fracture/elastic.hpp"
 
 #include "tumble/base/error.hpp"
 
@@ -18,6 +18,14 @@ namespace {
 constexpr std::array<std::array<int, 3>, 6> kOrders{
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
+// aᵀ a, half of which is computed.
+Mat3 squared(const Mat3& a) {
+  Mat3 m;
+  for (int j = 0; j < 3; ++j)
+    for (int i = j; i < 3; ++i) m(i, j) = m(j, i) = a.col(i).dot(a.col(j));
+  return m;
+}
+
 Mat3 symmetric(const Mat3& a) { return 0.5 * (a + a.transpose()); }
 
 Mat3 isotropic(double lambda, double mu, const Mat3& strain) {
@@ -27,8 +35,11 @@ Mat3 isotropic(double lambda, double mu, const Mat3& strain) {
 // Of the elements: sum of a field of the nodes times the gradients.
 template <class Field>
 Mat3 gradient(const Tetrahedron& element, const Field& field) {
-  Mat3 sum = Mat3::Zero();
-  for (int i = 0; i < 4; ++i) sum += field(element.nodes[idx(i)]) * element.gradients.row(i);
+  const auto& g = element.gradients;
+  const Vec3 &a = field(element.nodes[0]), &b = field(element.nodes[1]),
+             &c = field(element.nodes[2]), &d = field(element.nodes[3]);
+  Mat3 sum;
+  for (int k = 0; k < 3; ++k) sum.col(k) = a * g(0, k) + b * g(1, k) + c * g(2, k) + d * g(3, k);
   return sum;
 }
 
@@ -78,7 +89,7 @@ double ElasticMesh::elastic_energy() const {
   for (const Tetrahedron& element : elements) {
     const Mat3 F =
         gradient(element, [&](int node) -> const Vec3& { return nodes[idx(node)].position_w; });
-    const Mat3 strain = 0.5 * (F.transpose() * F - Mat3::Identity());
+    const Mat3 strain = 0.5 * (squared(F) - Mat3::Identity());
     sum += element.volume * (0.5 * material.lambda * strain.trace() * strain.trace() +
                              material.mu * strain.squaredNorm());
   }
@@ -161,7 +172,7 @@ ElementStress stress_of(const ElasticMesh& mesh, const Tetrahedron& element) {
       gradient(element, [&](int node) -> const Vec3& { return mesh.nodes[idx(node)].position_w; });
   // [S2.4.1:stress]
   const Mat3& F = found.deformation;
-  found.stress = isotropic(m.lambda, m.mu, 0.5 * (F.transpose() * F - Mat3::Identity()));
+  found.stress = isotropic(m.lambda, m.mu, 0.5 * (squared(F) - Mat3::Identity()));
   if (m.phi > 0.0 || m.psi > 0.0) {
     const Mat3 rate = gradient(
         element, [&](int node) -> const Vec3& { return mesh.nodes[idx(node)].velocity_w; });

@@ -1,8 +1,8 @@
 /// \file
 /// \brief A plank that breaks across a bar, and a wall that a cube breaks (thesis 2.4.1).
 #include "driver/experiment.hpp"
-#include "previous_work/fracture_pictures.hpp"
-#include "previous_work/fracture_scenes.hpp"
+#include "fracture/fracture_pictures.hpp"
+#include "fracture/fracture_scenes.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -4,8 +4,8 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/fracture/elastic.hpp"
 #include "tumble/geometry/box.hpp"
-#include "tumble/previous_work/elastic.hpp"
 
 #include <span>
 #include <vector>
@@ -32,30 +32,46 @@ struct NearPair {
 };
 
 /// Nodes on the outside near elements of other pieces that have a face on the outside.
-/// \param mesh   the mesh
-/// \param piece  by element, see pieces_of()
-/// \param reach  [-] how near, over the extent of an element
+/// \param mesh     the mesh
+/// \param piece    by element, see pieces_of()
+/// \param outside  of outside_of()
+/// \param reach    [-] how near, over the extent of an element
 /// \return by element, corner and node, ascending
 /// \par Cost
-/// Sorting all faces, and a grid of cells as large as the largest element.
+/// A grid of cells as large as the largest element.
 std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> piece,
-                                  double reach);
+                                  std::span<const OutsideFace> outside, double reach);
 
 /// How deep a point is in an element.
 struct Sunk {
   bool inside = false;                       ///< whether it is in the element
   double depth = 0.0;                        ///< [m] below the plane of the face; negative above it
-  Vec3 normal_w = Vec3::UnitY();             ///< [-] of the face, outwards
   std::array<double, 4> shares{0, 0, 0, 0};  ///< [-] of its nodes at the point (barycentric)
 };
 
-/// Measures it.
-/// \param mesh     the mesh
-/// \param element  one of its elements
-/// \param corner   which of its nodes, 0 to 3, is across from the face
-/// \param point_w  [m] the point
-/// \return see there
+/// A face on the outside, with its element, where they are now: several nodes are near it.
 /// \verified{Pieces that meet push each other and keep both momenta}
-Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w);
+class NearFace {
+ public:
+  /// Measures the element.
+  /// \param mesh     the mesh
+  /// \param element  one of its elements
+  /// \param corner   which of its nodes, 0 to 3, is across from the face
+  NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner);
+  /// Measures a point.
+  /// \param point_w  [m] the point
+  /// \return see there
+  [[nodiscard]] Sunk sunk(const Vec3& point_w) const;
+  /// \return [-] of the face, outwards
+  [[nodiscard]] const Vec3& normal_w() const { return normal_w_; }
+
+ private:
+  int corner_;
+  Vec3 origin_w_;                          // [m] the first node
+  Eigen::Matrix<double, 4, 3> gradients_;  // [1/m] of the barycentric coordinates
+  bool turned_;                            // inside out
+  double steep_;                           // [1/m] of the coordinate across from the face
+  Vec3 normal_w_;                          // [-]
+};
 
 }  // namespace tumble

@@ -1,10 +1,10 @@
 /// \file
 /// \brief The load and the drop at which a plank breaks, of tetrahedra and of glued boxes (thesis 2.4.1).
 #include "tumble/analytic_lcp/time_stepping.hpp"
-#include "tumble/previous_work/breaking_row.hpp"
+#include "tumble/fracture/breaking_row.hpp"
 
 #include "driver/experiment.hpp"
-#include "previous_work/fracture_scenes.hpp"
+#include "fracture/fracture_scenes.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -88,8 +88,9 @@ Break elements_break(int cells) {
     mesh.nodes[n].position_w = mesh.nodes[n].rest + scale * q[n];
   Break found;
   double stress = 0.0;
+  TensileStresses stresses(mesh);
   for (std::size_t n = 0; n < q.size(); ++n) {
-    const NodeSeparation here = separation_at(mesh, static_cast<int>(n));
+    const NodeSeparation here = separation_at(stresses, static_cast<int>(n));
     if (here.stress() <= stress) continue;
     stress = here.stress();
     found = {scale * material.strength / stress, std::abs(mesh.nodes[n].rest.x()) / kPlank.x(),

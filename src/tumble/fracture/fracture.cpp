@@ -1,13 +1,13 @@
 /// \file
 /// \brief Explicit steps of a body that breaks.
-#include "tumble/previous_work/fracture.hpp"
+#include "tumble/fracture/fracture.hpp"
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/previous_work/outside.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -34,6 +34,24 @@ WayOut way_out(const Box& box, const Vec3& point_w) {
   const double depth = room.minCoeff(&axis);
   return {depth, (at[axis] < 0.0 ? -1.0 : 1.0) * box.axes_w.col(axis)};
 }
+
+// The face of a touch; the next touch mostly has the same.
+class FaceOfTouches {
+ public:
+  explicit FaceOfTouches(const ElasticMesh& mesh) : mesh_(mesh) {}
+  const NearFace& of(int element, int corner) {
+    if (!face_ || element != element_ || corner != at_)
+      face_.emplace(mesh_, mesh_.elements[idx(element)], corner);
+    element_ = element;
+    at_ = corner;
+    return *face_;
+  }
+
+ private:
+  const ElasticMesh& mesh_;
+  std::optional<NearFace> face_;
+  int element_ = 0, at_ = 0;
+};
 
 }  // namespace
 
@@ -111,20 +129,26 @@ void Fracture::find_forces() {
 void Fracture::find_touches() {
   const std::vector<Touch> known = std::exchange(touches_, {});
   until_touches_ = kTouchesEvery;
-  std::vector<int> piece;
-  if (pieces_of(mesh_, piece) < 2) return;
+  if (std::exchange(has_cracked_, false)) {
+    pieces_ = pieces_of(mesh_, piece_);
+    outside_ = outside_of(mesh_);
+  }
+  if (pieces_ < 2) return;
   const auto key = [](const Touch& t) { return std::tie(t.element, t.corner, t.node); };
-  for (const NearPair& near : near_pieces(mesh_, piece, kTouchesReach)) {
+  FaceOfTouches face(mesh_);
+  for (const NearPair& near : near_pieces(mesh_, piece_, outside_, kTouchesReach)) {
+    const Sunk sunk =
+        face.of(near.element, near.corner).sunk(mesh_.nodes[idx(near.node)].position_w);
+    if (*std::min_element(sunk.shares.begin(), sunk.shares.end()) < kTouchesApart) continue;
     Touch touch{near.node, near.element, near.corner, mesh_.elements[idx(near.element)].volume,
                 0.0,       false};
     const auto same =
         std::lower_bound(known.begin(), known.end(), touch,
                          [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
-    if (same != known.end() && key(*same) == key(touch)) touch = *same;
-    const Sunk sunk = sunk_in(mesh_, mesh_.elements[idx(near.element)], near.corner,
-                              mesh_.nodes[idx(near.node)].position_w);
-    if (*std::min_element(sunk.shares.begin(), sunk.shares.end()) < kTouchesApart) continue;
-    touch.volume = mesh_.elements[idx(near.element)].volume;
+    if (same != known.end() && key(*same) == key(touch)) {
+      touch.depth = same->depth;
+      touch.open = same->open;
+    }
     touches_.push_back(touch);
   }
 }
@@ -133,11 +157,12 @@ void Fracture::find_touches() {
 // shares at the point, so that both momenta are kept. Only what has come in through this face is pushed: a spring that
 // begins deep would add energy.
 void Fracture::push_by_pieces() {
+  FaceOfTouches faces(mesh_);
   for (Touch& touch : touches_) {
     const Tetrahedron& element = mesh_.elements[idx(touch.element)];
     if (element.volume != touch.volume) continue;
-    const Sunk sunk =
-        sunk_in(mesh_, element, touch.corner, mesh_.nodes[idx(touch.node)].position_w);
+    const NearFace& face = faces.of(touch.element, touch.corner);
+    const Sunk sunk = face.sunk(mesh_.nodes[idx(touch.node)].position_w);
     touch.open = sunk.inside && sunk.depth > 0.0 && sunk.depth < deepest_ &&
                  (touch.open || touch.depth <= 0.0);
     touch.depth = sunk.depth;
@@ -149,7 +174,7 @@ void Fracture::push_by_pieces() {
       slip_w -= sunk.shares[idx(i)] * node.velocity_w;
       inverse_mass += sunk.shares[idx(i)] * sunk.shares[idx(i)] / node.mass;
     }
-    const Vec3 force_w = push(1.0 / inverse_mass, sunk.depth, sunk.normal_w, slip_w);
+    const Vec3 force_w = push(1.0 / inverse_mass, sunk.depth, face.normal_w(), slip_w);
     forces_[idx(touch.node)] += force_w;
     for (int i = 0; i < 4; ++i)
       forces_[idx(element.nodes[idx(i)])] -= sunk.shares[idx(i)] * force_w;
@@ -187,6 +212,7 @@ StepReport Fracture::step(double dt) {
       const int before = static_cast<int>(mesh_.nodes.size());
       if (crack_all(mesh_, tension_, least_, work_.cracks)) {
         measure(before);
+        has_cracked_ = true;
         find_forces();  // the same positions, other nodes
       }
     }

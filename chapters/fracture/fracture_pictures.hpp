@@ -2,9 +2,9 @@
 /// \brief Pictures and films of a body of tetrahedra among boxes.
 #pragma once
 
+#include "tumble/fracture/fracture.hpp"
 #include "tumble/pictures/back_to_front.hpp"
 #include "tumble/pictures/picture.hpp"
-#include "tumble/previous_work/fracture.hpp"
 
 #include <string>
 #include <vector>

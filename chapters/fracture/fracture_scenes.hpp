@@ -2,7 +2,7 @@
 /// \brief The two scenes of fracture: a plank that falls on a bar, a wall that is hit by a cube (thesis 2.4.1).
 #pragma once
 
-#include "tumble/previous_work/fracture.hpp"
+#include "tumble/fracture/fracture.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 /// \file
 /// \brief A row of glued boxes that breaks, against a beam (after thesis 2.4.1).
-#include "tumble/previous_work/breaking_row.hpp"
+#include "tumble/fracture/breaking_row.hpp"
 
 #include "tumble/contact_damped/contact_damped.hpp"
 

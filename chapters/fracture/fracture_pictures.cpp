@@ -1,14 +1,14 @@
 /// \file
 /// \brief Triangles sorted from back to front.
-#include "previous_work/fracture_pictures.hpp"
+#include "fracture/fracture_pictures.hpp"
 
 #include "tumble/base/number_text.hpp"
+#include "tumble/fracture/outside.hpp"
 #include "tumble/pictures/gif.hpp"
 #include "tumble/pictures/lettering.hpp"
 #include "tumble/pictures/lighting.hpp"
 #include "tumble/pictures/picture_parts.hpp"
 #include "tumble/pictures/raster.hpp"
-#include "tumble/previous_work/outside.hpp"
 
 #include <algorithm>
 #include <cmath>

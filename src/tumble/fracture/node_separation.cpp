@@ -1,6 +1,6 @@
 /// \file
 /// \brief The separation tensor of a node.
-#include "tumble/previous_work/crack.hpp"
+#include "tumble/fracture/crack.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,17 +24,27 @@ Vec3 gradient_at(const Tetrahedron& element, int node) {
 
 }  // namespace
 
-NodeSeparation separation_at(const ElasticMesh& mesh, int node) {
+const TensileStress& TensileStresses::of(int element) {
+  int& place = places_[idx(element)];
+  if (place < 0) {
+    place = static_cast<int>(stresses_.size());
+    TensileStress found{stress_of(mesh_, mesh_.elements[idx(element)]), Mat3::Zero()};
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(found.all.stress);
+    const Mat3& axes = principal.eigenvectors();
+    found.tensile = axes * principal.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
+    stresses_.push_back(found);
+  }
+  return stresses_[idx(place)];
+}
+
+NodeSeparation separation_at(TensileStresses& stresses, int node) {
+  const ElasticMesh& mesh = stresses.mesh();
   // [S2.4.1:separation]
   NodeSeparation found;
   Vec3 all_tensile = Vec3::Zero(), all_compressive = Vec3::Zero();
   for (const int k : mesh.star[idx(node)]) {
     const Tetrahedron& element = mesh.elements[idx(k)];
-    const ElementStress now = stress_of(mesh, element);
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(now.stress);
-    const Mat3& axes = principal.eigenvectors();
-    const Mat3 tensile =
-        axes * principal.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
+    const auto& [now, tensile] = stresses.of(k);
     const Vec3 g = gradient_at(element, node);
     const Vec3 pull = -element.volume * (now.deformation * (tensile * g));
     const Vec3 push = -element.volume * (now.deformation * ((now.stress - tensile) * g));
@@ -50,7 +60,7 @@ NodeSeparation separation_at(const ElasticMesh& mesh, int node) {
   for (const int k : mesh.star[idx(node)]) {
     const Tetrahedron& element = mesh.elements[idx(k)];
     const Vec3 normal =  // in the body at rest
-        (stress_of(mesh, element).deformation.transpose() * found.normal_w).normalized();
+        (stresses.of(k).all.deformation.transpose() * found.normal_w).normalized();
     found.area += 0.5 * element.volume * std::abs(gradient_at(element, node).dot(normal));
   }
   return found;

@@ -1,7 +1,7 @@
 /// \file
 /// \brief A row of glued boxes whose joints break: fracture as games have it (after thesis 2.4.1).
 ///
-/// Uses no other chapter.
+/// Uses `previous_work`, for joints in linear time.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
@@ -91,7 +91,7 @@ class BreakingRow {
     Vec3 arm_b;  // of the point, from the centre of the piece
   };
   BodyId add(World& world, int count, const BodyState& state) const;
-  void take_pushes(const World& before, const World& after, const Technique& technique, double dt);
+  void take_pushes(const World& world, const Technique& technique, double dt);
   void find_loads(const World& world, const Piece& piece, double dt);
   void divide(World& world, std::size_t piece, int count);
 
@@ -100,6 +100,7 @@ class BreakingRow {
   std::vector<Piece> pieces_;
   std::vector<JointLoad> loads_;
   std::vector<Push> pushes_;
+  std::vector<BodyState> starts_;  // of the pieces, where the step begins
   JointTree tree_;
   std::int64_t joints_solved_ = 0;
 };

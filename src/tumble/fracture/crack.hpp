@@ -4,8 +4,8 @@
 /// Uses no other chapter.
 #pragma once
 
-#include "tumble/previous_work/elastic.hpp"
-#include "tumble/previous_work/tolerances.hpp"
+#include "tumble/fracture/elastic.hpp"
+#include "tumble/fracture/tolerances.hpp"
 
 #include <vector>
 
@@ -21,6 +21,31 @@ struct NodeSeparation {
   [[nodiscard]] double stress() const { return area > 0.0 ? force / area : 0.0; }
 };
 
+/// The stress of an element, and what of it pulls.
+struct TensileStress {
+  ElementStress all;            ///< with its deformation
+  Mat3 tensile = Mat3::Zero();  ///< [Pa] the part with principal stresses above 0
+};
+
+/// The stresses of the elements of a mesh, each found when it is asked for first: all of an element's nodes need it.
+class TensileStresses {
+ public:
+  /// Knows none yet.
+  /// \param mesh  stays as it is, and lives as long
+  explicit TensileStresses(const ElasticMesh& mesh)
+      : mesh_(mesh), places_(mesh.elements.size(), -1) {}
+  /// \param element  index
+  /// \return its stress, until another element is asked for
+  const TensileStress& of(int element);
+  /// \return the mesh
+  [[nodiscard]] const ElasticMesh& mesh() const { return mesh_; }
+
+ private:
+  const ElasticMesh& mesh_;
+  std::vector<int> places_;  // by element, in stresses_; -1: not known yet
+  std::vector<TensileStress> stresses_;
+};
+
 /// The separation tensor of a node.
 ///
 /// The stress of each element is divided into its tensile and its compressive part, by the signs of its principal stresses. Each makes a force
@@ -31,12 +56,12 @@ struct NodeSeparation {
 /// An eigenvalue is a force, so it is smaller the smaller the elements are. The paper compares it with a constant, the toughness. Here it
 /// is divided by the area that belongs to the node, \f$\tfrac12 V \sum |n \cdot g|\f$, a third of the shadow of its elements along n. Under uniform tension
 /// that is the tension exactly, on every mesh.
-/// \param mesh  the mesh
-/// \param node  its index
+/// \param stresses  of the mesh
+/// \param node      its index
 /// \return see there
 /// \see O'Brien, Hodgins, SIGGRAPH 1999.
 /// \verified{The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar}
-NodeSeparation separation_at(const ElasticMesh& mesh, int node);
+NodeSeparation separation_at(TensileStresses& stresses, int node);
 
 /// Smallest height of an element that a crack may leave, `tolerance::crack_least` of the smallest one now.
 /// \param mesh  the mesh, before the first crack

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Cracks.
-#include "tumble/previous_work/crack.hpp"
+#include "tumble/fracture/crack.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -262,8 +262,9 @@ bool crack_all(ElasticMesh& mesh, std::span<const double> tension, double least,
     Vec3 normal_w;
   };
   std::vector<Broken> broken;
+  TensileStresses stresses(mesh);
   for (const int node : looked) {
-    const NodeSeparation found = separation_at(mesh, node);
+    const NodeSeparation found = separation_at(stresses, node);
     if (found.stress() > mesh.material.strength)
       broken.push_back({node, found.stress(), found.normal_w});
   }

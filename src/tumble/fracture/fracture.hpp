@@ -6,7 +6,8 @@
 
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/dynamics/world.hpp"
-#include "tumble/previous_work/crack.hpp"
+#include "tumble/fracture/crack.hpp"
+#include "tumble/fracture/outside.hpp"
 
 #include <limits>
 #include <span>
@@ -96,6 +97,10 @@ class Fracture {
   FractureWork work_;
   std::vector<Vec3> forces_;
   std::vector<double> tension_;
+  std::vector<int> piece_;            // by element
+  std::vector<OutsideFace> outside_;  // of all pieces
+  int pieces_ = 1;
+  bool has_cracked_ = true;  // since these three were found
   std::vector<Touch> touches_;
   int until_touches_ = 0;  // substeps
 };

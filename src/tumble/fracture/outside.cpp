@@ -1,6 +1,6 @@
 /// \file
 /// \brief Faces on the outside, and nodes near them.
-#include "tumble/previous_work/outside.hpp"
+#include "tumble/fracture/outside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +59,7 @@ std::vector<OutsideFace> outside_of(const ElasticMesh& mesh) {
 }
 
 std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> piece,
-                                  double reach) {
-  const std::vector<OutsideFace> outside = outside_of(mesh);
+                                  std::span<const OutsideFace> outside, double reach) {
   std::vector<Bounds> bounds;
   double largest = 0.0;
   for (const OutsideFace& face : outside) {
@@ -108,23 +107,27 @@ std::vector<NearPair> near_pieces(const ElasticMesh& mesh, std::span<const int> 
   return near;
 }
 
-// Barycentric coordinates in the element as it is now.
-Sunk sunk_in(const ElasticMesh& mesh, const Tetrahedron& element, int corner, const Vec3& point_w) {
+NearFace::NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner)
+    : corner_(corner), origin_w_(mesh.nodes[idx(element.nodes[0])].position_w) {
   Mat3 edges;
-  const Vec3& origin_w = mesh.nodes[idx(element.nodes[0])].position_w;
   for (int k = 0; k < 3; ++k)
-    edges.col(k) = mesh.nodes[idx(element.nodes[idx(k + 1)])].position_w - origin_w;
+    edges.col(k) = mesh.nodes[idx(element.nodes[idx(k + 1)])].position_w - origin_w_;
   const Mat3 inverse = edges.inverse();
-  Eigen::Matrix<double, 4, 3> gradients;
-  gradients.bottomRows<3>() = inverse;
-  gradients.row(0) = -inverse.colwise().sum();
-  Eigen::Vector4d at = gradients * (point_w - origin_w);
+  gradients_.bottomRows<3>() = inverse;
+  gradients_.row(0) = -inverse.colwise().sum();
+  turned_ = !(edges.determinant() > 0.0);
+  const Vec3 inwards = gradients_.row(corner).transpose();
+  steep_ = inwards.norm();
+  normal_w_ = -inwards / steep_;
+}
+
+// Barycentric coordinates in the element as it is now.
+Sunk NearFace::sunk(const Vec3& point_w) const {
+  Eigen::Vector4d at = gradients_ * (point_w - origin_w_);
   at[0] += 1.0;
   Sunk sunk;
-  sunk.inside = at.minCoeff() > 0.0 && edges.determinant() > 0.0;
-  const Vec3 inwards = gradients.row(corner).transpose();
-  sunk.depth = at[corner] / inwards.norm();
-  sunk.normal_w = -inwards.normalized();
+  sunk.inside = at.minCoeff() > 0.0 && !turned_;
+  sunk.depth = at[corner_] / steep_;
   for (int i = 0; i < 4; ++i) sunk.shares[idx(i)] = at[i];
   return sunk;
 }

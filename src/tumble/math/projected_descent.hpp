@@ -1,7 +1,5 @@
 /// \file
-/// \brief Impulses of contacts by steps down the energy, all of them at once (thesis 2.6.4).
-///
-/// Uses no other chapter.
+/// \brief Unknowns with limits by steps down an energy, all of them at once (thesis 2.6.4).
 #pragma once
 
 #include <algorithm>

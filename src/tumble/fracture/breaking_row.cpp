@@ -1,6 +1,6 @@
 /// \file
 /// \brief A row of glued boxes.
-#include "tumble/previous_work/breaking_row.hpp"
+#include "tumble/fracture/breaking_row.hpp"
 
 #include "tumble/base/error.hpp"
 
@@ -142,14 +142,15 @@ void BreakingRow::divide(World& world, std::size_t piece, int count) {
 }
 
 // Pushes of contacts at the poses that they belong to: those of the start of the step or of its end.
-void BreakingRow::take_pushes(const World& before, const World& after, const Technique& technique,
-                              double dt) {
+void BreakingRow::take_pushes(const World& world, const Technique& technique, double dt) {
   for (const ContactRecord& contact : technique.contacts()) {
-    const World& then = contact.time < before.time() + 0.5 * dt ? before : after;
+    const bool at_start = contact.time < world.time() - 0.5 * dt;
     const Vec3 impulse_w = contact.is_impulse ? contact.push_w : Vec3(dt * contact.push_w);
-    for (const Piece& piece : pieces_) {
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      const Piece& piece = pieces_[k];
       if (piece.body != contact.first && piece.body != contact.second) continue;
-      const BodyState& state = then.states()[idx(then.index_of(piece.body))];
+      const BodyState& state =
+          at_start ? starts_[k] : world.states()[idx(world.index_of(piece.body))];
       pushes_.push_back({piece.body, piece.body == contact.second ? impulse_w : Vec3(-impulse_w),
                          state.orientation_wb.conjugate() * (contact.point_w - state.position_w)});
     }
@@ -157,9 +158,12 @@ void BreakingRow::take_pushes(const World& before, const World& after, const Tec
 }
 
 StepReport BreakingRow::step(World& world, Technique& technique, double dt) {
-  const World before = world;
+  starts_.clear();
+  for (const Piece& piece : pieces_)
+    starts_.push_back(world.states()[idx(world.index_of(piece.body))]);
+  // [S2.4.1:glued]
   StepReport report = technique.step(world, dt);
-  take_pushes(before, world, technique, dt);
+  take_pushes(world, technique, dt);
   loads_.clear();
   report.events = 0;
   for (std::size_t k = pieces_.size(); k-- > 0;) {
@@ -173,6 +177,7 @@ StepReport BreakingRow::step(World& world, Technique& technique, double dt) {
     divide(world, k, most->joint + 1 - pieces_[k].first);
     ++report.events;
   }
+  // [S2.4.1:glued]
   std::sort(loads_.begin(), loads_.end(),
             [](const JointLoad& a, const JointLoad& b) { return a.joint < b.joint; });
   pushes_.clear();
