@@ -7,7 +7,7 @@
 /// 1. contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
 ///    patches of a step and keeps them while bodies rest, without edges of no height (grazed_edges.hpp);
 ///    island_order.hpp groups and orders them.
-/// 2. patch_solver.hpp: one patch by itself (bounded_friction.hpp: its friction). island.hpp: a sweep over all
+/// 2. patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
 ///    patches of an island.
 /// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
