@@ -1,7 +1,5 @@
 /// \file
 /// \brief Edges without height, which a body that slides over flush neighbours must not hit (thesis 3.2, 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"

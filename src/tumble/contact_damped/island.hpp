@@ -1,7 +1,5 @@
 /// \file
 /// \brief One island in a step, and sweeps over it (thesis 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The plan by which an island is solved: one of four methods or none, with its limits (thesis 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/island.hpp"

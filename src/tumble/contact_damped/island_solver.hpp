@@ -3,8 +3,6 @@
 ///
 /// Called direct because each of its iterations solves for all bodies together, by factors of the island's matrix, where
 /// sweeps go from patch to patch. Iterations remain: friction and separation are not linear.
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
