@@ -5,8 +5,7 @@
 
 #include "previous_work/articulated_body.hpp"
 #include "support/catch.hpp"
-
-#include <Eigen/Dense>
+#include "support/dense_solve.hpp"
 
 namespace {
 
@@ -36,7 +35,7 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
                  kind == JointKind::hinge ? axis_w : Vec3(Vec3::Zero()));
     }
     // J of all joints at rest, and J a = 0 with M a = f + J' λ.
-    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6 * kBodies, 6 * kBodies);
+    MatX J = MatX::Zero(6 * kBodies, 6 * kBodies);
     Eigen::Index row = 0;
     for (const BodyJoint& joint : world.joints()) {
       const int a = world.index_of(joint.bodies[0]), b = world.index_of(joint.bodies[1]);
@@ -59,8 +58,8 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
       J.block<3, 3>(row, 6 * b + 3) = held;
       row += 3;
     }
-    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(6 * kBodies, 6 * kBodies);
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(6 * kBodies);
+    MatX W = MatX::Zero(6 * kBodies, 6 * kBodies);
+    VecX f = VecX::Zero(6 * kBodies);
     std::vector<MovingBody> moving;
     load_moving_bodies(world, moving);
     for (int k = 0; k < kBodies; ++k) {
@@ -70,10 +69,9 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
       if (k > 0)
         f.segment<3>(6 * k) = world.bodies()[static_cast<std::size_t>(k)].mass * world.gravity_w;
     }
-    const Eigen::MatrixXd A = J * W * J.transpose();
-    const Eigen::VectorXd force =
-        A.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-J * W * f));
-    const Eigen::VectorXd exact = W * (f + J.transpose() * force);
+    const MatX JW = product(J, W);
+    const VecX force = dense_solve(product(JW, J.transpose()), -product(JW, f));
+    const VecX exact = product(W, f + product(J.transpose(), force));
     std::vector<Joint> joints;
     for (const BodyJoint& joint : world.joints()) joints.push_back(joint_of(world, joint));
     JointForces forces;

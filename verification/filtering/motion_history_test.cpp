@@ -92,9 +92,6 @@ TEST_CASE("Features of simple motions have their exact values", "[exact][filteri
   CHECK(shakes.drift == near(0.0).margin(margin));  // symmetric about the middle
   CHECK(shakes.excursion == near(0.01).margin(margin));
   CHECK(swing_of(places_of(zigzag), 3) == near(0.01).margin(margin));
-  CHECK(reversals_of(places_of(zigzag), 0.005) == 29);
-  CHECK(reversals_of(places_of(zigzag), 0.02) == 0);
-  CHECK(reversals_of(places_of(steady), 0.005) == 0);
 }
 
 TEST_CASE("The principal direction is that of all steps together, not of the longest",
@@ -115,6 +112,5 @@ TEST_CASE("Features refuse too few places, too many and no reversal", "[unit][fi
   CHECK_THROWS_AS(swing_of(places_of({0.0, 1.0}), 0), std::invalid_argument);
   CHECK_THROWS_AS(swing_of(places_of(std::vector<double>(kMostPlaces + 1)), 1),
                   std::invalid_argument);
-  CHECK_THROWS_AS(reversals_of(places_of({0.0, 1.0}), 0.0), std::invalid_argument);
   CHECK(swing_of(places_of({0.0, 1.0, 0.0}), 3) == 0.0);
 }

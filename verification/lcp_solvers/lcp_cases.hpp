@@ -5,7 +5,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
 
-#include <Eigen/Cholesky>
+#include "support/dense_solve.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -114,7 +114,7 @@ inline LcpProblem with_factors(LcpProblem problem) {
   const int n = problem.size();
   if (!problem.factors.rows.empty() || n == 0) return problem;
   MatX L = MatX::Zero(n, 12);
-  L.leftCols(n) = MatX(Eigen::LLT<MatX>(problem.A).matrixL());
+  L.leftCols(n) = cholesky(problem.A);
   problem.factors.bodies.assign(2, {Vec3::Ones(), Mat3::Identity()});
   for (int i = 0; i < n; ++i) {
     LcpFactors::Row row;

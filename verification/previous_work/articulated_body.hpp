@@ -7,8 +7,6 @@
 
 #include "tumble/contact/moving_body.hpp"
 
-#include <Eigen/Dense>
-
 #include <vector>
 
 namespace tumble::test {
@@ -50,7 +48,8 @@ inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink
   const std::size_t n = links.size();
   std::vector<Spatial> velocity(n), bias(n), coriolis(n, Spatial::Zero()), result(n);
   std::vector<SpatialMatrix> inertia(n);
-  std::vector<Eigen::MatrixXd> axes(n), yield(n);
+  std::vector<Eigen::Matrix<double, 6, 3>> axes(n, Eigen::Matrix<double, 6, 3>::Zero());
+  std::vector<Mat3> yield(n);
   for (std::size_t i = 0; i < n; ++i) {
     const MovingBody& b = bodies[i];
     const double mass = 1.0 / b.inverse_mass.x();
@@ -66,7 +65,6 @@ inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink
     bias[i] = spatial(w.cross(momentum.head<3>()) + u.cross(momentum.tail<3>()),
                       w.cross(momentum.tail<3>()));
     bias[i] -= spatial(b.position_w.cross(mass * gravity_w), mass * gravity_w);
-    axes[i].resize(6, static_cast<Eigen::Index>(links[i].axes_w.size()));
     for (std::size_t k = 0; k < links[i].axes_w.size(); ++k)
       axes[i].col(static_cast<Eigen::Index>(k)) =
           turning_about(links[i].axes_w[k], links[i].joint_w);
@@ -79,8 +77,11 @@ inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink
         spatial(w.cross(turns.head<3>()), w.cross(turns.tail<3>()) + u.cross(turns.head<3>()));
   }
   for (std::size_t i = n; i-- > 0;) {
-    const Eigen::MatrixXd pushed = inertia[i] * axes[i];
-    yield[i] = (axes[i].transpose() * pushed).inverse();
+    const Eigen::Matrix<double, 6, 3> pushed = inertia[i] * axes[i];
+    Mat3 resists = axes[i].transpose() * pushed;
+    for (auto k = static_cast<Eigen::Index>(links[i].axes_w.size()); k < 3; ++k)
+      resists(k, k) = 1.0;  // no axis, and so without effect
+    yield[i] = resists.inverse();
     if (links[i].parent < 0) continue;
     const auto p = static_cast<std::size_t>(links[i].parent);
     const SpatialMatrix left = inertia[i] - pushed * yield[i] * pushed.transpose();
@@ -91,8 +92,7 @@ inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink
     const Spatial before = links[i].parent < 0 ? Spatial(Spatial::Zero())
                                                : result[static_cast<std::size_t>(links[i].parent)];
     const Spatial carried = before + coriolis[i];
-    const Eigen::VectorXd along =
-        -(yield[i] * (axes[i].transpose() * (inertia[i] * carried + bias[i])));
+    const Vec3 along = -(yield[i] * (axes[i].transpose() * (inertia[i] * carried + bias[i])));
     result[i] = carried + axes[i] * along;
   }
   for (std::size_t i = 0; i < n; ++i) {  // from spatial accelerations to those of the centres

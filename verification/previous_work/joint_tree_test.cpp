@@ -9,6 +9,7 @@
 #include "impulse_damped/scene_runs.hpp"
 #include "previous_work/articulated_body.hpp"
 #include "support/catch.hpp"
+#include "support/dense_solve.hpp"
 
 namespace {
 
@@ -58,12 +59,12 @@ struct RandomTree {
 bool movable(const MovingBody& body) { return !body.inverse_mass.isZero(0.0); }
 
 // M a - J' λ = f, -J a = c by a dense factorisation with pivots. Returns a and λ, six numbers for each.
-Eigen::VectorXd dense_answer(const RandomTree& tree, const std::vector<Vec6>& body_part,
-                             const std::vector<Vec6>& joint_part) {
+VecX dense_answer(const RandomTree& tree, const std::vector<Vec6>& body_part,
+                  const std::vector<Vec6>& joint_part) {
   const auto bodies = static_cast<Eigen::Index>(6 * tree.bodies.size());
   const auto all = bodies + static_cast<Eigen::Index>(6 * tree.joints.size());
-  Eigen::MatrixXd H = Eigen::MatrixXd::Identity(all, all);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
+  MatX H = MatX::Identity(all, all);
+  VecX right = VecX::Zero(all);
   for (std::size_t k = 0; k < tree.bodies.size(); ++k) {
     if (!movable(tree.bodies[k])) continue;
     const auto at = static_cast<Eigen::Index>(6 * k);
@@ -84,7 +85,7 @@ Eigen::VectorXd dense_answer(const RandomTree& tree, const std::vector<Vec6>& bo
       }
     }
   }
-  return H.fullPivLu().solve(right);
+  return dense_solve(H, right);
 }
 
 // A chain or a tree of boxes in ball joints, in motion.
@@ -137,7 +138,7 @@ TEST_CASE("Forces of trees in linear time are those of a dense solver", "[exact]
       for (int i = 0; i < 6; ++i) v[i] = chance.uniform(-1.0, 1.0);
     for (std::size_t j = 0; j < joint_part.size(); ++j)
       for (int i = 0; i < tree.joints[j].count; ++i) joint_part[j][i] = chance.uniform(-1.0, 1.0);
-    const Eigen::VectorXd exact = dense_answer(tree, body_part, joint_part);
+    const VecX exact = dense_answer(tree, body_part, joint_part);
     JointTree solver;
     solver.arrange(tree.bodies, tree.joints);
     CHECK(solver.loops().empty());

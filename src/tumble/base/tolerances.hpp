@@ -63,6 +63,21 @@ inline constexpr double complementarity = 1e-11;
 /// whole. (6.2)
 inline constexpr double small_angle = 1e-4;
 
+/// [-] A radius that changes less than this share of the slope is used up without a search (minimum_in_ball()).
+/// Reason: below the rounding of the slope, 1e-16. (6.3.1)
+inline constexpr double ball_negligible = 1e-17;
+
+/// [-] Excess over the radius below which the next Newton step is the last one and is taken to first
+/// order. Reason: its error is the square of this, 1e-14. (6.3.1)
+inline constexpr double ball_last_step = 1e-7;
+
+/// [-] An excess over the radius below this share of it counts as none. Reason: about fifty times the rounding of a
+/// number. (6.3.1)
+inline constexpr double ball_rounding = 1e-14;
+
+/// [-] Newton steps to the sphere, at most. Reason: they converge quadratically; a few do. (6.3.1)
+inline constexpr int ball_newton_steps = 30;
+
 // --- geometry -----------------------------------------------------------------------------
 
 /// [-] By which part of its separation a preferred axis (a face's, or the remembered one) has to

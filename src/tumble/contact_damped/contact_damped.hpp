@@ -7,12 +7,13 @@
 /// 1. contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
 ///    patches of a step and keeps them while bodies rest, without edges of no height (grazed_edges.hpp);
 ///    island_order.hpp groups and orders them.
-/// 2. patch_solver.hpp: one patch by itself (bounded_friction.hpp: its friction). island.hpp: a sweep over all
+/// 2. patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
 ///    patches of an island.
 /// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
 ///    (Newton steps), with the arithmetic of island_parts.hpp.
-/// 5. bounce_and_correct.cpp: restitution, overlap and the energy account.
+/// 5. solve_again.cpp: islands that have to be solved once more; step_parts.hpp: when a step is divided.
+/// 6. bounce_and_correct.cpp: restitution, overlap and the energy account.
 ///
 /// Iteration counts and residuals are in tolerances.hpp.
 #pragma once
@@ -34,13 +35,14 @@ namespace tumble {
 
 /// Options of the technique.
 struct ContactDampedOptions {
-  /// Sweeps over an island that is not settled, each in one direction, at most: at least 1, and the first two are
-  /// always made. Small islands, of up to twenty bodies, get at least fifty.
+  /// Sweeps over an island, each in one direction, at most: at least 1. Each island gets one, and a second if that
+  /// changes something, whatever this says. Small islands, of up to twenty bodies, get at least fifty.
   int sweeps = 6;
   /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;
-  /// Sweeps and ADMM iterations over a large island in motion, times its patches: what these would exceed is left to
-  /// `sweeps` at least, and the next step goes on. Of 1000 cubes that fall together a step takes about 20 ms so.
+  /// Work on a large island in motion. If its patches times `admm_iterations` exceed it, the island is only swept: budget
+  /// over patches times, but at least `sweeps` times and at most 24 (or `sweeps`, if more); the next step goes on.
+  /// Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
   int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
   /// Parts of a step, at most. Above 1, a step is divided in which bodies that touch move by more than 4 % of an edge
@@ -75,8 +77,8 @@ struct ContactDampedOptions {
 ///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate).
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
 ///    push and were approached part with e times the speed on arrival, those that push without approach stay
-///    together. A row of touching bodies so parts in one piece but for the first. Where that asks for more energy
-///    than there is, limit_bounce() takes as much of it as there is.
+///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it. Where that
+///    asks for more energy than there is, limit_bounce() takes as much of it as there is.
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
@@ -90,7 +92,9 @@ struct ContactDampedOptions {
 /// At rest about 0.4 us for each pair that touches.
 /// \par Extending it
 /// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it,
-/// solve_island() runs it, and what it keeps between steps is a member of ContactDamped::Memory.
+/// solve_island() runs it, and what it keeps between steps is a member of ContactDamped::Memory. Its result is, within the
+/// cones of friction, the `impulse` of each point and the three sums of friction of each patch, and in Island::now the
+/// velocities that these impulses give. ContactPatchPoint::solver_impulse stays if it has no friction by point.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}

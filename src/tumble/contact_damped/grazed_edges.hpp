@@ -1,51 +1,13 @@
 /// \file
 /// \brief Edges without height, which a body that slides over flush neighbours must not hit (thesis 3.2, 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
-#include "tumble/dynamics/world.hpp"
-#include "tumble/geometry/broad_phase.hpp"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tumble {
-
-/// The outcome of two boxes that close their gap along a normal.
-enum class Meeting : std::uint8_t {
-  overlap,  ///< they overlap if nothing stops them
-  graze,    ///< they touch at an edge that has no height across the normal
-  pass      ///< no contact within the step
-};
-
-/// A meeting, and for one that grazes the direction across the normal in which it has no height.
-struct MeetingFound {
-  Meeting meeting = Meeting::overlap;  ///< what happens
-  Vec3 flat_w = Vec3::Zero();          ///< [-] world frame, length 1 if it grazes; else 0
-};
-
-/// Finds whether two boxes that have a manifold will overlap when they have met along its normal.
-///
-/// A manifold of boxes with a gap says that they are near along one axis only. Both are moved together until they
-/// overlap by `tolerance::flush_overlap` of the size along the normal; if they then overlap by less than
-/// `tolerance::flush_height` along any axis, the contact has no height. How far they slide across the normal until
-/// they meet depends on other contacts; so a pair is dropped only if it misses both without such a motion and with
-/// the one it had before the step, when they meet and at the end of the step.
-/// \param world       where the bodies are
-/// \param pair        indices of both
-/// \param found       their manifold, at least one point
-/// \param size        [m] shortest edge of the two
-/// \param bodies      how they move in the step, if nothing stops them
-/// \param dt          [s] the step
-/// \return the outcome; overlap if one of them is the ground, which has no edges
-/// \par Cost
-/// Up to three calls of separation().
-[[nodiscard]] MeetingFound find_meeting(const World& world, const IndexPair& pair,
-                                        const Manifold& found, double size,
-                                        std::span<const MovingBody> bodies, double dt);
 
 /// Removes the patches of grazed edges that lie at the height on which one of their bodies lies: a box that slides
 /// over flush tiles touches the side of the next one with an edge of height 0.

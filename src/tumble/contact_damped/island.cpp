@@ -3,7 +3,7 @@
 #include "tumble/contact_damped/island.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact/collision_law.hpp"
+#include "tumble/contact/energy_on_the_way.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/patch_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
@@ -30,20 +30,6 @@ Vec6 energy_weights(const BodyProperties& body) {
   return weights;
 }
 
-// The energy over what is allowed at a share t of the way from one state of motion to another: start + b t + a t².
-struct EnergyOnTheWay {
-  double start = 0.0;      // [J]
-  double slope = 0.0;      // [J] b
-  double curvature = 0.0;  // [J] a
-  double error = 0.0;      // [J] what counts as none
-
-  // The largest share of the way on which there is not too much.
-  [[nodiscard]] double allowed() const {
-    if (start + slope + curvature <= error || curvature == 0.0) return 1.0;  // 0: nothing changes
-    return largest_share(std::min(start, 0.0), slope, curvature);
-  }
-};
-
 // The kinetic energy on the way from earlier velocities to the present ones, over that of the start of the step.
 EnergyOnTheWay kinetic_energy_from(const Island& island, std::span<const MovingBody> from) {
   EnergyOnTheWay way;
@@ -59,13 +45,6 @@ EnergyOnTheWay kinetic_energy_from(const Island& island, std::span<const MovingB
     way.error += tolerance::energy_rounding * weights.dot(u.cwiseAbs2() + had.cwiseAbs2());
   }
   return way;
-}
-
-// Velocities at a share of the way from one state of motion to another.
-void interpolate(const MovingBody& from, double share, MovingBody& to) {
-  to.velocity_w = from.velocity_w + share * (to.velocity_w - from.velocity_w);
-  to.angular_velocity_w =
-      from.angular_velocity_w + share * (to.angular_velocity_w - from.angular_velocity_w);
 }
 
 // The normal velocity with which a point hits after a free fall through its gap; 0 or above if it does not

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The islands of a step, and the order of sweeps over their patches (thesis 4.5, 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact/graph.hpp"

@@ -1,7 +1,5 @@
 /// \file
-/// \brief The plan by which an island is solved: one of four methods, with its limits (thesis 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
+/// \brief The plan by which an island is solved: one of four methods or none, with its limits (thesis 6.3.1).
 #pragma once
 
 #include "tumble/contact_damped/island.hpp"
@@ -22,7 +20,7 @@ struct FirstSweeps {
 struct IslandEffort {
   int sweeps = 0;           ///< over a large island, at most
   int admm_iterations = 0;  ///< for a large island, at most; 0: the direct solver is not used
-  int budget = 0;           ///< sweeps or iterations times patches, for a large island in motion
+  int budget = 0;           ///< of work on a large island in motion, see ContactDampedOptions
   int parts = 1;            ///< into which the step is divided: each gets its share of the work
 };
 

@@ -1,7 +1,8 @@
 /// \file
 /// \brief The direct solver: all contact patches of an island at once, by ADMM and Newton steps (thesis 6.3.1).
 ///
-/// Depends on contact, dynamics and geometry, on no other technique.
+/// Called direct because each of its iterations solves for all bodies together, by factors of the island's matrix, where
+/// sweeps go from patch to patch. Iterations remain: friction and separation are not linear.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"
@@ -44,16 +45,16 @@ struct IslandResult {
 /// Finds the velocities at the end of a step, and the impulses of all contact patches of an island.
 ///
 /// With u the motion of a point relative to its target w, \f$u = J v - w\f$, Coulomb's law with the cone
-/// \f$K: |\lambda_t| \le \mu \lambda_n\f$ and its dual \f$K^*\f$ is
-/// \f[ K \ni \lambda \perp u + \mu |u_t|\, n \in K^* . \f]
+/// \f$C: |\lambda_t| \le \mu \lambda_n\f$ and its dual \f$C^*\f$ is
+/// \f[ C \ni \lambda \perp u + \mu |u_t|\, n \in C^* . \f]
 /// With the *shift* \f$s = \mu |u_t|\f$ of the iteration before (0 where nothing slides) it is the condition for
 /// \f[ \min_v\; \tfrac12 (v-\hat v)^{\mathsf T} M (v-\hat v)\quad\text{with}\quad
-///     z = J v - w + s\,n \in K^* , \f]
+///     z = J v - w + s\,n \in C^* , \f]
 /// convex, \f$\hat v\f$ being the velocities without contacts. **ADMM**, the alternating direction method of
 /// multipliers: each point is a spring of stiffness \f$\rho\f$, always on, that pulls its motion to z. In turn
 /// the velocities are solved for all springs together, then each impulse is projected by itself,
 /// \f[ (M + J^{\mathsf T}\rho J)\, v = M \hat v + J^{\mathsf T}\bigl(\rho (z + w - s n) + \lambda\bigr),
-///     \quad \lambda \leftarrow P_K\bigl(\lambda - \rho (J v - w + s n)\bigr), \f]
+///     \quad \lambda \leftarrow P_C\bigl(\lambda - \rho (J v - w + s n)\bigr), \f]
 /// and z follows. The matrix is the same in every iteration: one factorization, then one
 /// back-substitution each. Unlike sweeps, the iterations do not grow with the height of a stack, because
 /// the factors carry weight through all of it; where all patches stick two or three are enough. The stiffness
@@ -64,7 +65,7 @@ struct IslandResult {
 /// direction. So it is at its bound in every iteration.
 ///
 /// **Newton steps** follow where ADMM does not converge. Stiff springs
-/// \f$\lambda = P_K(\lambda_0 - \rho(J v - w + s n))\f$ are brought into balance with the bodies,
+/// \f$\lambda = P_C(\lambda_0 - \rho(J v - w + s n))\f$ are brought into balance with the bodies,
 /// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$; each step goes as far as the convex function decreases whose
 /// gradient this is. Then \f$\lambda_0\f$ and s are updated (augmented Lagrangian). With
 /// friction above 1 this is not tried, as the shifts diverge there. If it does not
@@ -121,7 +122,7 @@ class IslandSolver {
     double along = 0.0, across = 0.0;    // [m] from the middle of the patch
     double target = 0.0;                 // [m/s] w
     double shift = 0.0;                  // [m/s] s
-    double inverse_mass = 0.0;           // [1/kg] normal velocity of a unit impulse
+    double inverse_mass = 0.0;           // [1/kg] along the normal; at most that of lightest_spring
     double friction = 0.0;               // [-] mu
     Vec3 impulse = Vec3::Zero();         // [N s] lambda
     Vec3 auxiliary = Vec3::Zero();       // [m/s] z

@@ -3,8 +3,8 @@
 #include "tumble/contact_damped/patch_solver.hpp"
 
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/contact_damped/bounded_friction.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/math/minimum_in_ball.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,7 @@ void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   for (std::size_t k = 0; k < 6; ++k) motion[k] += K[5][k] * lost;
   const Vec3 now(motion[0] - at.across * motion[5], motion[1] + at.along * motion[5],
                  radius * motion[5]);
-  const Vec3 more = bounded_friction(A, now - A * had, patch.friction * at.normal) - had;
+  const Vec3 more = minimum_in_ball(A, now - A * had, patch.friction * at.normal) - had;
   const double turn = radius * more.z();
   for (std::size_t k = 0; k < 6; ++k)
     motion[k] += a[k] * more.x() + b[k] * more.y() + K[5][k] * turn;

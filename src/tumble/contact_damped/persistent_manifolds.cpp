@@ -4,6 +4,7 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/contact/meeting.hpp"
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
@@ -186,7 +187,8 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   if (!has_point_within(manifold, approach + margin)) return false;
   const double size =
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
-  const MeetingFound met = find_meeting(world, pair, manifold, size, bodies, dt);
+  const MeetingFound met =
+      find_meeting(world, pair, manifold, size, tolerance::contact_damped_slop * size, bodies, dt);
   if (met.meeting == Meeting::pass) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The contact patches of a step, kept while bodies rest (thesis 3.2, 6.3.1).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"

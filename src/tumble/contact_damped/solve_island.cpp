@@ -42,7 +42,7 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
-  report.pivots += result.factorizations;
+  report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
   if (result.accepted && !result.converged && plan.sweep_unconverged) {
     velocities_from_impulses(island);
     for (int k = 0; k < tolerance::small_island_sweeps; ++k)

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The parts into which the default technique divides a step in which bodies move far (thesis 3.2).
-///
-/// Depends on contact, dynamics and geometry, on no other technique.
 #pragma once
 
 #include "tumble/contact_damped/contact_patch.hpp"

@@ -128,10 +128,6 @@ inline constexpr double repair_share = 0.2;
 /// the largest change. Reason: sweeps over the island come back to the patch. (6.3.1)
 inline constexpr double patch_settled = 1e-4;
 
-/// [-] Friction that exceeds its bound by less than this share of the bound meets it. Reason: about fifty
-/// times the rounding of a number. (6.3.1)
-inline constexpr double friction_rounding = 1e-14;
-
 // --- one contact patch ---------------------------------------------------------------------------
 
 /// [-] Share of the slop that targets of points may be off from those of the one motion that replaces them. Reason: with a
@@ -141,17 +137,6 @@ inline constexpr double planar_targets = 0.01;
 /// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping points
 /// take IslandSolver many steps, and friction under the common bound of their patch would set it back in each. (6.3.1)
 inline constexpr double patch_creep = 10.0;
-
-/// [-] A bound of friction that changes less than this share of the motion is applied without a search. Reason:
-/// below the rounding of the motion, 1e-16. (6.3.1)
-inline constexpr double friction_negligible = 1e-17;
-
-/// [-] Excess over the bound of friction below which the next Newton step is the last one and is taken to first
-/// order. Reason: its error is the square of this, 1e-14. (6.3.1)
-inline constexpr double friction_last_step = 1e-7;
-
-/// [-] Newton steps to the bound of friction, at most. Reason: they converge quadratically; a few do. (6.3.1)
-inline constexpr int friction_newton_steps = 30;
 
 // --- sweeps over an island -----------------------------------------------------------------------
 

@@ -108,26 +108,4 @@ double swing_of(std::span<const Placement> places, int reversals) {
   return swing;
 }
 
-int reversals_of(std::span<const Placement> places, double least) {
-  require::positive(least, "least of reversals_of()");
-  const Coordinates along = along_principal_direction(places);
-  int reversals = 0;
-  int sense = 0;
-  double low = 0.0;  // since the last turn
-  double high = 0.0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const double u = along[k];
-    low = std::min(low, u);
-    high = std::max(high, u);
-    const bool forth = u - low >= least;
-    const bool back = high - u >= least;
-    if ((sense >= 0 && back) || (sense <= 0 && forth)) {
-      if (sense != 0) ++reversals;
-      sense = back && sense >= 0 ? -1 : 1;
-      low = high = u;
-    }
-  }
-  return reversals;
-}
-
 }  // namespace tumble

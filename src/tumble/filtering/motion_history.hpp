@@ -21,7 +21,7 @@ using Placement = Eigen::Matrix<double, 12, 1>;
 /// \return [m] see Placement
 [[nodiscard]] Placement placement_of(const BodyProperties& body, const BodyState& state);
 
-/// Limit of swing_of() and reversals_of(): two seconds at 60 frames per second.
+/// Limit of swing_of(): two seconds at 60 frames per second.
 inline constexpr std::size_t kMostPlaces = 121;
 
 /// Features of motion in successive frames.
@@ -55,12 +55,5 @@ struct MotionHistory {
 /// \par Cost
 /// O(n² Z) for n places.
 [[nodiscard]] double swing_of(std::span<const Placement> places, int reversals);
-
-/// The number of reversals along the principal direction, ignoring small ones.
-/// \param places  in successive frames, at most kMostPlaces
-/// \param least   [m] a reversal counts once the body has gone back by this length, above 0
-/// \return Z
-/// \throws std::invalid_argument for more places, or a length that is not finite and above 0
-[[nodiscard]] int reversals_of(std::span<const Placement> places, double least);
 
 }  // namespace tumble

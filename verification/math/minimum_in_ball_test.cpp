@@ -1,6 +1,6 @@
 /// \file
-/// \brief Friction of a contact patch: the impulse within a ball that removes most of the kinetic energy.
-#include "tumble/contact_damped/bounded_friction.hpp"
+/// \brief The least value of a quadratic function within a ball: friction of a contact patch, as an example.
+#include "tumble/math/minimum_in_ball.hpp"
 
 #include "tumble/base/random.hpp"
 
@@ -32,7 +32,7 @@ Mat3 random_matrix(double lever, Random& random) {
 TEST_CASE(
     "Friction within a ball stops the motion, or is at the bound and directly against the "
     "remaining one",
-    "[exact][bounded_friction][contact_damped]") {
+    "[exact][minimum_in_ball]") {
   Random random(1);
   int stopped = 0;
   double off_bound = 0.0, not_straight = 0.0, left = 0.0;
@@ -41,7 +41,7 @@ TEST_CASE(
     const Mat3 a = random_matrix(lever, random);
     const Vec3 u = a * random_vector(random);  // stopped by an impulse of about 1
     const double limit = std::pow(10.0, random.uniform(-4.0, 1.0));
-    const Vec3 impulse = bounded_friction(a, u, limit);
+    const Vec3 impulse = minimum_in_ball(a, u, limit);
     const Vec3 end = a * impulse + u;
     REQUIRE(impulse.norm() <= limit * (1.0 + 1e-12));
     if (impulse.norm() < limit * (1.0 - 1e-12)) {
@@ -61,17 +61,17 @@ TEST_CASE(
 }
 
 TEST_CASE("Friction within a ball is finite whatever the lever and the bound",
-          "[exact][bounded_friction][contact_damped]") {
+          "[exact][minimum_in_ball]") {
   Random random(2);
   for (int k = 0; k < 3000; ++k) {
     // Levers down to rounding, whose square vanishes in the sum of the others, and bounds of nearly 0.
     const double lever = std::pow(10.0, -random.uniform(0.0, 30.0));
     const Mat3 a = random_matrix(lever, random);
     const double limit = std::pow(10.0, -random.uniform(0.0, 100.0));
-    const Vec3 impulse = bounded_friction(a, random_vector(random), limit);
+    const Vec3 impulse = minimum_in_ball(a, random_vector(random), limit);
     REQUIRE(impulse.allFinite());
     REQUIRE(impulse.norm() <= limit * (1.0 + 1e-12));
   }
-  CHECK(bounded_friction(Mat3::Identity(), Vec3::UnitX(), 0.0) == Vec3::Zero());
-  CHECK(bounded_friction(Mat3::Identity(), Vec3::Zero(), 1.0) == Vec3::Zero());
+  CHECK(minimum_in_ball(Mat3::Identity(), Vec3::UnitX(), 0.0) == Vec3::Zero());
+  CHECK(minimum_in_ball(Mat3::Identity(), Vec3::Zero(), 1.0) == Vec3::Zero());
 }

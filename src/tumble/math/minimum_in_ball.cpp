@@ -1,27 +1,25 @@
 /// \file
-/// \brief Friction of a contact patch: force and moment under one bound.
-#include "tumble/contact_damped/bounded_friction.hpp"
+/// \brief The least value of a quadratic function within a ball.
+#include "tumble/math/minimum_in_ball.hpp"
 
-#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/base/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tumble {
 
-Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit) {
-  if (!(limit > 0.0)) return Vec3::Zero();
-  const double speed = motion.norm();
-  const double yield = inverse_mass.norm();
-  // Too small to change the motion at all; the formulas below would overflow.
-  if (limit * yield <= tolerance::friction_negligible * speed) return motion * (-limit / speed);
+Vec3 minimum_in_ball(const Mat3& A, const Vec3& u, double radius) {
+  if (!(radius > 0.0)) return Vec3::Zero();
+  const double steepest = u.norm();
+  const double curvature = A.norm();
+  // Too small to change the slope at all; the formulas below would overflow.
+  if (radius * curvature <= tolerance::ball_negligible * steepest) return u * (-radius / steepest);
   // lambda(beta) = -(A + beta I)^-1 u shrinks as beta grows; 1/|lambda| is nearly straight in beta, and
   // Newton steps from below never pass the root. With cofactors numerator and denominator are polynomials,
   //   lambda = -p/d,  p = adj(A + beta I) u = (adj(A) + beta (tr(A) I - A) + beta^2 I) u,
   //   d = det(A + beta I) = det(A) + beta tr(adj(A)) + beta^2 tr(A) + beta^3,
-  // so that a step costs no inverse; and powers of two of the mass give the same bits.
-  const Mat3& A = inverse_mass;
-  const Vec3& u = motion;
+  // so that a step costs no inverse; and powers of two of A give the same bits.
   const double c00 = A(1, 1) * A(2, 2) - A(1, 2) * A(1, 2);
   const double c01 = A(0, 2) * A(1, 2) - A(0, 1) * A(2, 2);
   const double c02 = A(0, 1) * A(1, 2) - A(0, 2) * A(1, 1);
@@ -37,26 +35,26 @@ Vec3 bounded_friction(const Mat3& inverse_mass, const Vec3& motion, double limit
   const auto adjoined = [&](double beta, const Vec3& x) -> Vec3 {
     return cofactors * x + beta * ((trace + beta) * x - A * x);
   };
-  // Lower bound from |lambda| >= |u| / (|A| + beta). Above 0 the ball does not allow a stop.
-  double beta = std::max(0.0, speed / limit - yield);
+  // Lower bound from |lambda| >= |u| / (|A| + beta). Above 0 the minimum is on the sphere.
+  double beta = std::max(0.0, steepest / radius - curvature);
   const Vec3 p0 = cofactors * u;
   const Vec3 p1 = trace * u - A * u;
   Vec3 p = p0;
-  for (int step = 0; step < tolerance::friction_newton_steps; ++step) {
+  for (int step = 0; step < tolerance::ball_newton_steps; ++step) {
     p = p0 + beta * (p1 + beta * u);
     const double d = d0 + beta * (d1 + beta * (trace + beta));
     const double square = p.squaredNorm();
-    const double most = limit * d;
+    const double most = radius * d;
     const double excess = std::sqrt(square) - most;
-    if (excess <= tolerance::friction_rounding * most)
-      return -p / d;  // stopped (beta = 0), or the bound is met to rounding
+    if (excess <= tolerance::ball_rounding * most)
+      return -p / d;  // inside (beta = 0), or on the sphere to rounding
     // lambda' = -(A + beta I)^-1 lambda; one division leads to the next beta.
     const Vec3 follows = adjoined(beta, p);
-    const double more = square * excess / (limit * p.dot(follows));
-    if (excess < tolerance::friction_last_step * most) return (more / d * follows - p) / d;
+    const double more = square * excess / (radius * p.dot(follows));
+    if (excess < tolerance::ball_last_step * most) return (more / d * follows - p) / d;
     beta += more;
   }
-  return p * (-limit / p.norm());
+  return p * (-radius / p.norm());
 }
 
 }  // namespace tumble
