@@ -16,8 +16,8 @@ import sys
 sys.dont_write_bytecode = True
 from browser import Browser  # noqa: E402, beside this file
 
-CHAPTERS = ("basic_colliding", "lcp_solvers", "analytic_lcp", "impulse_damped", "contact_damped", "geometric_stability",
-            "timewarp", "filtering", "exterior_rotation", "previous_work", "fracture")
+DOXYFILE = pathlib.Path(__file__).parent.parent / "Doxyfile"
+CHAPTERS = re.findall(r"chapters/(\w+)/idea\.md", DOXYFILE.read_text(encoding="utf-8"))  # in their order
 PAGES = ("how_to_read", "notation", *[chapter + page for chapter in CHAPTERS for page in ("", "_algorithm")],
          "choose_a_technique", "glossary", "references")
 STYLE = """
@@ -59,8 +59,7 @@ def inner_link(match):
 
 def book_of(site):
     head = (site / "basic_colliding.html").read_text(encoding="utf-8")
-    keep = re.findall(r'<link href="[^"]*\.css"[^>]*>|<script type="text/x-mathjax-config">.*?</script>|'
-                      r'<script[^>]*mathjax/MathJax\.js"></script>', head, re.S)
+    keep = re.findall(r'<link href="[^"]*\.css"[^>]*>|<script src="formulas\.js"></script>', head)
     contents, sections = "", ""
     for page in PAGES:
         title, body = parts_of(site, page)
