@@ -28,6 +28,7 @@ body { background: #fff; color: #111; font-size: 10.5pt; margin: 0; padding: 0; 
 #cover h1 { font-size: 32pt; margin: 0; } #cover p { font-size: 13pt; max-width: 30em; }
 nav.book { break-after: page; } nav.book li.inner { margin-left: 2em; list-style: none; }
 section.page { break-before: page; } section.page > h1.title { font-size: 21pt; margin: 0 0 8mm; text-align: left; }
+section.page .contents h1 { font-size: 15pt; } section.page .contents h2 { font-size: 12pt; } section.page .contents h3 { font-size: 11pt; }
 .toc, .try, .controls, #nav-path { display: none !important; }
 div.contents { margin: 0; padding: 0; max-width: none; }
 div.fragment { break-inside: auto; } div.fragment div.line { white-space: pre-wrap; overflow-wrap: anywhere; }
