@@ -5,7 +5,7 @@
 #   SETUP=skip  look for no packages: this machine has all that is needed, from wherever
 
 BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libgsl-dev
-COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev
+COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev libstb-dev
 TEST_PACKAGES    := $(COMMAND_PACKAGES) catch2
 FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
 SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen doxygen-awesome-css libjs-mathjax python3
