@@ -28,6 +28,8 @@ LISTED = [(re.compile(pattern), replacement) for pattern, replacement in (
     (r'<div class="fragment">', '<div class="fragment numbered">'),
     (r'<div class="line"><a id="l0*(\d+)" name="l\d+"></a><span class="lineno">.*?</span>', r'<div id="l\1">'),
     (r'<a class="code[^"]*" href="([^"]*)"(?: title="[^"]*")?>', r'<a href="\1">'),
+    *((rf'<span class="{kind}">([^<]*)</span>', rf"<{tag}>\1</{tag}>") for kind, tag in (
+        ("comment", "i"), ("keyword", "b"), ("keywordtype", "u"), ("keywordflow", "em"))),  # coloured in custom.css
     (r'<a href="[^"]*">Go to the documentation of this file.</a>', ""),
 )]
 # gnuplot opens groups that stay empty, and says in each what holds for all.
@@ -37,6 +39,7 @@ DRAWN = [(re.compile(pattern), replacement) for pattern, replacement in (
      r"\1 stroke='none' shape-rendering='crispEdges'/>"),
     (r' stroke-linecap="butt" stroke-linejoin="miter"| font-family="sans-serif"', ""),
     (r'<g fill="none" color="black" stroke="currentColor"', "<g"),
+    (r'(<rect x="0" y="0" [^>]*)/>', r'\1 stroke="none"/>'),
     (r"\s*\n\s*", "\n"),
     (r'<g id="gnuplot_canvas">', '<g id="gnuplot_canvas" fill="none" color="black" stroke="currentColor" stroke-linecap="butt" '
                                  'stroke-linejoin="miter" font-family="sans-serif">'),
