@@ -49,7 +49,7 @@ std::string strip_svg(const Film& film, const Page& page) {
     out += "<svg x=\"" + text(x) + "\" y=\"" + text(y) + "\" width=\"" + text(page.width) +
            "\" height=\"" + text(page.height) + "\" " + to_svg(picture).substr(5);
     out += "<text x=\"" + text(x + 12.0) + "\" y=\"" + text(y + 24.0) + "\">" +
-           shortest_text(film.frames[k].time) + " s</text>\n";
+           fixed_text(film.frames[k].time, 2) + " s</text>\n";
   }
   return out + "</svg>\n";
 }

@@ -96,8 +96,8 @@ TEST_CASE("Frames of a run are drawn as SVG and PNG, one or several", "[unit][co
   CHECK(first != last);
   CHECK(draw("--as svg --view 1,1,1") != last);
   const std::string strip = draw("--as svg --strip 0,0.2,0.4,0.3");
-  CHECK(strip.find("0.2 s") != std::string::npos);
-  CHECK(strip.find("0.4 s") != std::string::npos);
+  CHECK(strip.find("0.20 s") != std::string::npos);
+  CHECK(strip.find("0.40 s") != std::string::npos);
   const std::string png = draw("--as png --strip 0,0.1,0.2,0.3");
   CHECK(png.substr(1, 3) == "PNG");
   CHECK(png.substr(16, 8) ==
