@@ -5,10 +5,10 @@
 #   SETUP=skip  look for no packages: this machine has all that is needed, from wherever
 
 BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libgsl-dev
-COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev
+COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev libstb-dev
 TEST_PACKAGES    := $(COMMAND_PACKAGES) catch2
 FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
-SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen graphviz doxygen-awesome-css libjs-mathjax python3
+SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen doxygen-awesome-css libjs-mathjax python3
 # npm comes with node where node is not Debian's, so the command is looked for first.
 LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
 BOOK_PACKAGES    := $(SITE_PACKAGES) chromium

@@ -1,11 +1,14 @@
 /// \file
 /// \brief `tumble render`: pictures and films of a recorded run.
 #include "tumble/base/error.hpp"
+#include "tumble/base/number_text.hpp"
+#include "tumble/pictures/film.hpp"
 #include "tumble/record/recorded_run.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include "frames.hpp"
-#include "gnuplot.hpp"
 #include "moving.hpp"
+#include "png.hpp"
 #include "request.hpp"
 
 #include <array>
@@ -33,28 +36,42 @@ Page page_for(std::size_t frames) {
   return page;
 }
 
-std::string terminal(const std::string& form, const Page& page) {
-  const int width = static_cast<int>(page.width) * page.columns;
-  const int height = static_cast<int>(page.height) * page.rows;
-  std::array<char, 160> text{};
-  if (form == "svg") {
-    std::snprintf(text.data(), text.size(),
-                  "set terminal svg size %d,%d dynamic font 'sans-serif,16' background 'white'\n",
-                  width, height);
-  } else {
-    std::snprintf(
-        text.data(), text.size(),
-        "set terminal pngcairo size %d,%d fontscale 2 linewidth 2 font 'DejaVu Sans,12'\n",
-        2 * width, 2 * height);
+// Frames in rows, each with its time.
+std::string strip_svg(const Film& film, const Page& page) {
+  const auto text = [](double pixels) { return fixed_text(pixels, 0); };
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
+                    text(page.width * page.columns) + ' ' + text(page.height * page.rows) +
+                    "\" font-family=\"sans-serif\" font-size=\"16\">\n";
+  for (std::size_t k = 0; k < film.frames.size(); ++k) {
+    const double x = page.width * static_cast<double>(k % idx(page.columns));
+    const double y = page.height * static_cast<double>(k / idx(page.columns));
+    const Picture picture = draw_boxes(film.frames[k].boxes, film.camera, film.floor);
+    out += "<svg x=\"" + text(x) + "\" y=\"" + text(y) + "\" width=\"" + text(page.width) +
+           "\" height=\"" + text(page.height) + "\" " + to_svg(picture).substr(5);
+    out += "<text x=\"" + text(x + 12.0) + "\" y=\"" + text(y + 24.0) + "\">" +
+           fixed_text(film.frames[k].time, 2) + " s</text>\n";
   }
-  return text.data();
+  return out + "</svg>\n";
 }
 
-std::string label(double time) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(),
-                "set label 1 '%.4g s' at graph 0.04,0.93 front textcolor rgb '#202020'\n", time);
-  return text.data();
+// The same as pixels; what is left of the last row is white.
+Raster strip_pixels(const Film& film, const Page& page) {
+  const FilmPainter painter(film);
+  Raster out;
+  for (int row = 0; row < page.rows; ++row) {
+    Raster line;
+    for (int column = 0; column < page.columns; ++column) {
+      const int k = row * page.columns + column;
+      Raster frame = painter.painted(std::min(k, static_cast<int>(film.frames.size()) - 1));
+      if (k >= static_cast<int>(film.frames.size()))
+        std::fill(frame.rgb.begin(), frame.rgb.end(), std::uint8_t{255});
+      line = column == 0 ? std::move(frame) : beside(line, frame);
+    }
+    out.width = line.width;
+    out.height += line.height;
+    out.rgb.insert(out.rgb.end(), line.rgb.begin(), line.rgb.end());
+  }
+  return out;
 }
 
 std::vector<double> times_of(const RenderRequest& request, const RecordedRun& run) {
@@ -70,27 +87,27 @@ std::string draw_still(const RenderRequest& request, const RecordedRun& run) {
   for (const double time : times_of(request, run)) moments.push_back(nearest_frame(run, time));
 
   // One camera for all frames, so that a viewer can compare them.
-  const std::vector<FilmFrame> frames = shown_frames(run, moments, direction_w);
+  Film film;
+  film.frames = shown_frames(run, moments, direction_w);
+  film.floor = run.scene.ground.has_value();
   std::vector<PictureBox> all;
-  for (const FilmFrame& frame : frames)
+  for (const FilmFrame& frame : film.frames)
     all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());
-  const Page page = page_for(frames.size());
-  const bool floor = run.scene.ground.has_value();
-  const Camera camera = camera_for(all, direction_w, page.width, page.height, floor);
-
-  std::string commands = terminal(request.form, page);
-  if (frames.size() > 1) {
-    commands += "set multiplot layout " + std::to_string(page.rows) + ",";
-    commands += std::to_string(page.columns) + "\n";
+  const Page page = page_for(film.frames.size());
+  const bool pixels = request.form == "png";
+  const double scale = pixels ? 2.0 : 1.0;  // for screens with small pixels
+  film.camera = camera_for(all, direction_w, scale * page.width, scale * page.height, film.floor);
+  const std::string name =
+      (request.strip.empty() ? "picture" : "strip") + suffix_of(request) + "." + request.form;
+  const std::filesystem::path path = std::filesystem::path(request.folder) / name;
+  if (pixels) {
+    write_png(path, strip_pixels(film, page));
+  } else if (film.frames.size() > 1) {
+    write_file(path, strip_svg(film, page));
+  } else {
+    write_file(path, to_svg(draw_boxes(film.frames[0].boxes, film.camera, film.floor)));
   }
-  for (const FilmFrame& frame : frames) {
-    if (frames.size() > 1) commands += label(frame.time);
-    commands += to_gnuplot(draw_boxes(frame.boxes, camera, floor));
-  }
-  if (frames.size() > 1) commands += "unset multiplot\n";
-  const std::string stem = (request.strip.empty() ? "picture" : "strip") + suffix_of(request);
-  draw_with_gnuplot(request.folder, stem + ".gp", commands, stem + "." + request.form);
-  return stem + "." + request.form;
+  return name;
 }
 
 // What belongs to the one kind of output is refused for the other: nothing typed is without effect.

@@ -16,8 +16,8 @@ import sys
 sys.dont_write_bytecode = True
 from browser import Browser  # noqa: E402, beside this file
 
-CHAPTERS = ("basic_colliding", "lcp_solvers", "analytic_lcp", "impulse_damped", "contact_damped", "geometric_stability",
-            "timewarp", "filtering", "exterior_rotation", "previous_work", "fracture")
+DOXYFILE = pathlib.Path(__file__).parent.parent / "Doxyfile"
+CHAPTERS = re.findall(r"chapters/(\w+)/idea\.md", DOXYFILE.read_text(encoding="utf-8"))  # in their order
 PAGES = ("how_to_read", "notation", *[chapter + page for chapter in CHAPTERS for page in ("", "_algorithm")],
          "choose_a_technique", "glossary", "references")
 STYLE = """
@@ -28,6 +28,7 @@ body { background: #fff; color: #111; font-size: 10.5pt; margin: 0; padding: 0; 
 #cover h1 { font-size: 32pt; margin: 0; } #cover p { font-size: 13pt; max-width: 30em; }
 nav.book { break-after: page; } nav.book li.inner { margin-left: 2em; list-style: none; }
 section.page { break-before: page; } section.page > h1.title { font-size: 21pt; margin: 0 0 8mm; text-align: left; }
+section.page .contents h1 { font-size: 15pt; } section.page .contents h2 { font-size: 12pt; } section.page .contents h3 { font-size: 11pt; }
 .toc, .try, .controls, #nav-path { display: none !important; }
 div.contents { margin: 0; padding: 0; max-width: none; }
 div.fragment { break-inside: auto; } div.fragment div.line { white-space: pre-wrap; overflow-wrap: anywhere; }
@@ -59,8 +60,7 @@ def inner_link(match):
 
 def book_of(site):
     head = (site / "basic_colliding.html").read_text(encoding="utf-8")
-    keep = re.findall(r'<link href="[^"]*\.css"[^>]*>|<script type="text/x-mathjax-config">.*?</script>|'
-                      r'<script[^>]*mathjax/MathJax\.js"></script>', head, re.S)
+    keep = re.findall(r'<link href="[^"]*\.css"[^>]*>|<script src="formulas\.js"></script>', head)
     contents, sections = "", ""
     for page in PAGES:
         title, body = parts_of(site, page)

@@ -13,7 +13,7 @@
 //
 // or with "choices" in place of the numbers; the scene begins anew with what was chosen.
 class Live {
-  static here = false; // where cmake/site puts the live page, it adds a line to this file that says otherwise
+  static here = false; // where cmake/site puts the live page, it adds a line to site.js that says otherwise
 
   static init() {
     document.addEventListener('DOMContentLoaded', () => {

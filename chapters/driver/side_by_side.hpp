@@ -16,14 +16,14 @@ namespace tumble::chapters {
 // Rate of such films when they show every third step of 1/60 s.
 inline constexpr double kThirdSteps = 20.0;  // [1/s]
 
-// Frames of a run, one for every third step.
+// Frames of a run, one for every third step, or for another number of steps.
 // from: [s] first time
 // to: [s] last time, after `from`
 // zero: [s] time of the run that the film calls 0
 // change: of the boxes of a frame, such as a colour; may be empty
 inline std::vector<FilmFrame> frames_of_run(
     const Scene& scene, const PlayedTechnique& technique, double from, double to, double zero = 0.0,
-    const std::function<void(std::vector<PictureBox>&)>& change = {}) {
+    const std::function<void(std::vector<PictureBox>&)>& change = {}, int every = 3) {
   PlayedScene played(scene, technique);
   std::vector<FilmFrame> frames;
   const auto take = [&] {
@@ -34,7 +34,7 @@ inline std::vector<FilmFrame> frames_of_run(
   played.advance(from);
   take();
   played.advance(to, [&](const StepReport&) {
-    if (++steps % 3 == 0) take();
+    if (++steps % every == 0) take();
   });
   return frames;
 }

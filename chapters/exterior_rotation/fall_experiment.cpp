@@ -1,7 +1,7 @@
 /// \file
 /// \brief A column, or one box, falls over the edge of a larger one (figures 6.1 and 6.2).
 #include "driver/experiment.hpp"
-#include "driver/side_by_side.hpp"
+#include "exterior_rotation/coarse_film.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/held_run.hpp"
@@ -184,50 +184,8 @@ Result measure_fall(const Parameters& settings) {
   return result;
 }
 
-// The film: forward Euler with long steps, each body moved apart and by its twist.
-struct CoarseFall {
-  double step = 0.1;  // [s] at 1/60 s a gap is too small to be seen
-  int steps = 11;
-};
-constexpr double kSpeed = 0.25;  // [-] of the film
-constexpr int kSize = 320;       // [px] of each side
-
-HeldRun coarse_fall(const World& start, PoseUpdate pose, const CoarseFall& coarse) {
-  return run_held(start, glued_options(GluedScheme::forward_euler, pose), coarse.step,
-                  coarse.steps);
-}
-
-Film film_of(const HeldRun& run, const Camera& camera) {
-  Film film;
-  film.camera = camera;
-  film.floor = has_ground(run.start);
-  for (const HeldFrame& frame : run.frames)
-    film.frames.push_back({frame.time, picture_boxes(run.world(frame))});
-  return film;
-}
-
-// As close as it can be with all of the column in the picture: of what it falls off a part is enough.
-Camera camera_of(const HeldRun& run) {
-  std::vector<Vec3> corners_w;
-  for (const HeldFrame& frame : run.frames) {
-    for (std::size_t k = 0; k < frame.states.size(); ++k) {
-      const BodyProperties& body = run.start.bodies()[k];
-      if (!body.movable()) continue;
-      for (const Vec3& corner_w : corners_of(box_of(body, frame.states[k])))
-        corners_w.push_back(corner_w);
-    }
-  }
-  const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which it falls, and a little above
-  return camera_for(corners_w, direction_w, kSize, kSize);
-}
-
-std::string fall_film(const Parameters& settings, const CoarseFall& coarse) {
-  const World start = world_at(settings.count("boxes"), settings.number("angle"), 0.0);
-  const HeldRun apart = coarse_fall(start, PoseUpdate::separate, coarse);
-  const Camera camera = camera_of(apart);
-  const Film left = film_of(apart, camera);
-  const Film right = film_of(coarse_fall(start, PoseUpdate::exponential, coarse), camera);
-  return film_beside(left, right, kSpeed / coarse.step);
+std::string fall_film(const Parameters& settings, const CoarseSteps& coarse) {
+  return coarse_film(world_at(settings.count("boxes"), settings.number("angle"), 0.0), coarse);
 }
 
 const Registered fig6_1_column_figure{

@@ -1,6 +1,7 @@
 /// \file
 /// \brief A box turns on a box that turns, centres and orientations moved apart and together (figure 6.3).
 #include "driver/experiment.hpp"
+#include "exterior_rotation/coarse_film.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
 #include "exterior_rotation/side_view.hpp"
@@ -119,6 +120,9 @@ Result measure_nested(const Parameters& settings) {
   const NestedAngles judged = nested_pendulum(reference.start, last.time);
   result.add("larger of both angles' distances from GSL's double pendulum, reference", "rad",
              std::max(std::abs(found.lower - judged.lower), std::abs(found.upper - judged.upper)));
+  result.film = [] {
+    return coarse_film(build_world(scene_with("fig6_3", {})), {.step = 0.075, .steps = 8});
+  };
   return result;
 }
 

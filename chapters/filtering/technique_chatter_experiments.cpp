@@ -222,8 +222,8 @@ const Registered chatter_table_figure{
     {.name = "chatter_table",
      .parameters =
          Parameters{}
-             .add_whole("seeds", 8, 1, 100, "random starts")
-             .add_whole("others", 4, 1, 100, "of these, for techniques without resting contact")
+             .add_whole("seeds", 6, 1, 100, "random starts")
+             .add_whole("others", 3, 1, 100, "of these, for techniques without resting contact")
              .add_whole("boxes", 5, 1, 20, "of the stack")
              .add_whole("rows", 5, 1, 10, "of the pyramid")
              .add_whole("small", 2, 2, 3, "cubes along each edge of the small clump's grid")

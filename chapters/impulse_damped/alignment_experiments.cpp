@@ -108,12 +108,20 @@ Result measure_ablation(const Parameters& settings) {
                 "1 to 8: scaling; with alignment; all; all but scaling, but slow "
                 "components, but settling, but turning upright, but small moves undone"},
                {"chatter", "-", "share of the boxes that chatter"},
-               {"rest_s", "s", "mean time at which a box last moved by more than a little"}}};
+               {"chatter_low", "-", "lower end of its interval of 95 %"},
+               {"chatter_high", "-", "upper end"},
+               {"rest_s", "s", "mean time at which a box last moved by more than a little"},
+               {"rest_low_s", "s", "lower end of its interval of 95 %"},
+               {"rest_high_s", "s", "upper end"}}};
   std::vector<Tried> tried;
   for (const PartSet& set : kSets) {
     tried.push_back(attempt(set, {}, per_edge));
     const Tried& now = tried.back();
-    table.add(tried.size(), now.share(chatters, -1), now.rest_time(-1));
+    const Quantity share =
+        over_seeds("", "-", seeds, [&](int left_out) { return now.share(chatters, left_out); });
+    const Quantity rest =
+        over_seeds("", "s", seeds, [&](int left_out) { return now.rest_time(left_out); });
+    table.add(tried.size(), with_interval(share), with_interval(rest));
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a[1] > b[1]; });

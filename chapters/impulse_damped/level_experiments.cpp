@@ -65,13 +65,13 @@ void add_piles(const Parameters& settings, Result& result) {
   const int rows = settings.count("piles");
   const std::vector<Pile> piles = {
       {"stack of ten", scene_with("stack", {"count=10"})},
-      {"pyramid of twenty rows", pyramid_of(rows)},
+      {"pyramid of fifteen rows", pyramid_of(rows)},
       {"wall", scene_with("wall", {"courses=" + std::to_string(settings.count("courses"))})}};
   Table table{"piles",
               {{"time_s", "s", "since the start"},
                {"stack_mm", "mm", "farthest drift in a stack of ten, constant"},
                {"stack_rising_mm", "mm", "the same, rising"},
-               {"pyramid_mm", "mm", "the same of a pyramid of twenty rows, constant"},
+               {"pyramid_mm", "mm", "the same of a pyramid of fifteen rows, constant"},
                {"pyramid_rising_mm", "mm", "rising"},
                {"wall_mm", "mm", "the same of the wall, constant"},
                {"wall_rising_mm", "mm", "rising"}}};
@@ -135,9 +135,9 @@ const Registered impulse_levels_figure{
      .parameters =
          Parameters{}
              .add_whole("rows", 10, 4, 30, "of the highest pyramid; 4, 7, 10 and so on are run")
-             .add_number("duration", 2.0, 0.5, 100.0, "s", "of each run")
-             .add_whole("piles", 20, 2, 30, "rows of the pyramid beside stack and wall")
-             .add_whole("courses", 20, 1, 100, "of the wall")
+             .add_number("duration", 1.0, 0.5, 100.0, "s", "of each run")
+             .add_whole("piles", 15, 2, 30, "rows of the pyramid beside stack and wall")
+             .add_whole("courses", 10, 1, 100, "of the wall")
              .add_number("piles_duration", 1.0, 0.1, 100.0, "s", "of the runs of these"),
      .quick = {"rows=7", "duration=0.5", "piles=5", "courses=1", "piles_duration=0.1"},
      .experiment = measure_levels}};

@@ -1,5 +1,5 @@
 # A thrown die in six frames, from left to right and from above to below.
-tall = 690
+tall = 600
 @PAGE
 set multiplot
 stats stem.'.csv' using 'time_s' name 'frame' nooutput

@@ -16,9 +16,9 @@ set label 1 'refutes below 10^{-9}, confirms above 10^{-3}' at graph 0.98,first 
 set arrow 2 from graph 0,first 1e-3 to graph 1,first 1e-3 nohead lt 8 dt (6,4)
 set label 2 'one unit in the last digit' at graph 0.98,first 1.2e-16 right textcolor rgb soft
 plot stem.'.csv' using 'time_s':'rounding_m' with lines lt 8 lw 3 lc rgb '#b0b0b0' notitle, \
-  '' using 'time_s':'separate_m' with lines lt 2 title 'semi-implicit, apart', \
+  '' using 'time_s':'separate_m' with lines lt 2 title 'semi-implicit, separate', \
   '' using 'time_s':(column('exponential_m') > 0 ? column('exponential_m') : NaN) with linespoints lt 1 pt 7 ps 0.4 dt 1 title 'semi-implicit, one twist', \
-  '' using 'time_s':'leapfrog_separate_m' with lines lt 4 title 'leapfrog, apart', \
+  '' using 'time_s':'leapfrog_separate_m' with lines lt 4 title 'leapfrog, separate', \
   '' using 'time_s':(column('leapfrog_exponential_m') > 0 ? column('leapfrog_exponential_m') : NaN) with linespoints lt 3 dt 1 pt 9 ps 0.5 title 'leapfrog, one twist'
 unset arrow 1; unset arrow 2; unset label 1; unset label 2
 

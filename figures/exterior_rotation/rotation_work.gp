@@ -38,5 +38,5 @@ side = 'error of the angle [rad]'; @SIDE
 set key at screen 0.55,0.358 center top vertical maxrows 3 width -4
 set label 2 'each body by its exponential:' at screen 0.55,0.366 center textcolor rgb soft
 plot for [k=1:4] stem.'.csv' using still[k].'_solves':still[k].'_angle' with linespoints lt still_types[k] title named[k], \
-  '' using 'rk4_solves':'rk4_angle' with linespoints lt 6 title 'Runge-Kutta 4, apart'
+  '' using 'rk4_solves':'rk4_angle' with linespoints lt 6 title 'Runge-Kutta 4, separate'
 unset multiplot

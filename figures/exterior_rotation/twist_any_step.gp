@@ -13,7 +13,7 @@ set xlabel 'length of a step [s]' offset 0,0.3
 side = 'largest gap or overlap [m]'; @SIDE
 set arrow 1 from graph 0,first 1e-12 to graph 1,first 1e-12 nohead lt 8 dt (6,4)
 set label 1 'asked: 10^{-12}' at graph 0.98,first 6e-12 right textcolor rgb soft
-plot stem.'.csv' using 'step_s':'separate_m' with linespoints lt 2 title 'semi-implicit, apart', \
+plot stem.'.csv' using 'step_s':'separate_m' with linespoints lt 2 title 'semi-implicit, separate', \
   '' using 'step_s':'semi_implicit_m' with linespoints lt 1 title 'semi-implicit, one twist', \
   '' using 'step_s':'impulse_m' with linespoints lt 5 title 'impulses, one twist', \
   '' using 'step_s':'leapfrog_m' with linespoints lt 3 title 'leapfrog', \

@@ -19,7 +19,7 @@ piles = stem.'_piles.csv'
 set key at screen 0.56,0.645 center top vertical maxcols 2
 set tmargin at screen 0.58; set bmargin at screen 0.385
 set xlabel 'time [s]' offset 0,0.3
-set xrange [0:*]; set xtics 0.5
+set xrange [0:*]; set xtics 0.2
 set yrange [0.1:1000]
 side = 'farthest drift [mm]'; @SIDE
 plot piles using 'time_s':'pyramid_mm' with lines lt 1 title 'pyramid, constant', \

@@ -75,6 +75,6 @@ unset key; unset label 1
 set tmargin at screen 0.28; set bmargin at screen 0.075
 set format x '%g'
 set xlabel 'steps done'
-side = 'apart [m/s²]'; @SIDE
+side = 'separating [m/s²]'; @SIDE
 plot 0 with lines lt 8 lw 1, \
   for [i=1:n] path using 'step':(column(1 + n + i)) with lines lt i lw 2.5

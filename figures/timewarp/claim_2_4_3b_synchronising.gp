@@ -39,7 +39,7 @@ set format y '%g'
 set xlabel 'collisions in a frame'
 set yrange [0.01:1]; set ytics 0.01,10
 set mxtics 10; set mytics 10
-side = 'share that is lost'; @SIDE
+side = 'fraction that is lost'; @SIDE
 of(count, value) = column('bodies') == count ? value : NaN
 set arrow 1 from 0.1,0.5 to 100,0.5 nohead lt 8 dt (2,4)
 set arrow 2 from 0.1,0.1 to 100,0.1 nohead lt 8 dt (2,4)

@@ -26,7 +26,7 @@ unset key
 set tmargin at screen 0.645; set bmargin at screen 0.415
 side = 'wrong events'; @SIDE
 unset label 1
-set xlabel 'largest relative way in a frame [edges]' offset 0,0.3
+set xlabel 'largest relative distance in a frame [edges]' offset 0,0.3
 plot stem.'.csv' using 'way':'simple_events' with linespoints lt 1, \
   '' using 'way':'simple_events':'simple_events_low':'simple_events_high' with yerrorbars lt 1, \
   '' using 'way':'safer_events' with linespoints lt 2, \

@@ -31,7 +31,7 @@ do for [k=1:8] {
   row = k - 1
   set tmargin at screen top(row); set bmargin at screen top(row)-130.0/tall
   set label 92 what[k] at screen 0.02,top(row)+48.0/tall textcolor rgb '#202020'
-  side = 'place [m]'
+  side = 'position [m]'
   tic = k == 8 ? 0.2 : k == 5 ? 4 : 2
   set ytics tic
   if (k == 8) { set xlabel 'time in the frame [ms]' offset 0,below; set xtics 5 } \
@@ -65,7 +65,7 @@ stats start using (column(0) == 3 ? column('place_m') : NaN) name 'D' nooutput
 stats start using (column(0) == 4 ? column('place_m') : NaN) name 'E' nooutput
 set label 92 what[k] at screen 0.02,top(row)+48.0/tall textcolor rgb '#202020'
 unset label 99; unset ytics; set border 1; unset grid
-set xlabel 'place [m]' offset 0,below; set xtics 0.2
+set xlabel 'position [m]' offset 0,below; set xtics 0.2
 do for [m=0:1] {
   set xrange [*:*]; set yrange [*:*]
   stats stem.'.csv' using (column('row') == k ? (m ? column('mended') : column('failure')) : NaN) name 'N' nooutput

@@ -33,7 +33,7 @@ do for [k=1:rows] {
   row = k - 1
   set tmargin at screen top(row); set bmargin at screen top(row)-130.0/tall
   set label 92 what[k] at screen 0.02,top(row)+48.0/tall textcolor rgb '#202020'
-  side = k == 6 ? 'bounces' : k == 8 ? 'height [mm]' : k == 9 ? 'place [mm]' : 'place [m]'
+  side = k == 6 ? 'bounces' : k == 8 ? 'height [mm]' : k == 9 ? 'position [mm]' : 'position [m]'
     tic = k == 6 || k == 9 ? 10 : k == 8 ? 0.5 : k == 4 || k == 5 ? 2 : 1
   set ytics tic
   if (k == 10) {

@@ -43,7 +43,7 @@ do for [panel=1:|heading|] {
   set lmargin at screen left; set rmargin at screen left + 0.385
   set tmargin at screen height(top); set bmargin at screen height(top + 265)
   if (panel % 2 == 1) { set label 99 'time [s]' at screen 0.02,height(top + 132) center rotate textcolor rgb '#202020' } else { unset label 99 }
-  if (panel > |heading| - 2) { set label 98 'place [m]' at graph 0.5,screen height(top + 316) center textcolor rgb '#202020' }
+  if (panel > |heading| - 2) { set label 98 'position [m]' at graph 0.5,screen height(top + 316) center textcolor rgb '#202020' }
   set label 1 sprintf('%d  %s', panel, heading[panel]) at screen left - 0.05,height(top - 15) left textcolor rgb '#202020'
   set label 2 queue[panel] at graph 0.61,0.40 left textcolor rgb '#0072B2'
   plot for [body=0:int(body_max)] ways using (of(panel, body, 0)):'time_s' with filledcurves closed lc rgb tone(body) fs solid 1.0 noborder, \

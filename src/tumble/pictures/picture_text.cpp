@@ -34,9 +34,10 @@ std::string to_gnuplot(const Picture& picture) {
   out += "set margins 0,0,0,0; set size ratio " + share_text(picture.height / picture.width);
   out += "; set xrange [0:" + whole_text(picture.width);
   out += "]; set yrange [0:" + whole_text(picture.height) + "]\n";
-  std::size_t number = 0;
-  for (const PictureArea& area : picture.areas) {
-    out += "set object " + std::to_string(++number) + " polygon";
+  // From the last one drawn to the first: gnuplot looks for the place of each among those of lower numbers.
+  for (std::size_t number = picture.areas.size(); number > 0; --number) {
+    const PictureArea& area = picture.areas[number - 1];
+    out += "set object " + std::to_string(number) + " polygon";
     const char* join = " from ";
     for (const Vec2& p : joined(area.loops)) {  // y goes up in gnuplot
       out += join + pair_text(p.x(), picture.height - p.y(), ',');
