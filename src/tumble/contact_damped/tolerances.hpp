@@ -143,9 +143,9 @@ inline constexpr double patch_creep = 10.0;
 /// [-] Bodies of a small island, at most. Reason: it is solved well at any speed, since that costs little. (6.3.1)
 inline constexpr int small_island = 20;
 
-/// [-] Sweeps over a small island, at least, and
+/// [-] Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
 inline constexpr int small_island_sweeps = 50;
-/// [-] friction and pressure in turn within its patches, at most. Reason: as for small_island. (6.3.1)
+/// [-] Friction and pressure in turn within its patches, at most. Reason: as for small_island. (6.3.1)
 inline constexpr int small_patch_iterations = 20;
 
 /// [-] Friction and pressure in turn within a patch of a large island. Reason: the next sweep goes on. (6.3.1)
