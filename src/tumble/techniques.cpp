@@ -235,7 +235,7 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"impulse", "2.5.2",
        "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
        "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
-       "leaning cards slip, what stands on a moving body may sink or drift",
+       "what stands on a moving body may sink or drift",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; fast bodies may "

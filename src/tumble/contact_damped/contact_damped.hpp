@@ -94,7 +94,8 @@ struct ContactDampedOptions {
 /// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it,
 /// solve_island() runs it, and what it keeps between steps is a member of ContactDamped::Memory. Its result is, within the
 /// cones of friction, the `impulse` of each point and the three sums of friction of each patch, and in Island::now the
-/// velocities that these impulses give. ContactPatchPoint::solver_impulse stays if it has no friction by point.
+/// velocities that these impulses give, with MovingBody::changed of each body that gets one.
+/// ContactPatchPoint::solver_impulse stays if it has no friction by point.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}

@@ -26,7 +26,8 @@ bool share_a_body(const ContactPatch& a, const ContactPatch& b,
 
 }  // namespace
 
-void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPatch>& patches) {
+void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPatch>& patches,
+                       std::uint64_t since) {
   const auto grazes = [](const ContactPatch& patch) { return !patch.flat_w.isZero(); };
   // Whether a body of the edge's pair lies on something in the plane of the edge.
   const auto supports = [&](const ContactPatch& edge, const ContactPatch& other) {
@@ -36,7 +37,7 @@ void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPa
            std::abs(height_w.dot(edge.flat_w)) < tolerance::flush_height * edge.size;
   };
   for (ContactPatch& patch : patches)
-    if (grazes(patch) &&
+    if (patch.stamp > since && grazes(patch) &&
         std::any_of(patches.begin(), patches.end(),
                     [&](const ContactPatch& other) { return supports(patch, other); }))
       patch.count = 0;

@@ -242,6 +242,7 @@ void PersistentManifolds::shorten(std::span<const MovingBody> bodies, double dt,
 int PersistentManifolds::add_missed(const World& world, std::span<const MovingBody> bodies,
                                     std::span<const IndexPair> candidates, double dt) {
   const std::size_t found = patches_.size();
+  const std::uint64_t last = built_;
   const Vec3 rest_w = velocity_of_rest(bodies);
   const auto stays = [&](int body) { return bodies[idx(body)].inverse_mass.x() == 0.0; };
   // A sleeping body has to wake up first, in the next step.
@@ -264,8 +265,7 @@ int PersistentManifolds::add_missed(const World& world, std::span<const MovingBo
                      patches_.end(), [](const ContactPatch& a, const ContactPatch& b) {
                        return comes_before(a, b.first_id, b.second_id);
                      });
-  // This may remove earlier ones as well, so that all places are new even where as many are left.
-  drop_grazed_edges(bodies, patches_);
+  drop_grazed_edges(bodies, patches_, last);
   return added;
 }
 

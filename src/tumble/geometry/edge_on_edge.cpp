@@ -126,15 +126,16 @@ bool farther_than(double near, const Manifold& manifold) {
                      [near](const ManifoldPoint& p) { return p.distance > near; });
 }
 
-// Both ends of the stretch that the edges share, with their distance along a normal.
-void write_ends(const Ridge& first, const Ridge& second, const Vec3& normal_w, double margin,
-                Manifold& out) {
+// Both ends of the stretch that the edges share, with their distance along a normal. A stretch no longer than the
+// least is none: there corners lie on each other.
+void write_ends(const Ridge& first, const Ridge& second, const Vec3& normal_w, double least,
+                double margin, Manifold& out) {
   const FeatureId name = name_of(first.number, kEdgesOfSecond + second.number);
   const FeatureId names[] = {name, name | kOtherEnd};
   const double at = first.direction_w.dot(second.middle_w - first.middle_w);
   const double from = std::max(-first.half, at - second.half);
   const double to = std::min(first.half, at + second.half);
-  if (from > to) return;
+  if (!(to - from > least)) return;
   out.normal_w = normal_w;
   out.count = 0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -164,7 +165,7 @@ void turn_to_edges(const BoxPair& pair, double margin, Manifold& manifold) {
   if (!middle_w) return;
   const Vec3 gap_w = between(first, second);
   const bool apart = gap_w.norm() > near && leaves(first, gap_w) && leaves(second, -gap_w);
-  write_ends(first, second, apart ? gap_w.normalized() : *middle_w, margin, manifold);
+  write_ends(first, second, apart ? gap_w.normalized() : *middle_w, near, margin, manifold);
 }
 
 }  // namespace tumble
