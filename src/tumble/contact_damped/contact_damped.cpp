@@ -43,8 +43,10 @@ StepReport ContactDamped::step(World& world, double dt) {
   if (options_.sleeping) {
     const int woken = sleeping.wake_disturbed(world);
     if (woken == 0 && sleeping.nobody_awake()) {
-      records_.clear();  // their bodies may be gone
-      recorded_ = true;
+      if (world.bodies().size() != velocities_.start.size() && !contacts().empty())
+        std::erase_if(records_, [&](const ContactRecord& contact) {
+          return !world.find(contact.first) || !world.find(contact.second);
+        });
       world.finish_step(dt);
       return report;
     }
