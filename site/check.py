@@ -61,7 +61,8 @@ LOOK = r"""(() => {
     links: ['href', 'src', 'data'].flatMap(key => [...document.querySelectorAll(`body [${key}]`)].map(
         node => node.getAttribute(key))),
     pictures: [...document.querySelectorAll('img')].filter(node => node.complete && !node.naturalWidth)
-        .map(node => node.getAttribute('src')),
+        .map(node => node.getAttribute('src')).concat([...document.querySelectorAll('object')]
+            .map(node => node.getAttribute('data')).filter(data => !data.endsWith('.svg'))),
     still: [...document.querySelectorAll('figure.drawing[data-drawing]:not(.dragged)')].map(one => one.dataset.drawing),
     height: content.scrollHeight,
     // A line of a listing that is wider than the listing: it would have to be moved to be read.

@@ -93,6 +93,8 @@ def addresses(site):
 
 def slim_pages(site, pictures, gone, now):
     named = re.compile(r'"(?:figures/)?([\w.]+\.(?:svg|png|gif))"')
+    # Doxygen shows an SVG as an object, in which a PNG would not be scaled.
+    shown = re.compile(r'<object type="image/svg\+xml" data="([^"]+\.png)"[^>]*></object>')
     links = re.compile(r' · <a href="figures/(\w+)\.(svg|png)">\2</a>')
     for page in site.glob("*.html"):
         if page.name in gone or page.stem.endswith("-members"):
@@ -101,6 +103,7 @@ def slim_pages(site, pictures, gone, now):
         text = links.sub(lambda m: m.group(0) if pictures[m.group(1) + ".svg"].endswith(m.group(2)) else "",
                          page.read_text(encoding="utf-8"))
         text = named.sub(lambda m: f'"{pictures.get(m.group(1), m.group(0)[1:-1])}"', text)
+        text = shown.sub(r'<img src="\1" alt="" />', text)
         if page.stem.endswith("_source"):
             text = replaced(text, LISTED)
         page.write_text(now(replaced(text, UNSEEN)), encoding="utf-8")
