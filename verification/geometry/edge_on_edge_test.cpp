@@ -3,12 +3,14 @@
 #include "tumble/geometry/edge_on_edge.hpp"
 
 #include "tumble/geometry/manifold.hpp"
-#include "tumble/scenes/recipes.hpp"
+#include "tumble/math/rotation.hpp"
+#include "tumble/techniques.hpp"
 
 #include "geometry/boxes.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace {
