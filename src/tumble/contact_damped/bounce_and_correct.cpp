@@ -1,6 +1,7 @@
 /// \file
 /// \brief The default technique: restitution, overlap correction and the energy account.
 #include "tumble/base/index.hpp"
+#include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/patch_solver.hpp"

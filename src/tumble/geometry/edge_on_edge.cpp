@@ -3,6 +3,7 @@
 #include "tumble/geometry/edge_on_edge.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/edge_crossing.hpp"
 #include "tumble/geometry/tolerances.hpp"
 
