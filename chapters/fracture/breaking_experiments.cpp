@@ -139,12 +139,17 @@ bool elements_drop(double speed, int cells, FractureWork& work) {
   return false;
 }
 
+// The bar, and the plank as a row of glued boxes that has come down to it.
+BreakingRow falling_row(World& world, double speed) {
+  add_bar(world);
+  return BreakingRow(world, glued_plank(RowRule::stress),
+                     Vec3(0.0, kBar.y() + kTouching + 0.5 * kPlank.y(), 0.0),
+                     Vec3(0.0, -speed, 0.0));
+}
+
 bool row_drop(double speed, double dt) {
   World world;
-  const BodyProperties bar = fixed_box_properties(kBar);
-  world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
-  BreakingRow row(world, glued_plank(RowRule::stress),
-                  Vec3(0.0, kBar.y() + kTouching + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
+  BreakingRow row = falling_row(world, speed);
   TimeStepping technique;
   for (double time = 0.0; time < 0.1; time += dt)
     if (finished(row.step(world, technique, dt)).events > 0) return true;
@@ -171,10 +176,7 @@ double work_ratio(int cells, double speed) {
   Fracture plank = falling_plank(soft_material(), speed, {20 * cells, cells, 2 * cells});
   finished(plank.step(kWatched));
   World world;
-  const BodyProperties bar = fixed_box_properties(kBar);
-  world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
-  BreakingRow row(world, glued_plank(RowRule::stress),
-                  Vec3(0.0, kBar.y() + kTouching + 0.5 * kPlank.y(), 0.0), Vec3(0.0, -speed, 0.0));
+  BreakingRow row = falling_row(world, speed);
   TimeStepping technique;
   for (int k = 0; k < 12; ++k) finished(row.step(world, technique, kStep));
   const double elements = static_cast<double>(plank.work().evaluations) / kWatched;

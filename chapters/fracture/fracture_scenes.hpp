@@ -19,6 +19,12 @@ inline ElasticMaterial soft_material(double strength = 1e6) {
   return elastic_material(0.26e9, 0.25, 2600.0, strength, 1e-5);
 }
 
+// The bar on which it falls.
+inline void add_bar(World& world) {
+  const BodyProperties bar = fixed_box_properties(kBar);
+  world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
+}
+
 // A plank that has come down to just above the bar.
 inline Fracture falling_plank(const ElasticMaterial& material, double speed,
                               const std::array<int, 3>& cells, double gap = kGap) {
@@ -27,8 +33,7 @@ inline Fracture falling_plank(const ElasticMaterial& material, double speed,
   for (ElasticNode& node : plank.nodes) node.velocity_w.y() = -speed;
   World around;
   around.add_ground();
-  const BodyProperties bar = fixed_box_properties(kBar);
-  around.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
+  add_bar(around);
   const double least = least_height(plank);
   return Fracture(std::move(plank), std::move(around), least);
 }

@@ -34,10 +34,7 @@ World leaning_column(double yaw) {
 }
 
 std::unique_ptr<Technique> made(const std::string& name, PoseUpdate pose) {
-  const TechniqueRecipe& recipe = technique_recipe(name);
-  Parameters options = recipe.options();
-  options.set("pose", std::string(name_of(pose)));
-  return recipe.make(options, 1);
+  return make_technique(name, {"pose=" + std::string(name_of(pose))});
 }
 
 struct Fall {

@@ -16,10 +16,7 @@ namespace tumble::adaptive_cases {
 constexpr double kStep = 1.0 / 60.0;  // [s] a whole step
 
 // A technique with its default options.
-inline std::unique_ptr<Technique> make(const char* name) {
-  const TechniqueRecipe& recipe = technique_recipe(name);
-  return recipe.make(recipe.options(), 1);
-}
+inline std::unique_ptr<Technique> make(const char* name) { return make_technique(name); }
 
 // Options with default tolerances.
 inline AdaptiveStepOptions halvings(int most, int fewest = 0) {

@@ -50,8 +50,7 @@ Manifold at_ridge(const World& world, double margin) {
 // [m] How far the middle of a card of a tent has sunk after a time.
 double sunk(const char* technique, const World& start, double dt, double duration) {
   World world = start;
-  const TechniqueRecipe& recipe = technique_recipe(technique);
-  const std::unique_ptr<Technique> stepper = recipe.make(recipe.options(), 1);
+  const std::unique_ptr<Technique> stepper = make_technique(technique);
   for (double t = 0.0; t < duration; t += dt)
     REQUIRE(stepper->step(world, dt).status == StepStatus::done);
   return start.states()[1].position_w.y() - world.states()[1].position_w.y();

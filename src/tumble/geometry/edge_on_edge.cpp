@@ -113,7 +113,8 @@ std::optional<Ridges> touching_ridges(const BoxPair& pair, const IndexPair& axes
   for (int i = 0; i < manifold.count; ++i) {
     const Vec3& point_w = manifold.points[idx(i)].position_w;
     const auto first = ridge_at(pair.first, axes.first, point_w, near);
-    const auto second = first ? ridge_at(pair.second, axes.second, point_w, near) : first;
+    if (!first) return {};
+    const auto second = ridge_at(pair.second, axes.second, point_w, near);
     if (!second) return {};
     if (out && (out->first.number != first->number || out->second.number != second->number))
       return {};
