@@ -3,6 +3,7 @@
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
@@ -161,6 +162,6 @@ TEST_CASE(
     CHECK(manifolds.patches().size() == (speed > 6.0 ? 1 : 0));
     if (speed > 6.0)
       CHECK(manifolds.patches()[0].points[0].target ==
-            near(-(0.101 - tolerance::contact_damped_slop) / kStep).margin(1e-10));
+            near(-(0.101 - tolerance::contact_slop) / kStep).margin(1e-10));
   }
 }

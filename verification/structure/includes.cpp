@@ -43,6 +43,7 @@ std::optional<int> height_of(const std::string& folder) {
                                                   {"basic_colliding", 5},
                                                   {"lcp_solvers", 5},
                                                   {"analytic_lcp", 5},
+                                                  {"contact_patches", 5},
                                                   {"contact_damped", 5},
                                                   {"impulse_damped", 5},
                                                   {"geometric_stability", 5},

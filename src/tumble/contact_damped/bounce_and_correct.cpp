@@ -4,8 +4,9 @@
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
-#include "tumble/contact_damped/patch_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
@@ -57,9 +58,7 @@ bool overlaps_by(const ContactPatch& patch, double share) {
                      [&](const ContactPatchPoint& p) { return -p.gap > share * patch.size; });
 }
 
-bool overlaps(const ContactPatch& patch) {
-  return overlaps_by(patch, tolerance::contact_damped_slop);
-}
+bool overlaps(const ContactPatch& patch) { return overlaps_by(patch, tolerance::contact_slop); }
 
 // Sweeps of the overlap correction, from the ground up.
 void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& displacements) {
@@ -83,8 +82,7 @@ void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& d
       most = std::max(most, change / patch.size);
     }
     if (k == 0) first = most;
-    if (most < tolerance::correction_converged * std::max(first, tolerance::contact_damped_slop))
-      break;
+    if (most < tolerance::correction_converged * std::max(first, tolerance::contact_slop)) break;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/dynamics/step_report.hpp"
@@ -98,6 +99,7 @@ void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.in_flight.assign(velocities_.end.size(), 1);
+  storage_.front.reset(velocities_.end.size());
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
@@ -199,7 +201,8 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
           storage_.start_wb,
           velocities_.start,
           velocities_.free,
-          velocities_.end};
+          velocities_.end,
+          storage_.front};
 }
 
 // Which bodies turn about which: patches push at their centre of pressure. A patch whose friction is below its bound
@@ -218,7 +221,7 @@ void ContactDamped::find_pivots(const World& world, double dt) {
     const double limit = (1.0 - tolerance::friction_limit) * patch.friction * all[six::normal];
     if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
     for (const ContactPatchPoint& p : patch.used()) {
-      if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_damped_slop * patch.size)
+      if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_slop * patch.size)
         pair.state = PushedState::unknown;  // it closes a gap, or there is overlap
       pair.point_w += p.impulse * position_of(patch, velocities_.start[idx(patch.first)], p);
     }

@@ -4,10 +4,10 @@
 /// Depends on contact, dynamics and geometry, on no other technique.
 ///
 /// **Reading order.** This header and ContactDamped::step() in contact_damped.cpp; then what that uses:
-/// 1. contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
+/// 1. contact_patches/contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
 ///    patches of a step and keeps them while bodies rest, without edges of no height (grazed_edges.hpp);
 ///    island_order.hpp groups and orders them.
-/// 2. patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
+/// 2. contact_patches/patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
 ///    patches of an island.
 /// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
@@ -144,6 +144,7 @@ class ContactDamped : public Technique {
     std::vector<PushedPair> pushed;            // pairs with an impulse
     std::vector<Quat> start_wb;                // orientations at the start of the step
     std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
+    SweepFront front;                          // where sweeps have changed something
     KeptSolution kept;                         // of an island, while raised targets are tried
     KeptSolution swept;                        // ditto, while the direct solver is
     PivotUpdate pivots;                        // bodies that are moved together
@@ -158,6 +159,7 @@ class ContactDamped : public Technique {
   void find_candidates(const World& world, std::span<const MovingBody> moves, double dt);
   void solve_missed(const World& world, double dt, StepReport& report);
   void solve_again(const Island& island, StepReport& report);
+  void sweep_again(const Island& island, StepReport& report);
   void solve_turning(const World& world, double dt, StepReport& report);
   Island view_of_island(const World& world, int k, double dt);
   void solve_island(const Island& island, StepReport& report);

@@ -2,7 +2,7 @@
 /// \brief Edges without height, which a body that slides over flush neighbours must not hit (thesis 3.2, 6.3.1).
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 
 #include <cstdint>
 #include <span>

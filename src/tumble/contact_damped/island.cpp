@@ -5,8 +5,8 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/energy_on_the_way.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/contact_damped/patch_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <algorithm>
@@ -88,11 +88,13 @@ double shortest_edge(const Island& island) {
   return size;
 }
 
-double negligible_residual(const Island& island) {
+double gravity_speed(const Island& island) {
   const double g = island.world.gravity_w.norm();
-  const double speed =
-      g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
-  return tolerance::contact_settled * speed;
+  return g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
+}
+
+double negligible_residual(const Island& island) {
+  return tolerance::contact_settled * gravity_speed(island);
 }
 
 SpeedRange speed_range(const Island& island) {
@@ -139,32 +141,41 @@ bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
 }
 
+void note_approach(const Island& island, ContactPatch& patch) {
+  const Six before =
+      motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
+  const Six after = motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
+  for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
+}
+
 void warm_start(const Island& island) {
   for (const int contact : island.upward) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    const Six before =
-        motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
-    const Six after =
-        motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
-    for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
+    note_approach(island, patch);
     apply(impulse_of(patch), patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   }
 }
 
-double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
+double sweep(const Island& island, SweepOrder order, const SweepLimits& limits,
              StepReport& report) {
+  const double shows = tolerance::swept_change * gravity_speed(island);
   // [S6.3.1:sweep]
+  island.front.begin_sweep();
   double most = 0.0;
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
     ContactPatch& patch = island.all_patches[idx(contact)];
-    most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
-                                      island.now[idx(patch.second)], patch_iterations, residual));
+    if (limits.at_front && !island.front.reaches(patch)) continue;
+    const double change =
+        solve_patch(patch, island.now[idx(patch.first)], island.now[idx(patch.second)],
+                    limits.patch_iterations, limits.residual);
+    if (change > shows) island.front.note_change(patch, island.now);
+    most = std::max(most, change);
+    ++report.impulses;
   }
   // [S6.3.1:sweep]
   ++report.iterations;
-  report.impulses += static_cast<std::int64_t>(count);
   return most;
 }
 

@@ -4,7 +4,7 @@
 
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/islands.hpp"
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/dynamics/world.hpp"
 
 #include <span>

@@ -2,7 +2,7 @@
 /// \brief Arithmetic of IslandSolver: motions, impulses, cones and springs of contact patches.
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 

@@ -5,8 +5,8 @@
 /// sweeps go from patch to patch. Iterations remain: friction and separation are not linear.
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <array>

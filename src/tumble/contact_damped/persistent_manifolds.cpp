@@ -8,6 +8,7 @@
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/geometry/nearest_point.hpp"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ void set_for_step(const IndexPair& pair, std::span<const MovingBody> bodies, dou
                   ContactPatch& patch) {
   patch.first = pair.first;
   patch.second = pair.second;
-  set_targets(tolerance::contact_damped_slop * patch.size, dt, patch);
+  set_targets(tolerance::contact_slop * patch.size, dt, patch);
   correct_targets_for_rotation(bodies[idx(pair.first)], bodies[idx(pair.second)], dt, patch);
 }
 
@@ -94,7 +95,7 @@ bool will_overlap(const ContactPatch& patch, std::span<const MovingBody> bodies,
   const Six u = motion_of(patch, bodies[idx(patch.first)], bodies[idx(patch.second)]);
   return std::any_of(patch.used().begin(), patch.used().end(), [&](const ContactPatchPoint& p) {
     const double end = p.gap + dt * velocity_at(p.along, p.across, u).z();
-    return end < -tolerance::contact_damped_slop * patch.size;
+    return end < -tolerance::contact_slop * patch.size;
   });
 }
 
@@ -188,7 +189,7 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   const double size =
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
   const MeetingFound met =
-      find_meeting(world, pair, manifold, size, tolerance::contact_damped_slop * size, bodies, dt);
+      find_meeting(world, pair, manifold, size, tolerance::contact_slop * size, bodies, dt);
   if (met.meeting == Meeting::pass) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;

@@ -2,7 +2,7 @@
 /// \brief The contact patches of a step, kept while bodies rest (thesis 3.2, 6.3.1).
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <span>

@@ -2,7 +2,7 @@
 /// \brief The parts into which the default technique divides a step in which bodies move far (thesis 3.2).
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
 #include "tumble/geometry/broad_phase.hpp"

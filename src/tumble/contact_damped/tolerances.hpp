@@ -6,10 +6,6 @@ namespace tumble::tolerance {
 
 // --- contact_damped -----------------------------------------------------------------------
 
-/// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10 micrometres for a metre is
-/// not seen and far above rounding. (6.3.1)
-inline constexpr double contact_damped_slop = 1e-5;
-
 /// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a
 /// corner that hangs a millimetre over its support belongs to the patch that carries the box. (6.3.1)
 inline constexpr double kept_margin = 1e-3;
@@ -69,10 +65,6 @@ inline constexpr double newton_stiffness = 1e4;
 /// the direction of the slide hardly changes within a step. (6.3.1)
 inline constexpr double slide_steps = 4.0;
 
-/// [rad] Turn in a step beyond which the way of a point by rotation is taken along its arc. Reason: up to
-/// here the tangent is off by less than an eighth of the way. (6.3.1)
-inline constexpr double fast_turn = 0.5;
-
 /// [rad] Turn in a step below which bodies that push each other are moved each by itself. Reason: the points where they
 /// meet part by its square. (6.2)
 inline constexpr double least_turn = 1e-5;
@@ -124,20 +116,6 @@ inline constexpr double repair_rest = 0.9e-5;
 /// being seen to go. (4.4)
 inline constexpr double repair_share = 0.2;
 
-/// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than this share of
-/// the largest change. Reason: sweeps over the island come back to the patch. (6.3.1)
-inline constexpr double patch_settled = 1e-4;
-
-// --- one contact patch ---------------------------------------------------------------------------
-
-/// [-] Share of the slop that targets of points may be off from those of the one motion that replaces them. Reason: with a
-/// whole slop a patch that rests on some points would move in every step in a way that they do not ask for. (6.3.1)
-inline constexpr double planar_targets = 0.01;
-
-/// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping points
-/// take IslandSolver many steps, and friction under the common bound of their patch would set it back in each. (6.3.1)
-inline constexpr double patch_creep = 10.0;
-
 // --- sweeps over an island -----------------------------------------------------------------------
 
 /// [-] Bodies of a small island, at most. Reason: it is solved well at any speed, since that costs little. (6.3.1)
@@ -169,6 +147,14 @@ inline constexpr int sweeps_after_gain = 50;
 /// [-] Sweeps over a large island much of which moves, at most. Reason: of 6, 12, 24 and 50 the one after which 125 cubes
 /// that fall together overlap no less with more. (6.3.1)
 inline constexpr int loose_sweeps = 24;
+
+/// [-] Change of a velocity in a sweep, as a share of g dt, after which the next sweep looks at its neighbours. Reason: with
+/// 0.01 a heap of 500 that slows down creeps on; with 0.001 it comes to rest, and half of its patches are left out. (6.3.1)
+inline constexpr double swept_change = 1e-3;
+
+/// [-] Sweeps that follow where an island that sweeps have solved gets new targets or patches, at most. Reason: of 6, 12 and 24
+/// the one with which the longest steps of 1000 falling cubes take half the work; overlap is the same. (6.3.1)
+inline constexpr int sweeps_again = 6;
 
 /// [-] Way by which bodies of such an island may sink into each other in a step, as a share of the shortest edge, before
 /// the direct solver is tried. Reason: of 0.003, 0.01 and 0.03 the one that 125 falling cubes never reach. (6.3.1)

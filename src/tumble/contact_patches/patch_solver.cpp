@@ -1,9 +1,9 @@
 /// \file
 /// \brief The impulses of one contact patch.
-#include "tumble/contact_damped/patch_solver.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/minimum_in_ball.hpp"
 
 #include <algorithm>

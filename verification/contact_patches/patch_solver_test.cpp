@@ -1,8 +1,8 @@
 /// \file
 /// \brief One contact patch: sticking, the bounds of friction, restitution and overlap correction.
-#include "tumble/contact_damped/patch_solver.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 
-#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/geometry/ground.hpp"
 #include "tumble/math/rotation.hpp"
 
@@ -40,7 +40,7 @@ struct OnGround {
     patch.size = 1.0;
     patch.friction = friction;
     build_patch(found, ground, box, patch);
-    set_targets(tolerance::contact_damped_slop, kStep, patch);
+    set_targets(tolerance::contact_slop, kStep, patch);
     REQUIRE(patch.spans_area);
   }
 
@@ -147,8 +147,7 @@ TEST_CASE("A box above the ground may come down by its gap less the slop, in one
   OnGround one(0.5, 0.01);
   one.box.velocity_w = Vec3(0.0, -2.0, 0.0);
   one.solve(4);
-  CHECK(one.box.velocity_w.y() ==
-        near(-(0.01 - tolerance::contact_damped_slop) / kStep).margin(1e-13));
+  CHECK(one.box.velocity_w.y() == near(-(0.01 - tolerance::contact_slop) / kStep).margin(1e-13));
   OnGround slow(0.5, 0.01);
   slow.box.velocity_w = Vec3(0.0, -0.5, 0.0);
   slow.solve(4);

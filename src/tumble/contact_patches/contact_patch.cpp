@@ -1,10 +1,10 @@
 /// \file
 /// \brief Building a contact patch, its targets and its warm start.
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
@@ -117,8 +117,8 @@ void build_patch(const Manifold& found, const MovingBody& first, const MovingBod
   for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
     middle_w += found.points[i].position_w;
   middle_w /= found.count;
-  middle_w += height_of_touch(found, middle_w, tolerance::contact_damped_slop * patch.size) *
-              found.normal_w;
+  middle_w +=
+      height_of_touch(found, middle_w, tolerance::contact_slop * patch.size) * found.normal_w;
   const Tangents tangents = tangents_of(found.normal_w);
   patch.frame_w.col(0) = tangents.first_w;
   patch.frame_w.col(1) = tangents.second_w;

@@ -2,7 +2,7 @@
 /// \brief The impulses of one contact patch, exact where it sticks (thesis 6.3.1).
 #pragma once
 
-#include "tumble/contact_damped/contact_patch.hpp"
+#include "tumble/contact_patches/contact_patch.hpp"
 
 namespace tumble {
 

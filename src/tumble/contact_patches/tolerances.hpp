@@ -1,0 +1,27 @@
+/// \file
+/// \brief The small numbers of one contact patch.
+#pragma once
+
+namespace tumble::tolerance {
+
+/// [-] Overlap and gap of bodies at rest, as a share of the shortest edge of the two. Reason: 10 micrometres for a metre is
+/// not seen and far above rounding. (6.3.1)
+inline constexpr double contact_slop = 1e-5;
+
+/// [-] Share of the slop that targets of points may be off from those of the one motion that replaces them. Reason: with a
+/// whole slop a patch that rests on some points would move in every step in a way that they do not ask for. (6.3.1)
+inline constexpr double planar_targets = 0.01;
+
+/// [-] A point that pushes and slides no faster than this multiple of the allowed residual rests. Reason: creeping points
+/// take IslandSolver many steps, and friction under the common bound of their patch would set it back in each. (6.3.1)
+inline constexpr double patch_creep = 10.0;
+
+/// [-] Turns between friction and pressure in a patch end with one that changes its velocities by less than this share of
+/// the largest change. Reason: sweeps over the island come back to the patch. (6.3.1)
+inline constexpr double patch_settled = 1e-4;
+
+/// [rad] Turn in a step beyond which the way of a point by rotation is taken along its arc. Reason: up to
+/// here the tangent is off by less than an eighth of the way. (6.3.1)
+inline constexpr double fast_turn = 0.5;
+
+}  // namespace tumble::tolerance
