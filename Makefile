@@ -90,8 +90,9 @@ live:  ## the page on which boxes are thrown at the scenes: build/live/index.htm
 	$(CONFIGURE)
 	cmake/live $(OPTIONS)
 
-site:  ## chapters, figures, ledger and reference as a web site: build/site/index.html
+site:  ## chapters, figures, ledger, reference and live page as a web site: build/site/index.html
 	@cmake/setup $(SITE_PACKAGES)
+	@cmake/setup $(LIVE_PACKAGES) || echo "Going on: the site will have pictures where scenes would run."
 	$(CONFIGURE) -DTUMBLE_FIGURES=ON
 	$(MAKE_IT) --target figures
 	$(MAKE_IT) --target pages

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,28 +46,49 @@ std::vector<std::string> wrapped(std::string_view text, std::string_view separat
   return lines;
 }
 
+// The widths of two columns in front of summaries.
+struct Columns {
+  int first = 0, second = 0;
+
+  void fit(std::string_view name, std::string_view text) {
+    first = std::max(first, width(name));
+    second = std::max(second, width(text));
+  }
+};
+
 void print_line(std::string_view name, std::string_view second, std::string_view summary,
-                int second_width = 14) {
-  for (const std::string& line : wrapped(summary, " ", kSummaryWidth)) {
-    std::printf("%-21.*s %-*.*s %s\n", width(name), name.data(), second_width, width(second),
-                second.data(), line.c_str());
+                const Columns& columns) {
+  for (std::string line : wrapped(summary, " ", kSummaryWidth)) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::printf("%-*.*s  %-*.*s  %s\n", columns.first, width(name), name.data(), columns.second,
+                width(second), second.data(), line.c_str());
     name = second = "";
   }
+}
+
+// All entries of a library, or one, each with its section of the thesis.
+template <class Library>
+void print_lines(const Library& library) {
+  Columns columns;
+  for (const auto& entry : library) columns.fit(entry.name, entry.section);
+  for (const auto& entry : library) print_line(entry.name, entry.section, entry.summary, columns);
 }
 
 void print_settings(const Parameters& settings) {
   if (settings.all().empty()) std::printf("  (no settings)\n");
   std::size_t key = 3;
   std::size_t value = 7;
+  std::size_t unit = 4;
   std::size_t range = 5;
   for (const Parameter& p : settings.all()) {
     key = std::max(key, p.key.size());
     value = std::max(value, p.value.size());
+    unit = std::max(unit, p.unit.size());
     for (const std::string& line : wrapped(range_of(p), "|", kRangeWidth))
       range = std::max(range, line.size());
   }
   constexpr std::size_t least = 30;
-  const std::size_t before = key + value + range + 14;  // with the unit and the gaps
+  const std::size_t before = key + value + unit + range + 10;  // with the gaps
   const std::size_t meaning = before + least < kWidth ? kWidth - before : least;
   const auto row = [&](const std::string& k, const std::string& v, const std::string& u,
                        const std::string& r, const std::string& m) {
@@ -76,7 +98,7 @@ void print_settings(const Parameters& settings) {
     };
     column(k, key);
     column(v, value);
-    column(u, 4);
+    column(u, unit);
     column(r, range);
     column(m, 0);
     line.erase(line.find_last_not_of(' ') + 1);
@@ -98,7 +120,7 @@ int list_scenes(const std::string& name, bool as_toml, const std::vector<std::st
                 std::uint64_t seed) {
   if (name.empty()) {
     require::that(!as_toml && settings.empty(), "--toml and --set need the name of a scene");
-    for (const SceneRecipe& s : scene_library()) print_line(s.name, s.section, s.summary);
+    print_lines(scene_library());
     return kDone;
   }
   const SceneRecipe& recipe = scene_recipe(name);
@@ -109,31 +131,31 @@ int list_scenes(const std::string& name, bool as_toml, const std::vector<std::st
     std::printf("%s", to_toml(checked(recipe.build(parameters, Random(seed)))).c_str());
     return kDone;
   }
-  print_line(recipe.name, recipe.section, recipe.summary);
+  print_lines(std::span(&recipe, 1));
   print_settings(parameters);
   return kDone;
 }
 
 int list_techniques(const std::string& name) {
   if (name.empty()) {
-    for (const TechniqueRecipe& t : technique_library()) print_line(t.name, t.section, t.summary);
+    print_lines(technique_library());
     return kDone;
   }
   const TechniqueRecipe& recipe = technique_recipe(name);
-  print_line(recipe.name, recipe.section, recipe.summary);
+  print_lines(std::span(&recipe, 1));
   print_settings(recipe.options());
   return kDone;
 }
 
 int list_filters() {
-  int widest = 0;
-  for (const FilterRecipe& f : filter_library()) widest = std::max(widest, width(f.form));
-  for (const FilterRecipe& f : filter_library()) print_line(f.name, f.form, f.summary, widest);
+  Columns columns;
+  for (const FilterRecipe& f : filter_library()) columns.fit(f.name, f.form);
+  for (const FilterRecipe& f : filter_library()) print_line(f.name, f.form, f.summary, columns);
   return kDone;
 }
 
 int list_lcp_solvers() {
-  for (const LcpRecipe& s : lcp_solvers()) print_line(s.name, s.section, s.summary);
+  print_lines(lcp_solvers());
   return kDone;
 }
 

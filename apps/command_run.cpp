@@ -47,8 +47,10 @@ void print_summary(const ResolvedRequest& r, const RunResult& result) {
   std::printf("%s, %s: %.6g s in %lld steps, %lld collisions\n", r.description.scene.c_str(),
               r.description.technique.c_str(), result.time, static_cast<long long>(result.steps),
               static_cast<long long>(result.totals.events));
-  std::printf("  deepest overlap %.3g m, worst energy error %.3g J, chatter %.3g m at the end\n",
-              worst.deepest_overlap, worst.energy_error, result.last.chatter.amplitude);
+  std::printf("  deepest overlap %.3g m, chatter %.3g m at the end\n", worst.deepest_overlap,
+              result.last.chatter.amplitude);
+  std::printf("  worst energy error %.3g J, %.2g %% of lifting each box by its edge\n",
+              worst.energy_error, 100.0 * worst.energy_error_share);
   std::printf("  state hash %s, files in %s\n", result.state_hash.c_str(), r.folder.c_str());
 }
 

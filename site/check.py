@@ -4,10 +4,10 @@
 usage: site/check.py SITE [--pictures DIR]
 
 On every page below: it loads without an error on the console and without a file that is missing, formulas are
-typeset, drawings can be dragged, nothing makes it scroll sideways, no listing is cut off at a desk, no page of prose has
-more than 5000 words, each link and picture leads to something, and where
-the site has the live page, each scene runs when it comes into sight. The search finds a word of the text, and its first
-hit leads there.
+typeset, drawings can be dragged and cut off none of their words, nothing makes it scroll sideways, no listing is cut
+off at a desk, no page of prose has more than 5000 words, each link and picture leads to something, and where the site
+has the live page, each scene runs when it comes into sight. The search finds a word of the text, and its first hit
+leads there.
 With --pictures each page is also saved as it looks, light and dark.
 
 exit codes: 0 all is well, 1 something is not, 2 bad input
@@ -68,6 +68,14 @@ LOOK = r"""(() => {
     // A line of a listing that is wider than the listing: it would have to be moved to be read.
     cut: [...content.querySelectorAll('div.fragment')].filter(node => node.scrollWidth > node.clientWidth + 1)
         .map(node => node.textContent.trim().slice(0, 40)),
+    // Words of a drawing that its edge cuts off.
+    outside: [...content.querySelectorAll('figure.drawing svg')].flatMap(svg => {
+      const view = svg.viewBox.baseVal, inside = (low, size, from, all) => low >= from - 2 && low + size <= from + all + 2;
+      return [...svg.querySelectorAll('text')].filter(text => {
+        const box = text.getBBox();
+        return box.width && !(inside(box.x, box.width, view.x, view.width) && inside(box.y, box.height, view.y, view.height));
+      }).map(text => text.textContent);
+    }),
     words: words(copy),
   };
 })()"""
@@ -127,6 +135,7 @@ def check_page(browser, site, page, size, anchors, pictures):
     if seen["raw"]:
         yield f"shows {seen['raw'][0]} instead of what it means"
     yield from (f"drawing cannot be dragged: {name}" for name in seen["still"])
+    yield from (f"drawing cuts off its text: {text}" for text in seen["outside"])
     if seen["wide"]:
         yield "scrolls sideways: " + ", ".join(seen["widest"])
     if size == "desk":

@@ -82,7 +82,7 @@ return {
     draw(pen, values) {
       const {t, n, how} = this.answer(values), {mu, point} = values;
       const [x, y] = point ?? [200, 110];
-      const up = Math.min(180, 140 / mu);
+      const up = Math.min(155, 140 / mu);
       pen.shape([[150, 200], [150 - mu * up, 200 - up], [150 + mu * up, 200 - up]], 'arc');
       pen.line(10, 200, 290, 200);
       pen.line(150, 245, 150, 20, 'faint');

@@ -221,15 +221,17 @@ std::vector<std::string> figure_chapters(const Findings& findings) {
 std::string gallery_page(const Findings& findings) {
   std::string text = R"(# Gallery and figures {#gallery}
 
-All pictures are drawn from numbers that the library has computed. `make figures` draws them again. Each chapter has a page
-with all its figures, their numbers and how to draw them again:
+All pictures are drawn from numbers that the library has computed; `make figures` draws them again.
+
+## Twelve scenes {#gallery_scenes}
 
 )";
-  for (const std::string& chapter : figure_chapters(findings))
-    text += "- \\subpage " + label_of("figures_of", chapter) + '\n';
-  text += "\n## Twelve scenes {#gallery_scenes}\n\n";
   const std::string thumbnails = gallery_html(findings.figures, "figures/");
   if (!thumbnails.empty()) text += as_is(thumbnails);
+  text +=
+      "\n## All figures {#gallery_figures}\n\nWith their numbers, and how to draw them again:\n\n";
+  for (const std::string& chapter : figure_chapters(findings))
+    text += "- \\subpage " + label_of("figures_of", chapter) + '\n';
   return text;
 }
 

@@ -212,7 +212,9 @@ const Registered fig6_2_one_box_figure{
      .quick = {"rate=30"},
      .experiment = [](const Parameters& settings) {
        Result result = measure_fall(settings);
-       result.film = [settings] { return fall_film(settings, {.step = 0.075, .steps = 6}); };
+       result.film = [settings] {
+         return fall_film(settings, {.step = 0.075, .steps = 6, .enlarged = 10.0});
+       };
        return result;
      }}};
 

@@ -3,6 +3,7 @@
 #include "tumble/base/tolerances.hpp"
 
 #include "driver/experiment.hpp"
+#include "driver/side_by_side.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
 #include "exterior_rotation/unilateral_run.hpp"
@@ -180,6 +181,55 @@ Table sweep_table(const Parameters& settings, const Question& question,
   return table;
 }
 
+// The fall under a scheme, frame by frame. A box is orange while its contact with the one below is seen as the right
+// motion never has it within two steps.
+std::vector<FilmFrame> frames_of(const ContactScheme& scheme, const Question& question,
+                                 double tolerance, const Reference& reference) {
+  constexpr std::uint32_t right = 0x56b4e9;
+  constexpr std::uint32_t wrong = 0xd55e00;
+  World world = column_world(question.angle);
+  GeometricContacts stepper(scheme, tolerance);
+  stepper.find(world);
+  std::vector<FilmFrame> frames;
+  for (int n = 0; n <= question.steps; ++n) {
+    FilmFrame frame{n * question.dt, {}};
+    const std::vector<ContactSet> seen = stepper.look(world);
+    for (std::size_t k = 0; k < world.bodies().size(); ++k) {
+      if (!world.bodies()[k].movable()) continue;
+      PictureBox drawn{box_of(world.bodies()[k], world.states()[k]), right};
+      for (std::size_t j = 0; j < reference.joints.size(); ++j) {
+        const Joint& joint = reference.joints[j];
+        if (idx(joint.second) != k) continue;
+        drawn.colour = wrong;
+        for (int m = std::max(0, n - question.within); m <= n + question.within; ++m)
+          if (contact_set_of(joint, reference.worlds[idx(m)].states(), tolerance) == seen[j])
+            drawn.colour = right;
+      }
+      frame.boxes.push_back(drawn);
+    }
+    frames.push_back(std::move(frame));
+    stepper.advance(world, question.dt);
+  }
+  return frames;
+}
+
+// Four times slowed down.
+std::string film_of_contacts(const Question& question, double tolerance,
+                             const Reference& reference) {
+  const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which the column falls
+  constexpr int size = 240;                 // [px]
+  const std::vector<FilmFrame> left =
+      frames_of(contact_schemes()[kSemiImplicit], question, tolerance, reference);
+  const std::vector<FilmFrame> right =
+      frames_of(contact_schemes()[kExponential], question, tolerance, reference);
+  std::vector<PictureBox> all;
+  for (const std::vector<FilmFrame>* frames : {&left, &right})
+    for (const FilmFrame& frame : *frames)
+      all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());
+  const Camera camera = camera_for(all, direction_w, size, size, false);
+  return film_beside(Film{left, camera, false}, Film{right, camera, false}, 0.25 / question.dt);
+}
+
 Result measure_wrong_contacts(const Parameters& settings) {
   const Question question = question_of(settings);
   const double tolerance = settings.number("tolerance");
@@ -217,6 +267,9 @@ Result measure_wrong_contacts(const Parameters& settings) {
       {"wrong changes, classical Runge-Kutta", "-", wrong(kClassical)},
       {"wrong changes, semi-implicit by the exponential", "-", wrong(kExponential)},
       {"of these before the first joint opens", "-", verdicts[kExponential].wrong_before(opening)}};
+  result.film = [question, tolerance, reference] {
+    return film_of_contacts(question, tolerance, reference);
+  };
   return result;
 }
 

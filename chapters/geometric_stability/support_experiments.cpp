@@ -61,12 +61,13 @@ double area_of(std::span<const Vec2> loop) {
   return 0.5 * std::abs(twice);
 }
 
-// Adds a closed line.
+// Adds a closed line. It begins and ends in the middle of an edge, where the ends of a thick line are not seen.
 void add_loop(std::size_t outline, std::span<const Vec2> loop, Table& table) {
-  for (std::size_t k = 0; k <= loop.size() && !loop.empty(); ++k) {
-    const Vec2& p = loop[k % loop.size()];
-    table.add(outline, p.x(), p.y());
-  }
+  if (loop.empty()) return;
+  const Vec2 middle = 0.5 * (loop.back() + loop.front());
+  table.add(outline, middle.x(), middle.y());
+  for (const Vec2& p : loop) table.add(outline, p.x(), p.y());
+  table.add(outline, middle.x(), middle.y());
 }
 
 // The plane of contact under the top box.

@@ -23,7 +23,7 @@ low = 14 + frame_tall
 
 # What the lines mean.
 set lmargin at screen 0.02; set rmargin at screen 0.98
-set tmargin at screen height(low); set bmargin at screen height(low + 80)
+set tmargin at screen height(low); set bmargin at screen height(low + 90)
 set xrange [0:1]; set yrange [0:1]
 set key inside center center vertical maxrows 3 maxcols 2 samplen 1.5 width -1
 mark = form eq 'svg' ? 0.9 : 1.3

@@ -3,7 +3,7 @@ tall = 1330
 @PAGE
 set multiplot
 unset key; unset border; unset tics; unset grid
-titles = '"a fifth support can tip and lift it" "supports touch side by side" "a prism has no four corners" "a corner off the edge, enlarged"'
+titles = '"a fifth support can lift it" "supports touch side by side" "a prism has no four corners" "a corner off the edge, enlarged"'
 verdicts = '"it moves: the hull is right" "it rests: the corners are right" "it rests: the hull is right" "it moves: the corners are right"'
 do for [k=1:4] {
   column = (k - 1) % 2

@@ -24,5 +24,5 @@ set xtics ('0.001' shade_min, '0.01' 1e-2, '0.1' 1e-1, '1' 1, '10' 10, '100' sha
 set format x '%g'
 set xlabel 'chatter within half a second [mm]; dark grey: still moves'
 step = (shade_max/shade_min)**(0.5/(shade_records - 1))
-plot bar using 'chatter_mm':(0.5):(column('chatter_mm')/step):(column('chatter_mm')*step):(0):(1):'colour' \
+plot bar using 'chatter_mm':(0.5):(column('chatter_mm')/step):(column('chatter_mm')*step*1.02):(0):(1):'colour' \
   with boxxyerror fs solid 1.0 noborder lc rgb variable

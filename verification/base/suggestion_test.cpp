@@ -24,6 +24,14 @@ TEST_CASE("A mistyped name is guessed from one letter too many, missing, wrong o
   CHECK(closest_name("ground", kKnown) == "ground");
 }
 
+TEST_CASE("A mistyped beginning of a name is guessed", "[unit][suggestion]") {
+  constexpr std::array<std::string_view, 3> known = {"basic", "contact_damped", "timewarp_simple"};
+  CHECK(closest_name("contct", known) == "contact_damped");
+  CHECK(closest_name("timewarp", known) == "timewarp_simple");
+  CHECK(closest_name("timwrap", known).empty());  // two changes of seven letters
+  CHECK(closest_name("con", known).empty());      // too short
+}
+
 TEST_CASE("A name that is like none of the known ones is not guessed", "[unit][suggestion]") {
   CHECK(closest_name("colour", kKnown).empty());
   CHECK(closest_name("", kKnown).empty());

@@ -231,7 +231,7 @@ TEST_CASE("Boxes that overlap are drawn as the line of sight meets them", "[exac
   judge(heap, camera, picture, 3000, random, judgement, 0.75);
   CHECK(judgement.pixels > 500);
   CHECK(judgement.wrong == 0);
-  CHECK(picture.areas.size() < 20000);  // measured 10 758: the work is bounded
+  CHECK(picture.areas.size() < 50000);  // measured 26 562: the work is bounded
 }
 
 TEST_CASE("A camera has all boxes and shadows in its picture and touches the free air on two sides",
@@ -313,7 +313,7 @@ TEST_CASE("The shadow of a cube in the air lies where the light through its cent
     over_lit += contains(area, lit) ? 1 : 0;
     remaining *= 1.0 - area.opacity;
   }
-  CHECK(layers == 12);
+  CHECK(layers == 24);
   CHECK(over_dark == layers);
   CHECK(over_lit == 0);
   // [-] all layers together have the darkness of the floor's shadow; rounding
@@ -402,7 +402,7 @@ TEST_CASE("gnuplot and SVG get every area, in finite numbers", "[unit][picture]"
   CHECK(count(commands, "\nset object ") == picture.areas.size());
   CHECK(commands.find("set object 2 ") <
         commands.find("set object 1 "));  // quick for gnuplot to read
-  CHECK(count(commands, "transparent") == 12);
+  CHECK(count(commands, "transparent") == 24);
   CHECK(count(commands, "border lc") == 3);
   CHECK_THAT(commands, Contains("set xrange [0:300]; set yrange [0:200]") && !Contains("nan"));
   const std::string svg = to_svg(picture);

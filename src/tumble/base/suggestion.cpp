@@ -9,11 +9,16 @@
 namespace tumble {
 namespace {
 
-constexpr std::size_t kLongest = 64;  // letters; what is longer is no name of ours
+constexpr std::size_t kLongest = 64;   // letters; what is longer is no name of ours
+constexpr std::size_t kBeginning = 4;  // letters of a beginning, at least
 
-// How many insertions, deletions, replacements and swaps of neighbours lead from a to b: row i of
-// the table has the distances from the first i letters of a to all beginnings of b.
-std::size_t distance(std::string_view a, std::string_view b) {
+// How many insertions, deletions, replacements and swaps of neighbours lead from a to b, and to the beginning of b
+// that is closest to a: row i of the table has the distances from the first i letters of a to all beginnings of b.
+struct Distances {
+  std::size_t whole, beginning;
+};
+
+Distances distances(std::string_view a, std::string_view b) {
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.resize(b.size() + 1);
   auto& [before, last, now] = rows;
@@ -29,7 +34,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
     before.swap(last);
     last.swap(now);
   }
-  return last[b.size()];
+  return {last[b.size()], *std::min_element(last.begin(), last.end())};
 }
 
 }  // namespace
@@ -38,13 +43,20 @@ std::string_view closest_name(std::string_view word, std::span<const std::string
   std::string_view best;
   if (word.size() > kLongest) return best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t least_begun = word.size() / 4 + 1;
+  std::string_view begun;
   for (const std::string_view name : known) {
-    const std::size_t d = distance(word, name);
-    if (d >= least) continue;
-    least = d;
-    best = name;
+    const Distances d = distances(word, name);
+    if (d.whole < least) {
+      least = d.whole;
+      best = name;
+    }
+    if (d.beginning < least_begun && word.size() >= kBeginning) {
+      least_begun = d.beginning;
+      begun = name;
+    }
   }
-  return best;
+  return best.empty() ? begun : best;
 }
 
 std::string expected_names(std::string_view word, std::span<const std::string_view> known) {

@@ -13,8 +13,9 @@ namespace tumble {
 /// Closeness is the number of letters to be inserted, left out, replaced or swapped with the next one.
 /// \param word   what was typed
 /// \param known  the names that there are
-/// \return the closest; the earliest of several; empty if none is within a third of the word's
-///         letters (one letter at least), so that a guess is a help and not a riddle
+/// \return the closest; the earliest of several. If none is within a third of the word's letters (one letter at least),
+///         the one that begins most like the word, within a quarter of its letters, of which there are at least four;
+///         else empty
 /// \see Damerau, "A technique for computer detection and correction of spelling errors", 1964
 std::string_view closest_name(std::string_view word, std::span<const std::string_view> known);
 

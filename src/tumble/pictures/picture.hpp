@@ -72,7 +72,7 @@ Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, do
 /// \throws std::invalid_argument for a camera that Projection rejects, or a box that reaches
 ///         behind the eye or contains it, by its index
 /// \par Cost
-/// n² pairs of boxes: about 50 ms for 125 boxes, 0.2 s for 400; 0.2 s for 54 in each other.
+/// n² pairs of boxes: less than 0.1 s for 125 and for 343 boxes, whose shadows are coarser; 0.2 s for 54 in each other.
 Picture draw_boxes(std::span<const PictureBox> boxes, const Camera& camera, bool floor = true,
                    std::span<const PictureBox> around = {});
 

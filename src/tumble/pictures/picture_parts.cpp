@@ -99,8 +99,8 @@ void add_pips(const PictureScene& scene, const Plane& face, const Vec2& half, in
   areas.push_back(std::move(area));
 }
 
-int points_of_lamp(int fewest, std::size_t room, std::size_t boxes) {
-  constexpr int most = 12;
+// So many that the steps of a soft edge are not seen, but in large heaps, where edges are many and short.
+int points_of_lamp(int fewest, int most, std::size_t room, std::size_t boxes) {
   return std::clamp(static_cast<int>(room / std::max<std::size_t>(boxes, 1)), fewest, most);
 }
 
@@ -108,8 +108,8 @@ int points_of_lamp(int fewest, std::size_t room, std::size_t boxes) {
 
 PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& camera) {
   const Projection view(camera);
-  return {boxes, camera.eye_w, view, Lamp(view, points_of_lamp(5, 2000, boxes.size())),
-          Lamp(view, points_of_lamp(3, 400, boxes.size()))};
+  return {boxes, camera.eye_w, view, Lamp(view, points_of_lamp(8, 24, 4000, boxes.size())),
+          Lamp(view, points_of_lamp(4, 12, 1500, boxes.size()))};
 }
 
 // The floor: concentric discs, the larger the closer to the white of the page, so that it has neither an edge

@@ -67,25 +67,38 @@ class Canvas {
   // any.
   std::vector<std::uint16_t> covered_;
   int first_ = 0, last_ = -1;
+  // For the polygons being filled: the range of rows of each.
+  struct Extent {
+    double low, high;
+  };
+  std::vector<Extent> extents_;
 };
 
 void Canvas::fill(const std::vector<Polygon>& polygons, std::uint32_t colour, double opacity) {
   double top = raster_.height;
   double bottom = 0.0;
+  extents_.clear();
   for (const Polygon& polygon : polygons) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
     for (const Vec2& p : polygon) {
-      top = std::min(top, p.y());
-      bottom = std::max(bottom, p.y());
+      low = std::min(low, p.y());
+      high = std::max(high, p.y());
     }
+    extents_.push_back({low, high});
+    top = std::min(top, low);
+    bottom = std::max(bottom, high);
   }
   const int from = static_cast<int>(std::max(0.0, std::floor(top)));
   const int to = static_cast<int>(std::min<double>(raster_.height, std::ceil(bottom)));
   for (int y = from; y < to; ++y) {
     first_ = raster_.width;
     last_ = -1;
-    for (int row = 0; row < kPoints; ++row)
-      for (const Polygon& polygon : polygons)
-        cover(span_at(polygon, y + (row + 0.5) / kPoints), row);
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+      if (extents_[k].high < y || extents_[k].low > y + 1) continue;
+      for (int row = 0; row < kPoints; ++row)
+        cover(span_at(polygons[k], y + (row + 0.5) / kPoints), row);
+    }
     if (first_ <= last_) blend(y, colour, opacity);
   }
 }

@@ -81,7 +81,9 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
     require::that(false, path.string() +
                              ": there is none: run the scene with --filter, for example "
                              "--filter box:5");
-  require::that(in.is_open(), path.string() + ": cannot be read: give the folder of a run");
+  require::that(
+      in.is_open(),
+      path.string() + ": cannot be read: give the folder of a run, such as runs/stack-damped");
   RecordedRun run;
   run.scene = read_scene(folder / "scene.toml");
   std::map<std::string, int> boxes;
