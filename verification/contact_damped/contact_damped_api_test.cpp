@@ -7,6 +7,8 @@
 #include "support/catch.hpp"
 #include "support/pose.hpp"
 
+#include <algorithm>
+
 namespace {
 
 using namespace tumble;
@@ -71,6 +73,23 @@ TEST_CASE("Contacts of bodies that sleep name no body that is gone", "[unit][con
   technique->step(world, kFrame);
   CHECK(technique->contacts().size() == 4);
   for (const ContactRecord& contact : technique->contacts()) CHECK(contact.second != gone);
+}
+
+TEST_CASE(
+    "A box that spins where it stands slips at all of its contacts, and sticks once it has stopped",
+    "[unit][contact_damped]") {
+  World world = two_stacks(1);
+  world.set_velocity(world.ids()[1], Vec3::Zero(), Vec3(0.0, 2.0, 0.0));
+  const std::unique_ptr<Technique> technique = contact_damped();
+  const auto count = [&](ContactState state) {
+    return std::count_if(technique->contacts().begin(), technique->contacts().end(),
+                         [&](const ContactRecord& contact) { return contact.state == state; });
+  };
+  technique->step(world, kFrame);
+  CHECK(count(ContactState::slip) == 4);
+  CHECK(count(ContactState::stick) == 4);  // of the other box
+  run(world, *technique, 2.0);
+  CHECK(count(ContactState::stick) == 8);
 }
 
 TEST_CASE("An impact is reported when and where the bodies meet", "[unit][contact_damped]") {

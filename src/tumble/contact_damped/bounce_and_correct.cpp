@@ -245,8 +245,7 @@ std::span<const ContactRecord> ContactDamped::contacts() const {
   records_.clear();
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     const Six all = impulse_of(patch);
-    const double friction = std::sqrt(all[0] * all[0] + all[1] * all[1]);
-    const bool slips = friction >= (1.0 - tolerance::friction_limit) * patch.friction * all[2];
+    const bool slips = is_at_friction_bound(patch);
     for (const ContactPatchPoint& p : patch.used()) {
       const double share = all[2] > 0.0 ? p.impulse / all[2] : 0.0;
       ContactRecord record;

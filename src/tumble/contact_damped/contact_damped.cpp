@@ -8,6 +8,7 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
@@ -218,8 +219,7 @@ void ContactDamped::find_pivots(const World& world, double dt) {
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     PushedPair pair{patch.first, patch.second, Vec3::Zero(), patch.frame_w.col(2)};
     const Six all = impulse_of(patch);
-    const double limit = (1.0 - tolerance::friction_limit) * patch.friction * all[six::normal];
-    if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
+    if (!is_at_friction_bound(patch)) pair.state = PushedState::held;
     for (const ContactPatchPoint& p : patch.used()) {
       if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_slop * patch.size)
         pair.state = PushedState::unknown;  // it closes a gap, or there is overlap

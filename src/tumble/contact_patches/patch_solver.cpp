@@ -276,6 +276,17 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
   return correction;
 }
 
+bool is_at_friction_bound(const ContactPatch& patch) {
+  const Pressure at = pressure_of(patch);
+  const double moment =
+      patch.twist_impulse - moment_of(at, patch.along_impulse, patch.across_impulse);
+  const double turned = at.lever > 0.0 ? moment * at.normal / at.lever : 0.0;
+  const double bound = (1.0 - tolerance::friction_limit) * patch.friction * at.normal;
+  return patch.along_impulse * patch.along_impulse + patch.across_impulse * patch.across_impulse +
+             turned * turned >=
+         bound * bound;
+}
+
 void require_separation(double slowest, ContactPatch& patch) {
   for (ContactPatchPoint& p : patch.used()) {
     if (!(p.impulse > 0.0)) continue;
