@@ -6,8 +6,6 @@
 
 #include "driver/experiment.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 
@@ -76,42 +74,5 @@ class FreeRotation {
   double quarter_;    // [-] quarter period K(m)
   double phase_;      // [-] u0
 };
-
-// Euler's equations and the quaternion's, in the body's frame: y = (q_w, q_x, q_y, q_z, omega).
-inline int derivative(double, const double y[], double rate[], void* inertia) {
-  const Vec3& moments = *static_cast<const Vec3*>(inertia);
-  const Quat q(y[0], y[1], y[2], y[3]);
-  const Vec3 omega(y[4], y[5], y[6]);
-  const Quat turn = q * Quat(0.0, omega.x(), omega.y(), omega.z());
-  const Vec3 change = -omega.cross(moments.cwiseProduct(omega)).cwiseQuotient(moments);
-  rate[0] = 0.5 * turn.w();
-  for (int i = 0; i < 3; ++i) {
-    rate[1 + i] = 0.5 * turn.vec()[i];
-    rate[4 + i] = change[i];
-  }
-  return GSL_SUCCESS;
-}
-
-// The orientation of a free body after a time, by an eighth-order integrator at the limit of double
-// precision, from equations in the body's frame (the library's rules use the world's).
-// inertia_b: [kg m²] principal moments
-// omega_b: [rad/s] at time 0, body frame; the orientation is 1 then
-// time: [s] above 0
-// Returns [-] body to world
-inline Quat free_orientation(const Vec3& inertia_b, const Vec3& omega_b, double time) {
-  // Between 1e-14 a step and rounding there is nothing left to gain.
-  constexpr double accuracy = 1e-14;
-  constexpr double first_step = 1e-3;
-  Vec3 moments = inertia_b;
-  gsl_odeiv2_system system{derivative, nullptr, 7, &moments};
-  const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, first_step, accuracy, accuracy),
-      gsl_odeiv2_driver_free);
-  std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, omega_b.x(), omega_b.y(), omega_b.z()};
-  double now = 0.0;
-  if (gsl_odeiv2_driver_apply(driver.get(), &now, time, y.data()) != GSL_SUCCESS)
-    throw std::runtime_error("the reference integrator gave up");
-  return Quat(y[0], y[1], y[2], y[3]).normalized();
-}
 
 }  // namespace tumble::chapters

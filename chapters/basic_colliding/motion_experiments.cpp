@@ -1,6 +1,6 @@
 /// \file
 /// \brief Experiments on free motion (thesis 3.1).
-#include "tumble/dynamics/integrate.hpp"
+#include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/free_rotation.hpp"
@@ -17,9 +17,8 @@ BodyState spun(const BodyProperties& body, const Vec3& omega) {
   return make_state(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), omega);
 }
 
-// Spun about the middle axis, a little off; and a motion without a flip.
+// Spun about the middle axis, a little off.
 const Vec3 kUnstableSpin(0.01, 5.0, 0.02);  // [rad/s]
-const Vec3 kStableSpin(1.0, 0.0, 2.0);      // [rad/s]
 
 double middle_rate(const BodyProperties& body, const BodyState& state) {
   return (state.orientation_wb.conjugate() * angular_velocity(body, state)).y();
@@ -42,11 +41,6 @@ double first_flip(const BodyProperties& body, double step, RotationRule rule) {
     advance_pose(body, state, step, rule);
   }
   throw std::runtime_error("the box has not turned over after 30 s");
-}
-
-// Slope on log-log axes between two of the errors, each belonging to half the step before it.
-double order_between(double coarse, double fine, int halvings) {
-  return elementary::log(std::abs(coarse / fine)) / (halvings * elementary::log(2.0));
 }
 
 Column of_rule(RotationRule rule, const std::string& ending, const std::string& unit,
@@ -113,84 +107,6 @@ const Registered rotation_rules_figure{
                        .add_number("duration", 12.0, 1.0, 60.0, "s", "length of the run"),
      .quick = {"duration=4"},
      .experiment = measure_rotation_rules}};
-
-Result measure_rotation_order(const Parameters& settings) {
-  const double time = settings.number("time");
-  const int halvings = settings.count("halvings");
-  const BodyProperties body = uneven_box();
-  const Quat truth = free_orientation(body.inertia_b, kStableSpin, time);
-
-  Table table{"", {{"step_s", "s", "time step"}}};
-  for (const RotationRule rule : rotation_rules())
-    table.columns.push_back(of_rule(rule, "_rad", "rad", "angle from the true orientation"));
-  for (int halving = 0; halving <= halvings; ++halving) {
-    const int steps = 16 << halving;
-    std::vector<double> errors;
-    for (const RotationRule rule : rotation_rules()) {
-      BodyState state = spun(body, kStableSpin);
-      for (int k = 0; k < steps; ++k) advance_pose(body, state, time / steps, rule);
-      errors.push_back(angle_between(state.orientation_wb, truth));
-    }
-    table.add(time / steps, errors);
-  }
-
-  // Between the second and the fifth halving steps are short enough for the leading term and
-  // errors are large enough against rounding.
-  std::vector<Quantity> quantities;
-  for (std::size_t i = 0; i < rotation_rules().size(); ++i)
-    quantities.push_back({"order, " + std::string(name_of(rotation_rules()[i])), "-",
-                          order_between(table.rows[2][i + 1], table.rows[5][i + 1], 3)});
-  return {{table}, quantities};
-}
-
-const Registered rotation_order_figure{
-    {.name = "rotation_order",
-     .parameters =
-         Parameters{}
-             .add_number("time", 2.0, 0.1, 20.0, "s", "when the orientations are compared")
-             .add_whole("halvings", 10, 5, 14, "how often the longest step, time/16, is halved"),
-     .quick = {"halvings=6"},
-     .experiment = measure_rotation_order}};
-
-Result measure_free_fall(const Parameters& settings) {
-  const double height = settings.number("height");
-  const double duration = settings.number("duration");
-  const int halvings = settings.count("halvings");
-  const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
-  const Vec3 gravity(0.0, -9.81, 0.0);
-  const double truth = height + 0.5 * gravity.y() * duration * duration;
-
-  // A step has the same form in all three; the rotation is at rest.
-  const auto error_of = [&](const auto& step_once, int steps) {
-    BodyState state = make_state(body, Vec3(0.0, height, 0.0));
-    for (int k = 0; k < steps; ++k)
-      step_once(body, state, gravity, duration / steps, RotationRule::splitting);
-    return state.position_w.y() - truth;
-  };
-  Table table{"",
-              {{"step_s", "s", "time step"},
-               {"forward_m", "m", "error of the height, forward Euler"},
-               {"semi_implicit_m", "m", "error of the height, semi-implicit Euler"},
-               {"ballistic_m", "m", "error of the height, flight along the parabola"},
-               {"predicted_m", "m", "g duration step / 2"}}};
-  for (int halving = 0; halving <= halvings; ++halving) {
-    const int steps = 4 << halving;
-    const double step = duration / steps;
-    table.add(step, error_of(step_forward_euler, steps), error_of(step_semi_implicit, steps),
-              error_of(fly, steps), -0.5 * gravity.y() * duration * step);
-  }
-  return {{table}, {}};
-}
-
-const Registered free_fall_figure{
-    {.name = "free_fall",
-     .parameters =
-         Parameters{}
-             .add_number("height", 10.0, 0.0, 1000.0, "m", "height at the start")
-             .add_number("duration", 1.0, 0.1, 10.0, "s", "length of the fall")
-             .add_whole("halvings", 9, 3, 14, "how often the longest step, duration/4, is halved"),
-     .quick = {"halvings=4"},
-     .experiment = measure_free_fall}};
 
 }  // namespace
 }  // namespace tumble::chapters

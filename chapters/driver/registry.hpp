@@ -12,10 +12,10 @@ namespace tumble::chapters {
 // Adds a figure to those of the program: a constant at the end of the source that measures it.
 //
 // \code
-// const Registered free_fall_figure{{.name = "free_fall",
-//                                    .parameters = Parameters{}.add_number(...),
-//                                    .quick = {"halvings=4"},
-//                                    .experiment = measure_free_fall}};
+// const Registered zeno_figure{{.name = "zeno",
+//                               .parameters = Parameters{}.add_number(...),
+//                               .quick = {"restitution=0.5"},
+//                               .experiment = measure_zeno}};
 // \endcode
 // The order in which sources are linked does not matter.
 class Registered {

@@ -1,32 +1,10 @@
 /// \file
-/// \brief Independent judges of the falling column: GSL's integrator of high order, and the size of the
-///        gaps to leading order, by quadrature (thesis 6.2).
+/// \brief The size of the falling column's gaps to leading order, by quadrature (thesis 6.2).
 #pragma once
 
 #include "exterior_rotation/falling_column.hpp"
 
 namespace tumble::chapters {
-
-// Angle and rate of a fall.
-struct ReferenceFall {
-  double angle = 0.0;  // [rad] of the column's centre, from the vertical
-  double rate = 0.0;   // [rad/s]
-  double gap = 0.0;    // [m] largest distance between glued points; 0 for one degree of freedom
-};
-
-// The pendulum \f$\ddot\phi = p^2\sin\phi\f$ by Prince and Dormand's method of order 8.
-// time: [s] since it was released
-// phi0: [rad] at the start
-ReferenceFall integrated_pendulum(double time, double phi0, int count = 4);
-
-// The cubes as bodies of their own in a plane, with glue and pivot as linear equations for their
-// accelerations, by the same method.
-//
-// Not a line of it is the library's: positions and angles are unknowns, the equations are set up about
-// the corners that are glued, and GSL solves them.
-// time: [s] since it was released
-// phi0: [rad] at the start
-ReferenceFall integrated_column(double time, double phi0, int count = 4);
 
 // Gaps of the column at the end of a fall, divided by the step and by the distance of neighbouring
 // centres, in the limit of short steps.

@@ -4,7 +4,6 @@
 
 #include "driver/experiment.hpp"
 
-#include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 
 namespace tumble::chapters {
@@ -16,7 +15,7 @@ struct Elliptic {
   double dn = 0.0;
 };
 
-// Of the parameter k² = cos²(φ0/2): GSL wants the parameter for functions, k for integrals.
+// Of the parameter k² = cos²(φ0/2).
 Elliptic elliptic(double time, double phi0, int count) {
   if (!(phi0 > 0.0 && phi0 < std::numbers::pi))
     throw std::invalid_argument("phi0: expected an angle above 0 and below pi");
@@ -49,27 +48,6 @@ double column_rate(double time, double phi0, int count) {
   return column_frequency(count) * std::sin(phi0) * e.sn / e.dn;
 }
 
-double column_rate_at(double angle, double phi0, int count) {
-  return column_frequency(count) * std::sqrt(2.0 * fallen(angle, phi0));
-}
-
-double column_time(double angle, double phi0, int count) {
-  // cn by the tangent above; sn by the rate, sin(φ/2) = sin(φ0/2) / dn.
-  const double k = std::cos(0.5 * phi0);
-  const double dn = std::sin(0.5 * phi0) / std::sin(0.5 * angle);
-  const double cn = std::cos(0.5 * angle) * dn / k;
-  const double sn = std::sqrt(0.5 * fallen(angle, phi0)) / (k * std::sin(0.5 * angle));
-  return gsl_sf_ellint_F(std::atan2(sn, cn), k, GSL_PREC_DOUBLE) / column_frequency(count);
-}
-
-PivotForce pivot_force(double angle, double phi0, int count) {
-  const double s = std::sin(angle);
-  const double c = std::cos(angle);
-  const double weight = kGravity * count;
-  return {weight * (1.0 - 0.75 * s * s - 1.5 * fallen(angle, phi0) * c),
-          weight * (0.75 * s * c - 1.5 * fallen(angle, phi0) * s)};
-}
-
 GlueForce glue_force(int joint, double angle, double phi0, int count) {
   if (joint < 1 || joint >= count) throw std::invalid_argument("joint: there is no such one");
   const double p = column_frequency(count);
@@ -87,27 +65,6 @@ GlueForce glue_force(int joint, double angle, double phi0, int count) {
       above * (0.5 * acceleration - squared * centre + kGravity * std::cos(tilt));
   const double lever = ((joint - centre) * force_x - inertia * acceleration) / force_y;
   return {-force_x, force_y, 0.5 - lever};
-}
-
-double opening_angle(int joint, double phi0, int count) {
-  // While pressed, the moment about the far edge is positive. It may be pulled later.
-  const auto holds = [&](double angle) {
-    const GlueForce force = glue_force(joint, angle, phi0, count);
-    return force.normal > 0.0 && force.from_edge < 1.0;
-  };
-  // Coarse steps find the first change, halving the moment.
-  constexpr int steps = 1000;
-  const double stride = (0.5 * std::numbers::pi - phi0) / steps;
-  double high = phi0;
-  for (int n = 0; n <= steps && holds(high); ++n) high = phi0 + n * stride;
-  if (holds(high)) throw std::runtime_error("the joint holds until the column is level");
-  double low = high - stride;
-  while (high - low > 4e-16) {  // [rad] rounding of angles below 2
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) break;
-    (holds(middle) ? low : high) = middle;
-  }
-  return high;
 }
 
 World column_world(double angle, double spin, int count) {

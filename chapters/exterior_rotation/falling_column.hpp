@@ -35,32 +35,6 @@ double column_angle(double time, double phi0, int count = 4);
 // Returns [rad/s]
 double column_rate(double time, double phi0, int count = 4);
 
-// Rate of a column that has fallen to an angle: \f$\sqrt{2p^2(\cos\phi_0 - \cos\phi)}\f$.
-// angle: [rad] phi, phi0 to pi
-// phi0: [rad] at the start
-// Returns [rad/s]
-double column_rate_at(double angle, double phi0, int count = 4);
-
-// When a column has fallen to an angle: the inverse of column_angle(), by an elliptic integral.
-// angle: [rad] phi, phi0 to pi
-// phi0: [rad] at the start, above 0
-// Returns [s] since it was released
-double column_time(double angle, double phi0, int count = 4);
-
-// Force of the larger box on a column at the pivot.
-struct PivotForce {
-  double normal = 0.0;      // [N] upwards
-  double tangential = 0.0;  // [N] horizontal, in the direction of the fall
-};
-
-// The force at the pivot while a column of 1 kg cubes falls from rest.
-//
-// \f$N/Mg = 1 - \tfrac34\sin^2\phi - \tfrac32(\cos\phi_0-\cos\phi)\cos\phi\f$ and
-// \f$T/Mg = \tfrac34\sin\phi\cos\phi - \tfrac32(\cos\phi_0-\cos\phi)\sin\phi\f$, with M of all cubes.
-// angle: [rad] phi, phi0 to pi
-// phi0: [rad] at the start
-PivotForce pivot_force(double angle, double phi0, int count = 4);
-
 // Force of the lower part of a column on its upper part.
 struct GlueForce {
   double shear = 0.0;      // [N] across the column, towards the side that is above (backwards)
@@ -72,12 +46,6 @@ struct GlueForce {
 // angle: [rad] phi of the column's centre, phi0 to pi
 // phi0: [rad] at the start
 GlueForce glue_force(int joint, double angle, double phi0, int count = 4);
-
-// Where a joint without glue would open first if all others held: its centre of pressure is at the edge
-// far from the pivot's side.
-// phi0: [rad] at the start, below 0.6
-// Returns [rad] phi of the column's centre; the column's own tilt is column_tilt() more
-double opening_angle(int joint, double phi0, int count = 4);
 
 // The world of figure 6.1.
 // angle: [rad] of the column's centre, as seen from the pivot, from the vertical

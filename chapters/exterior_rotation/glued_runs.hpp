@@ -100,10 +100,9 @@ inline World column_in_flight(const Vec3& velocity_w, const Vec3& spin_w) {
 
 // The sums over all movable bodies.
 struct GroupMotion {
-  double mass = 0.0;                    // [kg]
-  Vec3 centre_w = Vec3::Zero();         // [m] of mass
-  Vec3 momentum_w = Vec3::Zero();       // [N s]
-  Vec3 angular_about_w = Vec3::Zero();  // [N m s] about the centre
+  double mass = 0.0;               // [kg]
+  Vec3 centre_w = Vec3::Zero();    // [m] of mass
+  Vec3 momentum_w = Vec3::Zero();  // [N s]
 };
 
 // Adds the bodies of a group up.
@@ -117,12 +116,6 @@ inline GroupMotion motion_of(const World& world) {
   }
   if (sum.mass == 0.0) throw std::invalid_argument("a group without a movable body");
   sum.centre_w /= sum.mass;
-  for (std::size_t k = 0; k < world.states().size(); ++k) {
-    if (!world.bodies()[k].movable()) continue;
-    const BodyState& state = world.states()[k];
-    sum.angular_about_w +=
-        state.angular_momentum_w + (state.position_w - sum.centre_w).cross(state.linear_momentum_w);
-  }
   return sum;
 }
 

@@ -10,32 +10,6 @@
 
 namespace tumble::chapters {
 
-// A body's centre after a step in which the body turns about one of its points, which goes straight:
-// \f$x^+ = c + h v_c + \exp(h\omega)(x - c)\f$ with \f$v_c = v + \omega\times(c - x)\f$.
-//
-// With c = x the centre goes straight; with c the pivot the body goes round it; with c at rest it is the
-// exponential of the body's twist in the plane.
-// x_w: [m] centre
-// v_w: [m/s] its velocity
-// omega_w: [rad/s] of the body
-// c_w: [m] the point
-// dt: [s] h
-// Returns [m] the centre
-inline Vec3 moved_about(const Vec3& x_w, const Vec3& v_w, const Vec3& omega_w, const Vec3& c_w,
-                        double dt) {
-  const Vec3 lever_w = x_w - c_w;
-  return c_w + dt * (v_w - omega_w.cross(lever_w)) + rotation_from_vector(dt * omega_w) * lever_w;
-}
-
-// The point of a body in plane motion that is at rest just now: \f$x + \omega\times v/\omega^2\f$.
-// x_w: [m] centre
-// v_w: [m/s] its velocity, at right angles to omega
-// omega_w: [rad/s] not 0
-// Returns [m] c
-inline Vec3 resting_point(const Vec3& x_w, const Vec3& v_w, const Vec3& omega_w) {
-  return x_w + omega_w.cross(v_w) / omega_w.squaredNorm();
-}
-
 // A frame of reference for a whole group, turning about a point.
 struct GroupFrame {
   Vec3 centre_w = Vec3::Zero();            // [m] c

@@ -1,9 +1,8 @@
 /// \file
-/// \brief Orders of the glued column's integration, and the gap of one step (claim 6.2b).
+/// \brief Orders of the glued column's integration (claim 6.2b).
 #include "driver/experiment.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
-#include "exterior_rotation/glued_runs.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -146,56 +145,6 @@ const Registered claim_6_2b_order_figure{
              .add_number("floor", 2e-13, 1e-14, 1e-6, "m or rad", "errors below it are not fitted"),
      .quick = {"doublings=6"},
      .experiment = measure_glued_order}};
-
-Result measure_one_step_gap(const Parameters& settings) {
-  const double spin = settings.number("spin");
-  const std::span<const ColumnScheme> schemes = separate_schemes();
-  Table table{"",
-              {{"step_s", "s", "length of the only step"},
-               {"predicted", "m", "half of the square of the angle turned, times a metre"}}};
-  for (const ColumnScheme& scheme : schemes)
-    table.columns.push_back({scheme.column, "m", "gap after the step, " + scheme.words});
-  // Around 1/60 s by factors of two; orders are fitted to the four about it, the shortest 1/120 s.
-  for (int k = -2; k <= settings.count("doublings"); ++k) {
-    const double step = std::ldexp(1.0 / 60.0, -k);
-    std::vector<double> gaps;
-    for (const ColumnScheme& scheme : schemes) {
-      World world = column_world(settings.number("angle"), spin);
-      finished(Glued(glued_options(scheme.scheme, PoseUpdate::separate, 1.0)).step(world, step));
-      gaps.push_back(column_gap(world));
-    }
-    table.add(step, 0.5 * spin * spin * step * step, gaps);
-  }
-
-  Result result;
-  std::vector<Quantity>& out = result.quantities;
-  const std::vector<double>& usual = table.rows[2];
-  out.push_back({"half of the square of the angle turned in 1/60 s, times a metre", "m", usual[1]});
-  for (std::size_t s = 0; s < schemes.size(); ++s)
-    if (schemes[s].column != "dormand_prince" && schemes[s].column != "leapfrog")
-      out.push_back({"gap after 1/60 s, " + schemes[s].words, "m", usual[2 + s]});
-  for (const std::size_t s : {0U, 3U, 5U}) {  // of orders 1, 2 and 4
-    std::vector<double> step;
-    std::vector<double> gap;
-    for (std::size_t k = 0; k < kFitted; ++k) {
-      step.push_back(table.rows[k][0]);
-      gap.push_back(std::abs(table.rows[k][2 + s]));
-    }
-    out.push_back(
-        {"order of the gap of one step, " + schemes[s].words, "-", fitted_order(step, gap)});
-  }
-  result.tables = {table};
-  return result;
-}
-
-const Registered one_step_gap_figure{
-    {.name = "one_step_gap",
-     .parameters = Parameters{}
-                       .add_number("angle", 0.6, 0.0, 1.0, "rad", "of the column's centre")
-                       .add_number("spin", 2.0, 0.1, 10.0, "rad/s", "falling")
-                       .add_whole("doublings", 5, 1, 10, "of 60 steps a second"),
-     .quick = {"doublings=2"},
-     .experiment = measure_one_step_gap}};
 
 }  // namespace
 }  // namespace tumble::chapters

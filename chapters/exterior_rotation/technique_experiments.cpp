@@ -130,47 +130,10 @@ Figure with_pose(const std::string& figure, const ComparedScene& scene) {
 
 std::vector<Figure> figures_with_pose() {
   return {with_pose("technique_gaps", compared_scenes()[0]),
-          with_pose("technique_gaps_one_box", compared_scenes()[1]),
           with_pose("technique_gaps_nested", compared_scenes()[2])};
 }
 
 const Registered technique_gaps_figures(figures_with_pose);
-
-// The three scenes under techniques_without_pose().
-Result measure_other_gaps(const Parameters& settings) {
-  Result result;
-  Table table{"", {{"technique", "-", "its place in the list, from 0"}}};
-  std::vector<std::vector<double>> rows(techniques_without_pose().size());
-  for (std::size_t k = 0; k < compared_scenes().size(); ++k) {
-    ComparedScene scene = compared_scenes()[k];
-    const std::string words = "figure 6." + std::to_string(k + 1);
-    table.columns.push_back(
-        {scene.name + "_gap_m", "m", "opening or overlap, the larger, " + words});
-    scene.time *= settings.number("share");
-    double timewarps = 0.0;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      const ComparedTechnique& technique = techniques_without_pose()[row];
-      const double gap = run_technique(scene, technique.played, settings.number("rate")).gap();
-      rows[row].push_back(gap);
-      const bool timewarp = technique.words.find("timewarp") == 0;
-      if (timewarp) timewarps = std::max(timewarps, gap);
-      if (k == 0 || !timewarp)
-        result.add("gap, " + words + ", " + technique.words, "mm", 1e3 * gap);
-    }
-    if (k > 0) result.add("largest gap, " + words + ", four timewarps", "mm", 1e3 * timewarps);
-  }
-  for (const std::vector<double>& row : rows) table.add(table.rows.size(), row);
-  result.tables.push_back(table);
-  return result;
-}
-
-const Registered technique_gaps_other_figure{
-    {.name = "technique_gaps_other",
-     .parameters = Parameters{}
-                       .add_number("rate", 60.0, 10.0, 1000.0, "1/s", "steps a second")
-                       .add_number("share", 1.0, 0.1, 1.0, "-", "of 0.8 s, 0.45 s and 0.4 s"),
-     .quick = {"share=0.5"},
-     .experiment = measure_other_gaps}};
 
 }  // namespace
 }  // namespace tumble::chapters

@@ -1,27 +1,10 @@
 /// \file
-/// \brief Errors of the glued column against work, and what keeps its gap small.
+/// \brief Steps that keep the gap of the glued column small (claim 6.2e).
 #include "driver/experiment.hpp"
-#include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
 
 namespace tumble::chapters {
 namespace {
-
-constexpr int kFewestSteps = 10;  // in the whole fall: the coarsest
-constexpr int kWork = 640;        // force solves at which schemes are compared
-
-std::vector<ColumnScheme> all_schemes() {
-  std::vector<ColumnScheme> all(separate_schemes().begin(), separate_schemes().end());
-  all.insert(all.end(), exponential_schemes().begin(), exponential_schemes().end());
-  return all;
-}
-
-// Difference of two integrations by GSL from the closed form at the end.
-double doubt(const ColumnFall& fall) {
-  const double closed = column_angle(fall.time, fall.phi0, fall.count);
-  return std::max(std::abs(integrated_pendulum(fall.time, fall.phi0, fall.count).angle - closed),
-                  std::abs(integrated_column(fall.time, fall.phi0, fall.count).angle - closed));
-}
 
 // The fewest steps from which on a gap that shrinks with the step is below a limit. Very few steps prove
 // nothing: in its first one, from rest, forward Euler does not move. So doublings go on until two in a
@@ -54,62 +37,6 @@ int fewest_steps(const std::function<double(int)>& gap, double limit) {
   }
   return high;
 }
-
-Result measure_rotation_work(const Parameters& settings) {
-  const ColumnFall fall{settings.number("phi0"), settings.number("time")};
-  const std::vector<ColumnScheme> schemes = all_schemes();
-  Result result;
-  std::vector<Quantity>& out = result.quantities;
-  Table table{"", {{"steps", "-", "in the whole fall"}}};
-  for (const ColumnScheme& scheme : schemes) {
-    table.columns.push_back({scheme.column + "_solves", "-", "force solves, " + scheme.words});
-    table.columns.push_back({scheme.column + "_angle", "rad", "magnitude of the angle's error"});
-    table.columns.push_back({scheme.column + "_gap", "m", "largest gap or overlap"});
-  }
-  double largest_exponential = 0.0;
-  for (int k = 0; k <= settings.count("doublings"); ++k) {
-    const int steps = kFewestSteps << k;
-    std::vector<double> row;
-    for (const ColumnScheme& scheme : schemes) {
-      const ColumnRun run = run_column(scheme, steps, fall);
-      const double angle = std::abs(run.angle_error);
-      row.insert(row.end(), {static_cast<double>(run.solves), angle, run.largest_gap});
-      if (scheme.pose == PoseUpdate::exponential)
-        largest_exponential = std::max(largest_exponential, run.largest_gap);
-      const bool compared =
-          scheme.pose == PoseUpdate::separate || scheme.scheme == GluedScheme::leapfrog;
-      if (run.solves == kWork && compared)
-        out.push_back({"angle's error at 640 force solves, " + scheme.words, "rad", angle});
-    }
-    table.add(steps, row);
-  }
-  Table adaptive{"adaptive",
-                 {{"accuracy", "-", "error that is allowed in a step"},
-                  {"solves", "-", "force solves"},
-                  {"angle", "rad", "magnitude of the angle's error"},
-                  {"gap", "m", "gap or overlap at the end"}}};
-  for (int digits = 3; digits <= 14; ++digits) {
-    const double accuracy = std::pow(10.0, -digits);
-    const ColumnRun run = run_column_accurately(accuracy, fall);
-    const double angle = std::abs(run.angle_error);
-    adaptive.add(accuracy, run.solves, angle, std::abs(run.gap));
-    if (digits == 11) {
-      out.push_back({"angle's error at an accuracy of 1e-11, Dormand-Prince", "rad", angle});
-      out.push_back({"force solves at an accuracy of 1e-11, Dormand-Prince", "-", run.solves});
-    }
-  }
-  out.push_back({"largest gap at any step, exponential", "m", largest_exponential});
-  out.push_back(
-      {"largest difference of two integrations by GSL from the closed form", "rad", doubt(fall)});
-  result.tables = {table, adaptive};
-  return result;
-}
-
-const Registered rotation_work_figure{{.name = "rotation_work",
-                                       .parameters = fall_parameters(1.0).add_whole(
-                                           "doublings", 7, 2, 10, "of 10 steps in the whole fall"),
-                                       .quick = {"doublings=4"},
-                                       .experiment = measure_rotation_work}};
 
 Result measure_steps_for_gap(const Parameters& settings) {
   const ColumnFall fall{settings.number("phi0"), settings.number("time")};

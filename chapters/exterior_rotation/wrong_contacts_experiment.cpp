@@ -56,7 +56,7 @@ Reference right_motion(const Question& question) {
       steps * question.dt, steps,
       [&](const World& world, const Glued&) { reference.worlds.push_back(world); });
   reference.joints = run.joints;
-  reference.first_opening = run.events.empty() ? steps * question.dt : run.events.front().time;
+  reference.first_opening = run.events.empty() ? steps * question.dt : run.events.front();
   return reference;
 }
 

@@ -7,8 +7,7 @@
 namespace tumble::chapters {
 
 // [frames] Length of full timewarp's flights where no synchronisation ends them. Reason: about the
-// time from one collision of a body in the cage to its next; pair tests are fewest there, see the
-// figure "timewarp_stride".
+// time from one collision of a body in the cage to its next; pair tests are fewest there.
 inline constexpr int kLongFlight = 8;
 
 // A technique of the library with some of its options changed.

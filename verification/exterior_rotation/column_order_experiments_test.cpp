@@ -70,20 +70,3 @@ TEST_CASE("Gap over step tends to the leading-order integrals of the first-order
         near(1.0).margin(1e-3));
   }
 }
-
-TEST_CASE("One step opens or overlaps a turning column by half the square of the angle turned",
-          "[reference][exterior_rotation]") {
-  const FigureUnderTest figure("one_step_gap");
-  const double half_square = 2.0 * 2.0 / (2.0 * 60.0 * 60.0);
-  CHECK(figure.number("half of the square of the angle turned in 1/60 s, times a metre") ==
-        near(half_square).margin(1e-16));
-  // The tabulated values; three or four digits were written down.
-  CHECK(figure.number("gap after 1/60 s, forward Euler") == near(5.554e-4).margin(6e-8));
-  CHECK(figure.number("gap after 1/60 s, impulses") == near(5.742e-4).margin(6e-8));
-  CHECK(figure.number("gap after 1/60 s, semi-implicit Euler") == near(-5.363e-4).margin(6e-8));
-  CHECK(figure.number("gap after 1/60 s, midpoint") == near(9.52e-6).margin(6e-9));
-  CHECK(figure.number("gap after 1/60 s, Runge-Kutta 4") == near(3.54e-10).margin(6e-13));
-  CHECK(figure.number("order of the gap of one step, forward Euler") == near(2.0).margin(0.05));
-  CHECK(figure.number("order of the gap of one step, midpoint") == near(3.0).margin(0.05));
-  CHECK(figure.number("order of the gap of one step, Runge-Kutta 4") == near(5.0).margin(0.05));
-}

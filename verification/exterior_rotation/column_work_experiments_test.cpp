@@ -30,23 +30,6 @@ TEST_CASE(
   CHECK(strict.solves < 3 * adaptive.solves);
 }
 
-TEST_CASE(
-    "For as many force solves Runge and Kutta's angle is ten thousand times nearer than "
-    "that of any simple scheme, and no exponential changes that",
-    "[reference][exterior_rotation]") {
-  const FigureUnderTest figure("rotation_work", {"doublings=6"});
-  const double rk4 = figure.number("angle's error at 640 force solves, Runge-Kutta 4");
-  for (const char* scheme : {"forward Euler", "semi-implicit Euler", "impulses", "midpoint",
-                             "leapfrog", "leapfrog, exponential"}) {
-    CAPTURE(scheme);
-    CHECK(figure.number(std::string("angle's error at 640 force solves, ").append(scheme)) >
-          1e4 * rk4);
-  }
-  CHECK(figure.number("largest gap at any step, exponential") < 1e-12);
-  CHECK(figure.number("largest difference of two integrations by GSL from the closed form") <
-        1e-13);
-}
-
 TEST_CASE("Semi-implicit Euler needs fifty times the usual steps to hide the column's gap",
           "[claims][exterior_rotation]") {
   const FigureUnderTest figure("claim_6_2e_steps", {"gap=1e-4"});

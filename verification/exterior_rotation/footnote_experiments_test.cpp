@@ -1,13 +1,10 @@
 /// \file
-/// \brief The footnote for joints without glue: openings, orders across them, wrong contacts (claim 6.2f).
+/// \brief The footnote for joints without glue: contacts found by geometry, and wrong ones (claim 6.2f).
 
 #include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "driver/quick.hpp"
-#include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
-#include "exterior_rotation/held_run.hpp"
-#include "exterior_rotation/unilateral_run.hpp"
 #include "support/catch.hpp"
 
 using namespace tumble;
@@ -42,78 +39,6 @@ const ContactScheme& scheme_called(const std::string& name) {
 }
 
 }  // namespace
-
-TEST_CASE(
-    "The top joint of the falling column opens where the closed form says, at a tilt of 53.1°",
-    "[reference][exterior_rotation]") {
-  const FigureUnderTest figure("joint_openings");
-  // Evaluated apart, with nine decimals.
-  CHECK(figure.number("angle of the column's centre at the first opening") ==
-        near(0.681721773).margin(1e-9));
-  CHECK(figure.number("the same, closed form") == near(0.681721773).margin(1e-9));
-  CHECK(figure.number("tilt of the column at the first opening") == near(53.096).margin(1e-3));
-  CHECK(figure.number("angle at the first opening when released at 0.3") ==
-        near(0.719834032).margin(1e-9));
-  CHECK(figure.number("moment of the first opening") ==
-        near(figure.number("moment of the first opening, closed form")).margin(1e-10));
-  CHECK(figure.number("largest error of a centre of pressure before the first opening") <
-        1e-9);  // [m] measured 3e-12
-}
-
-TEST_CASE("Once the top box lags, the next joint opens later than glue would say",
-          "[claims][exterior_rotation]") {
-  const FigureUnderTest figure("joint_openings");
-  const double glued =
-      figure.number("angle at the second opening if the first joint held, closed form");
-  CHECK(glued == near(0.7159189796).margin(1e-10));
-  CHECK(figure.number("angle of the centre of all boxes at the second opening") > glued + 0.04);
-  // Each joint opens from the top down, and then comes apart; last of all the pivot opens.
-  const Table& events = figure.result.tables.at(1);
-  REQUIRE(events.rows.size() == 7);
-  const std::array<std::array<double, 2>, 7> order = {
-      {{3, 1}, {2, 1}, {3, 3}, {1, 1}, {2, 3}, {1, 3}, {0, 3}}};
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    CHECK(events.rows[k][1] == order[k][0]);
-    CHECK(events.rows[k][2] == order[k][1]);
-  }
-  // The angle between the two upper boxes grows from nothing, and only after the opening.
-  for (const auto& row : figure.result.tables.front().rows)
-    CHECK((row[0] < events.rows[0][0] ? std::abs(row[13]) < 1e-9 : row[13] >= 0.0));
-  CHECK(figure.result.drawings.size() == 6);
-  CHECK_THROWS_AS(FigureUnderTest("joint_openings", {"seconds=1"}), std::runtime_error);
-}
-
-TEST_CASE("The faces of the column are pressed where statics has them at its release",
-          "[reference][exterior_rotation]") {
-  const World world = column_world(0.3);
-  const std::vector<Joint> joints = find_joints(world, tolerance::glue_margin);
-  const HeldInstant held(world, joints);
-  const std::array<double, 3> by_hand = {0.1866083421, 0.3337873452, 0.4415370095};
-  for (int k = 1; k <= 3; ++k)
-    CHECK(pressed_at(joints.at(static_cast<std::size_t>(k)), held.forces.on_second(k),
-                     world.states()) ==
-          near(by_hand.at(static_cast<std::size_t>(k - 1))).margin(1e-10));
-}
-
-TEST_CASE("Located openings leave a method its order, and openings noticed late do not",
-          "[claims][exterior_rotation]") {
-  const FigureUnderTest figure("event_order");
-  CHECK(figure.number("order before any joint opens, classical Runge-Kutta") ==
-        near(4.0).margin(0.1));
-  CHECK(figure.number("order across one opening, located") == near(4.0).margin(0.1));
-  CHECK(figure.number("order across several openings, located") == near(4.0).margin(0.25));
-  CHECK(figure.number("the same, midpoint") == near(2.0).margin(0.1));
-  CHECK(figure.number("order of the first opening's moment, located") == near(4.0).margin(0.1));
-  // A joint opens without a jump, and that costs the square of the delay. A box comes apart with one.
-  CHECK(figure.number("order of what an opening costs against how late it is noticed") ==
-        near(2.0).margin(0.2));
-  CHECK(figure.number("jump of an acceleration as the first joint opens") < 1e-9);  // [m/s²]
-  CHECK(figure.number("jump of an acceleration as the first box comes apart") > 0.1);
-  CHECK(figure.number("order across several openings, noticed at the end of a step") < 1.6);
-  CHECK(figure.number("error after one opening, error-controlled at 1e-12, located") < 1e-11);
-  CHECK(figure.number("the same, noticed at the end of a step") > 1e-8);
-  CHECK_THROWS_AS(FigureUnderTest("event_order", {"after=0.8", "most=24"}), std::runtime_error);
-}
 
 TEST_CASE("Semi-implicit Euler loses and finds contacts of the column that the right motion keeps",
           "[claims][exterior_rotation]") {

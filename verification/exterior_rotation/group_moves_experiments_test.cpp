@@ -66,23 +66,6 @@ struct Tower {
 
 }  // namespace
 
-TEST_CASE("A body turned about its point at rest moves as the exponential of its plane twist",
-          "[exact][exterior_rotation]") {
-  Random chance(4);
-  for (int n = 0; n < 100; ++n) {
-    const Vec3 x_w = chance.in_cube(2.0);
-    const Vec3 omega_w(0.0, 0.0, chance.uniform(0.1, 20.0));
-    Vec3 v_w = chance.in_cube(3.0);
-    v_w.z() = 0.0;
-    const Vec3 c_w = resting_point(x_w, v_w, omega_w);
-    CHECK((v_w + omega_w.cross(c_w - x_w)).norm() < 1e-13);  // [m/s]
-    const Vec3 about_w = moved_about(x_w, v_w, omega_w, c_w, 0.1);
-    CHECK((about_w - x_w - along_arc(0.1 * omega_w, 0.1 * v_w)).norm() < 1e-13);
-    CHECK((moved_about(x_w, v_w, omega_w, x_w, 0.1) - x_w - 0.1 * v_w).norm() < 1e-14);
-    CHECK(std::abs((about_w - c_w).norm() - (x_w - c_w).norm()) < 1e-13);
-  }
-}
-
 TEST_CASE("A forward step of glued puts bodies where the ways of moving say that are written out",
           "[exact][exterior_rotation]") {
   for (const char* scene : {"fig6_1", "fig6_2", "fig6_3"}) {

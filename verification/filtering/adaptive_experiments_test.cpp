@@ -115,25 +115,3 @@ TEST_CASE("A cube passes a thin plank from the speed on at which a step is as lo
   CHECK(share_through(60.0, 8, fixed_steps(0)) >= 0.5);   // measured 0.75
   for (const double speed : {7.0, 30.0, 60.0}) CHECK(share_through(speed, 8, {}) == 0.0);
 }
-
-TEST_CASE("Smaller steps cost more than in proportion, and stop every throw at a plank",
-          "[claims][filtering]") {
-  const FigureUnderTest figure("adaptive_step_cost");
-  // [-] a quarter of the step; measured with 64 cubes 6.9
-  CHECK(figure.number("pair tests at the finest fixed step over those at 1/60 s") > 4.0);
-  CHECK(figure.number("throws that pass the plank at adaptive steps") == 0.0);
-}
-
-TEST_CASE(
-    "Smaller pushes leave less chatter at the same step, and the same pushes more at half of it",
-    "[claims][filtering]") {
-  const FigureUnderTest figure("adaptive_step_cause", {"per_edge=4", "settling=1.5", "watched=1"});
-  const double pushed =
-      figure.number("mean amplitude at the finest step, pushes of a thousandth of an edge");
-  // [-] measured over six seconds 4.6
-  CHECK(pushed >
-        1.5 * figure.number("mean amplitude at 1/60 s, pushes of a thousandth of an edge"));
-  // [-] measured 0.36
-  CHECK(figure.number("mean amplitude at the finest step, pushes of a quarter of that") <
-        0.7 * pushed);
-}

@@ -38,42 +38,6 @@ World cubes_at(const std::vector<Vec3>& places) {
 
 }  // namespace
 
-TEST_CASE("The measured response of a box over five frames is the closed form to 1e-9",
-          "[exact][filtering]") {
-  const FigureUnderTest figure("box_response");
-  CHECK(figure.number("largest error of the response, moving") < 1e-9);   // [-] measured 2e-14
-  CHECK(figure.number("largest error of the response, turning") < 1e-9);  // [-] measured 2e-14
-  // Evaluated apart, with nine decimals.
-  CHECK(figure.number("first frequency that is removed") == near(0.2).margin(1e-12));
-  CHECK(figure.number("last frequency that is removed") == near(0.4).margin(1e-12));
-  CHECK(figure.number("frequency of the lowest gain") == near(0.290215312).margin(6e-10));
-  CHECK(figure.number("lowest gain") == near(-0.25).margin(1e-12));
-  CHECK(figure.number("frequency at -3 dB") == near(0.0901587151).margin(6e-11));
-  CHECK(figure.number("gain of a body that is elsewhere in every other frame") ==
-        near(0.2).margin(1e-12));
-  CHECK(figure.number("frames by which the causal form is late") == near(2.0).margin(1e-12));
-}
-
-TEST_CASE("At 25 frames a second a box over five frames is at -3 dB at 2.254 Hz",
-          "[exact][filtering]") {
-  const FigureUnderTest figure("box_response", {"rate=25"});
-  CHECK(figure.number("frequency at -3 dB in hertz") == near(2.25396788).margin(6e-9));
-  CHECK(figure.number("time by which the causal form is late") == near(0.08).margin(1e-12));
-}
-
-TEST_CASE("The response of other widths is found, too, and of even ones refused",
-          "[exact][filtering]") {
-  for (const auto& [width, zero] :
-       {std::pair<int, double>{3, 1.0 / 3.0}, {7, 1.0 / 7.0}, {15, 1.0 / 15.0}}) {
-    const FigureUnderTest figure("box_response",
-                                 {"frames=" + std::to_string(width), "frequencies=11"});
-    CHECK(figure.number("first frequency that is removed") == near(zero).margin(1e-12));
-    CHECK(figure.number("largest error of the response, turning") < 1e-9);
-    CHECK(figure.number("frames by which the causal form is late") == near(width / 2).margin(1e-9));
-  }
-  CHECK_THROWS_AS(FigureUnderTest("box_response", {"frames=4"}), std::invalid_argument);
-}
-
 TEST_CASE("A box over five frames cuts the amplitude of chatter and leaves most of the squirm",
           "[claims][filtering]") {
   // Measured over eight clumps of 125 cubes 0.34, 0.70 and 0.14; here two of 64 cubes.

@@ -1,10 +1,9 @@
 /// \file
-/// \brief The chatter of each technique on a stack, a pyramid and a clump, with medians and ranks.
+/// \brief The chatter of each technique on a stack, a pyramid and a clump.
 ///
 /// Each technique that has resting contact is tried with each scene, but for those that would take
 /// minutes: Coulomb's friction in exact contact forces beyond a stack, and time stepping with 27 cubes.
 #include "driver/quick.hpp"
-#include "filtering/chatter_ranks.hpp"
 #include "filtering/chatter_run.hpp"
 #include "support/catch.hpp"
 
@@ -167,53 +166,6 @@ TEST_CASE("A run of chatter counts the watched half seconds alone, and a fall is
   CHECK(lies.steps == 60);
   CHECK(lies.restless() == 0);
   CHECK(lies.amplitude() <= 1e-12);  // [m] measured: 0
-}
-
-TEST_CASE("The median of eight lies between the smallest and the largest, of more further inside",
-          "[exact][filtering]") {
-  const MedianRange eight = median_range({8.0, 1.0, 7.0, 2.0, 6.0, 3.0, 5.0, 4.0});
-  CHECK(eight.median == 4.5);
-  CHECK(eight.low == 1.0);  // the second smallest would miss in 18 cases of 256, and so the largest
-  CHECK(eight.high == 8.0);
-  // Of 9 values the second is enough: 2 (1 + 9) of 512; of 20 the sixth: 2 × 21700 of 1048576.
-  const MedianRange nine = median_range({9.0, 8.0, 1.0, 7.0, 2.0, 6.0, 3.0, 5.0, 4.0});
-  CHECK(nine.median == 5.0);
-  CHECK(nine.low == 2.0);
-  CHECK(nine.high == 8.0);
-  std::vector<double> values;
-  for (int k = 1; k <= 20; ++k) values.push_back(k);
-  CHECK(median_range(values).low == 6.0);
-  CHECK(median_range(values).high == 15.0);
-  CHECK(median_range({3.0}).low == 3.0);
-  CHECK(median_range({3.0}).high == 3.0);
-  CHECK(std::isnan(median_range({}).median));
-}
-
-TEST_CASE("A rank counts the ranges that are surely smaller, and ranges that overlap share it",
-          "[exact][filtering]") {
-  const std::vector<MedianRange> ranges = {
-      {5.0, 4.0, 6.0}, {1.0, 0.5, 2.0}, {1.5, 1.0, 3.0}, {9.0, 8.0, 9.5}, {4.0, 2.5, 5.0}};
-  CHECK(shared_ranks(ranges, 0.0) == std::vector<int>{3, 1, 1, 5, 2});
-  // What is below the floor is all the same.
-  const std::vector<MedianRange> small = {
-      {1e-12, 1e-12, 1e-11}, {1e-15, 0.0, 1e-14}, {2e-9, 1e-10, 3e-9}, {1e-8, 4e-9, 1e-7}};
-  CHECK(shared_ranks(small, 1e-9) == std::vector<int>{1, 1, 1, 4});
-  CHECK(shared_ranks(small, 0.0) == std::vector<int>{2, 1, 3, 4});
-}
-
-TEST_CASE("The table of chatter has a cell for each technique and scene, and marks those left out",
-          "[unit][filtering]") {
-  const Result result = run_quickly(registered_figure("chatter_table"),
-                                    {"small=2", "boxes=2", "flying=0.5", "settling=0.5"});
-  const Table& table = result.tables.at(0);
-  REQUIRE(table.rows.size() == 28);
-  int left_out = 0;
-  for (const std::vector<double>& row : table.rows) {
-    REQUIRE(row.size() == table.columns.size());
-    if (row[3] == 0.0) ++left_out;
-    CHECK((row[3] == 1.0 || std::isnan(row[4])));
-  }
-  CHECK(left_out == 5);
 }
 
 TEST_CASE("Some chatter is left in the settled clump, and none with twice the damping",

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Hits and false alarms of the detector, and the frozen clump (claim 6.3.1c).
+/// \brief Hits and false alarms of the detector (claim 6.3.1c).
 #include "driver/quick.hpp"
 #include "filtering/motion_corpus.hpp"
 #include "support/catch.hpp"
@@ -52,15 +52,4 @@ TEST_CASE("The label of a motion agrees with the whole run", "[unit][filtering]"
   REQUIRE_FALSE(falling.moments.empty());
   CHECK(std::all_of(falling.moments.begin(), falling.moments.end(),
                     [](const Moment& m) { return m.doing == Doing::falls; }));
-}
-
-TEST_CASE("A clump that is frozen by history costs a fraction of one that chatters",
-          "[claims][filtering]") {
-  const FigureUnderTest figure("freezing_clump");
-  // 27 cubes that had 5 s; of 125 after 12 s a fourteenth is left.
-  CHECK(figure.number("pair tests before the hit, freezing over none") < 0.5);
-  CHECK(figure.number("bodies awake before the hit, freezing") <
-        figure.number("bodies awake before the hit, sleeping"));
-  CHECK(figure.number("bodies that chatter before the hit, freezing") <
-        figure.number("bodies that chatter before the hit, sleeping off"));
 }

@@ -93,30 +93,3 @@ TEST_CASE("At constant speed all three filters agree with their closed forms",
     CHECK(ours[k] == near(speed[k] > 1.0 ? 1.0 : 0.0).margin(1e-9));
   }
 }
-
-TEST_CASE(
-    "The path of a corner that chatters is drawn for all filters, in the frame of the picture",
-    "[unit][filtering]") {
-  const FigureUnderTest figure("corner_path");
-  const Table& path = figure.result.tables[0];
-  CHECK(path.rows.size() == 61);
-  CHECK(figure.number("amplitude of the cube") >= 1.0);
-  CHECK(figure.number("pops of the cube, envelope") >= 1.0);
-  CHECK(figure.number("pops of the cube, soft envelope") == 0.0);
-  CHECK(figure.number("largest pop of the cube, envelope") >= 10.0);
-  CHECK(figure.number("squirm of the cube, box filter over 15 frames") <
-        figure.number("squirm of the cube, computed"));
-  const double left = column(figure.result.tables[1], "left_mm")[0];
-  const double right = column(figure.result.tables[1], "right_mm")[0];
-  for (const std::string path_of : {"computed", "box5", "box15", "envelope", "soft", "one_euro"})
-    for (const double x : column(path, path_of + "_along_mm")) {
-      CHECK(x >= left);
-      CHECK(x <= right);
-    }
-  // The plane is that of the computed path: its middle is the origin.
-  const std::vector<double> along = column(path, "computed_along_mm");
-  double sum = 0.0;
-  for (const double x : along) sum += x;
-  CHECK(sum / static_cast<double>(along.size()) == near(0.0).margin(1e-9));
-  CHECK(figure.result.drawings.at(0).commands.find("polygon") != std::string::npos);
-}

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Figures 6.4 and 6.5, claim 6.3.1d, and what friction leaves open.
+/// \brief Figures 6.4 and 6.5, and claim 6.3.1d.
 #include "driver/quick.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
@@ -163,26 +163,4 @@ TEST_CASE("The rule of middles is exact where a load has to be in the middle",
   };
   CHECK(threshold(stands, 0.9, 0.1) == near(0.5).margin(1e-9));
   CHECK(std::isnan(threshold(stands, 0.2, 0.1)));
-}
-
-TEST_CASE("Balance with friction says that a wedged box may stay, and it falls freely",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest figure("weakly_stable");
-  CHECK(figure.number("whether friction can hold the wedged box (1: yes)") == 1.0);
-  CHECK(figure.number("the same, without friction") == 0.0);
-  CHECK(figure.number("fall of the wedged box at the end over free fall, contact_damped") ==
-        near(1.0).margin(1e-9));
-  CHECK(figure.number("the same, analytic") == near(1.0).margin(1e-9));
-}
-
-TEST_CASE("A leaning plank's least friction is exact along an edge of the pyramid",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest figure("weakly_stable");
-  CHECK(figure.number("relative error, along an edge, at worst") < 1e-8);
-  // [-] 1/cos(pi/n) - 1.
-  CHECK(figure.number("relative error of 8 edges, between two") == near(0.0823922).margin(1e-7));
-  CHECK(figure.number("relative error of 16 edges, between two") == near(0.0195912).margin(1e-7));
-  CHECK(figure.number("distance of these errors from what the pyramid lacks, at worst") < 1e-8);
-  // tan(60°) = 1.732: a thin plank needs 0.2887, one of 0.1 m by 2 m 0.025 less.
-  CHECK(figure.number("the same, by hand") == near(0.2636751346).margin(1e-10));
 }

@@ -21,7 +21,8 @@ std::vector<Include> includes_of(const SourceFile& file) {
   const std::vector<std::string> lines = lines_of(file.text);
   std::smatch match;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (std::regex_search(lines[i], match, form)) found.push_back({i + 1, match[1]});
+    if (lines[i].find('#') != std::string::npos && std::regex_search(lines[i], match, form))
+      found.push_back({i + 1, match[1]});
   return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -39,15 +40,24 @@ std::string with_single_blanks(const std::string& text) {
 }  // namespace
 
 std::vector<TestCase> test_cases(const std::vector<SourceFile>& files) {
-  static const std::regex begin("\\b(?:TEMPLATE_)?TEST_CASE\\s*\\(");
   static const std::regex tag("\\[([^\\]]+)\\]");
+  static const std::string begin = "TEST_CASE";
   std::vector<TestCase> found;
   const std::sregex_iterator end;
   for (const SourceFile& file : files) {
+    if (file.text.find(begin) == std::string::npos) continue;
     const std::string code = code_of(file.text);
-    for (std::sregex_iterator m(code.begin(), code.end(), begin); m != end; ++m) {
-      TestCase test{file.path, line_at(code, static_cast<std::size_t>(m->position())), "", {}};
-      auto at = static_cast<std::size_t>(m->position() + m->length());
+    for (std::size_t i = code.find(begin); i != std::string::npos; i = code.find(begin, i + 1)) {
+      // A word by itself, or the end of TEMPLATE_TEST_CASE, before a bracket.
+      static const std::string more = "TEMPLATE_";
+      std::size_t from = i;
+      if (i >= more.size() && code.compare(i - more.size(), more.size(), more) == 0)
+        from -= more.size();
+      const bool word = from == 0 || !in_name(code[from - 1]);
+      std::size_t at = code.find_first_not_of(" \n", i + begin.size());
+      if (!word || at == std::string::npos || code[at] != '(') continue;
+      ++at;
+      TestCase test{file.path, line_at(code, from), "", {}};
       test.name = with_single_blanks(joined_literals(file.text, at));
       if (at < file.text.size() && file.text[at] == ',') {
         ++at;
@@ -129,45 +139,62 @@ Complaints bare_small_literals(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     if (defines_tolerances(file)) continue;
     const std::string code = code_of(file.text);
-    for (std::sregex_iterator m(code.begin(), code.end(), literal); m != end; ++m) {
-      const double value = std::stod((*m)[2]);
-      if (!(value > 0.0) || value >= 0.01) continue;
-      const auto offset = static_cast<std::size_t>(m->position(2));
-      const std::size_t before = code.find_last_of(";{}", offset);
-      const std::string statement = code.substr(before + 1, offset - before - 1);
-      const bool named = statement.find("constexpr") != std::string::npos;
-      const bool range = statement.find("add_number") != std::string::npos;
-      if (!named && !range)
-        complaints.push_back(place(file, line_at(code, offset)) + (*m)[2].str() +
-                             ": give it a name, unit and reason in the folder's tolerances.hpp");
+    for (std::size_t line = 0, next = 0; line < code.size(); line = next) {
+      next = std::min(code.find('\n', line), code.size() - 1) + 1;
+      const std::string words = code.substr(line, next - line);
+      if (words.find('.') == std::string::npos && words.find("e-") == std::string::npos &&
+          words.find("E-") == std::string::npos)
+        continue;
+      for (std::sregex_iterator m(words.begin(), words.end(), literal); m != end; ++m) {
+        const double value = std::stod((*m)[2]);
+        if (!(value > 0.0) || value >= 0.01) continue;
+        const std::size_t offset = line + static_cast<std::size_t>(m->position(2));
+        const std::size_t before = code.find_last_of(";{}", offset);
+        const std::string statement = code.substr(before + 1, offset - before - 1);
+        const bool named = statement.find("constexpr") != std::string::npos;
+        const bool range = statement.find("add_number") != std::string::npos;
+        if (!named && !range)
+          complaints.push_back(place(file, line_at(code, offset)) + (*m)[2].str() +
+                               ": give it a name, unit and reason in the folder's tolerances.hpp");
+      }
     }
   }
   return complaints;
 }
 
-Complaints unused_tolerances(const SourceFile& tolerances, const std::vector<SourceFile>& others) {
+Complaints unused_tolerances(const std::vector<SourceFile>& files) {
   static const std::regex definition("\\binline\\s+constexpr\\s+\\w+\\s+(\\w+)\\s*=");
-  const std::string code = code_of(tolerances.text);
-  std::set<std::string> used;
-  for (const SourceFile& file : others) {
-    if (file.path == tolerances.path) continue;
-    const std::string text = code_of(file.text);
-    const auto in_name = [&](std::size_t i) {
-      return std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_';
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
+  // A file that has a name, and whether others have it too.
+  struct Use {
+    const SourceFile* file = nullptr;
+    bool others = false;
+  };
+  std::map<std::string, Use> uses;
+  std::map<std::string, std::string> tolerances;  // code by path
+  for (const SourceFile& file : files) {
+    const std::string code = code_of(file.text);
+    for (std::size_t i = 0; i < code.size(); ++i) {
       const std::size_t from = i;
-      while (i < text.size() && in_name(i)) ++i;
-      if (i > from) used.insert(text.substr(from, i - from));
+      while (i < code.size() && in_name(code[i])) ++i;
+      if (i == from) continue;
+      Use& use = uses[code.substr(from, i - from)];
+      if (use.file == nullptr) use.file = &file;
+      use.others = use.others || use.file != &file;
     }
+    if (defines_tolerances(file)) tolerances.emplace(file.path, code);
   }
   Complaints complaints;
   const std::sregex_iterator end;
-  for (std::sregex_iterator m(code.begin(), code.end(), definition); m != end; ++m) {
-    const std::string name = (*m)[1];
-    if (used.count(name) > 0) continue;
-    const std::size_t line = line_at(code, static_cast<std::size_t>(m->position()));
-    complaints.push_back(place(tolerances, line) + "nothing uses " + name);
+  for (const SourceFile& file : files) {
+    const auto code = tolerances.find(file.path);
+    if (code == tolerances.end()) continue;
+    for (std::sregex_iterator m(code->second.begin(), code->second.end(), definition); m != end;
+         ++m) {
+      const std::string name = (*m)[1];
+      if (uses.at(name).others) continue;
+      const std::size_t line = line_at(code->second, static_cast<std::size_t>(m->position()));
+      complaints.push_back(place(file, line) + "nothing uses " + name);
+    }
   }
   return complaints;
 }

@@ -49,11 +49,10 @@ bool defines_tolerances(const SourceFile& file);
 /// \return a complaint for each
 Complaints bare_small_literals(const std::vector<SourceFile>& files);
 
-/// Constants of a file of tolerances that no other file uses.
-/// \param tolerances  the file that defines them: `inline constexpr double name = ...`
-/// \param others      C++ files of the library
+/// Constants of the files of tolerances that no other file uses.
+/// \param files  C++ files of the library; constants are those of `inline constexpr double name = ...`
 /// \return a complaint for each
-Complaints unused_tolerances(const SourceFile& tolerances, const std::vector<SourceFile>& others);
+Complaints unused_tolerances(const std::vector<SourceFile>& files);
 
 /// Commands `make x` in a text that the Makefile does not have.
 /// \param text      README.md, for example

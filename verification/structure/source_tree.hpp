@@ -46,6 +46,11 @@ std::string code_of(const std::string& text);
 /// \return one string for each line, empty where there is no such comment
 std::vector<std::string> comments_of(const std::string& text);
 
+/// Whether a character can be in the middle of a name of C++.
+/// \param c any character
+/// \return true for letters, digits and underscores
+bool in_name(char c);
+
 /// Which line a place in a text is on.
 /// \param text    any text
 /// \param offset  a place in it

@@ -18,8 +18,6 @@ struct Name {
   char next = ' ';        // the first character after it that is no blank
 };
 
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 std::vector<Name> names_in(const std::string& code) {
   std::vector<Name> names;
   for (std::size_t i = 0; i < code.size();) {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Stories of collisions and how they differ, figure 5.1, and the queue at work (5.1).
+/// \brief Stories of collisions and how they differ, and figure 5.1 (5.1).
 #include "tumble/base/random.hpp"
 
 #include "driver/played_scene.hpp"
@@ -215,45 +215,4 @@ TEST_CASE("Without the cube in between, all forms resolve figure 5.1 alike", "[c
   CHECK(figure.number("collisions out of place, safer") == 0.0);
   CHECK(figure.number("of three sayings about figure 5.1 those that hold: simple goes wrong, safer "
                       "goes wrong, swept volumes do not") == 1.0);
-}
-
-TEST_CASE("The queue at work puts one collision in front and resolves four at their times",
-          "[exact][timewarp]") {
-  const FigureUnderTest figure("queue_at_work");
-  CHECK(figure.number("collisions put in front because a neighbour was looked at") == 1.0);
-  CHECK(figure.number("collisions resolved") == 4.0);
-  CHECK(figure.number("collisions out of place, safer") == 0.0);
-  CHECK(figure.number("collisions out of place, simple") == 3.0);
-  // [s] speeds are handed on: 2.7 m/s over half a metre twice, then towards D's 0.4 m/s, which C
-  // brings back to where it stood.
-  const double ab = 0.5 / 2.7;
-  const double bc = 1.0 / 2.7;
-  const double cd = bc + (0.25 - 0.4 * bc) / 3.1;
-  const double again = 0.25 / 0.4;
-  // [s] a few times the resolution, the last with a speed of 0.4 m/s after one of 2.7.
-  CHECK(figure.number("time of collision 1") == near(ab).margin(2e-6));
-  CHECK(figure.number("time of collision 2") == near(bc).margin(4e-6));
-  CHECK(figure.number("time of collision 3") == near(cd).margin(6e-6));
-  CHECK(figure.number("time of collision 4") == near(again).margin(1e-5));
-}
-
-TEST_CASE("In each panel of the queue at work the earliest collision is the one that is taken",
-          "[unit][timewarp]") {
-  for (const char* form : {"form=safer", "form=simple", "form=swept"}) {
-    CAPTURE(form);
-    const FigureUnderTest figure("queue_at_work", {form});
-    double panel = 0.0;
-    double last = 0.0;
-    for (const auto& row : figure.result.tables[0].rows) {
-      const bool first_of_panel = row[0] > panel;
-      CHECK((row[3] > 0.0) == first_of_panel);
-      if (!first_of_panel) CHECK(row[1] >= last);
-      panel = row[0];
-      last = row[1];
-    }
-    // Valid parts and test parts join: every panel's bands reach the end of the frame.
-    double end = 0.0;
-    for (const auto& row : figure.result.tables[1].rows) end = std::max(end, row[4]);
-    CHECK(end == 1.0);
-  }
 }

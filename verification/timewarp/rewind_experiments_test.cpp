@@ -137,20 +137,3 @@ TEST_CASE("What full timewarp loses by waiting on every frame falls with the col
             "the first number if every body is looked at in every frame and that is counted") <
         0.01);
 }
-
-TEST_CASE("The longer full timewarp flies the less it integrates and the more it takes back",
-          "[claims][timewarp]") {
-  const FigureUnderTest figure("timewarp_stride");
-  const Table& table = figure.result.tables.front();
-  const std::vector<double> integrations = column_of(table, "integrations");
-  for (std::size_t k = 1; k + 1 < integrations.size(); ++k)
-    CHECK(integrations[k] < integrations[k - 1]);
-  CHECK(column_of(table, "taken_back").back() > 1.2 * column_of(table, "taken_back").front());
-  // Pair tests are fewest at about the time between two collisions of a body.
-  const double fewest = figure.number("pair tests per collision, 8 frames at a time");
-  CHECK(fewest < 0.6 * figure.number("pair tests per collision, a frame at a time"));
-  CHECK(fewest < 0.9 * figure.number("pair tests per collision, 64 frames at a time"));
-  const double between = figure.number("frames from one collision of a body to its next");
-  CHECK(between > 4.0);
-  CHECK(between < 20.0);
-}

@@ -13,9 +13,11 @@ namespace {
 
 // Kinetic energy for the books. The work of an impulse is that times the mean of the velocities before
 // and after, when gravity has acted for half of the step: half of what is ahead does not count.
-double booked_energy_of(const World& world, int body, MovingBody moving, const Vec3& ahead_w) {
+double booked_energy_of(const World& world, int body, const DampedBodies& bodies,
+                        const Vec3& ahead_w) {
+  MovingBody moving = bodies.moving[idx(body)];
   moving.velocity_w -= 0.5 * ahead_w;
-  return kinetic_energy_of(world, body, moving);
+  return kinetic_energy_of(world.bodies()[idx(body)], bodies.axes_w[idx(body)], moving);
 }
 
 }  // namespace
@@ -56,12 +58,12 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
     if (!falls(body)) continue;
     MovingBody& moving = bodies.moving[idx(body)];
     if (bodies.stable[idx(body)] != 0) {
-      const double before = booked_energy_of(world, body, moving, delta_velocity_w);
+      const double before = booked_energy_of(world, body, bodies, delta_velocity_w);
       moving.velocity_w.y() = 0.0;
       moving.angular_velocity_w.x() = 0.0;
       moving.angular_velocity_w.z() = 0.0;
       moving.changed = true;
-      result.restitution += booked_energy_of(world, body, moving, delta_velocity_w) - before;
+      result.restitution += booked_energy_of(world, body, bodies, delta_velocity_w) - before;
     }
     moving.velocity_w -= delta_velocity_w;
   }
@@ -77,8 +79,8 @@ CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& coll
                                                DampedBodies& bodies) {
   MovingBody& first = bodies.moving[idx(collision.first)];
   MovingBody& second = bodies.moving[idx(collision.second)];
-  const double before = booked_energy_of(world, collision.first, first, ahead_w) +
-                        booked_energy_of(world, collision.second, second, ahead_w);
+  const double before = booked_energy_of(world, collision.first, bodies, ahead_w) +
+                        booked_energy_of(world, collision.second, bodies, ahead_w);
   CollideResult result;
   if (collision.count == 1) {
     ContactPoint& point = collision.points[0];
@@ -101,8 +103,8 @@ CollideResult Collide::apply_newtonian_impulse(const World& world, Contact& coll
       result.impulse += collision.points[idx(p)].normal_impulse;
   }
   result.pushed = result.impulse > 0.0;
-  result.restitution = booked_energy_of(world, collision.first, first, ahead_w) +
-                       booked_energy_of(world, collision.second, second, ahead_w) - before;
+  result.restitution = booked_energy_of(world, collision.first, bodies, ahead_w) +
+                       booked_energy_of(world, collision.second, bodies, ahead_w) - before;
   return result;
 }
 

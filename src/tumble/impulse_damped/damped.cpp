@@ -188,14 +188,16 @@ void Damped::end(World& world, double dt, StepReport& report) {
 void Damped::report_collisions(const World& world, double dt, StepReport& report) {
   Event moment;
   moment.time = world.time() + dt;
-  report.events += static_cast<std::int64_t>(pushed_.size());
-  for (const Contact& contact : pushed_) report_collision(contact, moment, observer());
+  report.events += static_cast<std::int64_t>(pushed_.count());
+  for (std::size_t k = 0; k < pushed_.count(); ++k)
+    report_collision(pushed_[k], moment, observer());
 }
 
 // The points of this step with their impulses, at the predicted poses where they were found.
 void Damped::record(const World& world, double dt, StepReport& report) {
   records_.clear();
-  add_records(pushed_, world.time() + dt, records_);
+  for (std::size_t k = 0; k < pushed_.count(); ++k)
+    add_records({&pushed_[k], 1}, world.time() + dt, records_);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }
 

@@ -155,7 +155,7 @@ class Damped : public Technique {
   GeometricStability stability_;
   Islands islands_;
   ContactList collisions_;
-  ContactList pushed_;
+  PushedPairs pushed_;
   std::vector<char> stable_;
   std::vector<MovingBody> collided_;  // after collisions
   std::vector<Vec3> started_w_;       // [kg m/s] momenta before damping

@@ -8,10 +8,22 @@
 #include <cmath>
 
 namespace tumble {
+namespace {
+
+// angular_momentum() of a body whose axes are known.
+Vec3 momentum_of(const BodyProperties& body, const Mat3& axes_w, const Vec3& angular_velocity_w) {
+  const Vec3 angular_velocity_b = axes_w.transpose() * angular_velocity_w;
+  return axes_w * body.inertia_b.cwiseProduct(angular_velocity_b);
+}
+
+}  // namespace
 
 void DampedBodies::load(const World& world, std::span<const char> firmly) {
   load_moving_bodies(world, moving);
   predicted.assign(world.states().begin(), world.states().end());
+  axes_w.clear();
+  for (const BodyState& state : predicted)
+    axes_w.push_back(state.orientation_wb.toRotationMatrix());
   stable.assign(firmly.begin(), firmly.end());
   touched.assign(moving.size(), 0);
   for (std::size_t k = 0; k < moving.size(); ++k) set_ease(world, static_cast<int>(k));
@@ -26,8 +38,7 @@ int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
     state = world.states()[k];
     if (moving[k].changed) {
       state.linear_momentum_w = body.mass * moving[k].velocity_w;
-      state.angular_momentum_w =
-          angular_momentum(body, state.orientation_wb, moving[k].angular_velocity_w);
+      state.angular_momentum_w = momentum_of(body, axes_w[k], moving[k].angular_velocity_w);
     }
     state.linear_momentum_w += dt * body.mass * world.gravity_w;
     advance_pose(body, state, dt, rule);
@@ -71,12 +82,10 @@ void DampedBodies::set_ease(const World& world, int body) {
   m.inverse_inertia_w(1, 1) = about_y;
 }
 
-double kinetic_energy_of(const World& world, int body, const MovingBody& moving) {
-  const BodyProperties& properties = world.bodies()[idx(body)];
-  if (!properties.movable()) return 0.0;
-  const Vec3 momentum_w = angular_momentum(properties, world.states()[idx(body)].orientation_wb,
-                                           moving.angular_velocity_w);
-  return 0.5 * properties.mass * moving.velocity_w.squaredNorm() +
+double kinetic_energy_of(const BodyProperties& body, const Mat3& axes_w, const MovingBody& moving) {
+  if (!body.movable()) return 0.0;
+  const Vec3 momentum_w = momentum_of(body, axes_w, moving.angular_velocity_w);
+  return 0.5 * body.mass * moving.velocity_w.squaredNorm() +
          0.5 * moving.angular_velocity_w.dot(momentum_w);
 }
 

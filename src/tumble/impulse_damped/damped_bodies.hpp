@@ -18,6 +18,7 @@ struct DampedBodies {
   /// Velocities and inverse masses, one for each body index. Places are the predicted ones, so
   /// lever arms are too; inertia is that of the step's start. Sleepers are as heavy as the ground.
   std::vector<MovingBody> moving;
+  std::vector<Mat3> axes_w;          ///< by index: [-] axes as columns at the step's start
   std::vector<BodyState> predicted;  ///< by index: where bodies come to, see predict()
   std::vector<char> stable;          ///< by index: geometrically stable when the step began
   std::vector<char> touched;         ///< by index: has had a contact interaction in this step
@@ -56,10 +57,10 @@ struct DampedBodies {
 };
 
 /// The kinetic energy of a body in a stage, \f$\tfrac12 m v^2 + \tfrac12 \omega\cdot I\omega\f$.
-/// \param world   its mass, inertia and orientation
-/// \param body    its index
+/// \param body    its mass and inertia
+/// \param axes_w  [-] its axes as columns
 /// \param moving  how it moves
 /// \return [J] 0 for an immovable body
-double kinetic_energy_of(const World& world, int body, const MovingBody& moving);
+double kinetic_energy_of(const BodyProperties& body, const Mat3& axes_w, const MovingBody& moving);
 
 }  // namespace tumble

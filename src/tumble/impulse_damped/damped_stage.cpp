@@ -6,6 +6,33 @@
 
 namespace tumble {
 
+void PushedPairs::clear() {
+  order_.clear();
+  contacts_.clear();
+}
+
+void PushedPairs::add(const Contact& collision) {
+  const auto place = std::lower_bound(
+      order_.begin(), order_.end(), collision, [](const Place& a, const Contact& b) {
+        return a.first != b.first ? a.first < b.first : a.second < b.second;
+      });
+  if (place == order_.end() || place->first != collision.first ||
+      place->second != collision.second) {
+    order_.insert(place, {collision.first, collision.second, contacts_.size()});
+    contacts_.push_back(collision);
+    return;
+  }
+  Contact& pair = contacts_[place->contact];
+  double sum = 0.0;
+  for (int p = 0; p < pair.count; ++p)
+    sum += pair.points[static_cast<std::size_t>(p)].normal_impulse;
+  pair.normal_w = collision.normal_w;
+  pair.axis = collision.axis;
+  pair.count = collision.count;
+  std::copy_n(collision.points.begin(), collision.count, pair.points.begin());
+  pair.points[0].normal_impulse += sum;
+}
+
 void DampedStage::predict_and_gather() {
   report.integrations += bodies.predict(world, dt, rotation);
   const PairReport found =
@@ -26,20 +53,7 @@ void DampedStage::run(Contact& collision, double restitution, TemporaryGravity g
   if (!result.pushed) return;
   ++report.impulses;
 
-  // The pair as it is now, with the impulses of the whole step at its first point.
-  const auto before = [](const Contact& a, const Contact& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  };
-  const auto place = std::lower_bound(pushed_pairs.begin(), pushed_pairs.end(), collision, before);
-  if (place == pushed_pairs.end() || before(collision, *place)) {
-    pushed_pairs.insert(place, collision);
-    return;
-  }
-  double sum = 0.0;
-  for (int p = 0; p < place->count; ++p)
-    sum += place->points[static_cast<std::size_t>(p)].normal_impulse;
-  *place = collision;
-  place->points[0].normal_impulse += sum;
+  pushed_pairs.add(collision);
 }
 
 }  // namespace tumble

@@ -12,6 +12,33 @@
 
 namespace tumble {
 
+/// The pairs that a step has pushed, each as it was last, with the impulses of the whole step at its first point.
+class PushedPairs {
+ public:
+  /// Forgets them.
+  void clear();
+  /// Takes a pair that was pushed.
+  /// \param collision  with the impulses of this push
+  void add(const Contact& collision);
+  /// How many there are.
+  /// \return 0 or above
+  [[nodiscard]] std::size_t count() const { return order_.size(); }
+  /// One of them.
+  /// \param place  in the order of ids, from 0
+  /// \return the pair
+  [[nodiscard]] const Contact& operator[](std::size_t place) const {
+    return contacts_[order_[place].contact];
+  }
+
+ private:
+  struct Place {
+    int first, second;
+    std::size_t contact;  // place in the list
+  };
+  std::vector<Place> order_;  // by bodies
+  ContactList contacts_;      // in the order in which they were pushed first
+};
+
 /// A step in the making: the bodies and the tools of its stages. Nothing here is owned.
 struct DampedStage {
   const World& world;            ///< poses of the step's start
@@ -22,7 +49,7 @@ struct DampedStage {
   PairGatherer& gatherer;        ///< finds what overlaps
   Collide& collide;              ///< lets pairs collide
   ContactList& collisions;       ///< of the present pass
-  ContactList& pushed_pairs;     ///< pairs of this step with all their impulses, sorted by id
+  PushedPairs& pushed_pairs;     ///< pairs of this step with all their impulses
   StepReport& report;            ///< counts and energy
 
   /// integrateObjectPositions and gatherCollisions: looks where bodies come to, and which overlap

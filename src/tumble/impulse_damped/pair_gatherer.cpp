@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
+#include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/overlap_normals.hpp"
 #include "tumble/impulse_damped/tolerances.hpp"
 
@@ -45,6 +46,20 @@ void reduce_to_one(double size, Contact& contact) {
   contact.count = 1;
 }
 
+// touch_pair() of bodies whose boxes are known.
+bool touch(const World& world, std::span<const Box> boxes, const IndexPair& pair, double margin,
+           Manifold& out) {
+  const Box& first = boxes[idx(pair.first)];
+  const Box& second = boxes[idx(pair.second)];
+  if (world.bodies()[idx(pair.first)].shape == Shape::ground)
+    return collide_with_ground(second, margin, out);
+  if (world.bodies()[idx(pair.second)].shape != Shape::ground)
+    return collide(first, second, margin, kNoAxis, out);
+  const bool found = collide_with_ground(first, margin, out);
+  flip(out);
+  return found;
+}
+
 }  // namespace
 
 PairGatherer::PairGatherer(NormalRule normals, PointRule points)
@@ -60,10 +75,18 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
   require::that(last.size() == bodies.size() && now.size() == bodies.size(),
                 "states: one entry for each body of the world is needed");
   require::not_negative(margin, "margin");
+  if (normals_ == NormalRule::last_face) remember(bodies, last);
+  boxes_.resize(bodies.size());
   bounds_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    bounds_[k] = bounds_of(bodies[k], now[k],
-                           0.5 * margin + tolerance::rounding_overlap * bodies[k].size.maxCoeff());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const double around = 0.5 * margin + tolerance::rounding_overlap * bodies[k].size.maxCoeff();
+    if (bodies[k].shape != Shape::box) {
+      bounds_[k] = bounds_of(bodies[k], now[k], around);
+      continue;
+    }
+    boxes_[k] = box_of(bodies[k], now[k]);
+    bounds_[k] = bounds_of(boxes_[k], around);
+  }
   broad_phase_->find_pairs(bounds_, pairs_);
 
   out.clear();
@@ -78,36 +101,65 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     ++report.pair_tests;
 
     Manifold manifold;
-    if (!touch_pair(world, now, pair, margin, kNoAxis, manifold)) continue;
-    Contact contact = contact_of(world, pair);
+    if (!touch(world, boxes_, pair, margin, manifold)) continue;
+    Contact& contact = out.emplace_back(contact_of(world, pair));
     set_points(manifold, contact);
     if (a.shape == Shape::box && b.shape == Shape::box)
-      turn_normal(box_of(a, now[idx(pair.first)]), box_of(b, now[idx(pair.second)]),
-                  box_of(a, last[idx(pair.first)]), box_of(b, last[idx(pair.second)]), margin,
-                  manifold, contact);
+      turn_normal(pair, margin, manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(shortest_edge(a, b), contact);
-    out.push_back(contact);
   }
   return report;
 }
 
+void PairGatherer::remember(std::span<const BodyProperties> bodies,
+                            std::span<const BodyState> last) {
+  bool same = last_.size() == last.size();
+  for (std::size_t k = 0; same && k < last.size(); ++k)
+    same = last_[k].position_w == last[k].position_w &&
+           last_[k].orientation_wb.coeffs() == last[k].orientation_wb.coeffs() &&
+           last_sizes_[k] == bodies[k].size;
+  if (same) return;
+  last_.assign(last.begin(), last.end());
+  last_faces_.clear();
+  last_sizes_.clear();
+  last_boxes_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    last_sizes_.push_back(bodies[k].size);
+    if (bodies[k].shape == Shape::box) last_boxes_[k] = box_of(bodies[k], last[k]);
+  }
+}
+
+const PairGatherer::LastFace& PairGatherer::last_face(const IndexPair& pair) {
+  const auto place =
+      std::lower_bound(last_faces_.begin(), last_faces_.end(), pair,
+                       [](const LastFace& face, const IndexPair& to) { return face.pair < to; });
+  if (place != last_faces_.end() && place->pair == pair) return *place;
+  const Box& first = last_boxes_[idx(pair.first)];
+  const Box& second = last_boxes_[idx(pair.second)];
+  const Separation found = closest_face(first, second);
+  const AxisIndex i = found.axis;
+  const Vec3 then_w = i < 3 ? first.axes_w.col(i) : second.axes_w.col(i - 3);
+  const double side = then_w.dot(found.normal_w) < 0.0 ? -1.0 : 1.0;
+  return *last_faces_.insert(place, {pair, i, side});
+}
+
 // [S3.3.2:normal]
 // The normal of two boxes that touch by the rule, and where they touch along it.
-void PairGatherer::turn_normal(const Box& first, const Box& second, const Box& first_last,
-                               const Box& second_last, double margin, Manifold& manifold,
-                               Contact& contact) const {
+void PairGatherer::turn_normal(const IndexPair& pair, double margin, Manifold& manifold,
+                               Contact& contact) {
+  const Box& first = boxes_[idx(pair.first)];
+  const Box& second = boxes_[idx(pair.second)];
   Separation found{0.0, manifold.normal_w, manifold.axis};
   if (normals_ == NormalRule::last_face) {
     // The face that was closest when the step began, turned with its body since. The normal keeps
     // the side on which the other box was then.
-    found = closest_face(first_last, second_last);
-    const AxisIndex i = found.axis;
-    const Vec3 then_w = i < 3 ? first_last.axes_w.col(i) : second_last.axes_w.col(i - 3);
-    const Vec3 now_w = i < 3 ? first.axes_w.col(i) : second.axes_w.col(i - 3);
-    const double side = then_w.dot(found.normal_w) < 0.0 ? -1.0 : 1.0;
-    found.normal_w = side * now_w;
+    const LastFace& face = last_face(pair);
+    found.axis = face.axis;
+    const Vec3 now_w =
+        face.axis < 3 ? first.axes_w.col(face.axis) : second.axes_w.col(face.axis - 3);
+    found.normal_w = face.side * now_w;
   } else if (normals_ == NormalRule::signed_distance) {
     const Separation gradient = deepest_gradient(first, second);
     if (gradient.axis != kNoAxis) found = gradient;

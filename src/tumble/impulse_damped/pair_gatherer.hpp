@@ -52,7 +52,7 @@ struct PairReport {
 /// jump where a corner comes free.
 ///
 /// Nothing is kept from step to step, only storage: the face of the last step is found again from
-/// the poses at which it ended.
+/// the poses at which it ended, once for all passes of a step.
 /// \par Cost and determinism
 /// A broad phase and a test for each near pair; six more axes for `last_face` and 52 points for
 /// `signed_distance`. No allocation once the storage is warm. The list is sorted by ids.
@@ -87,15 +87,28 @@ class PairGatherer {
                     ContactList& out);
 
  private:
-  void turn_normal(const Box& first, const Box& second, const Box& first_last,
-                   const Box& second_last, double margin, Manifold& manifold,
-                   Contact& contact) const;
+  // The face that was closest at the start of the step.
+  struct LastFace {
+    IndexPair pair;
+    AxisIndex axis = kNoAxis;
+    double side = 1.0;  // [-] of the other box: along the axis, or -1 against it
+  };
+
+  void remember(std::span<const BodyProperties> bodies, std::span<const BodyState> last);
+  const LastFace& last_face(const IndexPair& pair);
+  void turn_normal(const IndexPair& pair, double margin, Manifold& manifold, Contact& contact);
 
   NormalRule normals_;
   PointRule points_;
   std::unique_ptr<BroadPhase> broad_phase_;
+  std::vector<Box> boxes_;  // by body, now; that of the ground is not used
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
+  // Of the start of the step, which all passes of a step share: found again if any pose or size has changed.
+  std::vector<BodyState> last_;
+  std::vector<Vec3> last_sizes_;
+  std::vector<Box> last_boxes_;
+  std::vector<LastFace> last_faces_;  // sorted by pair
 };
 
 }  // namespace tumble

@@ -22,10 +22,11 @@ bool may_be_semidefinite(const MatRef& A, const VecRef& b) {
   bool plausible = true;
   for (int j = 0; j < A.cols(); ++j) {
     require::finite(b[j], "b");
+    const double root = std::sqrt(std::abs(A(j, j)));
     for (int i = 0; i <= j; ++i) {
       require::finite(A(i, j), "A");
       require::finite(A(j, i), "A");
-      const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
+      const double scale = std::sqrt(std::abs(A(i, i))) * root;
       require::that(std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale,
                     "A: expected a symmetric matrix");
       if (std::abs(A(i, j)) > (1.0 + tolerance::symmetry) * scale) plausible = false;

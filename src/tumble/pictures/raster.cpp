@@ -5,9 +5,11 @@
 #include "tumble/base/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tumble {
 namespace {
@@ -44,6 +46,30 @@ Polygon stroke(const Vec2& from, const Vec2& to) {
   return {from - along - across, to + along - across, to + along + across, from - along + across};
 }
 
+constexpr std::int32_t kWhole = 1 << 16;  // a share of 1
+
+// Number of bits of a byte.
+constexpr std::array<std::uint8_t, 256> kBits = [] {
+  std::array<std::uint8_t, 256> bits{};
+  for (std::size_t k = 0; k < bits.size(); ++k)
+    bits[k] = static_cast<std::uint8_t>(std::popcount(k));
+  return bits;
+}();
+
+// The colour of an area, with its share of a pixel by the number of covered points.
+struct Paint {
+  std::array<std::uint8_t, 3> rgb{};
+  std::array<std::int32_t, kPoints * kPoints + 1> shares{};
+
+  Paint(std::uint32_t colour, double opacity)
+      : rgb{static_cast<std::uint8_t>(colour >> 16U), static_cast<std::uint8_t>(colour >> 8U),
+            static_cast<std::uint8_t>(colour)} {
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      shares[k] = static_cast<std::int32_t>(
+          std::lround(kWhole * opacity * static_cast<double>(k) / (kPoints * kPoints)));
+  }
+};
+
 class Canvas {
  public:
   Canvas(int width, int height) {
@@ -60,7 +86,7 @@ class Canvas {
 
  private:
   void cover(const Span& span, int row);
-  void blend(int y, std::uint32_t colour, double opacity);
+  void blend(int y, const Paint& paint);
 
   Raster raster_;
   // For the row being painted: a bit for each covered point of a pixel, and the range of pixels with
@@ -75,6 +101,7 @@ class Canvas {
 };
 
 void Canvas::fill(const std::vector<Polygon>& polygons, std::uint32_t colour, double opacity) {
+  const Paint paint(colour, opacity);
   double top = raster_.height;
   double bottom = 0.0;
   extents_.clear();
@@ -99,7 +126,7 @@ void Canvas::fill(const std::vector<Polygon>& polygons, std::uint32_t colour, do
       for (int row = 0; row < kPoints; ++row)
         cover(span_at(polygons[k], y + (row + 0.5) / kPoints), row);
     }
-    if (first_ <= last_) blend(y, colour, opacity);
+    if (first_ <= last_) blend(y, paint);
   }
 }
 
@@ -113,34 +140,40 @@ void Canvas::cover(const Span& span, int row) {
   const int a = static_cast<int>(std::max(0.0, left));
   const int b = static_cast<int>(std::min(most, right));
   const int shift = row * kPoints;
-  for (int x = a / kPoints; x <= b / kPoints; ++x) {
-    unsigned points = kAllPoints;
-    if (x == a / kPoints) points &= kAllPoints << static_cast<unsigned>(a % kPoints);
-    if (x == b / kPoints) points &= kAllPoints >> static_cast<unsigned>(kPoints - 1 - b % kPoints);
+  const auto mark = [&](int x, unsigned points) {
     covered_[static_cast<std::size_t>(x)] |= static_cast<std::uint16_t>(points << shift);
+  };
+  const unsigned from = kAllPoints << static_cast<unsigned>(a % kPoints);
+  const unsigned to = kAllPoints >> static_cast<unsigned>(kPoints - 1 - b % kPoints);
+  if (a / kPoints == b / kPoints) {
+    mark(a / kPoints, kAllPoints & from & to);
+  } else {
+    mark(a / kPoints, kAllPoints & from);
+    for (int x = a / kPoints + 1; x < b / kPoints; ++x) mark(x, kAllPoints);
+    mark(b / kPoints, to);
   }
   first_ = std::min(first_, a / kPoints);
   last_ = std::max(last_, b / kPoints);
 }
 
 // Blends the colour into the row by the share of covered points, and clears these.
-void Canvas::blend(int y, std::uint32_t colour, double opacity) {
-  const std::int32_t rgb[3] = {static_cast<std::int32_t>(colour >> 16U & 0xffU),
-                               static_cast<std::int32_t>(colour >> 8U & 0xffU),
-                               static_cast<std::int32_t>(colour & 0xffU)};
-  constexpr std::int32_t one = 1 << 16;
-  std::int32_t shares[kPoints * kPoints + 1] = {};
-  for (int k = 0; k <= kPoints * kPoints; ++k)
-    shares[k] = static_cast<std::int32_t>(std::lround(one * opacity * k / (kPoints * kPoints)));
+void Canvas::blend(int y, const Paint& paint) {
+  const bool opaque = paint.shares.back() == kWhole;
   std::uint8_t* pixel =
       raster_.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * raster_.width + first_);
-  for (int x = first_; x <= last_; ++x) {
-    std::uint16_t& points = covered_[static_cast<std::size_t>(x)];
-    const std::int32_t share = shares[std::popcount(points)];
-    points = 0;
-    for (const std::int32_t channel : rgb) {
-      const std::int32_t before = *pixel;
-      *pixel++ = static_cast<std::uint8_t>(before + (((channel - before) * share + one / 2) >> 16));
+  for (int x = first_; x <= last_; ++x, pixel += 3) {
+    const std::uint16_t points = std::exchange(covered_[static_cast<std::size_t>(x)], 0);
+    if (points == 0) continue;
+    if (opaque && points == 0xffff) {
+      for (std::size_t k = 0; k < 3; ++k) pixel[k] = paint.rgb[k];
+      continue;
+    }
+    const std::int32_t share =
+        paint.shares[static_cast<std::size_t>(kBits[points & 0xffU] + kBits[points >> 8U])];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t before = pixel[k];
+      pixel[k] = static_cast<std::uint8_t>(before +
+                                           (((paint.rgb[k] - before) * share + kWhole / 2) >> 16));
     }
   }
 }

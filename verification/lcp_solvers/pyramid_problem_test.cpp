@@ -1,19 +1,11 @@
 /// \file
-/// \brief The experiment on the solvers' work, run small.
-#include "driver/quick.hpp"
+/// \brief The pyramids that solvers are measured with.
 #include "lcp_solvers/pyramid_problem.hpp"
+
 #include "support/catch.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
-
-TEST_CASE("Forces of a pyramid at rest cost the method of multipliers less than a factorisation",
-          "[claims][lcp][lcp_solvers]") {
-  const FigureUnderTest figure("lcp_work");
-  // 144 contacts: measured 0.17 of a dense factorisation at rest, 0.69 with noise.
-  CHECK(figure.number("work over a dense factorisation, multipliers, largest, rest") < 0.2);
-  CHECK(figure.number("work over a dense factorisation, multipliers, largest, noisy") < 0.8);
-}
 
 TEST_CASE("A pyramid's problem is that of the cubes and contacts that it says",
           "[exact][lcp][lcp_solvers]") {
