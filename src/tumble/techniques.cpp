@@ -239,7 +239,9 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
-       "pass through thin ones, an elastic impact of faces may leave a spin",
+       "pass through thin ones, an elastic impact of faces may leave a spin, what stands on a "
+       "moving "
+       "body may drift",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
        "collisions in the order of their times; rolls back the two bodies that collide; fast "
@@ -268,16 +270,16 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in; elastic bodies as in time_stepping, flush edges and fast bodies as in "
-       "timewarp_simple",
+       "sinks in, and bounces may lose energy; carried bodies as in time_stepping, flush edges and "
+       "fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
       {"relaxation", "2.3", "boxes of particles and rods; no bounce, spins die out, slopes creep",
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
       {"optimised", "2.7.2",
-       "nearest poses without overlap, then momenta; steps of any length; elastic bodies on an "
-       "elastic floor lose energy",
+       "nearest poses without overlap, then momenta; steps of any length, in which bounces "
+       "lose energy; what stands on a turning body drifts",
        declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
        "every contact is a train of collisions at one point (Mirtich); nothing rests, and high "
