@@ -76,7 +76,7 @@ check:  ## all that continuous integration does: both compilers, sanitizers, equ
 	@cmake/setup $(CHECK_PACKAGES)
 	cmake/check
 
-fuzz:  ## search for inputs that break a promise, MINUTES=10; SANITIZERS=off: ten times as many, with assertions alone
+fuzz:  ## search for inputs that break a promise, MINUTES=10; SANITIZERS=off: faster, with assertions alone
 	@cmake/setup $(FUZZ_PACKAGES)
 	cmake --preset $(FUZZ_PRESET) $(OPTIONS)
 	cmake --build --preset $(FUZZ_PRESET) -j $(JOBS)
