@@ -27,7 +27,9 @@ CONFIGURE := cmake --preset release $(OPTIONS)
 MAKE_IT   := cmake --build --preset release -j $(JOBS)
 RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
-.PHONY: help command view test test-long figures figure check fuzz bench live site book clean
+FUZZ_PRESET := $(if $(filter off,$(SANITIZERS)),fuzz-fast,fuzz)
+
+.PHONY: help command view test test-long figures figure check fuzz worlds bench live site book clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
@@ -74,11 +76,18 @@ check:  ## all that continuous integration does: both compilers, sanitizers, equ
 	@cmake/setup $(CHECK_PACKAGES)
 	cmake/check
 
-fuzz:  ## search for inputs that break a promise, MINUTES=10; they are kept in build/fuzz/findings
+fuzz:  ## search for inputs that break a promise, MINUTES=10; SANITIZERS=off: faster, with assertions alone
 	@cmake/setup $(FUZZ_PACKAGES)
-	cmake --preset fuzz $(OPTIONS)
-	cmake --build --preset fuzz -j $(JOBS)
-	MINUTES=$(or $(MINUTES),10) cmake/fuzz
+	cmake --preset $(FUZZ_PRESET) $(OPTIONS)
+	cmake --build --preset $(FUZZ_PRESET) -j $(JOBS)
+	MINUTES=$(or $(MINUTES),10) BUILD=build/$(FUZZ_PRESET) cmake/fuzz
+
+worlds:  ## random worlds with every technique, WORLDS=10000: rows of verification/promises.md, and promises that break
+	@cmake/setup $(TEST_PACKAGES)
+	$(CONFIGURE) -DTUMBLE_TESTS=ON
+	$(MAKE_IT) --target fuzz_worlds
+	build/release/bin/fuzz_worlds techniques | \
+	  xargs -P $(JOBS) -I{} build/release/bin/fuzz_worlds {} 1 $(or $(WORLDS),10000)
 
 bench:  ## measure against the engines that are installed
 	@cmake/setup $(BENCH_PACKAGES)

@@ -46,6 +46,8 @@ std::vector<char> equalities_of(const std::string& text, int size) {
     const std::size_t dash = item.find('-');
     const int first = row_of(item.substr(0, dash), size);
     const int last = dash == std::string_view::npos ? first : row_of(item.substr(dash + 1), size);
+    require::that(first <= last, "--equalities: " + std::string(item) +
+                                     ": expected the smaller row first, as in 2,5-7");
     for (int row = first; row <= last; ++row) marks[static_cast<std::size_t>(row)] = 1;
     at = comma + 1;
   }

@@ -16,13 +16,13 @@ namespace tumble::app {
 
 /// Exit codes of every command.
 enum ExitCode : int {
-  kDone = 0,        ///< success
-  kOurMistake = 1,  ///< an assumption of the program was wrong
-  kParted = 1,      ///< `tumble diff`: two runs are not equal, as diff says it
-  kBadInput = 2,    ///< the user's mistake; nothing was run
-  kMathematical =
-      3,  ///< event cap, no solution, not finite, refused in a later step, a check of the run failed
-  kCannotWrite = 4  ///< disk full, no permission, no program to draw with
+  kDone = 0,          ///< success
+  kOurMistake = 1,    ///< an assumption of the program was wrong
+  kParted = 1,        ///< `tumble diff`: two runs are not equal, as diff says it
+  kBadInput = 2,      ///< the user's mistake; nothing was run
+  kMathematical = 3,  ///< event cap, no solution, not finite, a step that broke off or, after the
+                      ///< first, was refused, a check of the run failed
+  kCannotWrite = 4    ///< disk full, no permission, no program to draw with
 };
 
 /// A scene, a technique and their settings, as typed by a user.

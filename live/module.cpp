@@ -119,7 +119,7 @@ TUMBLE_EXPORT void tumble_close(int slot) {
 /// \param slot   0 or 1
 /// \param steps  how many
 /// \param dt     [s] of each, above 0
-/// \return 0; 2 with a sentence if the technique refuses; 3 with one after a step that left something
+/// \return 0; 2 with a sentence if the technique refuses; 3 with one after a step that broke off or left something
 ///         unsolved or not finite: no other step makes sense
 TUMBLE_EXPORT int tumble_step(int slot, int steps, double dt) {
   int status = kOk;

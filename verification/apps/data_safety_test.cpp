@@ -96,6 +96,25 @@ TEST_CASE("Files without an end are refused", "[unit][command]") {
   refused(std::string(100000, '1'), "a line of 64 KiB and more");
   refused("\x1b[31m,box1,0,0,0,1,0,0,0,0,0,0,0,0,0", "expected a finite number");
   refused("9,\x1b]0;title\x07,0,0,0,1,0,0,0,0,0,0,0,0,0", "has no such box");
+  fs::remove(folder.path / "scene.toml");
+  REQUIRE(shell("mkfifo " + folder.text() + "/scene.toml").code == 0);
+  refused("", "is a pipe");
+}
+
+TEST_CASE("A name that no reader of tables would take is refused", "[unit][command]") {
+  const Folder folder("long_name");
+  fs::create_directories(folder.path);
+  const std::string file = folder.text() + "/named.toml";
+  const auto named = [&](std::size_t bytes) {
+    std::ofstream(file) << "[[box]]\nname = \"" << std::string(bytes, 'n')
+                        << "\"\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 1, 0]\n";
+    return run_tumble("run " + file + " --duration 0.1 --quiet --out " + folder.text() + "/run");
+  };
+  const Outcome refused = named(1001);
+  CHECK(refused.code == 2);
+  CHECK(refused.text.find("1001 bytes: expected at most 1000") != std::string::npos);
+  CHECK(named(1000).code == 0);
+  CHECK(run_tumble("diff " + folder.text() + "/run " + folder.text() + "/run").code == 0);
 }
 
 TEST_CASE("Pictures are drawn beside links that lie in a run's folder, not through them",

@@ -134,5 +134,6 @@ TEST_CASE("A problem that cannot be read ends with code 2 and one line that says
       {arguments("A.mtx", "b.mtx") + " --equalities 3", "--equalities: expected rows from 1 to 2"},
       {arguments("A.mtx", "b.mtx") + " --equalities 1,", "--equalities: expected rows from 1 to 2"},
       {arguments("A.mtx", "b.mtx") + " --equalities 0-2", "--equalities: expected rows from 1"},
+      {arguments("A.mtx", "b.mtx") + " --equalities 2-1", "2-1: expected the smaller row first"},
   });
 }

@@ -3,7 +3,11 @@
 #include "apps/command.hpp"
 #include "support/catch.hpp"
 
+#include <filesystem>
+#include <fstream>
+
 using namespace tumble::test;
+namespace fs = std::filesystem;
 
 TEST_CASE("A run that a solver cannot go on with ends with 3 and leaves the problem to tumble lcp",
           "[unit][apps][analytic]") {
@@ -25,4 +29,27 @@ TEST_CASE("A run that a solver cannot go on with ends with 3 and leaves the prob
   CHECK(first.text == second.text);
   // Another solver finds the forces.
   CHECK(run_tumble(again + "baraff").code == 0);
+}
+
+TEST_CASE("A user's mistake ends with 2, what is found inside a step with 3, the first step too",
+          "[unit][command]") {
+  const Folder folder("broken_step");
+  fs::create_directories(folder.path);
+  const std::string file = folder.text() + "/fast.toml";
+  std::ofstream(file) << "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 1, 0]\n"
+                         "velocity = [1e20, 0, 0]\n"
+                         "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [2, 1, 0]\n";
+  const auto run = [&](const std::string& technique) {
+    const std::string out = " --quiet --out " + folder.text() + "/" + technique;
+    return run_tumble("run " + file + " --dt 1e20 --duration 1e20 --technique " + technique + out);
+  };
+  const Outcome user = run("basic");  // its resolution is an option
+  CHECK(user.code == 2);
+  CHECK(user.text.find("expected more than rounding of a flight of 1e+20 s") != std::string::npos);
+  CHECK(!fs::exists(folder.path / "basic"));
+  const Outcome step = run("contact_damped");  // that of its search is not
+  INFO(step.text);
+  CHECK(step.code == 3);
+  CHECK(step.text.find("contact_damped stopped at 0 s") != std::string::npos);
+  CHECK(fs::exists(folder.path / "contact_damped" / "summary.json"));
 }

@@ -53,7 +53,12 @@ void require_solved(const LcpProblem& problem, const LcpResult& result, std::str
 void require_honest_solvers(const LcpProblem& problem) {
   for (const LcpRecipe& recipe : lcp_solvers()) {
     LcpResult result;
-    const bool refused = refuses([&] { make_lcp_solver(recipe.name)->solve(problem, result); });
+    std::string why;
+    const bool refused =
+        refuses([&] { make_lcp_solver(recipe.name)->solve(problem, result); }, &why);
+    // The problem is finite, so a number that is none comes from a part of the solver.
+    promise(why.find("= inf") == std::string::npos && why.find("= nan") == std::string::npos,
+            std::string(recipe.name) + " refuses what was not given: " + why);
     if (!refused && result.status == LcpStatus::solved)
       require_solved(problem, result, recipe.name);
   }

@@ -12,7 +12,8 @@ namespace tumble::fuzz {
 // residual of at most 1e-6, computed here, plus the rounding of the sums in A f + b.
 void require_solved(const LcpProblem& problem, const LcpResult& result, std::string_view solver);
 
-// Gives the problem to every solver of lcp_solvers(), each with its safeguards, and judges what is called solved.
+// Gives the problem to every solver of lcp_solvers(), each with its safeguards, and judges what is called solved, and
+// what is refused: a problem of finite numbers has no others.
 void require_honest_solvers(const LcpProblem& problem);
 
 }  // namespace tumble::fuzz

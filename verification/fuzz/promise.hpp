@@ -28,13 +28,14 @@ void require_message(const std::string& message);
 // Runs something that may refuse its input.
 //
 // True if it threw std::invalid_argument; the message has to say something, and must not hold control characters
-// that a terminal would obey.
+// that a terminal would obey. It is put into `why` if that is wanted.
 template <class Action>
-bool refuses(const Action& action) {
+bool refuses(const Action& action, std::string* why = nullptr) {
   try {
     action();
   } catch (const std::invalid_argument& refusal) {
     require_message(refusal.what());
+    if (why != nullptr) *why = refusal.what();
     return true;
   }
   return false;

@@ -11,8 +11,10 @@
 #include "tumble/scenes/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
+#include <limits>
 
 namespace tumble::fuzz {
 namespace {
@@ -74,7 +76,27 @@ double deepest_overlap(const World& world) {
   return deepest;
 }
 
+constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr std::array kWorldPromises{
+    WorldPromise{"contact_damped", 1e-9, 0.01, kAny}, WorldPromise{"analytic", 1e-9, 0.01, 0.1},
+    WorldPromise{"time_stepping", 1e-9, 0.01, kAny}, WorldPromise{"impulse", 1e-9, 0.01, kAny},
+    WorldPromise{"damped", kAny, 0.01, kAny}, WorldPromise{"basic", 1e-9, kAny, kAny},
+    WorldPromise{"timewarp_simple", 1e-9, kAny, kAny},
+    WorldPromise{"timewarp_safer", 1e-9, kAny, kAny},
+    WorldPromise{"timewarp_swept", 1e-9, kAny, kAny},
+    WorldPromise{"timewarp_full", 1e-9, kAny, kAny}, WorldPromise{"penalty", 1e-9, 0.01, kAny},
+    WorldPromise{"faure", 1e-9, 0.01, kAny}, WorldPromise{"settling", kAny, kAny, kAny},
+    WorldPromise{"optimised", 1e-9, 0.01, kAny}, WorldPromise{"microcollisions", 1e-9, kAny, kAny},
+    // Its velocities are differences of positions, and a ton at rest beside a gram that flies has rounding in them.
+    WorldPromise{"relaxation", 1e-5, kAny, kAny}};
+
 }  // namespace
+
+WorldPromise promise_of(std::string_view technique) {
+  for (const WorldPromise& p : kWorldPromises)
+    if (p.technique == technique) return p;
+  return {technique, kAny, kAny, kAny};
+}
 
 RandomWorld random_world(std::uint64_t seed, const WorldRange& range) {
   Random chance(seed);

@@ -47,6 +47,17 @@ struct WorldVerdict {
   std::string thrown = {};  // message of an exception; empty if there was none
 };
 
+// What is promised of random worlds beyond states that are finite and no exception, see promises.md.
+struct WorldPromise {
+  std::string_view technique;
+  double momentum;  // [-] largest change without ground and gravity; infinite: none is promised
+  double unbooked;  // [-] largest rise of the energy that is not booked, ditto
+  double overlap;   // [-] deepest one at the end, ditto
+};
+
+// The promise of a technique; of one that there is not: none.
+WorldPromise promise_of(std::string_view technique);
+
 // Runs a world and judges every step.
 WorldVerdict judge(const RandomWorld& world, std::string_view technique,
                    const std::vector<std::string>& settings = {}, int steps = 60);

@@ -86,6 +86,10 @@ TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow",
   CHECK(squeezed.pivots == 100);
   CHECK(squeezed.multiplications == 100 * 2 * 3);
   CHECK(squeezed.f[0] > 100.0);  // they press harder and harder
+  // A large problem is ended by its work: as many sweeps would take minutes.
+  const LcpResult short_of_work = solved(lcp({1, -1, -1, 1}, {-1, -1}), {.multiplications = 100});
+  CHECK(short_of_work.status == LcpStatus::cap_reached);
+  CHECK(short_of_work.pivots == 17);
   const LcpResult none = solved(stack(3), {.sweeps = 0});
   CHECK(none.status == LcpStatus::cap_reached);
   CHECK(none.residual == 1.0);

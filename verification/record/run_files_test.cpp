@@ -12,6 +12,7 @@
 #include "support/files.hpp"
 
 #include <fstream>
+#include <sys/stat.h>
 
 namespace {
 
@@ -242,6 +243,25 @@ TEST_CASE("A folder is refused if it is a file, holds other things or is in use"
   CHECK(content(used / "one.csv") == "second\n");
   CHECK(!fs::exists(used / "other.csv"));
   CHECK(content(used / "letter.txt") == "dear\n");  // not ours
+}
+
+TEST_CASE("A mark that is no file makes no folder a run's, and is not waited for",
+          "[unit][record][files]") {
+  const Folder folder("files_mark");
+  constexpr std::array<std::string_view, 1> kFiles = {"one.csv"};
+  const fs::path mark = folder.path / ".tumble";
+  fs::create_directories(folder.path);
+  const auto refused = [&] {
+    CHECK_THROWS_WITH(OutputFolder(folder.path, "run", kFiles),
+                      Catch::Matchers::Contains("not the folder of a run"));
+    fs::remove(mark);
+  };
+  fs::create_symlink("/dev/zero", mark);  // has no end
+  refused();
+  REQUIRE(mkfifo(mark.c_str(), 0600) == 0);  // nothing writes into it
+  refused();
+  fs::create_directory(mark);
+  refused();
 }
 
 TEST_CASE("A file is written beside a link, not through it", "[unit][record][files]") {

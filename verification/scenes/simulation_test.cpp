@@ -351,8 +351,13 @@ TEST_CASE(
   step(run, 2);
   run.throw_in(cube(Vec3(0.0, 9.0, 0.0)));
   const std::string scene = to_toml(run.scene());
-  puppet.act = [](World&) -> StepReport { throw std::invalid_argument("tumble: too much"); };
+  puppet.act = [](World&) -> StepReport { refuse_step("too much"); };
+  CHECK_THROWS_AS(run.step(kDt), StepRefused);
   CHECK_THROWS_WITH(run.step(kDt), "tumble: too much");
+  // A part of the step that was handed what it cannot take: not the caller's mistake.
+  puppet.act = [](World&) -> StepReport { throw std::invalid_argument("tumble: margin = inf"); };
+  CHECK_THROWS_AS(run.step(kDt), StepFault);
+  CHECK_THROWS_WITH(run.step(kDt), "tumble: margin = inf");
   CHECK(to_toml(run.scene()) == scene);
   CHECK(run.world().steps() == 2);
   puppet.act = [](World& world) {

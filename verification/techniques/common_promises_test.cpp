@@ -111,6 +111,8 @@ TEST_CASE("A scene at the limits of its values is stepped, or refused for a valu
           for (int step = 0; step < 3 && run.step(dt).status < StepStatus::unsolved;) ++step;
         } catch (const std::invalid_argument& error) {
           refusal = error.what();
+        } catch (const StepFault& fault) {
+          refusal = fault.what();
         }
         INFO(refusal);
         CHECK(refusal.find("margin") == std::string::npos);

@@ -10,6 +10,7 @@
 #include "tumble/contact/flush_edges.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/flight.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -73,6 +74,7 @@ std::vector<std::string> Analytic::ignores(const World& world) const {
 }
 
 StepReport Analytic::step(World& world, double dt) {
+  require_resolved(dt, options_.resolution);
   records_.clear();
   return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
 }

@@ -7,6 +7,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/contact_records.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -26,6 +27,7 @@ Basic::Basic(const Basic& other)
 std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
 
 StepReport Basic::step(World& world, double dt) {
+  require_resolved(dt, options_.resolution);
   records_.clear();
   return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
 }

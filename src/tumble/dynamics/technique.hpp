@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/dynamics/event_log.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/dynamics/world.hpp"
 #include "tumble/math/dense.hpp"
 
@@ -81,8 +82,8 @@ class Technique {
   /// \param world  all bodies; in and out
   /// \param dt     [s] above 0; may differ from step to step
   /// \return what was done
-  /// \throws std::invalid_argument for a dt that is not finite and above 0, or a world that the
-  ///         technique cannot simulate, with the reason
+  /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused for a world that the
+  ///         technique cannot simulate, or not with this dt, with the reason
   virtual StepReport step(World& world, double dt) = 0;
 
   /// A copy with all memory.

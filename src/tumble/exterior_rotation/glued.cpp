@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/contact/contact_records.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/math/elementary.hpp"
@@ -39,9 +40,8 @@ SimpleScheme simple_of(GluedScheme scheme) {
 
 void require_finite(double error, double dt) {
   if (!std::isfinite(error))
-    require::that(false, "dt = " + shortest_text(dt) +
-                             ": a body makes a full turn or more in it, " +
-                             "or its state becomes infinite: expected a shorter dt");
+    refuse_step("dt = " + shortest_text(dt) + ": a body makes a full turn or more in it, " +
+                "or its state becomes infinite: expected a shorter dt");
 }
 
 constexpr std::size_t kMostChanges = 20;  // of each joint in a step, on average
@@ -157,9 +157,8 @@ double Glued::advance_adaptively(double most, World& world) {
     }
     std::copy(start_.begin(), start_.end(), world.states().begin());
     if (dt <= tolerance::joint_moment * most)
-      require::that(false, "accuracy = " + shortest_text(options_.accuracy) +
-                               ": not met by steps of " + shortest_text(dt) +
-                               " s: expected slower bodies or a larger number");
+      refuse_step("accuracy = " + shortest_text(options_.accuracy) + ": not met by steps of " +
+                  shortest_text(dt) + " s: expected slower bodies or a larger number");
     dt = next;
   }
 }

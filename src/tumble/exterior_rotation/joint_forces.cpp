@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
@@ -104,9 +105,8 @@ void JointForces::collect(std::span<const MovingBody> bodies) {
     for (int i = 0; i < blocks_[idx(loop)].count; ++i)
       loop_rows_.push_back(static_cast<int>(at_[idx(loop)]) + i);
   if (loop_rows_.size() > kMostLoopRows)
-    require::that(
-        false, std::to_string(loop_rows_.size()) + " rows of joints close loops: expected " +
-                   std::to_string(kMostLoopRows) + " at most; leave out joints that close loops");
+    refuse_step(std::to_string(loop_rows_.size()) + " rows of joints close loops: expected " +
+                std::to_string(kMostLoopRows) + " at most; leave out joints that close loops");
 }
 
 // The force of a row on its bodies.
@@ -138,7 +138,7 @@ void JointForces::solve_tree() {
 void JointForces::factor(std::span<const MovingBody> bodies) {
   ++solves_;
   collect(bodies);
-  require::that(tree_.factor(bodies, blocks_), "joint: its rows depend on one another");
+  if (!tree_.factor(bodies, blocks_)) refuse_step("joint: its rows depend on one another");
   if (!loop_rows_.empty()) factor_loops(bodies);
 }
 

@@ -28,6 +28,7 @@ double put_right(const LcpProblem& problem, int i, std::span<double> f) {
 
 GaussSeidelSolver::GaussSeidelSolver(const GaussSeidelOptions& options) : options_(options) {
   require::that(options.sweeps >= 0, "sweeps: give at least 0");
+  require::that(options.multiplications >= 0, "multiplications: give at least 0");
   require::not_negative(options.residual, "residual");
 }
 
@@ -43,7 +44,8 @@ void GaussSeidelSolver::solve(const LcpProblem& problem, LcpResult& result,
   // A row is judged when it is visited and may be put wrong again by later ones. So when all were
   // right on their visit, the forces are judged once more as they are.
   complete(problem, result);
-  while (!(result.residual <= options_.residual) && result.pivots < options_.sweeps) {
+  while (!(result.residual <= options_.residual) && result.pivots < options_.sweeps &&
+         result.multiplications < options_.multiplications) {
     double worst = 0.0;
     for (int i = 0; i < n; ++i) {
       const double wrong = put_right(problem, i, result.f);

@@ -9,7 +9,9 @@ namespace tumble {
 
 /// Options of GaussSeidelSolver.
 struct GaussSeidelOptions {
-  int sweeps = 100000;                                 ///< [-] at most; at least 0
+  int sweeps = 100000;  ///< [-] at most; at least 0
+  std::int64_t multiplications =
+      2'000'000'000;  ///< [-] at most, but for the last sweep; at least 0
   double residual = tolerance::gauss_seidel_residual;  ///< [-] good enough, see lcp_residual()
   bool warm = false;  ///< begin with the forces in `result`, if it has n of them; else with 0
 };
@@ -25,8 +27,8 @@ struct GaussSeidelOptions {
 /// \f$\cos^2(\pi/2n)\f$ of what it was, 0.994 for n = 20. Most of today's real-time engines
 /// sweep, and hide it by starting from the forces of the last step.
 /// \par How it ends
-/// `solved` at the residual asked for; `cap_reached`, also where there is no solution: the forces then grow
-/// without end; `not_positive_semidefinite`, with no forces, if they grew out of range, which an A
+/// `solved` at the residual asked for; `cap_reached` after the sweeps or multiplications allowed, also where there is no
+/// solution: the forces then grow without end; `not_positive_semidefinite`, with no forces, if they grew out of range, which an A
 /// that is symmetric and semidefinite does not do.
 /// \par Cost
 /// n² + n multiplications a sweep.

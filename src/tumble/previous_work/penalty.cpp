@@ -10,6 +10,7 @@
 #include "tumble/contact/impulse_work.hpp"
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
@@ -79,11 +80,11 @@ void Penalty::require_stable(const World& world, double h) const {
   for (const BodyProperties& body : world.bodies())
     restitution = std::max(restitution, body.restitution);
   const double zeta = damping_of(restitution);
-  require::that(!explicit_euler || zeta > 0.0,
-                "scheme = explicit: nothing damps a bounce with a restitution of " +
-                    shortest_text(restitution) +
-                    ", so that it gains energy at any step: expected damping above 0, or scheme = "
-                    "semi_implicit");
+  if (explicit_euler && !(zeta > 0.0))
+    refuse_step("scheme = explicit: nothing damps a bounce with a restitution of " +
+                shortest_text(restitution) +
+                ", so that it gains energy at any step: expected damping above 0, or scheme = "
+                "semi_implicit");
   if (options_.stiffness == 0.0) return;
   for (std::size_t k = 0; k < world.bodies().size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
@@ -92,11 +93,11 @@ void Penalty::require_stable(const World& world, double h) const {
         stable_step(options_.scheme, {std::sqrt(options_.stiffness / body.mass), zeta});
     if (h < limit) continue;
     const double substeps = std::floor(h * options_.substeps / limit) + 1.0;
-    require::that(false, "stiffness = " + shortest_text(options_.stiffness) + " N/m under " +
-                             world.name(static_cast<int>(k)) + " of " + shortest_text(body.mass) +
-                             " kg: substeps of " + rounded_text(h, 4) +
-                             " s gain energy: expected below " + rounded_text(limit, 4) +
-                             " s, as with substeps = " + shortest_text(substeps) + " or more");
+    refuse_step("stiffness = " + shortest_text(options_.stiffness) + " N/m under " +
+                world.name(static_cast<int>(k)) + " of " + shortest_text(body.mass) +
+                " kg: substeps of " + rounded_text(h, 4) + " s gain energy: expected below " +
+                rounded_text(limit, 4) + " s, as with substeps = " + shortest_text(substeps) +
+                " or more");
   }
 }
 

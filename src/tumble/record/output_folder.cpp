@@ -19,10 +19,14 @@ namespace {
 
 constexpr std::string_view kMark = ".tumble";
 
+// Something else than a file may have no end, or no writer.
 bool is_marked(const fs::path& folder, std::string_view kind) {
-  std::string word;
+  std::error_code none;
+  if (!fs::is_regular_file(fs::symlink_status(folder / kMark, none))) return false;
+  std::string word(kind.size() + 1, '\0');
   std::ifstream mark(folder / kMark);
-  return mark >> word && word == kind;
+  mark.read(word.data(), static_cast<std::streamsize>(word.size()));
+  return mark && word == std::string(kind) + "\n";
 }
 
 }  // namespace

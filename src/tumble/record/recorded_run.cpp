@@ -76,6 +76,12 @@ void require_recorded(const RecordedRun& run, double time, double outside) {
 
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table) {
   const std::filesystem::path path = folder / table;
+  // A pipe would be waited for.
+  for (const std::filesystem::path& file : {path, folder / "scene.toml"}) {
+    std::error_code none;
+    require::that(!std::filesystem::is_fifo(file, none),
+                  file.string() + ": is a pipe: give the folder of a run");
+  }
   std::ifstream in(path);
   if (table == kFilteredFile && !in.is_open() && std::ifstream(folder / kTrajectoryFile).is_open())
     require::that(false, path.string() +
@@ -142,11 +148,14 @@ RecordedFrame frame_at(const RecordedRun& run, double time) {
   if (before.time == time) return before;
   const double share = (time - before.time) / (after->time - before.time);
   RecordedFrame out{time, {}};
+  // Frames have their boxes in the same order, so the next one is looked for after the last.
+  auto next = after->poses.begin();
   for (const RecordedPose& pose : before.poses) {
-    const auto later =
-        std::find_if(after->poses.begin(), after->poses.end(),
-                     [&](const RecordedPose& other) { return other.box == pose.box; });
-    if (later == after->poses.end()) continue;
+    const auto is_it = [&](const RecordedPose& other) { return other.box == pose.box; };
+    auto later = std::find_if(next, after->poses.end(), is_it);
+    if (later == after->poses.end()) later = std::find_if(after->poses.begin(), next, is_it);
+    if (later == after->poses.end() || !is_it(*later)) continue;
+    next = later + 1;
     out.poses.push_back(pose);
     out.poses.back().position_w += share * (later->position_w - pose.position_w);
     out.poses.back().orientation_wb =

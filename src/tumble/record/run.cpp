@@ -161,6 +161,10 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     } catch (const std::invalid_argument& error) {
       if (k == 0) throw;  // the user's mistake: nothing has been simulated
       result.refusal = error.what();
+    } catch (const StepFault& fault) {
+      result.refusal = fault.what();
+    }
+    if (!result.refusal.empty()) {
       result.end = RunEnd::failed;
       result.worst_report.status = std::max(result.worst_report.status, StepStatus::unsolved);
       break;

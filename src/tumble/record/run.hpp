@@ -50,7 +50,7 @@ struct RunResult {
   Metrics last;                         ///< after the last step; at the start if there was none
   Metrics worst_metrics;                ///< each number where it was farthest from 0
   std::string state_hash;               ///< 16 hexadecimal digits, of the last state
-  /// Why a later step than the first refused the world, for example because a state overflowed; empty
+  /// Why a step broke off, or a later one than the first was refused, for example because a state overflowed; empty
   /// if none did. The numbers above are of the step before, the hash of where that step stopped.
   std::string refusal;
   std::vector<std::string>
@@ -92,14 +92,14 @@ class RunObserver {
 /// Runs a simulation from its start to its end.
 ///
 /// The checks of run_checks.hpp watch every step; one that fails has a status of at least StepStatus::energy_gained,
-/// and the run goes on. A step that leaves something unsolved or not finite is the last one, and so is one, after the first, that
-/// the technique refuses: the result has what was simulated before it.
+/// and the run goes on. A step that leaves something unsolved or not finite is the last one, and so is one that breaks off, or that,
+/// after the first, the technique refuses: the result has what was simulated before it.
 /// \param simulation  no step done yet
 /// \param settings    step, duration; valid, see require_valid()
 /// \param observers   called in this order
 /// \param stop        asked before every step; true ends the run as interrupted
 /// \return how it ended, and its numbers
-/// \throws std::invalid_argument for a scene that the technique cannot simulate, from its first step
+/// \throws StepRefused for a scene that the technique cannot simulate, or not with this step, from its first step
 /// \throws CannotWrite from an observer that writes
 RunResult run(Simulation& simulation, const RunSettings& settings,
               std::span<RunObserver* const> observers, const std::function<bool()>& stop = {});

@@ -129,9 +129,10 @@ World start_world(Scene& scene) {
     const SceneBox& box = scene.boxes[i];
     try {
       require::not_negative(box.appears, "appears");
-      require::that(box.disappears > box.appears,
-                    "disappears = " + shortest_text(box.disappears) + ": expected later than " +
-                        shortest_text(box.appears) + " s, when it appears");
+      if (!(box.disappears > box.appears))
+        require::that(false, "disappears = " + shortest_text(box.disappears) +
+                                 ": expected later than " + shortest_text(box.appears) +
+                                 " s, when it appears");
       const BodyProperties body = properties_of(box);
       const BodyState state = state_of(box, body);
       masses.add(body, box.name);

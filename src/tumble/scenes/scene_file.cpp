@@ -167,15 +167,27 @@ class Place : public SceneTable {
     return true;
   }
 
-  // The tables of a list, if there is one.
-  std::vector<Place> tables(const std::string& key) const {
-    std::vector<Place> out;
+  // How many tables there are in a list.
+  std::size_t count(const std::string& key) const {
     const toml::node* node = find(key);
-    if (node == nullptr) return out;
+    if (node == nullptr) return 0;
     if (!node->is_array_of_tables()) refuse(key, node, "expected [[" + key + "]] tables");
-    for (const toml::node& element : *node->as_array())
-      out.emplace_back(*element.as_table(), file_,
-                       key + "[" + std::to_string(out.size() + 1) + "].");
+    return node->as_array()->size();
+  }
+
+  // One of them.
+  Place table(const std::string& key, std::size_t k) const {
+    return {*find(key)->as_array()->get(k)->as_table(), file_,
+            key + "[" + std::to_string(k + 1) + "]."};
+  }
+
+  // All of them, read one by one.
+  template <class Read>
+  auto list(const std::string& key, const Read& read) const {
+    std::vector<decltype(read(*this))> out;
+    const std::size_t all = count(key);
+    out.reserve(all);
+    for (std::size_t k = 0; k < all; ++k) out.push_back(read(table(key, k)));
     return out;
   }
 
@@ -217,31 +229,36 @@ Scene read_table(const toml::table& root, std::string_view file) {
   const toml::node* boxes = place.find("box");
   if (boxes == nullptr || !boxes->is_array() || boxes->as_array()->empty())
     place.refuse("box", boxes, "a scene needs at least one [[box]] table");
-  for (const Place& box : place.tables("box")) scene.boxes.push_back(read_box(box));
-  for (const Place& wish : place.tables("wish")) scene.wishes.push_back(read_wish(wish));
-  for (const Place& joint : place.tables("joint")) scene.joints.push_back(read_joint(joint));
+  scene.boxes = place.list("box", read_box);
+  scene.wishes = place.list("wish", read_wish);
+  scene.joints = place.list("joint", read_joint);
   return scene;
 }
 
-}  // namespace
-
-Scene parse_scene(std::string_view text, std::string_view file) {
-  require_readable(text, file);
-  toml::table root;
+toml::table parsed(std::string_view text, std::string_view file) {
   try {
-    root = toml::parse(text, file);
+    return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw std::invalid_argument(
         not_toml(file, error.source().begin.line, one_line(error.description())));
   }
-  Scene scene = read_table(root, file);
+}
+
+}  // namespace
+
+// The tree of a large file takes more memory than all that is made of it. So it is gone before the scene is checked, and
+// made once more to find the line of a mistake.
+Scene parse_scene(std::string_view text, std::string_view file) {
+  require_readable(text, file);
+  Scene scene = read_table(parsed(text, file), file);
   try {
     return checked(std::move(scene));
   } catch (const SceneMistake& mistake) {
+    const toml::table root = parsed(text, file);
     const Place all(root, file, "");
     const Place place = mistake.box() < 0
                             ? all
-                            : all.tables(mistake.table())[static_cast<std::size_t>(mistake.box())];
+                            : all.table(mistake.table(), static_cast<std::size_t>(mistake.box()));
     throw std::invalid_argument(place.place_of(place.find(mistake.key())) +
                                 std::string(message_of(mistake)));
   }

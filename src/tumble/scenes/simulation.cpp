@@ -33,6 +33,17 @@ class EventsOfStep : public Observer {
   Technique& technique_;
 };
 
+// What a technique does not refuse is no mistake of the caller's, whatever a part of it says of its arguments.
+StepReport checked_step(Technique& technique, World& world, double dt) {
+  try {
+    return technique.step(world, dt);
+  } catch (const StepRefused&) {
+    throw;
+  } catch (const std::invalid_argument& fault) {
+    throw StepFault(fault.what());
+  }
+}
+
 // Wishes about a box that there will not be.
 void leave_out(const std::string& name, std::vector<Wish>& wishes) {
   for (Wish& wish : wishes) std::erase(wish.bodies, name);
@@ -102,7 +113,7 @@ StepReport Simulation::step(double dt) {
   StepReport report;
   {
     const EventsOfStep events(observers_, *technique_);
-    report = technique_->step(world_, dt);
+    report = checked_step(*technique_, world_, dt);
   }
   if (!all_finite(world_)) report.status = StepStatus::not_finite;
   for (Observer* observer : observers_) observer->on_step(world_, report);

@@ -64,7 +64,10 @@ class Simulation {
   /// Simulates a step: lets boxes enter and leave that are due, then steps.
   /// \param dt [s] as require_time_step() takes it
   /// \return what the technique did; StepStatus::not_finite as well if a state is not finite after it
-  /// \throws std::invalid_argument for another dt, or if the technique refuses; it may have moved bodies before it does
+  /// \throws std::invalid_argument for another dt, or joints that the technique does not hold
+  /// \throws StepRefused if the technique refuses the world or the step
+  /// \throws StepFault if a part of the step fails, for example because a state has become infinite; it may have moved
+  ///         bodies before
   StepReport step(double dt = kTimeStep);
 
   /// Simulates for a while; ends early after a step that was not solved or is not finite.

@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/number_text.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/timewarp/near_pairs.hpp"
 
 #include <algorithm>
@@ -13,10 +13,7 @@ namespace tumble {
 
 void require_step(double dt, const TimewarpOptions& options, double steps) {
   require::positive(dt, "dt");
-  if (steps * dt + options.resolution <= steps * dt)
-    require::that(false, "resolution = " + shortest_text(options.resolution) +
-                             ": expected more than rounding of a flight of " +
-                             shortest_text(steps * dt) + " s");
+  require_resolved(steps * dt, options.resolution);
 }
 
 void require_finite_states(const World& world) {

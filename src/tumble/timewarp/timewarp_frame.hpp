@@ -45,7 +45,7 @@ void describe(TimewarpOptions& o, Visitor& v) {
 /// \param dt       [s]
 /// \param options  the resolution must be above the rounding of times up to the longest flight
 /// \param steps    [-] number of steps in the longest flight
-/// \throws std::invalid_argument for a dt that is not above 0, or a resolution too small for it
+/// \throws std::invalid_argument for a dt that is not above 0; StepRefused for a resolution too small for it
 void require_step(double dt, const TimewarpOptions& options, double steps = 1.0);
 
 /// Checks that all states are finite.
