@@ -116,7 +116,7 @@ void draw(const Fall& fall, const Parameters& settings, Result& result) {
       middle_w += frame.states[static_cast<std::size_t>(joint.first)].orientation_wb *
                   Vec3(0.5 - inside, 0.0, 0.0);
     }
-    FilmFrame film{
+    SideViewFrame film{
         frame.states, exact.at(film_time(settings, k)).states, {pivot}, middle_w.head<2>()};
     for (int n = 0; n < fall.boxes; ++n) {
       const bool highest = n + 1 == fall.boxes;

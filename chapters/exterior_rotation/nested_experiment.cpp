@@ -76,13 +76,13 @@ void draw_nested(const std::vector<NestedRun>& nested, const Parameters& setting
       const int body = shown.joints[joint].second;
       return exact.states[static_cast<std::size_t>(body)].position_w.head<2>();
     };
-    const FilmFrame film{frame.states,
-                         exact.states,
-                         {lower, upper},
-                         0.5 * (place.first_w + place.second_w).head<2>(),
-                         {{lower, (centre(kLower) - lower).norm(), {film_colour::pivot, 1.0}},
-                          {lower, (upper - lower).norm(), {film_colour::pivot, 1.0, true}},
-                          {upper, (centre(kUpper) - upper).norm(), {film_colour::pivot, 1.8}}}};
+    const SideViewFrame film{frame.states,
+                             exact.states,
+                             {lower, upper},
+                             0.5 * (place.first_w + place.second_w).head<2>(),
+                             {{lower, (centre(kLower) - lower).norm(), {film_colour::pivot, 1.0}},
+                              {lower, (upper - lower).norm(), {film_colour::pivot, 1.0, true}},
+                              {upper, (centre(kUpper) - upper).norm(), {film_colour::pivot, 1.8}}}};
     add_film_frame(shown.start, layout, film, k, result);
     times.add(frame.time);
   }

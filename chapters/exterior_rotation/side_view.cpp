@@ -156,7 +156,7 @@ void FilmLayout::put_inset_above() {
 
 namespace {
 
-SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame& frame) {
+SideView film_view(const World& world, const FilmLayout& layout, const SideViewFrame& frame) {
   SideView view(layout.low, layout.high);
   const double point = 1.0 / layout.scale();  // [m]
   fill_bodies(world, frame.states, view);
@@ -174,7 +174,7 @@ SideView film_view(const World& world, const FilmLayout& layout, const FilmFrame
   return view;
 }
 
-SideView film_inset(const World& world, const FilmLayout& layout, const FilmFrame& frame) {
+SideView film_inset(const World& world, const FilmLayout& layout, const SideViewFrame& frame) {
   const double half = 0.5 * layout.seen();
   const Vec2 low = frame.magnified - Vec2(half, half);
   const Vec2 high = frame.magnified + Vec2(half, half);
@@ -211,7 +211,7 @@ double film_time(const Parameters& settings, int number) {
   return settings.number(std::string("t").append(std::to_string(number)));
 }
 
-void add_film_frame(const World& world, const FilmLayout& layout, const FilmFrame& frame,
+void add_film_frame(const World& world, const FilmLayout& layout, const SideViewFrame& frame,
                     int number, Result& result) {
   result.drawings.push_back(
       {"frame" + std::to_string(number), film_view(world, layout, frame).commands()});

@@ -94,7 +94,7 @@ struct FilmCircle {
 };
 
 // A frame: bodies, and marks beside them.
-struct FilmFrame {
+struct SideViewFrame {
   std::span<const BodyState> states;     // of the bodies that are filled, by index
   std::span<const BodyState> exact;      // the same, as they should be: dashed; may be empty
   std::vector<Vec2> pivots;              // [m] marked
@@ -126,7 +126,7 @@ Parameters film_parameters(Parameters first, double duration,
 double film_time(const Parameters& settings, int number);
 
 // Draws a frame and its magnified place.
-void add_film_frame(const World& world, const FilmLayout& layout, const FilmFrame& frame,
+void add_film_frame(const World& world, const FilmLayout& layout, const SideViewFrame& frame,
                     int number, Result& result);
 
 }  // namespace tumble::chapters
