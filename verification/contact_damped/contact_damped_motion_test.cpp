@@ -111,8 +111,8 @@ TEST_CASE("A heap in motion costs no more than its budget", "[unit][contact_damp
     for (int k = 0; k < 90; ++k) most = std::max(most, simulation.step().impulses);
     return most;
   };
-  // Six sweeps are made in any case, 24 at most, those at the front only; small islands beside the heap have their own.
-  CHECK(3 * most_impulses("budget=1") < 2 * most_impulses("budget=50000"));
+  // Six sweeps are made in any case, 24 at most; small islands beside the heap have their own.
+  CHECK(most_impulses("budget=1") < most_impulses("budget=50000") / 2);
 }
 
 TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",

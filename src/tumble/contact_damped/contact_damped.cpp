@@ -8,7 +8,6 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
@@ -100,7 +99,6 @@ void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.in_flight.assign(velocities_.end.size(), 1);
-  storage_.front.reset(velocities_.end.size());
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
@@ -202,8 +200,7 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
           storage_.start_wb,
           velocities_.start,
           velocities_.free,
-          velocities_.end,
-          storage_.front};
+          velocities_.end};
 }
 
 // Which bodies turn about which: patches push at their centre of pressure. A patch whose friction is below its bound
@@ -219,7 +216,8 @@ void ContactDamped::find_pivots(const World& world, double dt) {
   for (const ContactPatch& patch : memory_.manifolds.patches()) {
     PushedPair pair{patch.first, patch.second, Vec3::Zero(), patch.frame_w.col(2)};
     const Six all = impulse_of(patch);
-    if (!is_at_friction_bound(patch)) pair.state = PushedState::held;
+    const double limit = (1.0 - tolerance::friction_limit) * patch.friction * all[six::normal];
+    if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
     for (const ContactPatchPoint& p : patch.used()) {
       if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_slop * patch.size)
         pair.state = PushedState::unknown;  // it closes a gap, or there is overlap

@@ -144,7 +144,6 @@ class ContactDamped : public Technique {
     std::vector<PushedPair> pushed;            // pairs with an impulse
     std::vector<Quat> start_wb;                // orientations at the start of the step
     std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
-    SweepFront front;                          // where sweeps have changed something
     KeptSolution kept;                         // of an island, while raised targets are tried
     KeptSolution swept;                        // ditto, while the direct solver is
     PivotUpdate pivots;                        // bodies that are moved together
@@ -159,7 +158,6 @@ class ContactDamped : public Technique {
   void find_candidates(const World& world, std::span<const MovingBody> moves, double dt);
   void solve_missed(const World& world, double dt, StepReport& report);
   void solve_again(const Island& island, StepReport& report);
-  void sweep_again(const Island& island, StepReport& report);
   void solve_turning(const World& world, double dt, StepReport& report);
   Island view_of_island(const World& world, int k, double dt);
   void solve_island(const Island& island, StepReport& report);

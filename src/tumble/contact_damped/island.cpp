@@ -88,13 +88,11 @@ double shortest_edge(const Island& island) {
   return size;
 }
 
-double gravity_speed(const Island& island) {
-  const double g = island.world.gravity_w.norm();
-  return g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
-}
-
 double negligible_residual(const Island& island) {
-  return tolerance::contact_settled * gravity_speed(island);
+  const double g = island.world.gravity_w.norm();
+  const double speed =
+      g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
+  return tolerance::contact_settled * speed;
 }
 
 SpeedRange speed_range(const Island& island) {
@@ -141,41 +139,32 @@ bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
 }
 
-void note_approach(const Island& island, ContactPatch& patch) {
-  const Six before =
-      motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
-  const Six after = motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
-  for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
-}
-
 void warm_start(const Island& island) {
   for (const int contact : island.upward) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    note_approach(island, patch);
+    const Six before =
+        motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
+    const Six after =
+        motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
+    for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
     apply(impulse_of(patch), patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   }
 }
 
-double sweep(const Island& island, SweepOrder order, const SweepLimits& limits,
+double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report) {
-  const double shows = tolerance::swept_change * gravity_speed(island);
   // [S6.3.1:sweep]
-  island.front.begin_sweep();
   double most = 0.0;
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
     ContactPatch& patch = island.all_patches[idx(contact)];
-    if (limits.at_front && !island.front.reaches(patch)) continue;
-    const double change =
-        solve_patch(patch, island.now[idx(patch.first)], island.now[idx(patch.second)],
-                    limits.patch_iterations, limits.residual);
-    if (change > shows) island.front.note_change(patch, island.now);
-    most = std::max(most, change);
-    ++report.impulses;
+    most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
+                                      island.now[idx(patch.second)], patch_iterations, residual));
   }
   // [S6.3.1:sweep]
   ++report.iterations;
+  report.impulses += static_cast<std::int64_t>(count);
   return most;
 }
 

@@ -6,45 +6,10 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/dynamics/world.hpp"
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
 namespace tumble {
-
-/// Which bodies the last sweeps over an island have changed. Patches between others are as the sweeps have left them.
-class SweepFront {
- public:
-  /// Begins with no body changed.
-  /// \param bodies  number of bodies of the world
-  void reset(std::size_t bodies) {
-    last_change_.assign(bodies, -1);
-    sweep_ = 0;
-  }
-  /// Begins a sweep.
-  void begin_sweep() { ++sweep_; }
-  /// Notes that the movable ones of the bodies of a patch are changed.
-  /// \param patch   the patch
-  /// \param bodies  all, by index
-  void note_change(const ContactPatch& patch, std::span<const MovingBody> bodies) {
-    for (const auto k :
-         {static_cast<std::size_t>(patch.first), static_cast<std::size_t>(patch.second)})
-      if (bodies[k].inverse_mass.x() > 0.0) last_change_[k] = sweep_;
-  }
-  /// Whether this sweep or the one before has changed a body of a patch.
-  /// \param patch  the patch
-  /// \return true if so
-  [[nodiscard]] bool reaches(const ContactPatch& patch) const {
-    return std::max(last_change_[static_cast<std::size_t>(patch.first)],
-                    last_change_[static_cast<std::size_t>(patch.second)]) +
-               1 >=
-           sweep_;
-  }
-
- private:
-  std::vector<int> last_change_;  // by body: the sweep that last changed it
-  int sweep_ = 0;                 // number of the present one
-};
 
 /// An island in a step: bodies that touch one another, their patches, and their velocities. A view; all
 /// velocities are of the whole world, by body index.
@@ -60,7 +25,6 @@ struct Island {
       start;                         ///< velocities before gravity, places at the start of the step
   std::span<const MovingBody> free;  ///< with gravity, without contacts
   std::span<MovingBody> now;         ///< with the impulses so far
-  SweepFront& front;                 ///< where sweeps have changed something
 };
 
 /// The shortest edge of a body in an island's patches.
@@ -68,13 +32,8 @@ struct Island {
 /// \return [m]
 [[nodiscard]] double shortest_edge(const Island& island);
 
-/// The speed that gravity gives in a step, g dt, by which errors are measured. Without gravity a share of the shortest
-/// edge in a step.
-/// \param island  with a patch at least
-/// \return [m/s]
-[[nodiscard]] double gravity_speed(const Island& island);
-
-/// The residual that counts as none: a share of gravity_speed().
+/// The residual that counts as none: a share of the speed that gravity gives in a step, or without gravity of
+/// the shortest edge in a step.
 /// \param island  with a patch at least
 /// \return [m/s] see tolerance::contact_settled
 [[nodiscard]] double negligible_residual(const Island& island);
@@ -111,31 +70,21 @@ struct SpeedRange {
 /// \param island  `now` is `free` before
 void warm_start(const Island& island);
 
-/// Notes how fast the points of a patch approach, for restitution.
-/// \param island  the island
-/// \param patch   one of its patches
-void note_approach(const Island& island, ContactPatch& patch);
-
 /// Direction of a sweep.
 enum class SweepOrder : std::uint8_t {
   down,  ///< from the top down, as weight goes
   up     ///< from the ground up, as support goes
 };
 
-/// What a sweep does.
-struct SweepLimits {
-  int patch_iterations = 1;  ///< of friction and pressure in turn, in each patch
-  double residual = 0.0;     ///< [m/s] at which a patch is skipped, see solve_patch()
-  bool at_front = false;     ///< patches that the front does not reach are left out
-};
-
-/// One Gauss-Seidel sweep: solve_patch() for the patches of an island.
-/// \param island  the island; its front is moved where velocities change by more than tolerance::swept_change of g dt
-/// \param order   of the patches
-/// \param limits  what it does
-/// \param report  counts it
+/// One Gauss-Seidel sweep: solve_patch() for all patches of an island.
+/// \param island            the island
+/// \param order             of the patches
+/// \param patch_iterations  of friction and pressure in turn within a patch
+/// \param residual          [m/s] at which a patch is skipped, see solve_patch()
+/// \param report            counts it
 /// \return [m/s] the largest change of a velocity
-double sweep(const Island& island, SweepOrder order, const SweepLimits& limits, StepReport& report);
+double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
+             StepReport& report);
 
 /// The largest error of the patches whose bodies do not move fast along each other. However fast others move, bodies
 /// that carry something must go on carrying it.

@@ -17,6 +17,11 @@ int patch_iterations_of(const Island& island) {
   return is_small(island) ? tolerance::small_patch_iterations : tolerance::patch_iterations;
 }
 
+// [m/s] Skipped residuals add up from step to step, and a small island can do without.
+double skipped_residual_of(const Island& island) {
+  return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
+}
+
 // By how much this step speeds up the fastest point of an island that hardly moves [m/s]; 0 if it does move.
 double speed_gained(const Island& island) {
   if (speed_range(island).higher >= tolerance::quiet_speed) return 0.0;
@@ -114,26 +119,22 @@ int swept_within(const Island& island, const IslandEffort& effort) {
 
 }  // namespace
 
-double skipped_residual(const Island& island) {
-  return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
-}
-
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report) {
+  const int patch_iterations = patch_iterations_of(island);
   const double negligible = negligible_residual(island);
   // What the direct solver has found within the bounds of single points, sweeps would change: they bound the friction
   // of a patch as a whole.
-  const SweepLimits limits{patch_iterations_of(island),
-                           direct_last_step && is_small(island)
-                               ? tolerance::solved_residual_exact * negligible
-                               : skipped_residual(island)};
+  const double skipped = direct_last_step && is_small(island)
+                             ? tolerance::solved_residual_exact * negligible
+                             : skipped_residual_of(island);
   FirstSweeps first;
-  first.down = sweep(island, SweepOrder::down, limits, report);
+  first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
   // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
   // solution they may change no velocity.
   first.stale_warm_start = first.down < negligible && direct_last_step &&
                            speed_gained(island) > tolerance::solved_residual * negligible;
   first.settled = first.down < negligible && !first.stale_warm_start;
-  if (!first.settled) first.up = sweep(island, SweepOrder::up, limits, report);
+  if (!first.settled) first.up = sweep(island, SweepOrder::up, patch_iterations, skipped, report);
   return first;
 }
 
@@ -141,7 +142,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   IslandPlan plan;
   if (first.settled) return plan;
   const double negligible = negligible_residual(island);
-  const double unit_speed = gravity_speed(island);
+  const double unit_speed = negligible / tolerance::contact_settled;
   const SpeedRange speed = speed_range(island);
   const bool small = is_small(island);
   const bool fast = speed.lower >= tolerance::fast_speed;
@@ -165,10 +166,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.max_sweeps = small   ? std::max(effort.sweeps, tolerance::small_island_sweeps)
                     : loose ? swept_within(island, effort)
                             : effort.sweeps;
-  plan.sweep.patch_iterations =
+  plan.patch_iterations =
       !small && (fast || loose) ? tolerance::fast_patch_iterations : patch_iterations_of(island);
-  plan.sweep.residual = skipped_residual(island);
-  plan.sweep.at_front = loose;
+  plan.skipped_residual = skipped_residual_of(island);
   plan.residual =
       loose ? tolerance::loose_residual * unit_speed : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;

@@ -38,7 +38,8 @@ struct IslandPlan {
   IslandMethod method = IslandMethod::settled;  ///< after the first sweeps
   bool discard_warm_start = false;  ///< begin without impulses, as the first sweeps have diverged
   int max_sweeps = 0;               ///< sweeps, the first two included
-  SweepLimits sweep;                ///< each of them
+  int patch_iterations = 1;         ///< of friction and pressure in turn, in each patch and sweep
+  double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
   bool large_and_fast = false;      ///< then they are also enough if `slow_approach` is met
@@ -46,11 +47,6 @@ struct IslandPlan {
   bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
   IslandLimits direct;              ///< of the direct solver
 };
-
-/// The residual at which sweeps skip a patch. Such errors add up from step to step; a small island has none.
-/// \param island  the island
-/// \return [m/s] 0 if it is small
-[[nodiscard]] double skipped_residual(const Island& island);
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up.
 /// \param island              after warm_start()

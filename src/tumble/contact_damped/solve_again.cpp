@@ -81,20 +81,12 @@ void raise_targets(const Island& island) {
     for (ContactPatchPoint& p : patch.used())
       p.target = std::max(p.target, (turned.expected + turned.deeper - p.gap) / island.dt);
     patch.targets_planar = false;
-    island.front.note_change(patch, island.now);
   }
 }
 
 }  // namespace
 
-// An island is solved from the beginning if it is small, or was solved directly.
 void ContactDamped::solve_again(const Island& island, StepReport& report) {
-  const auto direct = [&](int contact) { return island.all_patches[idx(contact)].solved_directly; };
-  if (!is_small(island) &&
-      std::none_of(island.patch_indices.begin(), island.patch_indices.end(), direct)) {
-    sweep_again(island, report);
-    return;
-  }
   for (const int body : island.bodies) {
     velocities_.end[idx(body)] = velocities_.free[idx(body)];
     storage_.in_flight[idx(body)] = 1;
@@ -129,15 +121,10 @@ void ContactDamped::solve_missed(const World& world, double dt, StepReport& repo
   memory_.order.update(world, manifolds.patches(), storage_.touching);
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     const Island island = view_of_island(world, k, dt);
-    bool any_new = false;
-    for (const int contact : island.patch_indices) {
-      ContactPatch& patch = island.all_patches[idx(contact)];
-      if (!(patch.stamp > last)) continue;
-      any_new = true;
-      note_approach(island, patch);
-      island.front.note_change(patch, island.now);
-    }
-    if (any_new) solve_again(island, report);
+    if (std::none_of(island.patch_indices.begin(), island.patch_indices.end(),
+                     [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
+      continue;
+    solve_again(island, report);
   }
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 // The k-th sweep over an island, from 0 on: down and up in turn. Returns the largest change of a velocity.
 double sweep_number(int k, const Island& island, const IslandPlan& plan, StepReport& report) {
-  return sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.sweep, report);
+  return sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
+               plan.skipped_residual, report);
 }
 
 // Whether slow patches of an island are held, and none sinks deeply.
@@ -163,18 +164,6 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   // [S6.3.1:island]
-}
-
-// Sweeps go on from the solution of a large island, where something has been changed since.
-void ContactDamped::sweep_again(const Island& island, StepReport& report) {
-  const double unit_speed = gravity_speed(island);
-  const SweepLimits limits{tolerance::fast_patch_iterations, skipped_residual(island), true};
-  for (int k = 0; k < tolerance::sweeps_again; ++k)
-    if (sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, limits, report) <
-        tolerance::loose_residual * unit_speed)
-      break;
-  decide_flight(island, storage_.in_flight);
-  limit_energy(island, share_without_gain(island), report);
 }
 
 }  // namespace tumble

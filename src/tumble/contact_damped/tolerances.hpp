@@ -148,14 +148,6 @@ inline constexpr int sweeps_after_gain = 50;
 /// that fall together overlap no less with more. (6.3.1)
 inline constexpr int loose_sweeps = 24;
 
-/// [-] Change of a velocity in a sweep, as a share of g dt, after which the next sweep looks at its neighbours. Reason: with
-/// 0.01 a heap of 500 that slows down creeps on; with 0.001 it comes to rest, and half of its patches are left out. (6.3.1)
-inline constexpr double swept_change = 1e-3;
-
-/// [-] Sweeps that follow where an island that sweeps have solved gets new targets or patches, at most. Reason: of 6, 12 and 24
-/// the one with which the longest steps of 1000 falling cubes take half the work; overlap is the same. (6.3.1)
-inline constexpr int sweeps_again = 6;
-
 /// [-] Way by which bodies of such an island may sink into each other in a step, as a share of the shortest edge, before
 /// the direct solver is tried. Reason: of 0.003, 0.01 and 0.03 the one that 125 falling cubes never reach. (6.3.1)
 inline constexpr double deep_sinking = 0.03;

@@ -3,6 +3,7 @@
 #include "tumble/contact_patches/patch_solver.hpp"
 
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_patches/patch_pressure.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/minimum_in_ball.hpp"
 
@@ -18,37 +19,6 @@ struct PatchUpdate {
   Six change{};                 // impulse added so far
   double largest_change = 0.0;  // [m/s] of a velocity
 };
-
-// Where the pressure of a patch acts: its sum, its centre, and the lever of friction about it.
-struct Pressure {
-  double normal = 0.0;  // [N s]
-  double along = 0.0;   // [m] centre
-  double across = 0.0;  // [m]
-  double lever = 0.0;   // [N m s] sum of p |s - c|
-};
-
-Pressure pressure_of(const ContactPatch& patch) {
-  Pressure total;
-  for (const ContactPatchPoint& p : patch.used()) {
-    total.normal += p.impulse;
-    total.along += p.impulse * p.along;
-    total.across += p.impulse * p.across;
-  }
-  if (!(total.normal > 0.0)) return Pressure{};
-  total.along /= total.normal;
-  total.across /= total.normal;
-  for (const ContactPatchPoint& p : patch.used()) {
-    const double a = p.along - total.along;
-    const double b = p.across - total.across;
-    total.lever += p.impulse * std::sqrt(a * a + b * b);
-  }
-  return total;
-}
-
-// Moment about the normal of friction that acts at the centre of pressure.
-double moment_of(const Pressure& at, double along, double across) {
-  return at.along * across - at.across * along;
-}
 
 // If the patch sticks, one product gives the impulse. Returns whether friction and pressure allow it.
 bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
@@ -67,7 +37,7 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   if (!(normal > 0.0)) return false;
   std::array<double, ContactPatch::kMostPoints> p;
   if (!distribute_evenly(impulse, patch, p)) return false;
-  Pressure at;
+  PatchPressure at;
   at.normal = normal;
   at.along = -impulse[six::roll_across] / normal;
   at.across = impulse[six::roll_along] / normal;
@@ -104,7 +74,7 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
 void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   Six& motion = update.motion;
   const SixBySix& K = patch.inverse_mass;
-  const Pressure at = pressure_of(patch);
+  const PatchPressure at = pressure_of(patch);
   const bool nothing = at.normal == 0.0 && patch.along_impulse == 0.0 &&
                        patch.across_impulse == 0.0 && patch.twist_impulse == 0.0;
   if (nothing) return;
@@ -277,7 +247,7 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
 }
 
 bool is_at_friction_bound(const ContactPatch& patch) {
-  const Pressure at = pressure_of(patch);
+  const PatchPressure at = pressure_of(patch);
   const double moment =
       patch.twist_impulse - moment_of(at, patch.along_impulse, patch.across_impulse);
   const double turned = at.lever > 0.0 ? moment * at.normal / at.lever : 0.0;
