@@ -100,15 +100,15 @@ TEST_CASE("No options at ends of their ranges together make a step go on for eve
     for (int k = 0; k < 10; ++k) {
       const Parameters usual = recipe.options();
       Parameters settings = usual;
-      std::string told(recipe.name);
+      std::string tried(recipe.name);
       for (const Parameter& option : usual.all()) {
         const std::vector<std::string> ends = ends_of(option, kMuch / 10);
         if (ends.empty()) continue;
         const std::string& value = ends[chance.below(static_cast<std::uint32_t>(ends.size()))];
         settings.set(option.key, value);
-        told += " " + option.key + "=" + value;
+        tried += " " + option.key + "=" + value;
       }
-      INFO(told);
+      INFO(tried);
       CHECK(busiest_step(recipe, settings) < 2'000'000);
     }
   }

@@ -57,19 +57,24 @@ void check_pairs(std::span<const IndexPair> pairs, int count) {
 
 }  // namespace
 
+bool touch_pair(const World& world, const IndexPair& pair, const Box& first, const Box& second,
+                double margin, AxisIndex remembered, Manifold& out) {
+  if (world.bodies()[idx(pair.first)].shape == Shape::ground)
+    return collide_with_ground(second, margin, out);
+  if (world.bodies()[idx(pair.second)].shape != Shape::ground)
+    return collide(first, second, margin, remembered, out);
+  const bool found = collide_with_ground(first, margin, out);
+  flip(out);
+  return found;
+}
+
 bool touch_pair(const World& world, std::span<const BodyState> states, const IndexPair& pair,
                 double margin, AxisIndex remembered, Manifold& out) {
-  const BodyProperties& a = world.bodies()[idx(pair.first)];
-  const BodyProperties& b = world.bodies()[idx(pair.second)];
-  if (a.shape == Shape::ground)
-    return collide_with_ground(box_of(b, states[idx(pair.second)]), margin, out);
-  const Box box = box_of(a, states[idx(pair.first)]);
-  if (b.shape == Shape::ground) {
-    const bool found = collide_with_ground(box, margin, out);
-    flip(out);
-    return found;
-  }
-  return collide(box, box_of(b, states[idx(pair.second)]), margin, remembered, out);
+  const auto box = [&](int k) {
+    const BodyProperties& body = world.bodies()[idx(k)];
+    return body.shape == Shape::ground ? Box{} : box_of(body, states[idx(k)]);
+  };
+  return touch_pair(world, pair, box(pair.first), box(pair.second), margin, remembered, out);
 }
 
 Contact contact_of(const World& world, const IndexPair& pair) {

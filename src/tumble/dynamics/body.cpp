@@ -107,11 +107,15 @@ Vec3 velocity(const BodyProperties& body, const BodyState& state) {
 }
 
 // From right to left: two rotations of a vector, no product of matrices.
+Vec3 angular_momentum(const BodyProperties& body, const Mat3& axes_w,
+                      const Vec3& angular_velocity_w) {
+  const Vec3 angular_velocity_b = axes_w.transpose() * angular_velocity_w;
+  return axes_w * body.inertia_b.cwiseProduct(angular_velocity_b);
+}
+
 Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
                       const Vec3& angular_velocity_w) {
-  const Mat3 rotation_wb = orientation_wb.toRotationMatrix();
-  const Vec3 angular_velocity_b = rotation_wb.transpose() * angular_velocity_w;
-  return rotation_wb * body.inertia_b.cwiseProduct(angular_velocity_b);
+  return angular_momentum(body, orientation_wb.toRotationMatrix(), angular_velocity_w);
 }
 
 Vec3 angular_velocity(const BodyProperties& body, const BodyState& state) {

@@ -126,6 +126,14 @@ Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular momentum of an angular velocity, \f$L = R\,I_b R^{\mathsf T} \omega\f$.
 /// \param body                the body's constant part
+/// \param axes_w              [-] its axes in the world as columns
+/// \param angular_velocity_w  [rad/s] world frame
+/// \return [kg m²/s] world frame
+Vec3 angular_momentum(const BodyProperties& body, const Mat3& axes_w,
+                      const Vec3& angular_velocity_w);
+
+/// The same of a body whose axes are not known yet.
+/// \param body                the body's constant part
 /// \param orientation_wb      [-] body to world, length 1
 /// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame

@@ -8,15 +8,6 @@
 #include <cmath>
 
 namespace tumble {
-namespace {
-
-// angular_momentum() of a body whose axes are known.
-Vec3 momentum_of(const BodyProperties& body, const Mat3& axes_w, const Vec3& angular_velocity_w) {
-  const Vec3 angular_velocity_b = axes_w.transpose() * angular_velocity_w;
-  return axes_w * body.inertia_b.cwiseProduct(angular_velocity_b);
-}
-
-}  // namespace
 
 void DampedBodies::load(const World& world, std::span<const char> firmly) {
   load_moving_bodies(world, moving);
@@ -38,7 +29,7 @@ int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
     state = world.states()[k];
     if (moving[k].changed) {
       state.linear_momentum_w = body.mass * moving[k].velocity_w;
-      state.angular_momentum_w = momentum_of(body, axes_w[k], moving[k].angular_velocity_w);
+      state.angular_momentum_w = angular_momentum(body, axes_w[k], moving[k].angular_velocity_w);
     }
     state.linear_momentum_w += dt * body.mass * world.gravity_w;
     advance_pose(body, state, dt, rule);
@@ -84,7 +75,7 @@ void DampedBodies::set_ease(const World& world, int body) {
 
 double kinetic_energy_of(const BodyProperties& body, const Mat3& axes_w, const MovingBody& moving) {
   if (!body.movable()) return 0.0;
-  const Vec3 momentum_w = momentum_of(body, axes_w, moving.angular_velocity_w);
+  const Vec3 momentum_w = angular_momentum(body, axes_w, moving.angular_velocity_w);
   return 0.5 * body.mass * moving.velocity_w.squaredNorm() +
          0.5 * moving.angular_velocity_w.dot(momentum_w);
 }

@@ -6,7 +6,6 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
-#include "tumble/geometry/ground.hpp"
 #include "tumble/geometry/overlap_normals.hpp"
 #include "tumble/impulse_damped/tolerances.hpp"
 
@@ -44,20 +43,6 @@ void reduce_to_one(double size, Contact& contact) {
   centre.feature = feature;
   contact.points[0] = centre;
   contact.count = 1;
-}
-
-// touch_pair() of bodies whose boxes are known.
-bool touch(const World& world, std::span<const Box> boxes, const IndexPair& pair, double margin,
-           Manifold& out) {
-  const Box& first = boxes[idx(pair.first)];
-  const Box& second = boxes[idx(pair.second)];
-  if (world.bodies()[idx(pair.first)].shape == Shape::ground)
-    return collide_with_ground(second, margin, out);
-  if (world.bodies()[idx(pair.second)].shape != Shape::ground)
-    return collide(first, second, margin, kNoAxis, out);
-  const bool found = collide_with_ground(first, margin, out);
-  flip(out);
-  return found;
 }
 
 }  // namespace
@@ -101,7 +86,9 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     ++report.pair_tests;
 
     Manifold manifold;
-    if (!touch(world, boxes_, pair, margin, manifold)) continue;
+    if (!touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin, kNoAxis,
+                    manifold))
+      continue;
     Contact& contact = out.emplace_back(contact_of(world, pair));
     set_points(manifold, contact);
     if (a.shape == Shape::box && b.shape == Shape::box)
