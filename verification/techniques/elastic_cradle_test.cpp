@@ -37,7 +37,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> li
 // As the lines of `tumble techniques` say: several impacts of a step are one; nothing bounces; or bodies are damped.
 bool may_lose(std::string_view name, bool floor) {
   if (is_one_of(name, {"time_stepping", "faure", "damped", "relaxation", "settling"})) return true;
-  return floor && (name.substr(0, 8) == "timewarp" || is_one_of(name, {"glued", "optimised"}));
+  return floor && (name.substr(0, 8) == "timewarp" || name == "glued");
 }
 
 }  // namespace

@@ -103,13 +103,8 @@ void Faure::find_contacts(const World& world, double dt, StepReport& report) {
 
 // Whether the impulses add energy.
 bool Faure::gains(const StepReport& report) const {
-  double scale = 0.0;  // [J]
-  for (const Contact& contact : contacts_)
-    for (int k = 0; k < contact.count; ++k) {
-      const ContactPoint& p = contact.points[idx(k)];
-      scale += p.normal_impulse * std::abs(p.approach_speed);
-    }
-  return report.energy.restitution + report.energy.friction > tolerance::faure_gain * scale;
+  return report.energy.restitution + report.energy.friction >
+         tolerance::faure_gain * pushed_energy(contacts_);
 }
 
 // Returns whether a point bounces.

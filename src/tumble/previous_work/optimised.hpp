@@ -65,10 +65,12 @@ struct OptimisedWork {
 /// points are held back as far as they may. The paper has it in forces of a third program, for the next step.
 ///
 /// **Energy.** Bodies that are lifted to make room, and fly no more, have energy that none of them had. The excess over the energy
-/// of the start is taken from the speed of the bodies that touch.
+/// of the start is taken from the speed of the bodies that touch. Impulses that add energy, which the iteration with friction may leave
+/// at its budget, are made smaller all alike until they add none: that keeps the momentum.
 ///
 /// **What it cannot do.** A bounce is at the end of its step, with the speed of the start of it. A body that is stopped on its way
-/// stays until the end of the step. It turns by half a turn in a step at most on its way; what turns farther takes the shorter one. Where the
+/// stays until the end of the step; one that is hit off its middle turns aside on its way and goes round the
+/// obstacle, without an impulse, if the way is long enough. It turns by half a turn in a step at most on its way; what turns farther takes the shorter one. Where the
 /// rounds end before the way does, bodies stop where they are, the last tenth of the rounds parts them, and the step ends as StepStatus::event_cap.
 /// \par Cost and determinism
 /// At most `rounds` + 2 quadratic programs, each of `budget` steps of O(points). No allocation once warm.
@@ -96,6 +98,8 @@ class Optimised : public Technique {
   double go_on(World& world, bool fly_on, double& reach, StepReport& report);
   void find_momenta(World& world, double dt, StepReport& report);
   bool push(const World& world, double dt, bool bounce, StepReport& report);
+  void give_pushes(const World& world, StepReport& report);
+  void weaken(const World& world, StepReport& report);
   void take_gain(double gain, StepReport& report);
   std::int64_t solve(StepReport& report);
 

@@ -10,6 +10,15 @@
 
 namespace tumble {
 
+double pushed_energy(std::span<const Contact> contacts) {
+  double sum = 0.0;
+  for (const Contact& contact : contacts)
+    for (int k = 0; k < contact.count; ++k)
+      sum +=
+          contact.points[idx(k)].normal_impulse * std::abs(contact.points[idx(k)].approach_speed);
+  return sum;
+}
+
 void RubbingPoints::take(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
                          std::span<const double> least) {
   bodies_ = bodies;

@@ -13,6 +13,11 @@
 
 namespace tumble {
 
+/// Scale of the energy that impulses turn over: each push times the speed with which its point approached.
+/// \param contacts  with their impulses
+/// \return [J] the sum over all points
+double pushed_energy(std::span<const Contact> contacts);
+
 /// Contact points and their impulses, as ProjectedDescent asks for them: three unknowns a point, along its normal and two directions
 /// across it.
 ///

@@ -36,7 +36,7 @@ inline constexpr double faure_residual = 1e-9;
 inline constexpr double faure_small = 1e-6;
 
 /// [-] Energy that bounces may add in a step, as a share of the sum of pushes times approaches; above it nothing bounces in that
-/// step. Reason: the iteration ends at a millionth, and an elastic bounce must not count as a gain. (2.6.4)
+/// step. Reason: the iteration ends at a millionth, and an elastic bounce must not count as a gain. (2.6.4, 2.7.2)
 inline constexpr double faure_gain = 1e-3;
 
 /// [-] How far apart points are taken up, as a share of the shortest edge. Reason: farther away a contact area says little
