@@ -133,13 +133,30 @@ TEST_CASE("A cube that slides slowly keeps its direction and has the speed of th
     for (const double dt : {1.0 / 50.0, 1.0 / 60.0, 1.0 / 240.0}) {
       CAPTURE(friction, dt);
       Simulation simulation(slope(friction), "analytic");
+      const Vec3 start_w = simulation.body("cube").position_w();
       CHECK(simulation.run_for(2.0, dt) == StepStatus::done);
       const BodyView cube = simulation.body("cube");
       const double expected = 2.0 * (1.0 - 2.0 * friction) * 9.8 / std::sqrt(5.0);
+      // After 2 s the way down the slope in m is the speed in m/s; sideways, x, it is shorter.
+      CHECK(std::abs((cube.position_w() - start_w).norm() - expected) < 1e-4 * expected);
       CHECK(std::abs(cube.velocity_w().norm() - expected) < 1e-4 * expected);
       CHECK(std::abs(cube.velocity_w().z()) < 1e-6);
       CHECK(cube.angular_velocity_w().norm() < 1e-6);
     }
+  }
+}
+
+TEST_CASE("A slow slide is as long as the closed form says, up to the way of half a step",
+          "[exact][analytic_lcp]") {
+  for (const std::string_view technique :
+       {"contact_damped", "time_stepping", "impulse", "faure", "optimised"}) {
+    CAPTURE(technique);
+    Simulation simulation(slope(0.49), technique);
+    const Vec3 start_w = simulation.body("cube").position_w();
+    CHECK(simulation.run_for(2.0) == StepStatus::done);
+    const double expected = 2.0 * (1.0 - 2.0 * 0.49) * 9.8 / std::sqrt(5.0);
+    const double way = (simulation.body("cube").position_w() - start_w).norm();
+    CHECK(std::abs(way - expected) < 0.51 * expected * kFrame);
   }
 }
 

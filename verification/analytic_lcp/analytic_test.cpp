@@ -228,13 +228,17 @@ TEST_CASE("Painleve's rod takes a velocity step, which is counted",
   CHECK(std::abs(angular_velocity(rod, world.states()[1]).z()) > 0.3);
   CHECK(energy_of(world).total() < kG * height + 0.5);
 
-  World smooth;  // and with mu = 1 there is a force
+  // And with mu = 1 there is a force. That of the middle of the flight would add 5.9 J; the one of its start is used.
+  World smooth;
   smooth.add_ground(1.0);
   BodyProperties slick = rod;
   slick.friction = 1.0;
   smooth.add(slick, make_state(slick, Vec3(0.0, height, 0.0), q, Vec3(-1.0, 0.0, 0.0)));
   Analytic other(posed<AnalyticOptions>());
-  CHECK(other.step(smooth, kDt).fallbacks == 0);
+  const double before = energy_of(smooth).total();
+  CHECK(other.step(smooth, kDt).fallbacks <= 1);
+  CHECK(energy_of(smooth).total() < before);
+  CHECK(velocity(slick, smooth.states()[1]).x() == near(-0.606).margin(0.02));  // with 1 ms
 }
 
 TEST_CASE("Small built-in scenes run a second with the analytic technique",

@@ -210,6 +210,8 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
                      .relaxation = progress.dt - plan.forces_at,
                      .duration = plan.time,
                      .midway = true};
+  first_wrenches_.assign(forces_.wrenches().begin(), forces_.wrenches().end());
+  first_accelerations_.assign(forces_.accelerations().begin(), forces_.accelerations().end());
   ForceReport there;
   try {
     there = forces_.solve(world, moving_, midway_, aim);
@@ -222,15 +224,11 @@ bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan
   report.pivots += there.pivots;
   work_ += there.multiplications;
   if (there.status != LcpStatus::solved) return false;
-  if (there.without_solution > 0 || there.too_large) {  // those of the start are used, of order 1
-    report.fallbacks += there.without_solution;
-    plan.forces_at = 0.0;
-    load_moving_bodies(world, moving_);
+  report.fallbacks += there.without_solution;
+  if (there.without_solution == 0 && !there.too_large && take_midway(world, plan, report))
     return true;
-  }
-  flight_.set_wrenches(forces_.wrenches());
-  flight_.accelerate(forces_.accelerations());
-  resting_.swap(midway_);
+  plan.forces_at = 0.0;  // those of the start are used, of order 1
+  load_moving_bodies(world, moving_);
   return true;
 }
 

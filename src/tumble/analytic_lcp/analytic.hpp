@@ -94,7 +94,8 @@ void describe(AnalyticOptions& o, Visitor& v) {
 ///
 /// **Forces** (ContactForces) are found twice: for the start of the flight, and where these
 /// forces lead to in half of the time. The second ones are used for all of the flight: the midpoint
-/// rule, of order 2. Where nothing moves to speak of the first ones do.
+/// rule, of order 2. Where nothing moves to speak of the first ones do, and where friction would add energy
+/// by the second ones (counted in `fallbacks`).
 ///
 /// **Sliding** ends within a flight: the flight is cut there, so that friction does not turn a body
 /// round.
@@ -193,6 +194,7 @@ class Analytic : public Technique {
   void finish_by_velocities(World& world, Progress& progress, StepReport& report);
   bool find_forces(World& world, const Progress& progress, Plan& plan, StepReport& report);
   bool improve_forces(World& world, const Progress& progress, Plan& plan, StepReport& report);
+  bool take_midway(World& world, const Plan& plan, StepReport& report);
   [[nodiscard]] bool hardly_moves(const World& world, double time) const;
   void fly(World& world, const Plan& plan, bool to_the_end, Progress& progress, StepReport& report);
   void book_work(const World& world, double time, StepReport& report);
@@ -221,11 +223,13 @@ class Analytic : public Technique {
   std::vector<IndexPair> candidates_;
   std::vector<IndexPair> resting_pairs_;
   std::vector<PushedPair> pushed_;
-  std::vector<MovingBody> moving_;  // where the forces are found
-  std::vector<MovingBody> ended_;   // where the flight ends
-  ContactList near_;                // all points within the margin
-  ContactList midway_;              // points that rest, half a flight later
-  ContactList island_;              // contacts that collide together
+  std::vector<MovingBody> moving_;      // where the forces are found
+  std::vector<MovingBody> ended_;       // where the flight ends
+  ContactList near_;                    // all points within the margin
+  ContactList midway_;                  // points that rest, half a flight later
+  ContactList island_;                  // contacts that collide together
+  std::vector<Wrench> first_wrenches_;  // of the start of the flight
+  std::vector<Acceleration> first_accelerations_;
   Islands islands_;
   double recorded_at_ = 0.0;   // [s] of the pose for which the last forces were found
   double recorded_for_ = 0.0;  // [s] how long they were to act

@@ -2,6 +2,7 @@
 /// \brief Impacts and steps of the analytic technique that its events do not finish.
 #include "tumble/analytic_lcp/analytic.hpp"
 #include "tumble/analytic_lcp/time_stepping.hpp"
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
@@ -46,6 +47,33 @@ bool Analytic::resolve_by_velocities(const World& world, const Progress& progres
   report.energy.restitution += found.restitution_energy;
   report.energy.friction += found.friction_energy;
   return true;
+}
+
+// Uses the forces of the flight's middle for all of it, unless friction would give bodies energy by that: such forces belong to a slip
+// that has turned round by the middle, as that of a light body between heavy ones does in microseconds.
+bool Analytic::take_midway(World& world, const Plan& plan, StepReport& report) {
+  flight_.set_wrenches(forces_.wrenches());
+  flight_.accelerate(forces_.accelerations());
+  resting_.swap(midway_);
+  if (options_.friction != AnalyticFriction::coulomb) return true;
+  StepReport flight;
+  flight_.put(world, plan.time, options_.rotation);
+  recorded_for_ = plan.time;
+  book_work(world, plan.time, flight);
+  flight_.put(world, 0.0, options_.rotation);
+  double scale = 0.0;  // [J]
+  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (body.movable())
+      scale += kinetic_energy(body, world.states()[b]) +
+               body.mass * world.gravity_w.norm() * body.size.maxCoeff();
+  }
+  if (flight.energy.friction <= tolerance::driving_friction * scale) return true;
+  resting_.swap(midway_);
+  flight_.set_wrenches(first_wrenches_);
+  flight_.accelerate(first_accelerations_);
+  ++report.fallbacks;
+  return false;
 }
 
 // The rest of a step at once, with all contacts and impacts in it.
