@@ -135,6 +135,20 @@ TEST_CASE("A body that a step leaves inside another one, and the next one beyond
   CHECK(ran(spins).worst == StepStatus::passed_through);
 }
 
+TEST_CASE("A body that goes through another one slowly is found, one that comes out again is not",
+          "[unit][record][run]") {
+  // 0.4 m in a step, six steps from one side to the other.
+  const RunResult through = ran(two(Vec3::Zero(), Vec3(4.0, 0.0, 0.0), Vec3::Zero()));
+  CHECK(through.worst == StepStatus::passed_through);
+  REQUIRE(through.findings.size() == 1);
+  CHECK(through.findings[0].find("left went through right") != std::string::npos);
+
+  // To and fro, 0.3 m in and out again.
+  Scene back = two(Vec3::Zero(), Vec3(-5.0, 0.0, 0.0), Vec3::Zero());
+  back.boxes[0].position_w.x() = -1.2;
+  CHECK(ran(back, -1.0).worst == StepStatus::done);
+}
+
 TEST_CASE("A body that spins through a thin one within a step is found", "[unit][record][run]") {
   Scene scene = two(Vec3(0.0, 0.0, 0.0), Vec3(40.0, 0.0, 0.0), Vec3::Zero());
   scene.boxes[1].size = Vec3(0.1, 4.0, 4.0);

@@ -57,6 +57,7 @@ class RunChecks {
                   Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
+  void on_overlap(const World& world, double deepest) { passage_.on_overlap(world, deepest); }
   // After the last step; with nothing left in anything no pair needs to be looked at.
   StepStatus end(const World& world, double deepest_overlap) {
     if (!(deepest_overlap <= 0.0)) passage_.at_end(world);
@@ -171,6 +172,7 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
     }
     ++result.steps;
     if (report.status == StepStatus::event_cap) ++result.capped_steps;
+    checks.on_overlap(world, meter.metrics().deepest_overlap);
     report.status = std::max(report.status, checks.status());
     checks.pass_on(observers, result);
     add_up(report, result.totals, result.worst_report);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
@@ -116,6 +117,7 @@ PassageCheck::PassageCheck() : near_(make_broad_phase("bounding_tree")) {}
 void PassageCheck::on_begin(const World& world) {
   time_ = world.time();
   before_.assign(world.states().begin(), world.states().end());
+  last_before_ = before_;
   entered_.clear();
 }
 
@@ -132,8 +134,45 @@ void PassageCheck::on_step(const World& world, const StepReport& /*report*/) {
   }
   look_at_entered(world);
   if (any) look_for_passages(world);
+  last_before_.swap(before_);
+  last_time_ = time_;
   before_.assign(world.states().begin(), world.states().end());
   time_ = world.time();
+}
+
+// Pairs whose cores a slow step has brought into each other. Fast bodies have been looked at.
+void PassageCheck::on_overlap(const World& world, double deepest) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const BodyProperties& body : world.bodies())
+    if (body.shape != Shape::ground) shortest = std::min(shortest, body.size.minCoeff());
+  if (!(deepest > (1.0 - tolerance::core_share) * shortest)) return;
+  solid_.clear();
+  swept_.clear();
+  cores_.clear();
+  for (std::size_t k = 0; k < before_.size(); ++k) {
+    if (world.bodies()[k].shape == Shape::ground) continue;
+    solid_.push_back(k);
+    cores_.push_back(core_of(world.bodies()[k], world.states()[k], 0.0));
+    swept_.push_back(bounds_of(cores_.back()));
+  }
+  near_->find_pairs(swept_, pairs_);
+  before_.swap(last_before_);  // the start of the step, for turn_of()
+  std::swap(time_, last_time_);
+  for (const IndexPair& pair : pairs_) {
+    const std::size_t a = solid_[idx(pair.first)];
+    const std::size_t b = solid_[idx(pair.second)];
+    const bool known = std::any_of(entered_.begin(), entered_.end(), [&](const Entered& e) {
+      return e.first.body == a && e.second.body == b;
+    });
+    if (known || world.joined(world.ids()[a], world.ids()[b])) continue;
+    if (!(separation(cores_[idx(pair.first)], cores_[idx(pair.second)]).distance < 0.0)) continue;
+    const Box first = core_of(world.bodies()[a], before_[a], 0.0);
+    const Box second = core_of(world.bodies()[b], before_[b], 0.0);
+    if (separation(first, second).distance < 0.0) continue;
+    entered_.push_back({{a, before_[a], turn_of(world, a)}, {b, before_[b], turn_of(world, b)}});
+  }
+  before_.swap(last_before_);
+  std::swap(time_, last_time_);
 }
 
 void PassageCheck::find_passage(const World& world, std::size_t first, std::size_t second) {

@@ -63,11 +63,11 @@ class EnergyCheck : public RunCheck {
 ///
 /// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
 /// on the straight way between; so did two that a step left with their cores in each other, if the way from where they were
-/// apart before to where they are apart again leads through. The core of a body is a box within it, so much smaller that it stays inside
+/// apart before to where they are apart again leads through, in however many steps. The core of a body is a box within it, so much smaller that it stays inside
 /// however the body turned in the step. So a finding is certain; a passage near an edge is not found, nor, of a body that
 /// turned far, one with no more than its innermost part.
 /// \par Cost
-/// A comparison for each body, as long as none moves by half its shortest edge in a step.
+/// A comparison for each body, as long as none moves by half its shortest edge in a step or is deep in another one.
 class PassageCheck : public RunCheck {
  public:
   /// Makes the check; no step has been seen.
@@ -75,6 +75,10 @@ class PassageCheck : public RunCheck {
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
+  /// Looks for bodies that a step has brought into others, however slowly: they are found once they leave on the other side.
+  /// \param world    after the step, which on_step() has seen
+  /// \param deepest  [m] deepest overlap in it, see OverlapMeter; nothing is looked at where no core can have met another
+  void on_overlap(const World& world, double deepest);
   /// Looks for bodies that are left in others.
   /// \param world  after the last step, finite
   void at_end(const World& world);
@@ -85,8 +89,10 @@ class PassageCheck : public RunCheck {
   void find_passage(const World& world, std::size_t first, std::size_t second);
   [[nodiscard]] double turn_of(const World& world, std::size_t k) const;
 
-  std::vector<BodyState> before_;  // at the start of the step
-  double time_ = 0.0;              // [s] ditto
+  std::vector<BodyState> before_;       // at the start of the step
+  double time_ = 0.0;                   // [s] ditto
+  std::vector<BodyState> last_before_;  // at the start of the one before
+  double last_time_ = 0.0;              // [s] ditto
   std::unique_ptr<BroadPhase> near_;
   std::vector<char> fast_;          // not 0: moved by more than half its shortest edge
   std::vector<std::size_t> solid_;  // bodies with a core, by index; the next two are theirs
