@@ -102,8 +102,11 @@ int main(int argc, char** argv) {
   lcp->add_option("--matrix", problem.matrix, "A: a Matrix Market file");
   lcp->add_option("--vector", problem.vector, "b: a Matrix Market file with one column");
   lcp->add_option("--equalities", problem.equalities,
-                  "rows with a = 0 and f of any sign, from 1: 2,5-7");
-  lcp->add_option("--solver", problem.solver, "solver (list: --list)")->capture_default_str();
+                  "rows with a = 0 and f of any sign, from 1: 2,5-7")
+      ->check(not_empty());
+  lcp->add_option("--solver", problem.solver, "solver (list: --list)")
+      ->check(not_empty())
+      ->capture_default_str();
   lcp->add_flag("--list", list_solvers, "list the solvers");
 
   std::string rule = "equilibrium";

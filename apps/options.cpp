@@ -35,6 +35,14 @@ CLI::Validator whole(std::uint64_t most) {
       "");
 }
 
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return text.empty() ? std::string("\"\": expected a word") : std::string();
+      },
+      "");
+}
+
 void add_list(CLI::App& command, const std::string& option, const std::string& help,
               const std::function<void(const std::string&)>& take) {
   const auto take_all = [option, take](const std::string& list) {
@@ -66,7 +74,8 @@ void add_numbers(CLI::App& command, const std::string& option, const std::string
 }  // namespace
 
 void add_recording_options(CLI::App& run, Request& request) {
-  run.add_option("--technique", request.technique, "technique (list: tumble techniques)");
+  run.add_option("--technique", request.technique, "technique (list: tumble techniques)")
+      ->check(not_empty());
   run.add_option("--halvings", request.halvings,
                  "halve a step up to N times if bodies are fast, overlap or chatter")
       ->check(whole(std::numeric_limits<int>::max()))
@@ -102,13 +111,15 @@ void add_run_options(CLI::App& command, Request& request) {
       .add_option("--set", request.settings,
                   "change a setting: key=value, scene.key=value or technique.key=value; repeatable")
       ->allow_extra_args(false);
-  command.add_option("--out", request.out, "output folder; default: one in runs/ that is new");
+  command.add_option("--out", request.out, "output folder; default: one in runs/ that is new")
+      ->check(not_empty());
   command.add_flag("--force", request.force, "replace what an earlier run has left in the folder");
   command.add_flag("--quiet", request.quiet, "no progress line and no summary");
 }
 
 void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample) {
-  command.add_option("--technique", request.technique, "technique (list: tumble techniques)");
+  command.add_option("--technique", request.technique, "technique (list: tumble techniques)")
+      ->check(not_empty());
   const auto add_count = [&](const char* name, int& value, const char* help) {
     command.add_option(name, value, help)
         ->check(whole(std::numeric_limits<int>::max()))

@@ -21,6 +21,10 @@ CLI::Validator number();
 /// \return a check for an option
 CLI::Validator whole(std::uint64_t most);
 
+/// Refuses a word without letters, as an unset variable of a shell leaves it.
+/// \return a check for an option
+CLI::Validator not_empty();
+
 /// Adds an option that takes items separated by commas, none of them empty.
 /// \param command of which it is one
 /// \param option  with its dashes

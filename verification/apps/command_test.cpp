@@ -149,6 +149,8 @@ TEST_CASE("A user's mistake ends with exit code 2, one line that names it, and n
       {"run stack --technique basic --set technique.impacts=both",
        "impacts = both: expected one of: simultaneous"},
       {"run stack --set count", "--set count: expected key=value"},
+      {"run stack --technique ''", "--technique: \"\": expected a word"},
+      {"run stack --out ''", "--out: \"\": expected a word"},
       {"run stack --set =3", "--set =3: expected key=value"},
       {"run stack --dt 0", "dt = 0: expected a finite number above 0"},
       {"run stack --dt -0.1", "dt = -0.1: expected a finite number above 0"},

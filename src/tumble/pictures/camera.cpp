@@ -87,7 +87,9 @@ Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, doubl
     farthest = std::min(farthest, z);
   }
   const double depth = std::max(x.depth(slope_x), y.depth(slope_y));
-  require::that(depth > nearest, "points_w: no two are beside each other as seen from there");
+  require::that(depth > nearest,
+                "points_w: no two are beside each other as seen from there: bodies so far from the "
+                "origin that their size is lost in rounding cannot be drawn");
   const Vec3 across_w = x.across() * axes.right_w() + y.across() * axes.up_w();
   camera.eye_w = across_w + depth * axes.back_w();
   camera.target_w = across_w + 0.5 * (nearest + farthest) * axes.back_w();
