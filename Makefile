@@ -72,7 +72,7 @@ figure:  ## one figure with other parameters: NAME=zeno (or its beginning) SET='
 	@program=$$(figures/draw --program '$(NAME)') && $(MAKE_IT) --target "$$program" && \
 	  NAME='$(NAME)' SET='$(SET)' figures/draw build/release/bin build/figures/tried
 
-check:  ## all that continuous integration does: both compilers, sanitizers, equal bits, format, site, live
+check:  ## all that continuous integration does: both compilers, sanitizers, fuzzing, equal bits, format, site, live
 	@cmake/setup $(CHECK_PACKAGES)
 	cmake/check
 
