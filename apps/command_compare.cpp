@@ -76,6 +76,10 @@ void write_tables(const std::filesystem::path& folder, const std::vector<Outcome
 std::string commands(const std::vector<Outcome>& outcomes) {
   std::string names;
   for (const Outcome& o : outcomes) names += (names.empty() ? "" : " ") + o.technique;
+  const bool apart = std::all_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+    return o.result.worst_metrics.deepest_overlap == 0.0;
+  });
+  const std::string top = apart ? "1" : "*";  // gnuplot warns of a range that is empty
   std::string out = "set datafile separator ','\nnames = '";
   out += names;
   return out +
@@ -83,7 +87,8 @@ std::string commands(const std::vector<Outcome>& outcomes) {
          "set terminal svg size 600,720 dynamic font 'sans-serif,18' background 'white'\n"
          "set multiplot layout 2,1; set lmargin 10; set rmargin 2\n"
          "set border 3 lc rgb '#808080'; set tics nomirror textcolor rgb '#303030'\n"
-         "set grid y lc rgb '#dddddd'; set key noenhanced above reverse Left samplen 2.5\n"
+         "set grid y lc rgb '#dddddd'; set key noenhanced above reverse Left samplen 2.5 font "
+         "',13'\n"
          "set linetype 1 lc rgb '#0072B2' dt 1; set linetype 2 lc rgb '#D55E00' dt (12,4)\n"
          "set linetype 3 lc rgb '#009E73' dt (3,3); set linetype 4 lc rgb '#CC79A7' dt (12,4,3,4)\n"
          "set linetype 5 lc rgb '#E69F00' dt (20,4); set linetype 6 lc rgb '#56B4E9' dt (6,3)\n"
@@ -91,7 +96,9 @@ std::string commands(const std::vector<Outcome>& outcomes) {
          "set xlabel 'time [s]'; set ylabel 'total energy [J]'\n"
          "plot for [t in names] 'series.csv' using "
          "(strcol(1) eq t ? $2 : NaN):3 with lines lw 2 title t\n"
-         "unset key; set ylabel 'deepest overlap [m]'; set yrange [0:*]\n"
+         "unset key; set ylabel 'deepest overlap [m]'; set yrange [0:" +
+         top +
+         "]\n"
          "plot for [t in names] 'series.csv' using "
          "(strcol(1) eq t ? $2 : NaN):5 with lines lw 2 title t\n"
          "unset multiplot\n";

@@ -40,6 +40,15 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
   CHECK(content(one.path / "compare.svg") == content(two.path / "compare.svg"));
 }
 
+TEST_CASE("The picture of a comparison has room for the names of all techniques",
+          "[unit][command]") {
+  const Folder folder("compare_all");
+  const Outcome outcome = run_tumble("compare bouncing_box --duration 0.1 --out " + folder.text());
+  INFO(outcome.text);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.text.find("arning") == std::string::npos);  // of gnuplot
+}
+
 TEST_CASE("A technique that takes too long is marked as such in the comparison",
           "[unit][command]") {
   const Folder folder("limit");
