@@ -27,6 +27,7 @@ namespace tumble {
 /// \verified{A box and a stack of five at rest stay where they are}
 class FrameEnd {
  public:
+  /// Makes it with empty storage.
   FrameEnd() = default;
   /// A copy has fresh storage; there is no state to copy.
   FrameEnd(const FrameEnd&) : FrameEnd() {}
