@@ -116,8 +116,8 @@ Outcome run_one(const Request& request, ResolvedRequest& resolved, double limit,
   try {
     ProgressLine progress(out.technique, request.run.duration, request.quiet);
     const std::array<RunObserver*, 2> observers = {&recorder, &progress};
-    out.result = run(resolved.simulation, request.run, observers,
-                     [&] { return stop_signal() != 0 || passed() > limit; });
+    out.result = run_simulation(resolved.simulation, request.run, observers,
+                                [&] { return stop_signal() != 0 || passed() > limit; });
     out.end = name_of(out.result.end);
     if (out.result.end == RunEnd::interrupted && stop_signal() == 0) out.end = "time_limit";
     if (out.result.end == RunEnd::complete && !out.result.findings.empty()) out.end = "unphysical";
@@ -142,7 +142,8 @@ std::vector<std::string> names_of(const std::vector<std::string>& asked) {
 
 }  // namespace
 
-int compare(const Request& request, const std::vector<std::string>& techniques, double limit) {
+int compare_command(const Request& request, const std::vector<std::string>& techniques,
+                    double limit) {
   require::positive(limit, "limit");
   const std::vector<std::string> names = names_of(techniques);
   std::vector<ResolvedRequest> resolved;  // all mistakes come out before anything runs

@@ -74,7 +74,7 @@ Parting parted(const RecordedRun& first, const RecordedFrame& a, const RecordedR
 
 }  // namespace
 
-int diff(const std::string& first, const std::string& second) {
+int diff_command(const std::string& first, const std::string& second) {
   const RecordedRun one = read_run(first);
   const RecordedRun two = read_run(second);
   const std::size_t both = std::min(one.frames.size(), two.frames.size());
@@ -85,7 +85,7 @@ int diff(const std::string& first, const std::string& second) {
                 rounded_text(one.frames[k].time, 6).c_str(), k, how->c_str());
     if (k == 0) std::printf("frame 0 is the start: these are other scenes or settings\n");
     if (k > 0) std::printf("the %zu frames before it, the start is frame 0, are equal\n", k);
-    return kParted;
+    return kDiffer;
   }
   if (one.frames.size() == two.frames.size()) {
     std::printf("equal: %zu frames have the same bits\n", both);
@@ -95,7 +95,7 @@ int diff(const std::string& first, const std::string& second) {
   std::printf("%zu frames have the same bits, then the %s run goes on to %s s\n", both,
               longer ? "first" : "second",
               rounded_text((longer ? one : two).frames.back().time, 6).c_str());
-  return kParted;
+  return kDiffer;
 }
 
 }  // namespace tumble::app

@@ -139,7 +139,7 @@ std::string suffix_of(const RenderRequest& request) {
   return request.motion.value_or(1) != 1 ? "_" + std::to_string(*request.motion) : "";
 }
 
-int render(const RenderRequest& request) {
+int render_command(const RenderRequest& request) {
   const bool still = request.form == "svg" || request.form == "png";
   const bool moves = request.form == "gif" || request.form == "mp4" || request.form == "gltf" ||
                      request.form == "html";

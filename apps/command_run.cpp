@@ -74,7 +74,7 @@ void catch_stop_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-int run(const Request& request) {
+int run_command(const Request& request) {
   std::filesystem::path folder;
   const int code = run_into(request, folder);
   if (!request.quiet) print_next(folder.string());
@@ -88,12 +88,13 @@ int run_into(const Request& request, std::filesystem::path& folder) {
   RunResult result;
   try {
     TimingFile timing(files.folder(), request.run.every);
-    for (const std::string& what : r.description.ignored)
+    for (const std::string& what : r.description.ignored_physics)
       std::fprintf(stderr, "note: %s ignores %s\n", r.description.technique.c_str(), what.c_str());
     ProgressLine progress(r.description.scene + ", " + r.description.technique,
                           request.run.duration, request.quiet);
     const std::array<RunObserver*, 3> observers = {&timing, &files, &progress};
-    result = tumble::run(r.simulation, request.run, observers, [] { return stop_signal() != 0; });
+    result =
+        run_simulation(r.simulation, request.run, observers, [] { return stop_signal() != 0; });
     timing.finish();
     files.finish(result);
     if (const std::string why = files.filter_refusal(); !why.empty())

@@ -133,7 +133,7 @@ int report(const RunDescription& d, const SampleRequest& sample,
 
 }  // namespace
 
-int sample(const Request& request, const SampleRequest& asked) {
+int sample_command(const Request& request, const SampleRequest& asked) {
   require_valid(asked);
   SampleRequest sample = asked;
   constexpr int usual_chains = 4;
@@ -159,7 +159,7 @@ int sample(const Request& request, const SampleRequest& asked) {
   }
   write_file(folder.path() / kSettingsFile, settings);
   write_file(folder.path() / "scene.toml", to_toml(sampler.scene()));
-  for (const std::string& what : r.description.ignored)
+  for (const std::string& what : r.description.ignored_physics)
     std::fprintf(stderr, "note: %s ignores %s\n", r.description.technique.c_str(), what.c_str());
 
   const ChainGoal goal{(sample.samples + sample.chains - 1) / sample.chains, sample.proposals};

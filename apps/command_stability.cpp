@@ -180,7 +180,7 @@ void print_motion(const Start& start, const Levels& levels, int width) {
 
 }  // namespace
 
-int stability(const Request& request, const std::string& rule) {
+int stability_command(const Request& request, const std::string& rule) {
   require::that(std::find(kRules.begin(), kRules.end(), rule) != kRules.end(),
                 "--rule " + rule + ": " + expected_names(rule, kRules));
   const Start start(resolve_scene(request));

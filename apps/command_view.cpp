@@ -19,7 +19,7 @@ bool opened(const std::filesystem::path& page) {
 
 }  // namespace
 
-int view(const Request& request, bool open) {
+int view_command(const Request& request, bool open) {
   std::filesystem::path folder = request.scene;
   std::error_code none;
   int code = kDone;
@@ -34,7 +34,7 @@ int view(const Request& request, bool open) {
   page.form = "html";
   page.filtered = request.filter.has_value();
   page.motion = request.motion;
-  render(page);
+  render_command(page);
   const std::filesystem::path file =
       std::filesystem::absolute(folder / ("view" + suffix_of(page) + ".html"), none);
   if (open && !opened(file))

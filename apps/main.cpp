@@ -6,7 +6,6 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,20 +15,18 @@ namespace {
 
 using namespace tumble::app;
 
-// The first word is a sub-command; the message about an unknown one lists these.
-constexpr std::array<std::string_view, 11> kCommands = {
-    "run", "view",   "compare",   "sample",     "diff",   "render",
-    "lcp", "scenes", "stability", "techniques", "filters"};
-
-// One line about a command line that cannot be read.
-void print_mistake(const CLI::ParseError& error, int argc, char** argv) {
+// One line about a command line that cannot be read. Its first word is a sub-command.
+void print_mistake(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> commands(names.begin(), names.end());
   const std::string_view first = argc > 1 ? argv[1] : "";
-  const bool known = std::find(kCommands.begin(), kCommands.end(), first) != kCommands.end();
+  const bool known = std::find(commands.begin(), commands.end(), first) != commands.end();
   std::string message(error.what());
-  if (argc < 2) message = "no command: " + tumble::expected_names("", kCommands);
+  if (argc < 2) message = "no command: " + tumble::expected_names("", commands);
   if (argc > 1 && !known && first[0] != '-')
     message =
-        "unknown command " + std::string(first) + ": " + tumble::expected_names(first, kCommands);
+        "unknown command " + std::string(first) + ": " + tumble::expected_names(first, commands);
   std::replace(message.begin(), message.end(), '\n', ' ');
   const std::string help = known ? "tumble " + std::string(first) + " --help" : "tumble --help";
   std::fprintf(stderr, "tumble: %s (more: %s)\n", message.c_str(), help.c_str());
@@ -139,22 +136,22 @@ int main(int argc, char** argv) {
     app.exit(help);  // prints the help
     return printed(kDone);
   } catch (const CLI::ParseError& error) {
-    print_mistake(error, argc, argv);
+    print_mistake(app, error, argc, argv);
     return kBadInput;
   }
   try {
     if (run->parsed() || view->parsed() || compare->parsed() || sample->parsed() ||
         render->parsed())
       catch_stop_signals();
-    if (run->parsed()) return printed(tumble::app::run(request));
-    if (view->parsed()) return printed(tumble::app::view(request, !page_only));
-    if (diff->parsed()) return printed(tumble::app::diff(first, second));
-    if (compare->parsed()) return printed(tumble::app::compare(request, techniques, limit));
-    if (sample->parsed()) return printed(tumble::app::sample(request, sampling));
+    if (run->parsed()) return printed(run_command(request));
+    if (view->parsed()) return printed(view_command(request, !page_only));
+    if (diff->parsed()) return printed(diff_command(first, second));
+    if (compare->parsed()) return printed(compare_command(request, techniques, limit));
+    if (sample->parsed()) return printed(sample_command(request, sampling));
     if (lcp->parsed() && list_solvers) return printed(list_lcp_solvers());
     if (lcp->parsed()) return printed(solve_lcp(problem));
-    if (render->parsed()) return printed(tumble::app::render(picture));
-    if (stability->parsed()) return printed(tumble::app::stability(request, rule));
+    if (render->parsed()) return printed(render_command(picture));
+    if (stability->parsed()) return printed(stability_command(request, rule));
     if (filters->parsed()) return printed(list_filters());
     if (scenes->parsed())
       return printed(list_scenes(name, as_toml, request.settings, request.run.seed));
@@ -167,6 +164,6 @@ int main(int argc, char** argv) {
     return kCannotWrite;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tumble: a mistake in the program, please report it: %s\n", error.what());
-    return kOurMistake;
+    return kDefect;
   }
 }

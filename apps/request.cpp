@@ -111,7 +111,7 @@ ResolvedRequest resolve(const Request& request) {
     stepper = std::make_unique<AdaptiveStep>(std::move(stepper),
                                              AdaptiveStepOptions{.halvings = d.halvings});
   Simulation simulation(std::move(scene), std::move(stepper));
-  d.ignored = simulation.technique().ignores(simulation.world());
+  d.ignored_physics = simulation.technique().ignores(simulation.world());
   std::filesystem::path folder = output_folder(request, d.technique, "summary.json");
   return {std::move(simulation), std::move(d), std::move(folder)};
 }

@@ -16,13 +16,14 @@ namespace tumble::app {
 
 /// Exit codes of every command.
 enum ExitCode : int {
-  kDone = 0,          ///< success
-  kOurMistake = 1,    ///< an assumption of the program was wrong
-  kParted = 1,        ///< `tumble diff`: two runs are not equal, as diff says it
-  kBadInput = 2,      ///< the user's mistake; nothing was run
-  kMathematical = 3,  ///< event cap, no solution, not finite, a step that broke off or, after the
-                      ///< first, was refused, a check of the run failed
-  kCannotWrite = 4    ///< disk full, no permission, no program to draw with
+  kDone = 0,      ///< success
+  kDefect = 1,    ///< a defect of the program
+  kDiffer = 1,    ///< `tumble diff`: the runs differ; 1 as for diff(1)
+  kBadInput = 2,  ///< the user's mistake; nothing was run
+  kMathematical =
+      3,  ///< a step met the event cap, was unsolved or not finite, broke off or, after the first, was
+          ///< refused; or a check of the run failed
+  kCannotWrite = 4  ///< disk full, no permission, no program to draw with
 };
 
 /// A scene, a technique and their settings, as typed by a user.
@@ -33,18 +34,18 @@ struct Request {
   RunSettings run;                    ///< step, duration, seed, every
   std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE, or a number more
   bool force = false;                 ///< whether a finished run in that folder is replaced
-  bool contacts = false;              ///< whether contacts.csv is wanted
-  std::optional<std::string> filter;  ///< as filter_of() takes it; no filtered trajectory without
-  int halvings = 0;                   ///< how often a step may be halved; 0: never
+  bool contacts = false;              ///< whether contacts.csv is written
+  std::optional<std::string> filter;  ///< as filter_of() takes it; none: no filtered trajectory
+  int halvings = 0;                   ///< how often a step may be halved
   bool quiet = false;                 ///< no progress line and no summary
   std::optional<int> motion;          ///< `tumble view`: of a folder of `tumble sample`, from 1
 };
 
-/// The same, looked up and checked.
+/// A Request, looked up and checked.
 struct ResolvedRequest {
   Simulation simulation;         ///< at its start
-  RunDescription description;    ///< for the files
-  std::filesystem::path folder;  ///< of the files
+  RunDescription description;    ///< for summary.json
+  std::filesystem::path folder;  ///< of the run's files
 };
 
 /// Changes settings as `--set` asks for: "scene.rows=13", "technique.impacts=sequential", or a bare
@@ -55,58 +56,59 @@ struct ResolvedRequest {
 /// \throws std::invalid_argument for a key that neither or both have, or a value out of range
 void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique);
 
-/// The folder for output: the one that was typed, or a new one in runs/. What an earlier command has finished there is
-/// replaced only with --force.
-/// \param request what was typed
-/// \param kind    a technique, or what else is behind the scene's name
-/// \param last    the file that a finished output has
+/// The folder for output: the one that was typed, or a new one in runs/. A finished output in it is replaced only with
+/// --force.
+/// \param request as typed
+/// \param kind    second part of the new folder's name, for example the technique
+/// \param last    the file by which a finished output is recognised
 /// \return the folder, which need not exist
 /// \throws std::invalid_argument if the folder that was typed holds a finished output or the scene file that is read
 std::filesystem::path output_folder(const Request& request, const std::string& kind,
                                     const std::string& last);
 
-/// Looks everything up.
-/// \param request what was typed
+/// Looks up scene, technique and settings, and checks them.
+/// \param request as typed
 /// \return ready to run
 /// \throws std::invalid_argument for an unknown scene, technique or key, a value out of range, or
 ///         a bare key that both the scene and the technique have, or a folder that holds the scene
 ResolvedRequest resolve(const Request& request);
 
-/// Looks up the scene alone, for commands that run nothing.
-/// \param request what was typed: scene, settings, seed
+/// Looks up the scene alone, for commands without a run.
+/// \param request as typed: scene, settings, seed
 /// \return the scene, not checked yet
 /// \throws std::invalid_argument for an unknown scene or key, or a value out of range
 Scene resolve_scene(const Request& request);
 
 /// `tumble run`.
-/// \param request what was typed
+/// \param request as typed
 /// \return the exit code
-int run(const Request& request);
+int run_command(const Request& request);
 
 /// Runs and records as `tumble run` does.
-/// \param request what was typed
+/// \param request as typed
 /// \param folder  becomes the folder of the run
 /// \return the exit code
 int run_into(const Request& request, std::filesystem::path& folder);
 
 /// `tumble view`: a page of a recorded run, opened in the browser.
-/// \param request what was typed; the scene may be the folder of a recorded run
+/// \param request as typed; the scene may be the folder of a recorded run
 /// \param open    whether the browser is started
 /// \return the exit code
-int view(const Request& request, bool open);
+int view_command(const Request& request, bool open);
 
 /// `tumble diff`: where two recorded runs part.
 /// \param first   folder of a run
 /// \param second  folder of another one
-/// \return kDone if all bits are equal, kParted if they part
-int diff(const std::string& first, const std::string& second);
+/// \return kDone if all bits are equal, else kDiffer
+int diff_command(const std::string& first, const std::string& second);
 
 /// `tumble compare`.
-/// \param request     what was typed; its technique is not used
+/// \param request     as typed; its technique is not used
 /// \param techniques  names; empty: all
 /// \param limit       [s] of the clock that each technique may take
 /// \return the exit code
-int compare(const Request& request, const std::vector<std::string>& techniques, double limit);
+int compare_command(const Request& request, const std::vector<std::string>& techniques,
+                    double limit);
 
 /// A picture or a film of a recorded run, as typed.
 struct RenderRequest {
@@ -136,26 +138,26 @@ bool is_sampling(const std::filesystem::path& folder);
 std::string motion_file(int motion);
 
 /// The table that is drawn.
-/// \param request what was typed
+/// \param request as typed
 /// \return of the run, filtered or not, or of a sampled motion: the first one unless another was asked for
 /// \throws std::invalid_argument for a filtered motion
 std::string table_of(const RenderRequest& request);
 
 /// The end of the names of its pictures and films.
-/// \param request what was typed
+/// \param request as typed
 /// \return for example "_filtered", or "_2" of the second motion; empty for a run as computed
 std::string suffix_of(const RenderRequest& request);
 
 /// `tumble render`.
-/// \param request what was typed
+/// \param request as typed
 /// \return the exit code
-int render(const RenderRequest& request);
+int render_command(const RenderRequest& request);
 
 /// `tumble stability`.
-/// \param request  what was typed: scene, settings, seed
+/// \param request  as typed: scene, settings, seed
 /// \param rule     corners, hull, load_proof or equilibrium
 /// \return the exit code
-int stability(const Request& request, const std::string& rule);
+int stability_command(const Request& request, const std::string& rule);
 
 /// What `tumble sample` has beside a run, as typed.
 struct SampleRequest {
@@ -170,9 +172,9 @@ struct SampleRequest {
 
 /// `tumble sample`.
 /// \param request  scene and run, as typed
-/// \param asked    the rest, as typed
+/// \param asked    its own options, as typed
 /// \return the exit code
-int sample(const Request& request, const SampleRequest& asked);
+int sample_command(const Request& request, const SampleRequest& asked);
 
 /// A linear complementarity problem in files, as typed.
 struct LcpRequest {
@@ -183,7 +185,7 @@ struct LcpRequest {
 };
 
 /// `tumble lcp`.
-/// \param request what was typed
+/// \param request as typed
 /// \return the exit code
 int solve_lcp(const LcpRequest& request);
 

@@ -55,7 +55,7 @@ Run::Run(const EngineChoice& choice, const SceneChoice& scene, double budget)
 
 // The clock runs while the engine works and stands still while poses are copied.
 void Run::step() {
-  come_and_go(scene_.scene, entered_, world_.time(), world_);
+  update_boxes(scene_.scene, entered_, world_.time(), world_);
   entered_ = world_.time();
   engine_->take_in(world_);
   recording_.take_in(world_);

@@ -1,7 +1,8 @@
-# tumble_batches(RESULT NAME [NAMESPACES] SOURCE...): sets RESULT to files of the build folder that include ten
+# tumble_batches(RESULT NAME [NAMESPACES] SOURCE...): sets RESULT to files of the build folder that include several
 # sources each (CMAKE_UNITY_BUILD_BATCH_SIZE), for what CMake's own unity builds cannot do: sources with options of
 # their own, and, with NAMESPACES, sources that call different things by the same name. Each of those is put into a
-# namespace of its own, after what they include; sources with conditions or within namespace tumble stay alone.
+# namespace of its own, after what they include. Sources within namespace tumble cannot be: they are a batch without such
+# namespaces, so their names differ. Sources with conditions stay alone.
 function(tumble_batches result name)
   cmake_parse_arguments(PARSE_ARGV 2 arg NAMESPACES "" "")
   set(files)
@@ -9,6 +10,7 @@ function(tumble_batches result name)
   set(filled 0)
   set(includes)
   set(bodies)
+  set(plain)
   macro(write_batch)
     list(REMOVE_DUPLICATES includes)
     list(JOIN includes "\n" text)
@@ -23,8 +25,11 @@ function(tumble_batches result name)
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     if(arg_NAMESPACES)
       file(READ ${source} text)
-      if(text MATCHES "\nnamespace tumble|\n#if")
+      if(text MATCHES "\n#if")
         list(APPEND files ${source})
+        continue()
+      elseif(text MATCHES "\nnamespace tumble")
+        list(APPEND plain ${source})
         continue()
       endif()
       file(STRINGS ${source} included REGEX "^#include ")
@@ -43,6 +48,8 @@ function(tumble_batches result name)
   endif()
   if(arg_NAMESPACES)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${arg_UNPARSED_ARGUMENTS})
+    tumble_batches(plain ${name}_plain ${plain})
+    list(APPEND files ${plain})
   endif()
   set(${result} ${files} PARENT_SCOPE)
 endfunction()

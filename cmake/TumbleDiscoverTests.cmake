@@ -1,5 +1,5 @@
-# tumble_discover_tests(TARGET): one CTest test for each test case of a Catch2 program, with the
-# case's tags as CTest labels: `ctest -L '^chatter$'`. Cases tagged [.long] exist only for
+# tumble_discover_tests(TARGET): CTest tests of the cases of a Catch2 program, with the cases' tags as CTest
+# labels: `ctest -L '^chatter$'`. Cases tagged [.long] exist only for
 # `ctest -C Long`. Catch2's own module cannot do the labels in the version that Debian 12 has.
 #
 # Included in a CMakeLists.txt, this file defines the function; run as a script after the program
@@ -66,28 +66,44 @@ foreach(tag IN LISTS tags)
   endforeach()
 endforeach()
 
-# CTest reads one add_test() for each case; [==[...]==] quotes whatever stands inside.
+# CTest reads add_test() with [==[...]==], which quotes whatever stands inside. Short cases of the same labels are run
+# by one process, twenty at a time: most need less time than the program needs to start.
 set(script)
 names_of(names "*")
 names_of(hidden "[.]")
 list(APPEND names ${hidden})
 list(REMOVE_DUPLICATES names)
+set(group_size 20)
+set(groups)
 foreach(name IN LISTS names)
   string(MAKE_C_IDENTIFIER "${name}" key)
   string(REPLACE "${open}" "[" name "${name}")
   string(REPLACE "${close}" "]" name "${name}")
   string(REPLACE "${semicolon}" ";" name "${name}")
   string(REGEX REPLACE "([],[])" "\\\\\\1" specification "${name}")  # as Catch2 wants to be asked
-  set(test "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[${specification}]==])\n")
-  set(limit 300)
   if("long" IN_LIST labels_${key})
-    set(limit 3600)
+    string(APPEND script "if(CTEST_CONFIGURATION_TYPE STREQUAL \"Long\")\n"
+      "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[${specification}]==])\n"
+      "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels_${key}}\" TIMEOUT 3600)\nendif()\n")
+    continue()
   endif()
-  string(APPEND test "set_tests_properties([==[${name}]==] PROPERTIES "
-    "LABELS \"${labels_${key}}\" TIMEOUT ${limit})\n")
-  if("long" IN_LIST labels_${key})
-    set(test "if(CTEST_CONFIGURATION_TYPE STREQUAL \"Long\")\n${test}endif()\n")
-  endif()
-  string(APPEND script "${test}")
+  list(JOIN labels_${key} " " group)
+  list(APPEND groups "${group}")
+  set(labels_of_${group} "${labels_${key}}")
+  string(REPLACE ";" "${semicolon}" specification "${specification}")
+  list(APPEND cases_of_${group} "${specification}")
+endforeach()
+list(REMOVE_DUPLICATES groups)
+foreach(group IN LISTS groups)
+  list(LENGTH cases_of_${group} count)
+  foreach(from RANGE 1 ${count} ${group_size})
+    math(EXPR begin "${from} - 1")
+    list(SUBLIST cases_of_${group} ${begin} ${group_size} cases)
+    list(JOIN cases "," specification)
+    string(REPLACE "${semicolon}" ";" specification "${specification}")
+    set(name "${group} ${from}")
+    string(APPEND script "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[${specification}]==])\n"
+      "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels_of_${group}}\" TIMEOUT 300)\n")
+  endforeach()
 endforeach()
 file(WRITE ${LIST} "${script}")

@@ -101,7 +101,7 @@ Session::Session(Setup setup) : run_(std::move(setup.scene), std::move(setup.tec
 }
 
 StepStatus Session::step(double dt) {
-  run_.settle();  // so that a box that enters now has a pose before the step
+  run_.update_boxes();  // so that a box that enters now has a pose before the step
   const World& world = run_.world();
   ids_before_.assign(world.ids().begin(), world.ids().end());
   states_before_.assign(world.states().begin(), world.states().end());

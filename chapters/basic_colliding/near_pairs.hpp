@@ -2,7 +2,7 @@
 /// \brief Which pairs can meet within the coming step.
 #pragma once
 
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include "driver/experiment.hpp"
 
@@ -11,9 +11,6 @@ namespace tumble::chapters {
 // Looks for pairs of bodies that can meet within a step of free flight.
 class NearPairs {
  public:
-  // Makes the storage.
-  NearPairs() : broad_phase_(make_broad_phase("bounding_tree")) {}
-
   // Finds the pairs whose ways through the step, as wide as half a diagonal, overlap.
   // dt: [s] the step
   std::span<const IndexPair> find(const World& world, double dt) {
@@ -32,12 +29,12 @@ class NearPairs {
       bounds_.push_back({start_w.cwiseMin(end_w) - Vec3::Constant(wide),
                          start_w.cwiseMax(end_w) + Vec3::Constant(wide)});
     }
-    broad_phase_->find_pairs(bounds_, pairs_);
+    broad_phase_.find_pairs(bounds_, pairs_);
     return pairs_;
   }
 
  private:
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
 };

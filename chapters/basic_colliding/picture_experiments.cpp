@@ -50,7 +50,7 @@ void advance(const Scene& scene, Technique& technique, double step, double until
     totals.energy.friction += report.energy.friction;
     totals.energy.damping += report.energy.damping;
     totals.energy.repair += report.energy.repair;
-    come_and_go(scene, before, world.time(), world);
+    update_boxes(scene, before, world.time(), world);
   }
 }
 

@@ -89,9 +89,7 @@ struct Result {
   std::vector<Table> tables;           // what gnuplot draws from
   std::vector<Quantity> quantities;    // to be checked
   std::vector<Drawing> drawings = {};  // what gnuplot is to draw as it is
-  // Paints the film of the figure: the bytes of a GIF. Empty: it has none. The driver alone asks for it,
-  // since
-  // it takes seconds.
+  // Paints the film of the figure, the bytes of a GIF; empty: it has none. Apart from the rest, since it takes seconds.
   std::function<std::string()> film = {};
 
   // Adds a number.

@@ -41,7 +41,7 @@ class PlayedScene : public Simulation {
   // One step; boxes that are due then enter and leave after it.
   StepReport step() {
     const StepReport report = finished(Simulation::step(kStep));
-    settle();
+    update_boxes();
     return report;
   }
 

@@ -5,9 +5,11 @@
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tumble::chapters {
@@ -27,19 +29,27 @@ inline const Quantity& quantity_of(const Result& result, std::string_view name) 
   throw std::invalid_argument("no quantity " + std::string(name));
 }
 
-// Runs a figure's experiment as --quick does.
+// A figure's experiment as --quick runs it, or with other settings: once in a program, however many tests look at it.
 class FigureUnderTest {
  public:
   // Computes a figure of the program.
   explicit FigureUnderTest(std::string_view name, const std::vector<std::string>& set = {})
-      : result(run_quickly(registered_figure(name), set)) {}
+      : result(result_of(std::string(name), set)) {}
 
   // A number of the figure.
   [[nodiscard]] double number(std::string_view quantity) const {
     return quantity_of(result, quantity).value;
   }
 
-  Result result;  // all that was computed
+  const Result& result;  // all that was computed
+
+ private:
+  static const Result& result_of(const std::string& name, const std::vector<std::string>& set) {
+    static std::map<std::pair<std::string, std::vector<std::string>>, Result> results;
+    const auto found = results.find({name, set});
+    if (found != results.end()) return found->second;
+    return results[{name, set}] = run_quickly(registered_figure(name), set);
+  }
 };
 
 }  // namespace tumble::chapters

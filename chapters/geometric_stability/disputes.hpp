@@ -17,8 +17,7 @@
 namespace tumble::chapters {
 
 // The bodies that are stable by the two bullets of 5.4 alone: all normals vertical, and each of the four
-// lower corners
-// at a contact point with a stable body. Whether other bodies below are stable is not asked, as the
+// lower corners at a contact point with a stable body. Whether other bodies below are stable is not asked, as the
 // footnote does, and with it GeometricStability (erratum G6).
 inline std::vector<char> called_stable_by_text(const World& world,
                                                std::span<const Contact> contacts,

@@ -1,6 +1,7 @@
 /// \file
 /// \brief The energy that the pass adds which ends overlap by moving bodies (thesis 4.4).
 #include "tumble/contact/repair.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
 #include "driver/experiment.hpp"
@@ -34,7 +35,7 @@ void run_pass(Pass pass, World& world) {
     std::vector<Bounds> bounds;
     std::vector<IndexPair> pairs;
     repair_bounds(world, 0.0, bounds);
-    make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+    BoundingTree().find_pairs(bounds, pairs);
     OverlapRepair repair;
     repair.run(world, pairs);
   }

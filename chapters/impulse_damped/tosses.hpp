@@ -9,8 +9,7 @@ namespace tumble::chapters {
 // The quartiles of twenty measured tosses.
 //
 // Of ContactNets' data (Pfrommer, Halm, Posa: ContactNets, CoRL 2020), the first twenty tosses; a test
-// computes them
-// again where the data are.
+// computes them again where the data are.
 struct MeasuredQuartiles {
   std::array<double, 3> travel;        // [m] along the table, from start to end
   std::array<double, 3> time_to_rest;  // [s] until the cube moves no more, see `toss_still`

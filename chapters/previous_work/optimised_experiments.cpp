@@ -59,7 +59,7 @@ Ran run_at(const Scene& scene, double dt, double duration, bool compare) {
   OverlapMeter overlaps;
   while (played.world().time() < duration - 0.5 * dt) {
     const double before = energy_of(played.world()).total();
-    played.settle();  // the shot
+    played.update_boxes();  // the shot
     allowed += energy_of(played.world()).total() - before;
     const World start = played.world();
     finished(played.Simulation::step(dt));

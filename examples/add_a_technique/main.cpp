@@ -51,7 +51,7 @@ void run(RunDescription d, const TechniqueRecipe& recipe, bool recorded) {
   const Random random(d.run.seed);
   const Scene scene = checked(scene_recipe(d.scene).build(d.scene_settings, random));
   const auto technique = recipe.make(d.technique_settings, d.run.seed);
-  d.ignored = technique->ignores(build_world(scene));
+  d.ignored_physics = technique->ignores(build_world(scene));
 
   std::optional<RunFiles> files;
   std::vector<RunObserver*> observers;

@@ -36,19 +36,7 @@ std::unique_ptr<Technique> make(const Parameters& p, std::uint64_t /*seed*/) {
   return std::make_unique<Made>(read_options<Options>(p));
 }
 
-// --- techniques that can sleep, and so be frozen by the filter FreezeOnChatter -------------------
-// Visits the option `freeze` behind `sleeping`.
-template <class Visitor>
-struct WithFreeze : Visitor {
-  bool& freeze;
-  void flag(std::string_view key, bool& field, std::string_view meaning) {
-    Visitor::flag(key, field, meaning);
-    if (key == "sleeping")
-      Visitor::flag("freeze", freeze,
-                    "sleeping=on: islands that only chatter fall asleep too (thesis 6.3.1)");
-  }
-};
-
+// --- techniques with sleeping: FreezeOnChatter can wrap them -------------------------------------
 template <class Options>
 struct Freezable {
   Options options;
@@ -57,8 +45,9 @@ struct Freezable {
 
 template <class Options, class Visitor>
 void describe(Freezable<Options>& o, Visitor& v) {
-  WithFreeze<Visitor> both{v, o.freeze};
-  describe(o.options, both);
+  describe(o.options, v);
+  v.flag("freeze", o.freeze,
+         "sleeping=on: islands that only chatter fall asleep too (thesis 6.3.1)");
 }
 
 template <class Made, class Options>
@@ -74,7 +63,7 @@ std::unique_ptr<Technique> make_freezable(const Parameters& p, std::uint64_t /*s
   return freezable<Made>(read_options<Freezable<Options>>(p));
 }
 
-// --- techniques that can be read as printed ------------------------------------------------------
+// --- techniques with a reading as printed --------------------------------------------------------
 
 enum class ReadAs : std::uint8_t { meant, reported, printed };
 
@@ -84,19 +73,19 @@ struct Reading {
   bool traps = false;
 };
 
-// Errata of kind "choice" whose worse reading is a trap: the text leaves them open, and the milder reading is plainer.
+// Errata of kind "choice": the text leaves them open, and one of the two readings fails (a trap).
 constexpr const char* kDampedTraps =
     "D4,D5,D6,C3,C4,C6,C7,RK1,RC4,DM4,DM5,DM8,DM13,DM16,X1,G5,G7,G8";
 constexpr const char* kTimewarpTraps = "T1,T2,T4,T6,T7,T8,F6";
 
-// What is mended in a listing as printed: what was asked for, and each trap that is not taken.
+// The errata that are repaired in a listing as printed: those that were asked for, and the traps unless traps=taken.
 template <class Errata>
-Errata mended_in(const Reading& o, const char* traps) {
-  Errata mended(o.repaired);
+Errata repaired_in(const Reading& o, const char* traps) {
+  Errata repaired(o.repaired);
   const Errata avoided(traps);
   for (const std::string& id : Errata::known())
-    if (!o.traps && avoided.has(id)) mended = mended.with(id);
-  return mended;
+    if (!o.traps && avoided.has(id)) repaired = repaired.with(id);
+  return repaired;
 }
 
 template <class Visitor>
@@ -141,7 +130,7 @@ void describe(DampedSettings& o, Visitor& v) {
   describe_repaired(o.reading, v, "C1,DM3", kDampedTraps);
 }
 
-// The listings as printed have no other options than these; a value that they do not have is refused.
+// Options that the listings as printed do not have may only be at their defaults.
 std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const DampedSettings& o) {
   const auto only = [&](const char* key, std::initializer_list<std::string_view> possible) {
     const std::string& word = p.word(key);
@@ -158,7 +147,7 @@ std::unique_ptr<Technique> make_damped_as_printed(const Parameters& p, const Dam
   require::that(!meant.sleeping, "sleeping = on: reading=as_printed has no sleeping");
   require::that(!o.meant.freeze, "freeze = on: reading=as_printed has no sleeping");
   DampedAsPrintedOptions options;
-  options.repaired = mended_in<DampedErrata>(o.reading, kDampedTraps);
+  options.repaired = repaired_in<DampedErrata>(o.reading, kDampedTraps);
   options.numbers = meant.numbers;
   options.collision_passes = meant.collision_passes;
   options.contact_passes = meant.contact_passes;
@@ -191,7 +180,7 @@ void describe(TimewarpSettings& o, Visitor& v) {
   describe(o.printed, v);
 }
 
-// One of the two listings, in the reading that is asked for.
+// One of the two listings, as meant or as printed.
 template <class AsMeant, TimewarpListing listing>
 std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*seed*/) {
   const auto o = read_options<TimewarpSettings>(p);
@@ -205,7 +194,7 @@ std::unique_ptr<Technique> make_listing(const Parameters& p, std::uint64_t /*see
   }
   TimewarpAsPrintedOptions options = o.printed;
   options.listing = listing;
-  options.repaired = mended_in<TimewarpErrata>(o.reading, kTimewarpTraps);
+  options.repaired = repaired_in<TimewarpErrata>(o.reading, kTimewarpTraps);
   options.resolution = o.meant.resolution;
   options.pair_events = o.meant.pair_events;
   options.rotation = o.meant.rotation;

@@ -8,7 +8,7 @@
 namespace tumble::chapters {
 namespace {
 
-const char* const kExpected =
+const char* const kExpectedOfFall =
     "figure,quantity,unit,value,tolerance,reason\n"
     "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"
     "claim_2_1a_fall,\"the same, half\",m/s,0.5,0.5,exact\n"
@@ -34,7 +34,7 @@ const std::string kHalf = "half = \"the same, half\"\ndouble = \"the same, doubl
 Findings findings_with(const std::string& choices, const std::string& rows = kRows) {
   const Scratch scratch("choices");
   const auto folder = scratch.figure("claim_2_1a_fall", rows);
-  return read_findings(folder, {scratch.file("falling/expected.csv", kExpected),
+  return read_findings(folder, {scratch.file("falling/expected.csv", kExpectedOfFall),
                                 scratch.file("falling/claims.toml", claim_on_speed("It falls.")),
                                 scratch.file("falling/choices.toml", choices)});
 }

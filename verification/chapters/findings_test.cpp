@@ -31,12 +31,6 @@ test = "Down is down"
 command = "tumble run drop"
 )";
 
-std::string replaced(std::string text, const std::string& old_text, const std::string& new_text) {
-  const std::size_t at = text.find(old_text);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, old_text.size(), new_text);
-}
-
 }  // namespace
 
 TEST_CASE("The last line counts figures, claims and differences in fixed words", "[unit][ledger]") {

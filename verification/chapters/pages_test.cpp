@@ -9,16 +9,16 @@
 namespace tumble::chapters {
 namespace {
 
-const std::string kClaims = claim_on_speed("A < B \\\\ref C.");
+const std::string kClaimToEscape = claim_on_speed("A < B \\\\ref C.");
 
-Findings findings_with(const std::string& rows) {
+Findings findings_of_rows(const std::string& rows) {
   const Scratch scratch("pages");
   const auto folder = scratch.figure("claim_2_1a_fall", rows);
   static_cast<void>(scratch.figure("gallery_pile", ""));
   return read_findings(folder, {scratch.file("falling/expected.csv",
                                              "figure,quantity,unit,value,tolerance,reason\n"
                                              "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
-                                scratch.file("falling/claims.toml", kClaims)});
+                                scratch.file("falling/claims.toml", kClaimToEscape)});
 }
 
 std::string header_with(const std::string& lines) {
@@ -50,12 +50,12 @@ TEST_CASE("The ledger has the gap of each technique", "[unit][ledger]") {
   CHECK_THAT(page, Contains("## Each technique on the same scene {#ledger_techniques}"));
   CHECK_THAT(page, Contains("gap, analytic"));
   CHECK_THAT(page, Contains("<span class=\"whole\">0.25 mm</span>"));
-  CHECK_THAT(ledger_page(findings_with("speed,m/s,3.25,2,4,20\n")),
+  CHECK_THAT(ledger_page(findings_of_rows("speed,m/s,3.25,2,4,20\n")),
              !Contains("{#ledger_techniques}"));
 }
 
 TEST_CASE("Ledger and index show statement, number, interval, rule and verdict", "[unit][ledger]") {
-  const Findings findings = findings_with("speed,m/s,3.25,2,4,20\n");
+  const Findings findings = findings_of_rows("speed,m/s,3.25,2,4,20\n");
   for (const std::string& page : {ledger_page(findings), index_page(findings)}) {
     CHECK_THAT(page, Contains("A &lt; B &#92;ref C."));
     CHECK_THAT(page, Contains("<span class=\"verdict confirmed\">confirmed</span>"));
@@ -74,7 +74,7 @@ TEST_CASE("Ledger and index show statement, number, interval, rule and verdict",
 }
 
 TEST_CASE("A number that left its tolerance is marked on both pages", "[unit][ledger]") {
-  const Findings findings = findings_with("speed,m/s,9,,,0\n");
+  const Findings findings = findings_of_rows("speed,m/s,9,,,0\n");
   CHECK_THAT(ledger_page(findings), Contains("not as expected"));
   CHECK_THAT(index_page(findings), Contains("<span class=\"bad\"><span class=\"whole\">9 m/s"));
 }
@@ -86,7 +86,7 @@ TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
       {scratch.file("falling/expected.csv",
                     "figure,quantity,unit,value,tolerance,reason\n"
                     "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
-       scratch.file("falling/claims.toml", kClaims),
+       scratch.file("falling/claims.toml", kClaimToEscape),
        scratch.file("falling/errata.toml",
                     "[[erratum]]\nid = \"C1\"\ntitle = \"A < b\"\nsection = \"A.1\"\nkind = "
                     "\"misprint\"\n"
@@ -108,7 +108,7 @@ TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
 
 TEST_CASE("The gallery shows thumbnails and leads to the figures of each chapter",
           "[unit][ledger]") {
-  const Findings findings = findings_with("speed,m/s,3.25,,,0\n");
+  const Findings findings = findings_of_rows("speed,m/s,3.25,,,0\n");
   const std::string page = gallery_page(findings);
   CHECK_THAT(page, Contains("{#gallery}"));
   CHECK_THAT(page, Contains("src=\"figures/gallery_pile.png\" alt=\"A &lt; B &amp; &quot;C&quot;"));
@@ -141,7 +141,7 @@ TEST_CASE("A film is shown below its figure and not to readers that want no moti
     CHECK_THAT(page, Contains(">gif</a>"));
     CHECK(page.find("It falls.") < page.find("fig1_fall.gif"));
   }
-  const std::string page = figures_page(findings_with("speed,m/s,3.25,,,0\n"), "falling");
+  const std::string page = figures_page(findings_of_rows("speed,m/s,3.25,,,0\n"), "falling");
   CHECK_THAT(page, !Contains(".gif"));
 }
 

@@ -11,11 +11,12 @@
 namespace tumble::chapters {
 namespace {
 
-const std::string kExpected =
+const std::string kExpectedSpeeds =
     "figure,quantity,unit,value,tolerance,reason\nclaim_2_1a_fall,speed,m/s,3,0,exact\n"
     "claim_2_1a_fall,speed at half,m/s,2,0,exact\nclaim_2_1a_fall,speed at twice,m/s,0,0,exact\n";
 
-const std::string kRows = "speed,m/s,3,,,0\nspeed at half,m/s,2,,,0\nspeed at twice,m/s,0,,,0\n";
+const std::string kSpeedRows =
+    "speed,m/s,3,,,0\nspeed at half,m/s,2,,,0\nspeed at twice,m/s,0,,,0\n";
 
 const std::string kChoice =
     "[[choice]]\nid = \"height\"\nsection = \"2.1\"\nwhat = \"w\"\nvalue = \"v\"\nwhy = \"y\"\n\n"
@@ -38,12 +39,6 @@ run = "2026-11-26"
 figure = "claim_2_1a_fall"
 )";
 
-std::string replaced(std::string text, const std::string& old_text, const std::string& new_text) {
-  const std::size_t at = text.find(old_text);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, old_text.size(), new_text);
-}
-
 std::string reading(const std::string& word) {
   return replaced(claim_on_speed("It falls."), "\"stands\"", '"' + word + '"');
 }
@@ -52,9 +47,10 @@ Findings found(const std::string& claims, const std::string& choices = kChoice,
                const std::string& page = "") {
   const Scratch scratch("reads");
   return read_findings(
-      scratch.figure("claim_2_1a_fall", kRows),
-      {scratch.file("falling/expected.csv", kExpected), scratch.file("falling/claims.toml", claims),
-       scratch.file("falling/choices.toml", choices), scratch.file("falling/page.md", page)});
+      scratch.figure("claim_2_1a_fall", kSpeedRows),
+      {scratch.file("falling/expected.csv", kExpectedSpeeds),
+       scratch.file("falling/claims.toml", claims), scratch.file("falling/choices.toml", choices),
+       scratch.file("falling/page.md", page)});
 }
 
 // What the numbers that were written down would give.

@@ -2,6 +2,8 @@
 /// \brief Small files for tests of what reads them, and the numbers of a figure.
 #pragma once
 
+#include "support/catch.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -49,6 +51,14 @@ class Scratch {
  private:
   std::filesystem::path folder_;
 };
+
+// A text in which a part that it has to have is another one.
+inline std::string replaced(std::string text, const std::string& old_text,
+                            const std::string& new_text) {
+  const std::size_t at = text.find(old_text);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old_text.size(), new_text);
+}
 
 // One claim, as a chapter's claims.toml has it: a speed of at least 1 m/s confirms it.
 inline std::string claim_on_speed(const std::string& statement) {

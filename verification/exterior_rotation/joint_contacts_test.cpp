@@ -131,7 +131,7 @@ TEST_CASE("The crane knocks bricks off the wall, and all its joints hold", "[uni
   Simulation run(scene, *technique);
   RunSettings settings;
   settings.duration = 1.5;
-  const RunResult result = tumble::run(run, settings, {});
+  const RunResult result = run_simulation(run, settings, {});
   CHECK(result.findings.empty());
   CHECK(result.worst == StepStatus::done);
   CHECK(apart(run) < 1e-10);
@@ -195,7 +195,7 @@ TEST_CASE("Joined boxes that fold into each other are no overlap and no finding"
   Simulation run(built("pendulum", {{"angle", "2.5"}}), "glued");
   RunSettings settings;
   settings.duration = 1.0;
-  CHECK(tumble::run(run, settings, {}).findings.empty());
+  CHECK(run_simulation(run, settings, {}).findings.empty());
   OverlapMeter meter;
   double folded = 0.0;
   for (int k = 0; k < 60; ++k) {

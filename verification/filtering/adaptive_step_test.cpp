@@ -14,7 +14,7 @@ using namespace tumble::adaptive_cases;
 namespace {
 
 bool same(const StepReport& a, const StepReport& b) {
-  for (const auto count : kReportCounts)
+  for (const auto& [name, count] : kReportCounts)
     if (a.*count != b.*count) return false;
   return a.status == b.status && a.deepest_overlap == b.deepest_overlap &&
          a.energy.restitution == b.energy.restitution && a.energy.friction == b.energy.friction &&

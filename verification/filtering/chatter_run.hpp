@@ -75,7 +75,7 @@ inline ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, 
   for (run.steps = 0; run.steps < last;) {
     if (run.steps == first) look();
     const StepReport report = now.Simulation::step(kStep);
-    now.settle();
+    now.update_boxes();
     if (report.status >= StepStatus::unsolved) {
       run.solved = false;
       run.resting.clear();

@@ -147,7 +147,7 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
   WorldVerdict verdict;
   try {
     Simulation simulation(random.scene, technique, settings);
-    simulation.settle();
+    simulation.update_boxes();
     EnergyCheck energy;
     PassageCheck left;
     simulation.observe(energy);

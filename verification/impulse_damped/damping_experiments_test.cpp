@@ -12,12 +12,6 @@ using namespace tumble::chapters;
 
 namespace {
 
-// The same numbers for three tests.
-const FigureUnderTest& energy_figure() {
-  static const FigureUnderTest energy("claim_5_3a_energy");
-  return energy;
-}
-
 // The ground and a cube that is dropped flat from a height, restitution 0.
 World falling_cube(double height) {
   World world;
@@ -32,7 +26,7 @@ World falling_cube(double height) {
 
 TEST_CASE("No stage of the damping gives energy to a cube, but slow components do to a brick",
           "[claims][impulse_damped]") {
-  const FigureUnderTest& energy = energy_figure();
+  const FigureUnderTest energy("claim_5_3a_energy");
   const std::string most = "largest factor, ";
   // [-] the claim's limit: rounding of a sum of products
   constexpr double rounding = 1e-12;
@@ -57,7 +51,7 @@ TEST_CASE("No stage of the damping gives energy to a cube, but slow components d
 
 TEST_CASE("The closed form of a shrunk component agrees with the worst of random states",
           "[claims][impulse_damped]") {
-  const FigureUnderTest& energy = energy_figure();
+  const FigureUnderTest energy("claim_5_3a_energy");
   const double found = energy.number("largest factor, slow components, brick of 4 x 1 x 1");
   const double shrunk = energy.number("the same in closed form, one component shrunk");
   const double ended = energy.number("the same in closed form, one component ended");
@@ -70,7 +64,7 @@ TEST_CASE("The closed form of a shrunk component agrees with the worst of random
 
 TEST_CASE("Pushes add up to a push more than the end of an overlap takes",
           "[claims][impulse_damped]") {
-  const FigureUnderTest& energy = energy_figure();
+  const FigureUnderTest energy("claim_5_3a_energy");
   const double extra =
       energy.number("potential energy that pushes add beyond the end of the overlap, over m g L");
   CHECK(extra <= tolerance::damped_push);

@@ -13,11 +13,7 @@ namespace {
 constexpr double kKick = 9.81 / 60.0;  // [m/s] g dt
 constexpr double kRounding = 1e-12;    // of some hundred operations on numbers up to 10
 
-// Computed once: all of it takes half a second.
-double number(const std::string& name) {
-  static const FigureUnderTest figure("errata_contacts");
-  return figure.number(name);
-}
+double number(const std::string& name) { return FigureUnderTest("errata_contacts").number(name); }
 
 void check_pair(const std::string& id, const std::string& literal, double failure,
                 const std::string& reading, double mended, double tolerance = kRounding) {

@@ -15,8 +15,7 @@ namespace {
 constexpr double rounding = 1e-12;
 
 double number(std::string_view quantity) {
-  static const FigureUnderTest figure("errata_damping");
-  return figure.number(quantity);
+  return FigureUnderTest("errata_damping").number(quantity);
 }
 
 bool close(std::string_view quantity, double value) {

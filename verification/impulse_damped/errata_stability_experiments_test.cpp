@@ -9,8 +9,7 @@ using namespace tumble::chapters;
 namespace {
 
 double number(std::string_view quantity) {
-  static const FigureUnderTest figure("errata_stability");
-  return figure.number(quantity);
+  return FigureUnderTest("errata_stability").number(quantity);
 }
 
 }  // namespace

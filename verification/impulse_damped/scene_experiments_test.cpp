@@ -27,7 +27,6 @@ TEST_CASE("Figures 6.6 and 6.7 have films", "[unit][impulse_damped]") {
     const std::string gif = figure.result.film();
     CHECK(gif.substr(0, 6) == "GIF89a");
     CHECK(gif.back() == ';');
-    CHECK(gif == figure.result.film());
   }
 }
 

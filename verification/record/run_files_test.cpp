@@ -43,7 +43,7 @@ RunDescription description() {
   d.scene_settings = scene_recipe("two_boxes").parameters();
   d.run.duration = 0.625;  // [s] 37.5 steps; the collision is at 0.5 s
   d.contacts = true;
-  d.ignored = {"friction"};
+  d.ignored_physics = {"friction"};
   return d;
 }
 

@@ -48,13 +48,13 @@ TEST_CASE("A projectile enters the scene at its time with its speed", "[unit][sc
   const Scene scene = built("projectile", {{"appears", "2"}, {"speed", "20"}, {"rows", "3"}});
   World world = build_world(scene);
   CHECK(world.count() == 7);  // the ground and six cubes
-  come_and_go(scene, 0.0, 1.9, world);
+  update_boxes(scene, 0.0, 1.9, world);
   CHECK(world.count() == 7);
-  come_and_go(scene, 1.9, 2.0, world);
+  update_boxes(scene, 1.9, 2.0, world);
   REQUIRE(world.count() == 8);
   CHECK(world.name(7) == "projectile");
   CHECK(velocity(world.bodies()[7], world.states()[7]).z() == near(-20.0).margin(1e-12));
-  come_and_go(scene, 2.0, 9.0, world);
+  update_boxes(scene, 2.0, 9.0, world);
   CHECK(world.count() == 8);
 }
 
@@ -80,24 +80,24 @@ TEST_CASE("Boxes come and go at their times, and one with no time in between is 
   };
   World world = build_world(scene);
   CHECK(names(world) == "stays goes");
-  come_and_go(scene, 0.0, 0.0, world);
+  update_boxes(scene, 0.0, 0.0, world);
   CHECK(names(world) == "stays goes");
-  come_and_go(scene, 0.0, 0.99, world);
+  update_boxes(scene, 0.0, 0.99, world);
   CHECK(names(world) == "stays goes");
-  come_and_go(scene, 0.99, 1.0, world);  // at the time itself
+  update_boxes(scene, 0.99, 1.0, world);  // at the time itself
   CHECK(names(world) == "stays comes");
-  come_and_go(scene, 1.0, 2.0, world);
+  update_boxes(scene, 1.0, 2.0, world);
   CHECK(names(world) == "stays comes between");
   // No body has got the id of the one that was never there.
   CHECK(number_of(world.ids().back()) == 3);
-  come_and_go(scene, 2.0, 2.5, world);
+  update_boxes(scene, 2.0, 2.5, world);
   CHECK(names(world) == "stays comes");
-  come_and_go(scene, 2.5, 99.0, world);
+  update_boxes(scene, 2.5, 99.0, world);
   CHECK(names(world) == "stays comes");
 
   // All of it within one step: a body that goes does so before another one comes.
   World coarse = build_world(scene);
-  come_and_go(scene, 0.0, 99.0, coarse);
+  update_boxes(scene, 0.0, 99.0, coarse);
   CHECK(names(coarse) == "stays comes");
 }
 

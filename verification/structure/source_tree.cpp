@@ -19,7 +19,7 @@ bool belongs(const std::string& path) {
   static constexpr std::array folders{"src/",          "apps/",  "chapters/", "figures/",
                                       "verification/", "bench/", "examples/", "site/",
                                       "live/",         "cmake/", ".ci/"};
-  if (path.find('/') == std::string::npos) return true;
+  if (path.find('/') == std::string::npos) return path != ".git";  // a file in a worktree
   if (path.starts_with("live/node_modules/")) return false;
   return std::any_of(folders.begin(), folders.end(),
                      [&](const char* folder) { return path.starts_with(folder); });

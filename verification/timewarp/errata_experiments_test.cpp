@@ -15,9 +15,8 @@ constexpr double kPlace = 1e-5;      // [m] what cubes with up to 5 m/s fly mean
 constexpr int kCap = 50;             // [-] that of --quick
 
 double number(const std::string& name) {
-  static const FigureUnderTest simple("errata_timewarp_simple");
-  static const FigureUnderTest safer("errata_timewarp_safer");
-  return (name.front() == 'T' ? simple : safer).number(name);
+  return FigureUnderTest(name.front() == 'T' ? "errata_timewarp_simple" : "errata_timewarp_safer")
+      .number(name);
 }
 
 // Both numbers of an erratum, with the closed forms.

@@ -40,9 +40,7 @@ ContactForceOptions force_options(const AnalyticOptions& options) {
 }  // namespace
 
 Analytic::Analytic(const AnalyticOptions& options)
-    : options_(options),
-      broad_phase_(make_broad_phase("bounding_tree")),
-      forces_(force_options(options)) {
+    : options_(options), forces_(force_options(options)) {
   require::that(options.solver != "enumeration",
                 "solver = enumeration: it is for eight contacts at most, choose another one");
   require::positive(options.resolution, "resolution");
@@ -56,7 +54,6 @@ Analytic::Analytic(const AnalyticOptions& options)
 Analytic::Analytic(const Analytic& other)
     : Technique(other),
       options_(other.options_),
-      broad_phase_(other.broad_phase_->clone()),
       forces_(force_options(other.options_)),
       resting_(other.resting_),
       records_(other.records_) {}
@@ -129,7 +126,7 @@ void Analytic::find_candidates(const World& world, double left, bool carried) {
     const double beside = carried ? flight_.offset_w(static_cast<int>(k), left).norm() : 0.0;
     return (0.5 + tolerance::contact_margin) * world.bodies()[k].size.norm() + beside;
   };
-  find_flight_pairs(world, left, reach, *broad_phase_, bounds_, candidates_);
+  find_flight_pairs(world, left, reach, broad_phase_, bounds_, candidates_);
 }
 
 void Analytic::find_near(const World& world, StepReport& report) {
@@ -286,7 +283,7 @@ void Analytic::finish(World& world, const Progress& progress, StepReport& report
     report.energy.damping +=
         damping_.run(resting_, forces_.held(), options_.damping, progress.dt, world);
   repair_bounds(world, 0.0, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
+  broad_phase_.find_pairs(bounds_, candidates_);
   hold_.run(world, candidates_, report);
 }
 

@@ -15,6 +15,7 @@
 #include "tumble/contact/impacts.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
 #include <string>
@@ -22,16 +23,16 @@
 
 namespace tumble {
 
-/// What the analytic technique does about friction.
+/// Friction of the analytic technique.
 enum class AnalyticFriction : std::uint8_t {
-  none,     ///< nothing, in collisions neither
-  coulomb,  ///< Coulomb's, in collisions and in contacts
-  damping   ///< none, and then bodies in contact are slowed down: what the thesis proposes in 5.3
+  none,     ///< none, in contacts and in collisions
+  coulomb,  ///< Coulomb's, in contacts and in collisions
+  damping   ///< none, but bodies in contact are damped, as the thesis proposes in 5.3
 };
 
 /// Options of the analytic technique.
 struct AnalyticOptions {
-  AnalyticFriction friction = AnalyticFriction::coulomb;  ///< see there
+  AnalyticFriction friction = AnalyticFriction::coulomb;  ///< in contacts and collisions
   int directions = 8;                           ///< of the pyramid of friction in contacts: 4 or 8
   std::string solver = "augmented_lagrangian";  ///< of the problems without friction, by name
   StableRule stable_boxes = StableRule::off;    ///< bodies left out of the contact forces
@@ -80,58 +81,49 @@ void describe(AnalyticOptions& o, Visitor& v) {
   v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
 }
 
-/// What the thesis could not join (3.3.1): collisions in the order of their times, and contact forces
-/// that are exact.
+/// Collisions in the order of their times, and exact contact forces in between: what the thesis could not join (3.3.1).
 ///
-/// A step is a series of flights. Before each, collisions of this instant are resolved, and forces
-/// are found that hold what rests. Then all bodies fly, with constant forces, until the next
-/// collision, until something stops sliding, or to the end of the step.
+/// A step is a series of flights. Before each flight the collisions of the instant are resolved, and the contact forces
+/// are computed. Then all bodies move with constant forces until the next collision, until something stops sliding, or
+/// until the end of the step.
 ///
-/// **Collisions** (ImpactSolver): a point that touches and approaches faster than the resting
-/// speed. All contacts of its island take part, so that a stack passes a blow on. Restitution is 0
-/// for those that are slow (sticky_restitution()), and what sticks is a resting contact from
-/// then on.
+/// **Collisions** (ImpactSolver): points that touch and approach faster than the resting speed. All contacts of their
+/// island take part, so that a stack passes a blow on. Slow ones have restitution 0 (sticky_restitution()) and become
+/// resting contacts.
 ///
-/// **Forces** (ContactForces) are found twice: for the start of the flight, and where these
-/// forces lead to in half of the time. The second ones are used for all of the flight: the midpoint
-/// rule, of order 2. Where nothing moves to speak of the first ones do, and where friction would add energy
-/// by the second ones (counted in `fallbacks`).
+/// **Forces** (ContactForces) are computed twice: at the start of the flight, and at the state to which these forces lead
+/// in half of its time. The second ones act during the flight (midpoint rule, order 2). Where hardly anything moves, the
+/// first ones do, and where friction would add energy by the second ones (counted in `fallbacks`).
 ///
-/// **Sliding** ends within a flight: the flight is cut there, so that friction does not turn a body
-/// round.
+/// **Sliding** that ends within a flight ends the flight, so that friction does not reverse a body's motion.
 ///
-/// **Bodies that turn together** about a point outside of them fly along their arcs with
-/// PoseUpdate::exponential (PivotUpdate): the forces of the start show which body supports which, the
-/// arcs follow the accelerations of the forces that are used. Impacts are searched on them.
+/// **Bodies that turn together** about a point outside of them move along arcs with PoseUpdate::exponential (PivotUpdate).
+/// The forces at the start show which body supports which; impacts are searched along the arcs.
 ///
-/// **Drift** is held in three places. A speed and a gap that should not be there are led to 0 by the
-/// forces themselves, as far as they only have to push; overlap above the slop is ended by moving
-/// bodies (DriftCorrection).
+/// **Drift.** The forces themselves remove small speeds and gaps of contacts, as far as they only have to push; overlap
+/// beyond the slop is removed by moving bodies (DriftCorrection).
 ///
-/// **Stable boxes** (5.4) can be left out of the forces, without friction or with damping in its place:
-/// see HeldBodies. Collisions still reach them.
+/// **Stable boxes** (5.4) can be left out of the forces, without friction or with damping: see HeldBodies. Collisions still
+/// act on them.
 ///
-/// **Where forces and events do not do.** `fallbacks` counts these cases, too.
-/// - Painlevé: where friction has no solution, the island takes one step at the level of velocities
-///   (VelocityStep).
-/// - Simultaneous impacts whose friction does not settle are solved as one such step of no length.
-/// - The rest of a step in which friction acts in an island that is too large for exact impacts (more than 150
-///   points) or forces (FrictionLemkeSolver::kMostUnknowns) is one step of TimeStepping.
-/// - The rest of a step after `event_cap` flights, four of these cases, or 300 million multiplications of forces, is one step of TimeStepping. Without Coulomb's friction it is
-///   flown without looking for collisions, and the step ends as StepStatus::event_cap.
+/// **Substitutes**, counted in `fallbacks`:
+/// - Painlevé: where friction has no solution, the island takes one step at the level of velocities (VelocityStep).
+/// - Simultaneous impacts whose friction does not settle are solved as one such step of length 0.
+/// - One step of TimeStepping replaces the rest of a step if an island with friction is too large for exact impacts (more
+///   than 150 points) or forces (FrictionLemkeSolver::kMostUnknowns), and after `event_cap` flights, four substitutes, or
+///   300 million multiplications. Without Coulomb's friction the rest is flown without collisions in place of the last,
+///   and the step ends as StepStatus::event_cap.
 ///
-/// **What it cannot do.** Corners of a body that arrives fast hit one after the other, and each throws the next one down: a toy
-/// brick that falls 100 m on a plate is sent aside at 2.8 m/s, whatever the step, and slides off. In a step of velocities all
-/// corners arrive at once, and it lies.
+/// **Limit.** Corners of a fast body hit one after the other, and each throws the next one down: a toy brick that falls
+/// 100 m on a plate leaves sideways at 2.8 m/s, whatever the step. In a step of velocities all corners arrive at once, and
+/// it stays.
 ///
-/// Where no solver has an answer the step ends as
-/// StepStatus::unsolved, the bodies stay as they are at that moment, and unsolved_problem() can be
-/// kept.
+/// If no solver has an answer, the step ends as StepStatus::unsolved, the bodies stay in the state of that moment, and
+/// unsolved_problem() can be stored.
 /// \par Cost
-/// Per flight: two problems for each island, twice as many where something slides, and a test of all
-/// near pairs; more if there is a collision. For each moment the contacts are found again. Problems
-/// with friction are dense, O(N³) for N unknowns, ten for each point that may stick; larger ones go over to
-/// velocities, so that a step of a collapsing pile of forty boxes takes a tenth of a second.
+/// Per flight two problems for each island, twice as many where something slides, and a test of all near pairs; more for
+/// a collision. Problems with friction are dense, O(N³) for N unknowns, ten for each point that may stick; larger ones
+/// become steps of velocities, so that a step of a collapsing pile of forty boxes takes a tenth of a second.
 /// \algorithm{Collisions in the order of time with analytic contact forces: section 3.3.1}
 /// \deviation{The thesis did not get its two parts to work together; this is our way to do it.}
 /// \verified{A box bounces, sticks, rests, slides and topples in one run of the joined simulator}
@@ -203,7 +195,7 @@ class Analytic : public Technique {
   void finish(World& world, const Progress& progress, StepReport& report);
 
   AnalyticOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   ContactForces forces_;
   ImpactSearch search_;
   ImpactSolver impacts_;

@@ -18,20 +18,14 @@
 
 namespace tumble {
 
-TimeStepping::TimeStepping(const TimeSteppingOptions& options)
-    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+TimeStepping::TimeStepping(const TimeSteppingOptions& options) : options_(options) {
   const int directions = options.velocities.directions;
   require::that(directions == 4 || directions == 8,
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-// The broad phase and the records of the last step are all there is of memory; everything else is
-// storage.
 TimeStepping::TimeStepping(const TimeStepping& other)
-    : Technique(other),
-      options_(other.options_),
-      broad_phase_(other.broad_phase_->clone()),
-      records_(other.records_) {}
+    : Technique(other), options_(other.options_), records_(other.records_) {}
 
 std::unique_ptr<Technique> TimeStepping::clone() const {
   return std::make_unique<TimeStepping>(*this);
@@ -149,7 +143,7 @@ void TimeStepping::gather(const World& world, double dt, StepReport& report) {
 // Pairs of bodies up to a margin apart.
 void TimeStepping::find_pairs(const World& world, double margin) {
   repair_bounds(world, margin, bounds_);
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
 }
 
 // What touches or pushes, at the poses of the step's start. Points that are merely near say nothing.

@@ -11,6 +11,7 @@
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
 #include <vector>
@@ -19,8 +20,8 @@ namespace tumble {
 
 /// Options of the time-stepping technique.
 struct TimeSteppingOptions {
-  VelocityStepOptions velocities;                   ///< how velocities are found
-  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
+  VelocityStepOptions velocities;                   ///< of the step of velocities
+  RotationRule rotation = RotationRule::splitting;  ///< how orientations are integrated
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
@@ -44,41 +45,36 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
   v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
 }
 
-/// No event is searched for: each step finds the velocities at its end, then moves all bodies with
+/// Time stepping without a search for events: each step solves for the velocities at its end, and moves all bodies with
 /// them.
 ///
-/// VelocityStep takes resting contacts and impacts of a step together, one complementarity problem
-/// for each group of bodies. Poses of bodies near others follow by the semi-implicit rule
-/// \f$x^+ = x + h\,v^+\f$; the others fly their parabola. Orientations follow by the new angular momentum. The
-/// remaining overlap, of order (hω)² of a body's size because points move on arcs and the problem
-/// assumes straight lines, is removed by moving bodies.
+/// VelocityStep solves contacts and impacts of a step together, one complementarity problem for each island. Bodies near
+/// others move by the semi-implicit rule \f$x^+ = x + h\,v^+\f$, the others along their parabola; orientations follow
+/// from the new angular momentum. The remaining overlap is removed by moving bodies: it is of order (hω)² of a body's size,
+/// since points move on arcs and the problem assumes straight lines.
 ///
-/// **Bodies that turn together** about a point outside of them come apart by this, and are kept together
-/// by PoseUpdate::exponential: velocities agree at the poses of the start, and poses follow from them
-/// (PivotUpdate).
+/// **Bodies that turn together** about a point outside of them separate by this, unless they move by
+/// PoseUpdate::exponential: velocities are consistent at the poses of the start, and poses follow from them (PivotUpdate).
 ///
-/// **The form.** Stewart and Trinkle's is the default: a body may close its gap and no more, so nothing
-/// is passed at any step. With Anitescu and Potra's a fast body sinks in by \f$h\,v\f$ before it is
-/// noticed, and may pass a thin one. Their proof that there is always a solution holds for both, since
-/// only positive gaps are used.
+/// **Form.** With Stewart and Trinkle's, the default, a body may close its gap and no more, so nothing is passed at any
+/// step. With Anitescu and Potra's a fast body overlaps by \f$h\,v\f$ before it is found, and may pass a thin one. Their
+/// proof that there is always a solution holds for both, since only positive gaps are used.
 ///
-/// **The pyramid.** 8 directions are the default: half way between them friction is weaker by up to 8 %.
-/// With 4, along the axes of the world for level or upright faces, it is exact along them, weaker by up
-/// to 29 % between them, and takes about a third of the work.
+/// **Pyramid.** With 8 directions, the default, friction is weaker by up to 8 % between them. With 4 it is exact along
+/// them (the axes of the world, for level or upright faces), weaker by up to 29 % between them, and needs a third of the
+/// work.
 ///
 /// **Restitution** is Newton's at all points at once, see VelocityStep: bodies turn back up to a step before they touch.
-/// In a row of bodies that touch, those that do not approach part only as far as they are pushed apart.
+/// In a row of touching bodies, those that do not approach separate only as far as they are pushed apart.
 ///
-/// **Energy.** No step raises it, but for the repair of overlap. A body that nothing is near keeps it; others move
-/// with the velocity of the step's end, so that gravity does \f$\tfrac h2 m\,g\cdot(v^+ - v^-)\f$ more than at
-/// the mean velocity. This is booked with the impulses along the normals. A bounce leaves e² of the energy, what lifts
-/// the body in the rest of the step included: a cube that comes with v leaves with the speed
-/// \f$\sqrt{e^2v^2 + g^2h^2} - g\,h\f$.
+/// **Energy.** No step raises it, except by the repair of overlap. Bodies near others move with the velocity at the end of
+/// the step, so that gravity does \f$\tfrac h2 m\,g\cdot(v^+ - v^-)\f$ more work than at the mean velocity; this is
+/// booked with the normal impulses. A bounce leaves e² of the energy at the end of its step: a cube that arrives with v
+/// leaves with \f$\sqrt{e^2v^2 + g^2h^2} - g\,h\f$.
 ///
-/// **How far it looks.** Points count up to the distance that the two fastest bodies can close in a step.
-/// Bodies without a contact area as long as they are apart (corner to corner) touch where they would
-/// overlap at the end (PassingContacts). A body that is sent off faster than all by an impact in this very
-/// step may overlap for a step and be repaired.
+/// **Range.** Points count up to the distance that the two fastest bodies can close in a step. Bodies without a contact
+/// area while they are apart (corner to corner) touch where they would overlap at the end (PassingContacts). A body that
+/// an impact makes the fastest in this step may overlap for a step and be repaired.
 /// \par Cost
 /// O(N³) for a group with N unknowns, (2 + d) for each point that rubs; a group in which nothing rubs
 /// is solved without friction. Groups above FrictionLemkeSolver::kMostUnknowns are swept: some hundred sweeps of O(N).
@@ -91,11 +87,9 @@ class TimeStepping : public Technique {
   /// \param options see there
   /// \throws std::invalid_argument for a number of directions other than 4 or 8
   explicit TimeStepping(const TimeSteppingOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   /// \param other the original
   TimeStepping(const TimeStepping& other);
-  TimeStepping& operator=(const TimeStepping&) = delete;
-  ~TimeStepping() override = default;
 
   [[nodiscard]] std::string_view name() const override { return "time_stepping"; }
   StepReport step(World& world, double dt) override;
@@ -120,7 +114,7 @@ class TimeStepping : public Technique {
   void move(World& world, double dt, StepReport& report);
 
   TimeSteppingOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   VelocityStep velocity_step_;
   VelocityStepResult velocities_;
   PassingContacts passing_;

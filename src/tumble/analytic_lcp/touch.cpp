@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ void gather_near(const World& world, std::span<const MovingBody> bodies, Contact
         bounds_of(body, world.states()[b], tolerance::contact_margin * body.size.norm()));
   }
   std::vector<IndexPair> pairs;
-  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  BoundingTree().find_pairs(bounds, pairs);
   gather_near(world, bodies, pairs, {}, out);
 }
 

@@ -19,37 +19,37 @@
 
 namespace tumble {
 
-/// What keeps points apart during a step.
+/// Condition on the normal velocity of a point.
 enum class SteppingForm : std::uint8_t {
-  /// A point may close its gap g within the step, and no more: n·u >= -g/h. It may be taken up before
-  /// it touches, so that nothing is passed.
+  /// A point may close its gap g within the step, and no more: n·u >= -g/h. Points count before they touch, so
+  /// that no body is passed.
   stewart_trinkle,
-  /// A point that touches may not approach: n·u >= 0. Points apart are not looked at, and a body
-  /// that arrives during the step overlaps in its end.
+  /// A point that touches may not approach: n·u >= 0. Other points do not count, and a body
+  /// that arrives during the step overlaps at its end.
   anitescu_potra
 };
 
-/// How a step is made.
+/// Options of a step.
 struct VelocityStepOptions {
   int directions = 8;                                 ///< of the pyramid of friction: 4 or 8
-  SteppingForm form = SteppingForm::stewart_trinkle;  ///< what keeps points apart
-  StickyOptions sticky;                               ///< which impacts do not bounce
+  SteppingForm form = SteppingForm::stewart_trinkle;  ///< condition on normal velocities
+  StickyOptions sticky;                               ///< rule for impacts that do not bounce
 };
 
-/// What a step did.
+/// Result of a step.
 struct VelocityStepResult {
   bool solved = true;  ///< if not, nothing was changed; see VelocityStep::problem()
-  int points = 0;      ///< taken up in a problem
+  int points = 0;      ///< points in the problems
   int impulses = 0;    ///< points that push
   int pivots = 0;      ///< of all solvers
-  /// groups of bodies whose restitution was left out or reduced, or that took sweeps
+  /// islands whose restitution was left out or reduced, or that were solved by sweeps
   int fallbacks = 0;
   double residual = 0.0;  ///< [-] largest error of an answer over the speeds of its island
   double restitution_energy = 0.0;  ///< [J] work of the normal impulses, p·(u⁻ + u⁺)/2
   double friction_energy = 0.0;     ///< [J] the same of the tangential impulses
 };
 
-/// Takes forces and impacts of a step together, as impulses (thesis 2.6.3).
+/// Solves for the impulses of a step, those of contacts and of impacts together (thesis 2.6.3).
 ///
 /// With h the step, v⁻ the velocities at its start and a the accelerations without contact, look for
 /// impulses p at the points such that
@@ -59,17 +59,16 @@ struct VelocityStepResult {
 /// collision is a point with a large impulse; otherwise it is treated as a resting contact. What overlaps
 /// (g < 0) is not pushed apart: that would give it speed. Move it, see OverlapRepair.
 ///
-/// **There is always a solution** with e = 0, Painlevé's rod included: the impulse that no finite
-/// force could be is finite. Friction makes A copositive, v⁺ = 0 satisfies all conditions on normals,
-/// and this is what Lemke's method needs to arrive, in exact numbers. In ours about one in ten thousand
-/// groups of cubes that have turned by a millionth is left without an answer.
+/// **There is always a solution** with e = 0, for Painlevé's rod too, since an impulse is finite where a force is not.
+/// With friction A is copositive, and v⁺ = 0 satisfies all conditions on normals: so Lemke's method ends with a solution,
+/// in exact arithmetic. With rounding about one in ten thousand islands of cubes that have turned by a millionth has none.
 ///
-/// **Sweeps** (FrictionSweeps, counted in `fallbacks`) take over for those, and for groups with more than
-/// FrictionLemkeSolver::kMostUnknowns; and where nothing rubs, for those above FrictionLemkeSolver::kMostToTryAll that take more
-/// than four pivots for each point. They may end before they have settled, as `residual` says; then their pushes
-/// with e = 0 are cut down to what adds no energy.
+/// **Sweeps** (FrictionSweeps, counted in `fallbacks`) solve these islands, those with more than
+/// FrictionLemkeSolver::kMostUnknowns, and, without friction, those above FrictionLemkeSolver::kMostToTryAll that need more
+/// than four pivots for each point. If they end before they converge (`residual`), their impulses with e = 0 are scaled
+/// down until they add no energy.
 ///
-/// **Energy.** With e = 0 the impulses only take: their work after the accelerations have acted is
+/// **Energy.** With e = 0 impulses only remove energy: their work after the accelerations have acted is
 /// \f$p\cdot u^+ - \tfrac12 p\,A\,p\f$, and no term of \f$p\cdot u^+\f$ is above 0. If a = 0 the
 /// kinetic energy does not rise.
 ///

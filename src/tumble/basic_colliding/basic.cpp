@@ -14,15 +14,13 @@
 
 namespace tumble {
 
-Basic::Basic(const BasicOptions& options)
-    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+Basic::Basic(const BasicOptions& options) : options_(options) {
   require::positive(options.resolution, "resolution");
   require::that(options.event_cap >= 1,
                 "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
 }
 
-Basic::Basic(const Basic& other)
-    : Technique(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
+Basic::Basic(const Basic& other) : Technique(other), options_(other.options_) {}
 
 std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
 
@@ -95,7 +93,7 @@ Flight Basic::flight_of(const World& world) const {
 // The first impact in the time that is left, if all bodies fly on.
 const FirstEvent& Basic::find_first(const World& world, double remaining, StepReport& report) {
   const auto half_diagonal = [&](std::size_t k) { return 0.5 * world.bodies()[k].size.norm(); };
-  find_flight_pairs(world, remaining, half_diagonal, *broad_phase_, bounds_, candidates_);
+  find_flight_pairs(world, remaining, half_diagonal, broad_phase_, bounds_, candidates_);
   const auto released = [&](const IndexPair& pair) {
     return std::find(released_.begin(), released_.end(), pair) != released_.end();
   };
@@ -170,7 +168,7 @@ void Basic::release_rounding(const World& world, double speed_change, double rem
 // bodies (thesis 4.4).
 void Basic::repair_overlap(World& world, StepReport& report) {
   repair_bounds(world, 0.0, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
+  broad_phase_.find_pairs(bounds_, candidates_);
   book(repair_.run(world, candidates_), report);
   report.contacts = static_cast<std::int64_t>(records_.size());
 }

@@ -11,6 +11,7 @@
 #include "tumble/contact/repair.hpp"
 #include "tumble/dynamics/event_search.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
 #include <vector>
@@ -59,11 +60,9 @@ class Basic : public Technique {
   /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0 or a cap below 1
   explicit Basic(const BasicOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   /// \param other the original
   Basic(const Basic& other);
-  Basic& operator=(const Basic&) = delete;
-  ~Basic() override = default;
 
   [[nodiscard]] std::string_view name() const override { return "basic"; }
   StepReport step(World& world, double dt) override;
@@ -80,7 +79,7 @@ class Basic : public Technique {
   void repair_overlap(World& world, StepReport& report);
 
   BasicOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   EventSearch search_;
   ImpactSolver impacts_;
   OverlapRepair repair_;

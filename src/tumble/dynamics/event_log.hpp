@@ -1,5 +1,5 @@
 /// \file
-/// \brief Collisions as they happened.
+/// \brief Records of collisions and contact points.
 #pragma once
 
 #include "tumble/base/types.hpp"
@@ -22,11 +22,11 @@ struct Event {
   int restarts = 0;               ///< searches begun again for a third body
 };
 
-/// What a contact point does.
+/// State of a contact point.
 enum class ContactState : std::uint8_t {
-  stick,  ///< pushed; friction holds
-  slip,   ///< pushed; friction is at its limit
-  open    ///< not pushed
+  stick,  ///< it pushes, with friction below its limit
+  slip,   ///< it pushes, with friction at its limit
+  open    ///< it does not push
 };
 
 /// The name of a contact's state in files.
@@ -37,7 +37,7 @@ constexpr std::string_view name_of(ContactState state) {
   return state == ContactState::slip ? "slip" : "stick";
 }
 
-/// One contact point of a step, as users read it and files keep it.
+/// One contact point of a step.
 struct ContactRecord {
   double time = 0.0;                        ///< [s] of the pose that it belongs to
   BodyId first{};                           ///< the body with the smaller id
@@ -46,7 +46,7 @@ struct ContactRecord {
   Vec3 normal_w = Vec3::UnitY();            ///< [-] from the first body to the second, world frame
   Vec3 push_w = Vec3::Zero();               ///< on the second body, world frame; see is_impulse
   bool is_impulse = true;                   ///< push_w is an impulse [N s]; else a force [N]
-  ContactState state = ContactState::open;  ///< whether it sticks
+  ContactState state = ContactState::open;  ///< whether it pushes, and slips
 };
 
 /// All collisions of a run, in the order in which they were resolved.

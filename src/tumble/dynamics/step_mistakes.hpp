@@ -1,5 +1,5 @@
 /// \file
-/// \brief Exceptions of a step: a caller's mistake, and a check inside that failed.
+/// \brief Exceptions of a step: refused as the caller's mistake, or broken off by a check inside.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +7,14 @@
 
 namespace tumble {
 
-/// A technique does not simulate this world, or not in a step of this length: the caller's mistake, with what would be right.
+/// A technique does not simulate this world, or not in a step of this length: the caller's mistake. The message has the
+/// value and the expected one.
 class StepRefused : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A part of a step refused what another part handed to it, for example a state that had become infinite: no mistake
-/// of the caller's. The bodies may have moved.
+/// A check inside a step failed, for example since a state had become infinite. It is not the caller's mistake, and
+/// bodies may have moved.
 class StepFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,9 +24,9 @@ class StepFault : public std::runtime_error {
 /// \throws StepRefused with the message
 [[noreturn]] void refuse_step(std::string_view message);
 
-/// Refuses a step that is no step, or too long for the resolution of times in it.
-/// \param dt          [s] the longest flight, above 0
-/// \param resolution  [s] above the rounding of times up to dt
+/// Refuses a step that is too long for the resolution of event times.
+/// \param dt          [s] length of the step
+/// \param resolution  [s] of event times; has to be above the rounding of times up to dt
 /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused naming the resolution
 void require_resolved(double dt, double resolution);
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Adding up what several steps did.
+/// \brief Sums over the reports of several steps.
 #include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace tumble {
 
 void add_report(const StepReport& step, StepReport& total) {
-  for (const auto count : kReportCounts) total.*count += step.*count;
+  for (const ReportCount& count : kReportCounts) total.*count.member += step.*count.member;
   total.deepest_overlap = std::max(total.deepest_overlap, step.deepest_overlap);
   total.status = std::max(total.status, step.status);
   total.energy.restitution += step.energy.restitution;

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Adding up what several steps did.
+/// \brief Sums over the reports of several steps.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
@@ -8,17 +8,30 @@
 
 namespace tumble {
 
+/// A count of a report and its name in files.
+struct ReportCount {
+  std::string_view name;             ///< as in summary.json
+  std::int64_t StepReport::*member;  ///< where the report has it
+};
+
 /// Every count of a report.
-inline constexpr std::array<std::int64_t StepReport::*, 11> kReportCounts = {
-    &StepReport::events,       &StepReport::contacts, &StepReport::iterations,
-    &StepReport::pivots,       &StepReport::impulses, &StepReport::pair_tests,
-    &StepReport::integrations, &StepReport::searches, &StepReport::rewinds,
-    &StepReport::restarts,     &StepReport::fallbacks};
+inline constexpr std::array<ReportCount, 11> kReportCounts = {
+    {{"collisions", &StepReport::events},
+     {"contacts", &StepReport::contacts},
+     {"iterations", &StepReport::iterations},
+     {"pivots", &StepReport::pivots},
+     {"impulses", &StepReport::impulses},
+     {"pair_tests", &StepReport::pair_tests},
+     {"integrations", &StepReport::integrations},
+     {"searches", &StepReport::searches},
+     {"rewinds", &StepReport::rewinds},
+     {"restarts", &StepReport::restarts},
+     {"fallbacks", &StepReport::fallbacks}}};
 
 /// Adds a step to those before it: counts and energies are summed, `contacts` too; the deepest overlap
 /// and the worst status are kept.
-/// \param step   what one step did
-/// \param total  what all of them did; in and out
+/// \param step   report of one step
+/// \param total  sum of all; in and out
 void add_report(const StepReport& step, StepReport& total);
 
 }  // namespace tumble

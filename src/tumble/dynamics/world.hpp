@@ -174,7 +174,7 @@ class World {
   /// How many steps have been done.
   /// \return from 0
   [[nodiscard]] std::int64_t steps() const { return steps_; }
-  /// Counts a finished step; for techniques.
+  /// Advances the time and counts a step; for techniques, at the end of each step or part of a step.
   /// \param dt [s] its length
   void finish_step(double dt) {
     time_ += dt;
@@ -255,7 +255,7 @@ class BodyView {
 /// \param pairs  by index, in and out, in the same order
 void leave_out_joined(const World& world, std::vector<IndexPair>& pairs);
 
-/// Whether all states are numbers: a step that fails leaves others behind.
+/// Whether all states are finite; after a step that failed they may not be.
 /// \param world the bodies
 /// \return false if a position, an orientation or a momentum is infinite or NaN
 [[nodiscard]] bool all_finite(const World& world);

@@ -12,13 +12,12 @@
 
 namespace tumble {
 
-/// A technique that changes when another one steps, or which bodies count as slow in it: all else it leaves to that one.
+/// Base of techniques that change the steps of another one and forward everything else to it, for example AdaptiveStep.
 class WrappedTechnique : public Technique {
  public:
   ~WrappedTechnique() override = default;
 
-  /// What users call it is the technique that is wrapped.
-  /// \return for example "basic"
+  /// \return the name of the wrapped technique
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return inner_->contacts();
@@ -32,9 +31,9 @@ class WrappedTechnique : public Technique {
   }
 
  protected:
-  /// Takes over a technique.
-  /// \param inner what steps
-  /// \throws std::invalid_argument for no technique
+  /// Wraps a technique.
+  /// \param inner  not null
+  /// \throws std::invalid_argument if it is null
   explicit WrappedTechnique(std::unique_ptr<Technique> inner);
   /// For clone(): the technique inside is cloned.
   /// \param other the original
@@ -42,9 +41,9 @@ class WrappedTechnique : public Technique {
       : Technique(other), inner_(other.inner_->clone()) {}
   WrappedTechnique& operator=(const WrappedTechnique&) = delete;
 
-  /// The technique that steps, with the wrapper's observer and slow bodies.
-  /// \return the technique
-  [[nodiscard]] Technique& inner() {
+  /// The wrapped technique, once it has been given the wrapper's observer and slow bodies.
+  /// \return ready to step
+  [[nodiscard]] Technique& prepared_inner() {
     inner_->observe(observer());
     inner_->count_as_slow(slow_bodies());
     return *inner_;

@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,7 @@ std::vector<Joint> find_joints(const World& world, double margin) {
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
     bounds.push_back(bounds_of(world.bodies()[k], world.states()[k], 0.5 * margin * size));
   std::vector<IndexPair> pairs;
-  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  BoundingTree().find_pairs(bounds, pairs);
   leave_out_joined(world, pairs);
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);

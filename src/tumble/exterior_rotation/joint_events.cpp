@@ -12,13 +12,13 @@
 namespace tumble {
 namespace {
 
-// Size and mass of a joint's lighter movable body, as units of its forces.
-struct Unit {
+// The lighter movable body of a joint, by which its forces are measured.
+struct LighterBody {
   double size = 1.0;
   double mass = 1.0;
 };
 
-Unit unit_of(const Joint& joint, const World& world) {
+LighterBody lighter_body(const Joint& joint, const World& world) {
   const BodyProperties& first = world.bodies()[idx(joint.first)];
   const BodyProperties& second = world.bodies()[idx(joint.second)];
   const BodyProperties& body = first.mass < second.mass ? first : second;
@@ -42,8 +42,8 @@ double joint_margin(std::span<const Joint> joints, const World& world,
     const Joint& joint = joints[j];
     if (joint.hold == JointHold::nothing || joint.of_scene) continue;
     const int place = static_cast<int>(j);
-    const Unit unit = unit_of(joint, world);
-    const double weight = unit.mass * std::max(world.gravity_w.norm(), 1.0);
+    const LighterBody lighter = lighter_body(joint, world);
+    const double weight = lighter.mass * std::max(world.gravity_w.norm(), 1.0);
     const Vec3 normal_w = states[idx(joint.first)].orientation_wb * joint.normal_first_b;
     const Wrench& push = forces.on_second(place);
     const JointPoint held = held_point(joint, states);
@@ -56,7 +56,7 @@ double joint_margin(std::span<const Joint> joints, const World& world,
         if (normal_w.cross(along_w).dot(held.second_w - from_w) < 0.0) along_w = -along_w;
         const double moment =
             ((held.second_w - from_w).cross(push.force_w) + push.torque_w).dot(along_w);
-        look(moment / (weight * unit.size), {place, JointHold::edge, k});
+        look(moment / (weight * lighter.size), {place, JointHold::edge, k});
       }
       continue;
     }
@@ -70,7 +70,8 @@ double joint_margin(std::span<const Joint> joints, const World& world,
     const double speed = normal_w.dot(
         relative_velocity(moving[idx(joint.first)], moving[idx(joint.second)], middle_w));
     if (speed < 0.0)
-      look(opened(joint, states) / unit.size + tolerance::closed_area, {place, JointHold::area, 0});
+      look(opened(joint, states) / lighter.size + tolerance::closed_area,
+           {place, JointHold::area, 0});
     // [S6.2:events]
   }
   return least;

@@ -61,17 +61,13 @@ void require_valid(const AdaptiveStepOptions& options) {
 }  // namespace
 
 AdaptiveStep::AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options)
-    : WrappedTechnique(std::move(inner)),
-      options_(options),
-      broad_phase_(make_broad_phase("bounding_tree")),
-      level_(options.fewest) {
+    : WrappedTechnique(std::move(inner)), options_(options), level_(options.fewest) {
   require_valid(options);
 }
 
 AdaptiveStep::AdaptiveStep(const AdaptiveStep& other)
     : WrappedTechnique(other),
       options_(other.options_),
-      broad_phase_(other.broad_phase_->clone()),
       level_(other.level_),
       quiet_(other.quiet_),
       displacements_(other.displacements_),
@@ -84,7 +80,7 @@ std::unique_ptr<Technique> AdaptiveStep::clone() const {
 
 StepReport AdaptiveStep::step(World& world, double dt) {
   require::positive(dt, "dt");
-  Technique& technique = inner();
+  Technique& technique = prepared_inner();
   const double end = world.time() + dt;
   const std::int64_t whole = std::int64_t{1} << options_.halvings;
   substeps_.clear();
@@ -164,7 +160,7 @@ void AdaptiveStep::find_near(const World& world, double h) {
     bounds_[i].low += displacement_w.cwiseMin(0.0);
     bounds_[i].high += displacement_w.cwiseMax(0.0);
   }
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
 }
 
 void AdaptiveStep::store_corners(const World& world) {

@@ -5,7 +5,7 @@
 #include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/corner_motion.hpp"
 #include "tumble/filtering/tolerances.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
 #include <string_view>
@@ -66,7 +66,7 @@ class AdaptiveStep : public WrappedTechnique {
   /// \param options  limits
   /// \throws std::invalid_argument for no technique, or an option out of range
   explicit AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   /// \param other the original
   AdaptiveStep(const AdaptiveStep& other);
 
@@ -93,7 +93,7 @@ class AdaptiveStep : public WrappedTechnique {
   void store_displacements(const World& world);
 
   AdaptiveStepOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
 
   // Memory from step to step.
   int level_ = 0;           // halvings requested by feedback

@@ -72,7 +72,7 @@ StepReport FreezeOnChatter::step(World& world, double dt) {
   const StepReport report = [&] {
     slow_.clear();
     for (const BodyId id : world.ids()) slow_.push_back(calm_.calm(id) ? 1 : 0);
-    Technique& technique = inner();
+    Technique& technique = prepared_inner();
     const CountedAsSlow counted(technique, slow_);
     return technique.step(world, dt);
   }();

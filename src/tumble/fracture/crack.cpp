@@ -22,7 +22,7 @@ void weigh(ElasticMesh& mesh, int node) {
 }
 
 // The plane through a node, and on which side of it the nodes around are.
-struct Side {
+struct SideOfPlane {
   int node = 0;
   double distance = 0.0;  // [m] above the plane
   int sign = 0;           // 0: the plane goes through it
@@ -36,7 +36,7 @@ class Splitter {
 
  private:
   using Edge = std::pair<int, int>;
-  Side& side(int node);
+  SideOfPlane& side(int node);
   void add_side(int node);
   [[nodiscard]] int sign_of(const Tetrahedron& element);
   std::vector<Edge> crossing();
@@ -49,16 +49,17 @@ class Splitter {
   Vec3 normal_w_;
   double least_;
   CrackWork& work_;
-  std::vector<Side> sides_;
+  std::vector<SideOfPlane> sides_;
 };
 
-Side& Splitter::side(int node) {
+SideOfPlane& Splitter::side(int node) {
   return *std::find_if(sides_.begin(), sides_.end(),
-                       [&](const Side& one) { return one.node == node; });
+                       [&](const SideOfPlane& one) { return one.node == node; });
 }
 
 void Splitter::add_side(int node) {
-  if (std::any_of(sides_.begin(), sides_.end(), [&](const Side& one) { return one.node == node; }))
+  if (std::any_of(sides_.begin(), sides_.end(),
+                  [&](const SideOfPlane& one) { return one.node == node; }))
     return;
   const Vec3 way = mesh_.nodes[idx(node)].position_w - mesh_.nodes[idx(node_)].position_w;
   const double distance = normal_w_.dot(way);
@@ -199,8 +200,8 @@ bool Splitter::split() {
     for (const int node : mesh_.elements[idx(k)].nodes) add_side(node);
   // [S2.4.1:split]
   for (std::vector<Edge> edges = crossing(); !edges.empty(); edges = crossing()) {
-    Side& first = side(edges.front().first);
-    Side& second = side(edges.front().second);
+    SideOfPlane& first = side(edges.front().first);
+    SideOfPlane& second = side(edges.front().second);
     const double from = std::abs(first.distance), to = std::abs(second.distance);
     const double share = from / (from + to);
     if (divides(edges.front(), share)) {

@@ -31,8 +31,8 @@ Damped::Damped(const Damped& other)
       stable_left_(other.stable_left_),
       stable_under_w_(other.stable_under_w_),
       sleeping_(other.sleeping_),
-      gatherer_(other.gatherer_),
-      areas_(other.areas_) {}
+      gatherer_(options_.normals, options_.points),
+      areas_(NormalRule::separation, PointRule::area) {}
 
 std::unique_ptr<Technique> Damped::clone() const { return std::make_unique<Damped>(*this); }
 

@@ -16,26 +16,26 @@
 
 namespace tumble {
 
-/// The answer to the remaining overlap.
+/// Remedy for overlap that the impulses leave.
 enum class ShockRule : std::uint8_t {
-  position,  ///< bodies are pushed up: the thesis's (4.4)
-  velocity   ///< velocities are stopped from the ground up: Guendelman's; no body is moved
+  position,  ///< bodies are pushed out of overlap: the thesis's (4.4)
+  velocity   ///< shock propagation, from the ground up: Guendelman's; no body is moved
 };
 
 /// Options of damped integration.
 struct DampedOptions {
   int collision_passes = 5;                         ///< NUM_COLLISION_ITERATIONS
   int contact_passes = 10;                          ///< NUM_CONTACT_ITERATIONS
-  NormalRule normals = NormalRule::last_face;       ///< which normal a pair has
-  PointRule points = PointRule::one;                ///< where it is pushed
-  ShockRule shock = ShockRule::position;            ///< see there
-  StableRule stable_boxes = StableRule::corners;    ///< which bodies are geometrically stable
-  DampingParts damping;                             ///< which parts of the damping are used
-  DampedNumbers numbers;                            ///< ε and k
-  NoiseOptions noise;                               ///< the share of chance
-  bool sleeping = false;                            ///< whether bodies at rest are left alone (4.5)
-  RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
-  std::uint64_t seed = 1;                           ///< of chance
+  NormalRule normals = NormalRule::last_face;       ///< contact normal of a pair
+  PointRule points = PointRule::one;                ///< contact points of a pair
+  ShockRule shock = ShockRule::position;            ///< remedy for remaining overlap
+  StableRule stable_boxes = StableRule::corners;    ///< rule of geometric stability
+  DampingParts damping;                             ///< parts of the damping in use
+  DampedNumbers numbers;                            ///< thresholds ε and factors k
+  NoiseOptions noise;                               ///< randomness in collisions
+  bool sleeping = false;                            ///< islands at rest are not simulated (4.5)
+  RotationRule rotation = RotationRule::splitting;  ///< how orientations are integrated
+  std::uint64_t seed = 1;                           ///< of randomness
 };
 
 /// Names the options to a visitor, see options.hpp.
@@ -78,27 +78,27 @@ void describe(DampedOptions& o, Visitor& v) {
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
 }
 
-/// Damped integration: impulses, then damping, then pushes.
+/// Damped integration: impulses, then damping, then pushes out of overlap.
 ///
-/// Built on the impulses of Guendelman, Bridson and Fedkiw. A step lets bodies that are about to
-/// overlap collide, stops those that gravity presses together, adds gravity, slows down bodies in
-/// contact and moves all bodies, pushes apart what still overlaps, and marks the bodies that stand
-/// firm: for the next step these count as immovable downwards.
+/// Built on the impulses of Guendelman, Bridson and Fedkiw. A step
+/// 1. lets bodies that would overlap at its end collide (resolve_collisions()), and stops those that gravity presses
+///    together (resolve_contacts());
+/// 2. adds gravity, damps bodies in contact and moves all bodies (ObjectDamping);
+/// 3. pushes bodies out of overlap (FixContactConstraints);
+/// 4. finds the geometrically stable bodies, which do not move downwards in the next step (GeometricStability).
 ///
-/// There is no friction but the damping.
+/// Damping takes the place of friction.
 ///
-/// **Energy** may rise, as the thesis has it: impulses are made one pair after the other at velocities that include
-/// gravity of the step, and pushes lift bodies. Pushes, damping and impulses are booked; the rest is the error of the
-/// semi-implicit rule for what flies, and that of turning.
+/// **Energy** may rise, as in the thesis: impulses are applied one pair after the other, at velocities that include the
+/// gravity of the step, and pushes lift bodies. Pushes, damping and impulses are booked; the error is that of the
+/// semi-implicit rule for bodies in flight, and that of rotation.
 ///
 /// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 ///
-/// The listing's seven parts are RESOLVECOLLISIONS, RESOLVECONTACTS, COLLIDE, ObjectDamping,
-/// FixContactConstraints and GeometricStability; each of them says what was mended. Here: the
-/// damping gets the step; a body that is pushed or moved between two steps, or gets another gravity, has no
-/// mark in the second one; overlap is looked for again where bodies have come to, for the pushes
-/// and, within tolerance::stability_margin, for the marks. The list of the last pass would be of
-/// places that no body has taken.
+/// **Repairs of the listing** are described at its parts; these are in the step itself: the damping depends on dt. A body
+/// that is pushed or moved between two steps, or gets another gravity, is not stable in the second one. Overlap is searched
+/// again after bodies have moved, for the pushes and, within tolerance::stability_margin, for stability; the listing uses
+/// the pairs of the last pass, which belong to poses that no body has reached.
 /// \par Cost
 /// A broad phase and a test of each near pair in each of the 15 passes, and twice at the end.
 /// \algorithm{DAMPEDINTEGRATION: section 5.2 and appendix A.2}
@@ -110,11 +110,9 @@ class Damped : public Technique {
   /// \param options see there
   /// \throws std::invalid_argument for a number of passes below 0, or constants out of range
   explicit Damped(const DampedOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   /// \param other the original
   Damped(const Damped& other);
-  Damped& operator=(const Damped&) = delete;
-  ~Damped() override = default;
 
   [[nodiscard]] std::string_view name() const override { return "damped"; }
   StepReport step(World& world, double dt) override;
@@ -122,7 +120,7 @@ class Damped : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
-  /// The bodies that are geometrically stable since the last step.
+  /// The bodies that were geometrically stable at the end of the last step.
   /// \return ids of movable bodies, ascending
   [[nodiscard]] std::span<const BodyId> stable_bodies() const { return stable_ids_; }
 

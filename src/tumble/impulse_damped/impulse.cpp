@@ -22,22 +22,18 @@ void at_least_one(int value, const char* name) {
 
 }  // namespace
 
-Impulse::Impulse(const ImpulseOptions& options)
-    : options_(options), push_(options.points), repair_phase_(make_broad_phase("bounding_tree")) {
+Impulse::Impulse(const ImpulseOptions& options) : options_(options), push_(options.points) {
   at_least_one(options.collision_passes, "collision_passes");
   at_least_one(options.contact_passes, "contact_passes");
   at_least_one(options.level_sweeps, "level_sweeps");
   require::not_negative(options.sticky, "sticky");
 }
 
-// Memory besides this is in broad phases, and changes no result.
 Impulse::Impulse(const Impulse& other)
     : Technique(other),
       options_(other.options_),
-      pairs_(other.pairs_),
       push_(other.options_.points),
       sleeping_(other.sleeping_),
-      repair_phase_(other.repair_phase_->clone()),
       kept_(other.kept_),
       records_(other.records_) {}
 
@@ -273,7 +269,7 @@ void Impulse::book(const PushResult& push, StepReport& report) const {
 // What the thesis does in place of shock propagation: moves bodies out of each other (4.4).
 void Impulse::repair_overlap(World& world, StepReport& report) {
   repair_bounds(world, 0.0, bounds_);
-  repair_phase_->find_pairs(bounds_, near_);
+  repair_phase_.find_pairs(bounds_, near_);
   tumble::book(repair_.run(world, near_), report);
 }
 

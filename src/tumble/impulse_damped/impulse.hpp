@@ -10,6 +10,7 @@
 #include "tumble/contact/repair.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/impulse_damped/impulse_push.hpp"
 
 #include <memory>
@@ -81,58 +82,46 @@ void describe(ImpulseOptions& o, Visitor& v) {
   v.word("pose", o.pose, words_of(pose_updates()), kPoseMeaning);
 }
 
-/// Everything by impulses, decided where bodies are about to be: five stages in a step.
+/// Impulses for collisions, contacts and shock propagation, each at the predicted poses. A step has five stages:
 ///
-/// 1. *Collisions*. Pairs that overlap at the predicted poses \f$x' = x + h(v + h g)\f$ and
-///    approach with the velocities of the step's start collide, deepest first. A body at rest has
-///    the velocity 0, and so does not bounce: no threshold separates rest from flight, the order of
-///    the stages does.
+/// 1. *Collisions*. Pairs that overlap at the predicted poses \f$x' = x + h(v + h g)\f$ and approach with the velocities
+///    at the start of the step collide, deepest first. A body at rest has the velocity 0 and does not bounce, so no
+///    threshold is needed to separate rest from flight.
 /// 2. *Velocities*. Gravity is added.
-/// 3. *Contacts*. With these velocities all supports are approached. The approach is taken away in
-///    passes with restitution \f$\varepsilon_i = -1 + i/N,\; i = 1 \dots N\f$, from the ground up:
-///    an early pass only slows down, so that no pair has the whole load before the others have
-///    spoken.
-/// 4. *Shock propagation*. One more pass with ε = 0 by levels of the ContactGraph; once a level is
-///    done its bodies are as heavy as the ground, so that bodies above cannot press them down
-///    again.
-/// 5. *Positions*. Bodies move to where they were predicted to be.
+/// 3. *Contacts*. Now all supports are approached. The approach is removed in passes with restitution
+///    \f$\varepsilon_i = -1 + i/N,\; i = 1 \dots N\f$, from the ground up. Early passes only slow bodies down, so that no
+///    pair takes the whole load before the others.
+/// 4. *Shock propagation*. One more pass with ε = 0 by levels of the ContactGraph. Bodies of a finished level become
+///    immovable, so that those above cannot press them down again.
+/// 5. *Positions*. Bodies move to their predicted poses.
 ///
-/// After every impulse the two bodies are predicted anew, and each pair is looked at where its
-/// bodies are by then predicted to be.
+/// After each impulse its two bodies are predicted again, and each pair is tested at the latest predicted poses.
+/// With PoseUpdate::exponential bodies are predicted, and move, about the points on which they stood at the end of the
+/// step before (PivotUpdate), if the pair has not been moved since.
 ///
-/// With PoseUpdate::exponential bodies are predicted, and move, about the points on which they stood when
-/// the step before ended (PivotUpdate); a pair that has not been moved since counts.
+/// **Conserved.** The approach speed for Newton's restitution is that of the collision, once for each pair and step
+/// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is conserved by each impulse,
+/// angular momentum at the predicted centres: it is off by the impulse times the relative motion of the pair in the step.
+/// Since impulses act at predicted poses, bodies end touching, with J v = 0 there and not at the start of the step; and a
+/// falling body is stopped up to h² g above its support.
 ///
-/// **What holds.** Newton's approach speed is that of the event, once for each pair and step
-/// (ImpulsePush). No impulse between two free bodies raises their energy. Linear momentum is kept
-/// by each, and angular momentum with the predicted centres, so that it is off by the impulse
-/// times how far the pair moves in the step against each other. Impulses end the motion that is decided at
-/// the predicted pose: bodies end touching, not with J v = 0 where the step began; and a body that
-/// falls is stopped above the support it would have met, to close the rest of the gap, below h² g,
-/// or never.
-///
-/// **What does not.** A level that is frozen feels nothing of what it carries: weight that the
-/// contact passes did not bring down is lost. Ten passes bring down some three boxes' worth: the
-/// foot of a stack of ten bears 3.3 of them, and on a see-saw such a stack is lifted by half its
-/// weight. Two levels, as in figure 6.5 of the thesis, are right. Frozen bodies take no momentum,
-/// in a heap in flight either. Impulses keep overlap from growing and never take it away; in heaps it does
-/// grow, and `repair` takes it away. Results depend on the order of bodies at equal depth. What two supports
-/// carry squirms, by millimetres in a second (LevelRestitution).
+/// **Limits.** A frozen level does not feel the load on it, so weight that the contact passes have not passed down is lost.
+/// Ten passes pass down about three boxes: the lowest of a stack of ten bears 3.3 of them, and on a see-saw such a stack is
+/// lifted by half its weight. Frozen bodies take no momentum, in a heap in flight either. Impulses keep overlap from growing
+/// and do not remove it; in heaps it grows, and `repair` removes it. Results depend on the order of bodies of equal depth.
+/// A body on two supports creeps by millimetres in a second (LevelRestitution).
 /// \par Energy
-/// Collisions are booked at the velocities that they change, contacts at velocities of half a step
-/// of gravity earlier, as their impulses and gravity act at the same time. With \f$v_c\f$ after
-/// collisions and \f$v'\f$ at the end of the step, this misses \f$\tfrac12 m h\,g\cdot(v_c - v')\f$ for each body that a
-/// contact pushes, which is booked with the impulses: nothing for what rests or slides along. The error of the
-/// semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$ for what flies, and that of turning are not booked.
+/// Collisions are booked at the velocities that they change, contacts at velocities half a step of gravity earlier. With
+/// \f$v_c\f$ after collisions and \f$v'\f$ at the end of the step, \f$\tfrac12 m h\,g\cdot(v_c - v')\f$ of each body that a
+/// contact pushes is booked with the impulses. The error of the semi-implicit rule, \f$-\tfrac12 m h^2 g^2\f$ for a body in
+/// flight, and that of rotation are not booked.
 ///
 /// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 /// \par Cost
-/// A test for each near pair of which a body has moved, in each pass and sweep; with
-/// ImpulsePoints::area a complementarity problem of up to eight points for each impulse, unless one
-/// impulse at the middle of the area stops it all, as where a box stands on the ground or on one
-/// other. As each contact pass goes over a level up to five times, a pair gets up to 50 impulses in
-/// a step: a wall of 55 cubes, each on two, takes some ten times as long with areas as with one
-/// point.
+/// In each pass and sweep a test of each near pair of which a body has moved; with ImpulsePoints::area a complementarity
+/// problem of up to eight points for each impulse, unless one impulse at the centre of the area is enough, as for a box on
+/// the ground or on one other box. A pair may get 50 impulses in a step: a wall of 55 cubes, each on two, takes about ten
+/// times as long with areas as with one point.
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", SIGGRAPH 2003.
 /// \algorithm{Impulses with contact levels and shock propagation: section 2.5.2}
 /// \deviation{All points of a contact area are solved together, and the graph of support follows from the normals, where the authors take one point after the other and let each body fall alone.}
@@ -143,11 +132,9 @@ class Impulse : public Technique {
   /// \param options see there
   /// \throws std::invalid_argument for a count below 1 or a negative threshold
   explicit Impulse(const ImpulseOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   /// \param other the original
   Impulse(const Impulse& other);
-  Impulse& operator=(const Impulse&) = delete;
-  ~Impulse() override = default;
 
   [[nodiscard]] std::string_view name() const override { return "impulse"; }
   StepReport step(World& world, double dt) override;
@@ -186,7 +173,7 @@ class Impulse : public Technique {
   ContactGraph graph_;
   OverlapRepair repair_;
   SleepingRule sleeping_;
-  std::unique_ptr<BroadPhase> repair_phase_;
+  BoundingTree repair_phase_;
   std::vector<KeptPush> kept_;  // PoseUpdate::exponential: for the next step
 
   // Storage of one step, kept so that a warm step asks for no memory.

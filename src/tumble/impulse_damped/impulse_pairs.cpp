@@ -37,10 +37,6 @@ void hand_on(const Contact& before, Contact& now) {
 
 }  // namespace
 
-ImpulsePairs::ImpulsePairs() : broad_phase_(make_broad_phase("bounding_tree")) {}
-
-ImpulsePairs::ImpulsePairs(const ImpulsePairs& other) : broad_phase_(other.broad_phase_->clone()) {}
-
 void ImpulsePairs::begin(double margin) {
   margin_ = margin;
   pairs_.clear();
@@ -53,7 +49,7 @@ std::span<int> ImpulsePairs::find(const World& world, const ImpulseBodies& bodie
   bounds_.resize(world.bodies().size());
   for (std::size_t k = 0; k < bounds_.size(); ++k)
     bounds_[k] = bounds_of(world.bodies()[k], bodies.predicted()[k], margin_);
-  broad_phase_->find_pairs(bounds_, near_);
+  broad_phase_.find_pairs(bounds_, near_);
   add_new(world, sleeping);
   found_.clear();
   for (const int number : sorted_)

@@ -4,11 +4,10 @@
 
 #include "tumble/contact/contact.hpp"
 #include "tumble/contact/sleeping.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/impulse_damped/impulse_bodies.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,14 +43,6 @@ struct ImpulsePair {
 /// could change a result.
 class ImpulsePairs {
  public:
-  /// Starts with nothing known.
-  ImpulsePairs();
-  /// A copy; pairs of the last step are not copied.
-  /// \param other the original
-  ImpulsePairs(const ImpulsePairs& other);
-  ImpulsePairs& operator=(const ImpulsePairs&) = delete;
-  ~ImpulsePairs() = default;
-
   /// Forgets all pairs.
   /// \param margin [m] up to which bodies count as near in this step, at least 0
   void begin(double margin);
@@ -94,7 +85,7 @@ class ImpulsePairs {
   void add_new(const World& world, const SleepingRule* sleeping);
 
   double margin_ = 0.0;  // [m]
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> near_;
   std::vector<ImpulsePair> pairs_;  // by number

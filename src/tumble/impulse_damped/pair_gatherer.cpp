@@ -48,10 +48,7 @@ void reduce_to_one(double size, Contact& contact) {
 }  // namespace
 
 PairGatherer::PairGatherer(NormalRule normals, PointRule points)
-    : normals_(normals), points_(points), broad_phase_(make_broad_phase("bounding_tree")) {}
-
-PairGatherer::PairGatherer(const PairGatherer& other)
-    : normals_(other.normals_), points_(other.points_), broad_phase_(other.broad_phase_->clone()) {}
+    : normals_(normals), points_(points) {}
 
 PairReport PairGatherer::gather(const World& world, std::span<const BodyState> last,
                                 std::span<const BodyState> now, const SleepingRule* sleeping,
@@ -72,7 +69,7 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     boxes_[k] = box_of(bodies[k], now[k]);
     bounds_[k] = bounds_of(boxes_[k], around);
   }
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
 
   out.clear();
   PairReport report;

@@ -1,82 +1,71 @@
 /// \file
-/// \brief Bodies that overlap where they are about to be, with a normal and a point (thesis 3.3.2).
+/// \brief Pairs of bodies that overlap at predicted poses, with a normal and points (thesis 3.3.2).
 #pragma once
 
 #include "tumble/contact/contact.hpp"
 #include "tumble/contact/sleeping.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace tumble {
 
-/// Along which direction two bodies that overlap are pushed apart.
+/// Contact normal of two bodies that overlap.
 enum class NormalRule : std::uint8_t {
   last_face,       ///< across the face that was closest when the step began: the thesis's
   separation,      ///< the shortest way out: exact for two boxes
   signed_distance  ///< the gradient of a box's distance at the deepest point of the other one
 };
 
-/// How many contact points two bodies that overlap have.
+/// Contact points of two bodies that overlap.
 enum class PointRule : std::uint8_t {
   one,  ///< the centre of the overlap: the thesis's
   area  ///< all points of the contact area
 };
 
-/// What gathering did.
+/// Counts of a search for pairs.
 struct PairReport {
-  std::int64_t pair_tests = 0;   ///< pairs of which the geometry was looked at
+  std::int64_t pair_tests = 0;   ///< separation tests of two bodies
   double deepest_overlap = 0.0;  ///< [m] 0 or above
 };
 
-/// Finds the pairs of bodies that overlap at given poses, for methods that let bodies sink into
-/// each other and answer by impulses.
+/// Finds the pairs of bodies that overlap at given poses, for methods that let bodies overlap and then apply impulses.
 ///
-/// Whether two bodies overlap is always decided by the separating axis test; touching counts. The
-/// normal is that of the rule:
-/// - `last_face`: the face that was closest at the poses of the step's start, which are those at
-///   which the last step ended, as it has turned since. It is wrong where edges meet, and where the
-///   bodies have moved on to another face;
-/// - `separation`: the exact shortest way out, faces preferred (see separation());
-/// - `signed_distance`: see deepest_gradient(), and the shortest way out where it finds nothing.
+/// The separating axis test decides whether two bodies overlap; touching counts. The normal is that of the rule:
+/// - `last_face`: the normal of the face that was closest at the start of the step, turned with its body since. It is
+///   wrong where edges meet, and where the bodies have moved on to another face;
+/// - `separation`: the direction of least overlap, faces preferred (see separation());
+/// - `signed_distance`: see deepest_gradient(), and the direction of least overlap where it finds nothing.
 ///
 /// On the ground all rules give +y.
 ///
-/// The one point of PointRule::one is the centre of those points of the contact area that overlap,
-/// each weighted by how deep it is (equally, if all just touch). The thesis does not say which
-/// point it takes; a corner would make every box that lands flat spin, and the plain centre would
-/// jump where a corner comes free.
+/// The point of PointRule::one is the centre of the overlapping points of the contact area, weighted by depth (equally,
+/// if all just touch). The thesis leaves it open: a corner would make every box that lands flat spin, and
+/// the unweighted centre would jump where a corner separates.
 ///
-/// Nothing is kept from step to step, only storage: the face of the last step is found again from
-/// the poses at which it ended, once for all passes of a step.
+/// Only storage is kept from step to step: the closest face is found once for all passes of a step.
 /// \par Cost and determinism
 /// A broad phase and a test for each near pair; six more axes for `last_face` and 52 points for
 /// `signed_distance`. No allocation once the storage is warm. The list is sorted by ids.
 class PairGatherer {
  public:
-  /// Makes the storage.
-  /// \param normals  see there
-  /// \param points   see there
+  /// Makes a gatherer.
+  /// \param normals  rule of the contact normal
+  /// \param points   rule of the contact points
   explicit PairGatherer(NormalRule normals = NormalRule::last_face,
                         PointRule points = PointRule::one);
-  /// A copy.
-  /// \param other the original
-  PairGatherer(const PairGatherer& other);
-  PairGatherer& operator=(const PairGatherer&) = delete;
-  ~PairGatherer() = default;
 
-  /// Finds what overlaps.
+  /// Finds the overlapping pairs.
   ///
   /// Friction and restitution are combined as gather_contacts() does it. Impulses and approach
   /// speeds are 0 (see stamp_approach_speeds()). Pairs of two immovable or two sleeping bodies are
   /// left out.
-  /// \param world     the bodies; its poses are not looked at
-  /// \param last      poses at which the step began, one for each body index
-  /// \param now       poses at which overlap is looked for, ditto
+  /// \param world     the bodies; its poses are not used
+  /// \param last      poses at the start of the step, one for each body index
+  /// \param now       poses at which overlap is searched, ditto
   /// \param sleeping  pairs to leave out besides (SleepingRule::needs_test()); nullptr: none
   /// \param margin    [m] surfaces up to this far apart count as touching, at least 0
   /// \param out       is overwritten; sorted by id
@@ -100,7 +89,7 @@ class PairGatherer {
 
   NormalRule normals_;
   PointRule points_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   std::vector<Box> boxes_;  // by body, now; that of the ground is not used
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;

@@ -2,7 +2,8 @@
 /// \brief The linear complementarity problem of contact forces, and the interface of its solvers
 ///        (thesis 2.6, 3.3.1).
 ///
-/// Uses no other chapter.
+/// **Another solver** is a class of its own file that implements LcpSolver, and one line in lcp_solvers() in lcp.cpp. With
+/// it `tumble lcp`, the technique `analytic`, the fuzz targets and the tests over all solvers know it.
 #pragma once
 
 #include "tumble/lcp_solvers/factors.hpp"
@@ -16,13 +17,13 @@
 
 namespace tumble {
 
-/// Find f with a = A f + b such that row by row either \f$f_i \ge 0, a_i \ge 0, f_i a_i = 0\f$ (a
+/// Find f with a = A f + b such that in each row either \f$f_i \ge 0, a_i \ge 0, f_i a_i = 0\f$ (a
 /// contact pushes or separates), or \f$a_i = 0\f$ with f_i of any sign (an equality: glue, a hinge).
 struct LcpProblem {
   MatX A;                      ///< [1/kg] (n×n)
   VecX b;                      ///< [m/s²] (n) what a would be without forces
   std::vector<char> equality;  ///< (n) or empty: not 0 for a row whose force has any sign
-  LcpFactors factors = {};     ///< of A, or empty: most solvers do without
+  LcpFactors factors = {};     ///< of A; may be empty, since few solvers need them
   /// \return n
   [[nodiscard]] int size() const { return static_cast<int>(b.size()); }
 };
@@ -31,12 +32,12 @@ struct LcpProblem {
 enum class LcpStatus : std::uint8_t {
   solved,                     ///< f holds a solution to the solver's tolerance
   infeasible,                 ///< there is none
-  not_positive_semidefinite,  ///< the solver needs a matrix that is, and noticed that it is not
-  cycling,                    ///< the same index sets came back
-  singular,         ///< the solver had to solve a linear system without solution: see the solver
-  cap_reached,      ///< as many pivots or sweeps as allowed; f holds the state reached
-  least_violation,  ///< there is none, but f violates the conditions least, by `residual` only
-  ray               ///< Lemke's path ended on a ray: whether there is a solution is not known
+  not_positive_semidefinite,  ///< A is found not to be positive semidefinite, which the solver needs
+  cycling,                    ///< an index set was reached a second time
+  singular,                   ///< a linear system had no solution, or the answer fails holds()
+  cap_reached,                ///< the cap on pivots or sweeps was reached; f is the state then
+  least_violation,            ///< there is none; f has the least violation, `residual`
+  ray                         ///< Lemke's path ended on a ray: there may be a solution or not
 };
 
 /// The name of a status in files.
@@ -44,7 +45,7 @@ enum class LcpStatus : std::uint8_t {
 /// \return for example "solved"
 std::string_view name_of(LcpStatus status);
 
-/// An answer; keep it, its storage is used again.
+/// An answer. Used again for the next problem, it allocates nothing.
 struct LcpResult {
   LcpStatus status = LcpStatus::solved;  ///< how the solver ended
   std::vector<double> f;                 ///< [N] (n) forces
@@ -52,7 +53,7 @@ struct LcpResult {
   std::vector<int> pushing;          ///< rows with a force, ascending: a start for the next solve
   int pivots = 0;                    ///< changes of the index sets; sweeps for an iteration
   double residual = 0.0;             ///< [-] see lcp_residual()
-  std::int64_t multiplications = 0;  ///< counted by the solver: its work, whatever the machine
+  std::int64_t multiplications = 0;  ///< work of the solver, counted
 
   /// Whether it is solved to an accuracy.
   /// \param most  [-] largest residual accepted
@@ -62,7 +63,7 @@ struct LcpResult {
   }
 };
 
-/// The number that judges any answer, of any solver.
+/// Residual of an answer, the same for all solvers.
 /// \param problem the problem
 /// \param f       (n) the answer
 /// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the
@@ -71,21 +72,21 @@ struct LcpResult {
 /// \throws std::invalid_argument if the sizes differ
 double lcp_residual(const LcpProblem& problem, std::span<const double> f);
 
-/// What a solver needs of the matrix.
+/// Matrices that a solver takes.
 enum class LcpMatrix : std::uint8_t {
   any,                    ///< any square matrix
   positive_diagonal,      ///< A_ii > 0
   symmetric_semidefinite  ///< symmetric and positive semidefinite
 };
 
-/// Refuses what no solver can take.
+/// Refuses an invalid problem.
 /// \param problem the problem
-/// \param needs   what the solver needs of the matrix
+/// \param needs   matrices that the solver takes
 /// \throws std::invalid_argument naming the row and the value: sizes that differ, a number that is
 ///         not finite, an asymmetric A for a solver that needs a symmetric one
 void require_valid(const LcpProblem& problem, LcpMatrix needs);
 
-/// Refuses a list of rows to start with that makes no sense.
+/// Refuses an invalid list of rows to start with.
 /// \param size  n
 /// \param start the list
 /// \throws std::invalid_argument naming a row that is out of range or given twice
@@ -99,48 +100,44 @@ inline bool is_equality(const LcpProblem& problem, int row) {
   return !problem.equality.empty() && problem.equality[static_cast<std::size_t>(row)] != 0;
 }
 
-/// Makes an answer out of its forces: a, `pushing` and the residual; the rest is not touched.
+/// Computes a, `pushing` and the residual from the forces.
 /// \param problem the problem
 /// \param result  f of length n, given
 void complete(const LcpProblem& problem, LcpResult& result);
 
-/// complete(), and `solved` becomes `singular` unless the answer passes holds(), the judge of every
-/// answer.
+/// complete(); then the status `solved` becomes `singular` unless the answer passes holds().
 /// \param problem the problem
 /// \param result  f of length n and a status, given
 void conclude(const LcpProblem& problem, LcpResult& result);
 
-/// The residual in rows that have been divided by the roots of A_ii, which does not depend on their units.
+/// Residual after each row is divided by the root of its A_ii, so that it does not depend on the rows' units.
 /// \param problem  the problem
 /// \param result   after complete()
 /// \return [-] as lcp_residual(), each row and each b_i over the root of A_ii or what stands for it; infinite if
 ///         a number of f or a is not finite
 double scaled_residual(const LcpProblem& problem, const LcpResult& result);
 
-/// The judge of every answer: whether it may be called solved.
-///
-/// Its residual and its scaled residual are at most `tolerance::usable_residual`; every comparison fails for
-/// NaN.
+/// Whether an answer may be called solved: its residual and its scaled residual are at most
+/// `tolerance::usable_residual`.
 /// \param problem  the problem
 /// \param result   after complete()
-/// \return true if all of f, a and the residuals are finite and small enough
+/// \return false also if a number in it is not finite
 bool holds(const LcpProblem& problem, const LcpResult& result);
 
-/// A way to solve the problem.
+/// A solver of the problem.
 class LcpSolver {
  public:
   virtual ~LcpSolver() = default;
 
-  /// The name that a user calls it by.
+  /// The name in commands and files.
   /// \return for example "lemke"
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Solves one problem.
   /// \param problem  n = 0 gives `solved`
   /// \param result   the answer; all of it is overwritten
-  /// \param start    rows to begin with as pushing, for example `pushing` of a similar problem; it
-  ///                 costs or saves work and never changes whether the answer is right; solvers that
-  ///                 cannot use it ignore it. May be `result.pushing` itself
+  /// \param start    rows that are taken as pushing at first, for example `pushing` of a similar problem. It may save
+  ///                 work, and any answer is still checked; some solvers ignore it. May be `result.pushing` itself
   /// \throws std::invalid_argument as require_valid(), or for a row of start that is out of range or
   ///         given twice
   virtual void solve(const LcpProblem& problem, LcpResult& result,

@@ -29,8 +29,7 @@ double least_motion(const ContactPoint& point, double dt, double restitution) {
 
 }  // namespace
 
-Faure::Faure(const FaureOptions& options)
-    : options_(options), broad_phase_(make_broad_phase("bounding_tree")) {
+Faure::Faure(const FaureOptions& options) : options_(options) {
   require::that(options.budget >= 0,
                 "budget = " + std::to_string(options.budget) + ": expected 0 or more");
   require::not_negative(options.wanted, "wanted");
@@ -80,7 +79,7 @@ StepReport Faure::step_part(World& world, double dt) {
   // [S2.6.4:technique]
 
   repair_bounds(world, 0.0, bounds_);
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
   book(repair_.run(world, pairs_), report);
   report.contacts = static_cast<std::int64_t>(records_.size());
   last_dt_ = dt;
@@ -92,7 +91,7 @@ void Faure::find_contacts(const World& world, double dt, StepReport& report) {
   const double margin = meeting_margin(world, start_, dt);
   std::swap(previous_, contacts_);
   repair_bounds(world, margin, bounds_);
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
   const GatherReport found = gather_contacts(world, start_, pairs_, margin, previous_, contacts_);
   report.pair_tests += found.pair_tests;
   report.deepest_overlap = found.deepest_overlap;

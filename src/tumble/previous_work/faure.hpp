@@ -10,6 +10,7 @@
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/math/projected_descent.hpp"
 #include "tumble/previous_work/rubbing_points.hpp"
 #include "tumble/previous_work/tolerances.hpp"
@@ -86,7 +87,7 @@ class Faure : public Technique {
   [[nodiscard]] bool gains(const StepReport& report) const;
 
   FaureOptions options_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   RubbingPoints rows_;
   ProjectedDescent<RubbingPoints> iteration_;
   DescentReport descent_;

@@ -102,7 +102,7 @@ StepReport NoisyImpacts::step(World& world, double dt) {
   before_.assign(world.states().begin(), world.states().end());
   const double start = world.time();
   EventsByPair seen(observer());
-  Technique& technique = inner();
+  Technique& technique = prepared_inner();
   technique.observe(&seen);
   StepReport report;
   try {

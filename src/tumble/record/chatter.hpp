@@ -46,19 +46,17 @@ class ChatterMeter {
   /// Frames in the window, both ends included: half a second.
   static constexpr int kWindow = 31;
 
-  /// Takes in the world after a step (and at the start).
-  ///
-  /// A body that comes in later begins its window with the first frame after the step in which it
-  /// is seen first.
+  /// Adds the world after a step, or at the start. The window of a body that appears later begins with the first frame
+  /// after it was first added.
   /// \param world       the bodies
   /// \param in_contact  by index: whether the body touches another one
   void add(const World& world, std::span<const char> in_contact);
 
   /// Measures over the last half second.
   /// \param gravity  [m/s²] size of the gravity that accelerations are divided by, above 0
-  /// \return the worst of each(); all zero before half a second has passed or while no body rests
+  /// \return the largest values of each(); all zero before half a second has passed or while no body rests
   /// \par Cost
-  /// O(bodies); a body that cannot be the worst is found out from the bounds of its corners.
+  /// O(bodies); bounds of its corners exclude a body that cannot have the largest value.
   [[nodiscard]] Chatter measure(double gravity) const;
 
   /// Measures every body that rests over the last half second.

@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// The state of a run after a step, in numbers that know no technique.
+/// Measurements of the world after a step. They do not depend on the technique.
 struct Metrics {
   double kinetic = 0.0;       ///< [J]
   double potential = 0.0;     ///< [J] against y = 0
@@ -25,34 +25,33 @@ struct Metrics {
   int asleep = 0;                          ///< bodies that sleep
 };
 
-/// Measures a run from outside, from poses and momenta alone: as an observer of a Simulation, or by hand.
+/// Measures a run from poses, momenta and booked energy alone, as an observer of a Simulation or by begin() and measure().
 ///
-/// Overlap is the least translation over the 15 axes that separates two boxes, and the depth of the
-/// lowest corner under the ground; the technique's own contacts are not used. Pairs of immovable bodies
-/// do not count.
+/// Overlap is the least translation that separates two boxes, over the 15 axes, or the depth of the lowest corner
+/// under the ground. The technique's own contacts are not used, and pairs of immovable bodies are left out.
 class MetricsMeter : public Observer {
  public:
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
 
-  /// The numbers of an observed run.
+  /// Metrics of the observed simulation.
   /// \return after the last step; at the start if there was none
   [[nodiscard]] const Metrics& metrics() const { return metrics_; }
 
-  /// Begins with the world at the start.
+  /// Begins a measurement.
   /// \param world the bodies at time 0
-  /// \return the numbers at the start
+  /// \return the metrics at the start
   Metrics begin(const World& world);
 
-  /// Allows for bodies that were added, removed or changed from outside: their energy is not the technique's error.
-  /// \param energy_added [J] how much the total energy changed by it
+  /// Leaves a change of energy out of the technique's error: bodies were added, removed or changed between steps.
+  /// \param energy_added [J] by how much the total energy changed
   void allow(double energy_added) { start_energy_ += energy_added; }
 
   /// Measures after a step.
   /// \param world   the bodies
   /// \param report  what the step did
-  /// \return the numbers; of a world that is not finite the energies alone
+  /// \return the metrics; for a world that is not finite the energies alone
   Metrics measure(const World& world, const StepReport& report);
 
  private:

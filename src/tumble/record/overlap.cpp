@@ -13,8 +13,6 @@ double touching_distance(const BodyProperties& a, const BodyProperties& b) {
   return tolerance::touching * shortest_edge(a, b);
 }
 
-OverlapMeter::OverlapMeter() : broad_phase_(make_broad_phase("bounding_tree")) {}
-
 double OverlapMeter::look(std::span<const BodyProperties> bodies,
                           std::span<const BodyState> states) {
   find_pairs(bodies, states);
@@ -32,7 +30,7 @@ void OverlapMeter::find_pairs(std::span<const BodyProperties> bodies,
   bounds_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     bounds_[i] = bounds_of(bodies[i], states[i], tolerance::touching * bodies[i].size.minCoeff());
-  broad_phase_->find_pairs(bounds_, pairs_);
+  broad_phase_.find_pairs(bounds_, pairs_);
 }
 
 double OverlapMeter::measure(std::span<const BodyProperties> bodies,

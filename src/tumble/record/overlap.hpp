@@ -3,9 +3,8 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,9 +20,6 @@ double touching_distance(const BodyProperties& a, const BodyProperties& b);
 /// Measures poses of any origin.
 class OverlapMeter {
  public:
-  /// Makes the storage.
-  OverlapMeter();
-
   /// Looks at all pairs of which one can move: the least translation over the 15 axes that parts two
   /// boxes, and the depth of the lowest corner under the ground.
   /// \param bodies  the constant parts
@@ -48,7 +44,7 @@ class OverlapMeter {
   void find_pairs(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
   double measure(std::span<const BodyProperties> bodies, std::span<const BodyState> states);
 
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
   std::vector<char> in_contact_;

@@ -90,7 +90,8 @@ std::int64_t whole_steps(const RunSettings& settings) {
 
 void add_up(const StepReport& step, StepReport& total, StepReport& worst) {
   add_report(step, total);
-  for (const auto count : kReportCounts) worst.*count = std::max(worst.*count, step.*count);
+  for (const ReportCount& count : kReportCounts)
+    worst.*count.member = std::max(worst.*count.member, step.*count.member);
   worst.deepest_overlap = total.deepest_overlap;
   worst.status = std::max(worst.status, step.status);
 }
@@ -122,6 +123,21 @@ void keep_worst(const Metrics& now, Metrics& worst) {
   worst.asleep = std::max(worst.asleep, now.asleep);
 }
 
+// Simulates a step. Returns the message of one that broke off, or that was refused after the first; if the first
+// is refused, nothing has been simulated, and the caller gets the exception.
+std::string try_step(Simulation& simulation, double dt, StepReport& report) {
+  const bool first = simulation.world().steps() == 0;
+  try {
+    report = simulation.step(dt);
+  } catch (const std::invalid_argument& error) {
+    if (first) throw;
+    return error.what();
+  } catch (const StepFault& fault) {
+    return fault.what();
+  }
+  return {};
+}
+
 }  // namespace
 
 void require_valid(const RunSettings& settings) {
@@ -134,8 +150,9 @@ void require_valid(const RunSettings& settings) {
                     ": expected fewer than 1e12 steps");
 }
 
-RunResult run(Simulation& simulation, const RunSettings& settings,
-              std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
+RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
+                         std::span<RunObserver* const> observers,
+                         const std::function<bool()>& stop) {
   assert(simulation.world().steps() == 0);
   const World& world = simulation.world();
   MetricsMeter meter;
@@ -157,14 +174,7 @@ RunResult run(Simulation& simulation, const RunSettings& settings,
       break;
     }
     StepReport report;
-    try {
-      report = simulation.step(k < whole ? settings.dt : rest);
-    } catch (const std::invalid_argument& error) {
-      if (k == 0) throw;  // the user's mistake: nothing has been simulated
-      result.refusal = error.what();
-    } catch (const StepFault& fault) {
-      result.refusal = fault.what();
-    }
+    result.refusal = try_step(simulation, k < whole ? settings.dt : rest, report);
     if (!result.refusal.empty()) {
       result.end = RunEnd::failed;
       result.worst_report.status = std::max(result.worst_report.status, StepStatus::unsolved);
@@ -201,7 +211,7 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
                     std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
   require_valid(settings);
   Simulation simulation(scene, technique);
-  return run(simulation, settings, observers, stop);
+  return run_simulation(simulation, settings, observers, stop);
 }
 
 std::string_view name_of(StepStatus status) {

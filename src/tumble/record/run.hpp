@@ -1,5 +1,5 @@
 /// \file
-/// \brief A run: a simulation from its start to its end, with its numbers and observers.
+/// \brief A run: a simulation of a given duration, measured and checked after each step.
 #pragma once
 
 #include "tumble/base/parameters.hpp"
@@ -18,14 +18,14 @@ namespace tumble {
 
 /// Settings of a run.
 struct RunSettings {
-  double dt = 1.0 / 60.0;  ///< [s] time step; the last one is cut to end at the duration
+  double dt = kTimeStep;   ///< [s] time step; the last one is shortened to end at the duration
   double duration = 10.0;  ///< [s] simulated time
   std::uint64_t seed = 1;  ///< random seed of the scene and of the technique
-  int every = 1;  ///< steps from one recorded frame to the next, and from one row of a table
+  int every = 1;           ///< steps between two recorded frames, or rows of a table
 };
 
-/// Checks settings before anything is made of them.
-/// \param settings  what a user asks for
+/// Checks settings.
+/// \param settings  of a run
 /// \throws std::invalid_argument naming the value: dt as require_time_step() refuses it, duration below 0, every below 1,
 ///         10^12 steps or more
 void require_valid(const RunSettings& settings);
@@ -33,31 +33,30 @@ void require_valid(const RunSettings& settings);
 /// How a run ended.
 enum class RunEnd : std::uint8_t {
   complete,     ///< the whole duration was simulated
-  interrupted,  ///< it was asked to stop
-  failed        ///< a step ended with a status after which going on makes no sense
+  interrupted,  ///< `stop` ended it
+  failed        ///< a step was unsolved, not finite, refused or broken off
 };
 
 /// The outcome of a run.
 struct RunResult {
   RunEnd end = RunEnd::complete;        ///< how it ended
   StepStatus worst = StepStatus::done;  ///< the worst status of a step
-  std::int64_t capped_steps = 0;        ///< steps that ended at the event cap
+  std::int64_t capped_steps = 0;        ///< steps with StepStatus::event_cap
   std::int64_t steps = 0;               ///< steps done
   double time = 0.0;                    ///< [s] simulated
-  StepReport totals;                    ///< counts of all steps added up
+  StepReport totals;                    ///< sums over all steps
   StepReport last_report;               ///< of the last step
-  StepReport worst_report;              ///< each count where it was largest
+  StepReport worst_report;              ///< the largest value of each count
   Metrics last;                         ///< after the last step; at the start if there was none
-  Metrics worst_metrics;                ///< each number where it was farthest from 0
+  Metrics worst_metrics;                ///< the value of each number that is farthest from 0
   std::string state_hash;               ///< 16 hexadecimal digits, of the last state
-  /// Why a step broke off, or a later one than the first was refused, for example because a state overflowed; empty
-  /// if none did. The numbers above are of the step before, the hash of where that step stopped.
+  /// The message of a step that broke off, or of one after the first that was refused; otherwise empty. The numbers
+  /// above are those after the step before; the hash is of the state in which the step ended.
   std::string refusal;
-  std::vector<std::string>
-      findings;  ///< of the checks of every step, see RunCheck: the first of each
+  std::vector<std::string> findings;  ///< the first message of each RunCheck
 };
 
-/// Follows a run as it goes: files, progress lines, experiments.
+/// Observes a run: files, progress lines, experiments. Unlike Observer it gets the metrics of each step.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -67,8 +66,8 @@ class RunObserver {
   virtual void on_begin(const World& world) { (void)world; }
   /// A step is complete.
   /// \param world      the bodies after it
-  /// \param technique  for its contacts
-  /// \param report     what it did
+  /// \param technique  to read its contacts
+  /// \param report     status, counts and booked energy
   /// \param metrics    energies, overlap and chatter after it
   virtual void on_step(const World& world, const Technique& technique, const StepReport& report,
                        const Metrics& metrics) {
@@ -77,42 +76,42 @@ class RunObserver {
     (void)report;
     (void)metrics;
   }
-  /// A check has found something, and the run goes on.
+  /// A check of the run has failed. The run goes on.
   /// \param message  step, time, body and the fault
   virtual void on_finding(const std::string& message) { (void)message; }
   /// A collision was resolved.
-  /// \param world  the bodies during the step, for their names
-  /// \param event  what happened
+  /// \param world  the bodies during the step, to read their names
+  /// \param event  its time, place and impulse
   virtual void on_event(const World& world, const Event& event) {
     (void)world;
     (void)event;
   }
 };
 
-/// Runs a simulation from its start to its end.
+/// Runs a simulation for the duration of its settings.
 ///
-/// The checks of run_checks.hpp watch every step; one that fails has a status of at least StepStatus::energy_gained,
-/// and the run goes on. A step that leaves something unsolved or not finite is the last one, and so is one that breaks off, or that,
-/// after the first, the technique refuses: the result has what was simulated before it.
+/// The checks of run_checks.hpp look at every step. If one fails, the status of the step is at least
+/// StepStatus::energy_gained, and the run goes on. It ends after a step that is unsolved or not finite, and at one that
+/// breaks off or, after the first, is refused.
 /// \param simulation  no step done yet
 /// \param settings    step, duration; valid, see require_valid()
 /// \param observers   called in this order
-/// \param stop        asked before every step; true ends the run as interrupted
-/// \return how it ended, and its numbers
-/// \throws StepRefused for a scene that the technique cannot simulate, or not with this step, from its first step
+/// \param stop        called before every step; true ends the run as interrupted
+/// \return status and numbers
+/// \throws StepRefused if the technique refuses the first step
 /// \throws CannotWrite from an observer that writes
-RunResult run(Simulation& simulation, const RunSettings& settings,
-              std::span<RunObserver* const> observers, const std::function<bool()>& stop = {});
+RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
+                         std::span<RunObserver* const> observers,
+                         const std::function<bool()>& stop = {});
 
-/// Runs a scene, as run() does.
+/// run_simulation() of a scene.
 /// \param scene      the start
-/// \param technique  how to step
+/// \param technique  no step done yet
 /// \param settings   step, duration
 /// \param observers  called in this order
-/// \param stop       asked before every step; true ends the run as interrupted
-/// \return how it ended, and its numbers
-/// \throws std::invalid_argument for settings out of range or a scene that the technique cannot
-///         simulate, from its first step
+/// \param stop       called before every step; true ends the run as interrupted
+/// \return status and numbers
+/// \throws std::invalid_argument for settings out of range, or if the technique refuses the first step
 /// \throws CannotWrite from an observer that writes; the technique has no observer then, as after every run
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
                     std::span<RunObserver* const> observers,

@@ -112,8 +112,6 @@ void EnergyCheck::on_step(const World& world, const StepReport& report) {
 
 // --- passages ---------------------------------------------------------------------------------------
 
-PassageCheck::PassageCheck() : near_(make_broad_phase("bounding_tree")) {}
-
 void PassageCheck::on_begin(const World& world) {
   time_ = world.time();
   before_.assign(world.states().begin(), world.states().end());
@@ -232,7 +230,7 @@ void PassageCheck::look_for_passages(const World& world) {
     cores_.push_back(core);
     swept_.push_back(widened(bounds_of(core), way(k)));
   }
-  near_->find_pairs(swept_, pairs_);
+  near_.find_pairs(swept_, pairs_);
   for (const IndexPair& pair : pairs_) {
     const std::size_t a = solid_[idx(pair.first)];
     const std::size_t b = solid_[idx(pair.second)];

@@ -1,11 +1,10 @@
 /// \file
-/// \brief Checks of a run that know no technique: what no scene can do.
+/// \brief Checks of a run by any technique: no energy from nothing, no body through another one.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,18 +13,18 @@ namespace tumble {
 /// A check of every step of a run.
 class RunCheck : public Observer {
  public:
-  /// The verdict on the last step.
-  /// \return StepStatus::done, or the fault that was found
+  /// Verdict on the last step.
+  /// \return StepStatus::done, or the fault
   [[nodiscard]] StepStatus status() const { return status_; }
 
-  /// The first finding in words: step, time, body, value, and a remedy if there is one.
+  /// Message about the first fault: step, time, body, value, and a remedy if there is one.
   /// \return empty if there was none
   [[nodiscard]] const std::string& message() const { return message_; }
 
  protected:
-  /// Keeps the first finding.
+  /// Keeps the message about the first fault.
   /// \param world  the bodies after the step
-  /// \param what   the finding
+  /// \param what   the fault
   void find(const World& world, const std::string& what);
 
   StepStatus status_ = StepStatus::done;  ///< the verdict on the last step
@@ -34,8 +33,7 @@ class RunCheck : public Observer {
   std::string message_;
 };
 
-/// The total energy of a run, kinetic and potential, does not rise. Nothing in a scene adds any: contacts,
-/// friction and impacts can only take it away.
+/// The total energy of a run, kinetic and potential, must not rise: contacts, friction and impacts only remove energy.
 ///
 /// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start and the
 /// sum of m g L over the movable bodies, L a body's longest edge; and of that which the technique has not booked,
@@ -57,21 +55,19 @@ class EnergyCheck : public RunCheck {
   std::vector<double> energies_;  // [J] of each body, before the step
 };
 
-/// No body goes through another one in a step, and none is left deep in one when the run ends: by more than
-/// `tolerance::deep_overlap` of the shorter of their shortest edges. A technique may need some steps to part those that
-/// meet fast.
+/// No body may pass through another one in a step, and none may overlap another one by more than
+/// `tolerance::deep_overlap` of the shorter of their shortest edges at the end of the run. (During the run deep overlaps
+/// are allowed: a technique may need some steps to separate bodies that meet fast.)
 ///
-/// Two bodies that were apart before a step and are apart after it went through each other if their cores meet
-/// on the straight way between; so did two that a step left with their cores in each other, if the way from where they were
-/// apart before to where they are apart again leads through, in however many steps. The core of a body is a box within it, so much smaller that it stays inside
-/// however the body turned in the step. So a finding is certain; a passage near an edge is not found, nor, of a body that
-/// turned far, one with no more than its innermost part.
+/// Two bodies that are apart before and after a step have passed through each other if their cores meet on the straight
+/// line between the two poses. The core of a body is a box inside it, so much smaller that the turning body covers it
+/// during the whole step. If cores overlap after a step, or come to overlap in several, the pair is checked in the same way
+/// once it has separated, from its last separate poses. So a reported passage is certain; one near an edge is missed, and of
+/// a body that turns far all but those through its centre.
 /// \par Cost
 /// A comparison for each body, as long as none moves by half its shortest edge in a step or is deep in another one.
 class PassageCheck : public RunCheck {
  public:
-  /// Makes the check; no step has been seen.
-  PassageCheck();
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
@@ -93,7 +89,7 @@ class PassageCheck : public RunCheck {
   double time_ = 0.0;                   // [s] ditto
   std::vector<BodyState> last_before_;  // at the start of the one before
   double last_time_ = 0.0;              // [s] ditto
-  std::unique_ptr<BroadPhase> near_;
+  BoundingTree near_;
   std::vector<char> fast_;          // not 0: moved by more than half its shortest edge
   std::vector<std::size_t> solid_;  // bodies with a core, by index; the next two are theirs
   std::vector<Box> cores_;          // where the step began
@@ -112,8 +108,8 @@ class PassageCheck : public RunCheck {
   std::vector<Entered> entered_;
 };
 
-/// A body that turns by more than a radian in a step is named, once, with a step that would do. Not every technique finds its
-/// contacts and keeps its energy then (step_in_parts()); the step counts as done all the same.
+/// Reports the first body that turns by more than a radian in a step, with a time step that is short enough. Not every
+/// technique finds contacts and conserves energy in such a step (step_in_parts()). The status stays StepStatus::done.
 class TurnCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;

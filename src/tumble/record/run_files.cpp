@@ -3,6 +3,7 @@
 #include "tumble/record/run_files.hpp"
 
 #include "tumble/base/version.hpp"
+#include "tumble/dynamics/step_report.hpp"
 #include "tumble/filtering/filters.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
@@ -145,25 +146,13 @@ void RunFiles::finish(const RunResult& result) {
   write(description_.scene_settings, out.key("scene_settings"));
   write(description_.technique_settings, out.key("technique_settings"));
   out.key("ignored").begin_list();
-  for (const std::string& what : description_.ignored) out.item(what);
+  for (const std::string& what : description_.ignored_physics) out.item(what);
   out.end_list();
   write(result.last, result.last_report, out.key("at_the_end"));
   write(result.worst_metrics, result.worst_report, out.key("at_worst"));
-  const StepReport& t = result.totals;
-  out.key("totals")
-      .begin()
-      .field("collisions", t.events)
-      .field("contacts", t.contacts)
-      .field("iterations", t.iterations)
-      .field("pivots", t.pivots)
-      .field("impulses", t.impulses)
-      .field("pair_tests", t.pair_tests)
-      .field("integrations", t.integrations)
-      .field("searches", t.searches)
-      .field("rewinds", t.rewinds)
-      .field("restarts", t.restarts)
-      .field("fallbacks", t.fallbacks)
-      .end();
+  out.key("totals").begin();
+  for (const ReportCount& count : kReportCounts) out.field(count.name, result.totals.*count.member);
+  out.end();
   out.field("version", build.version).field("compiler", build.compiler).field("flags", build.flags);
   out.end();
   write_file(folder_.path() / "summary.json", out.text());

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The folder of a run: every file that `tumble run` leaves behind.
+/// \brief The files that `tumble run` writes.
 #pragma once
 
 #include "tumble/record/output_folder.hpp"
@@ -13,32 +13,31 @@ namespace tumble {
 
 /// The settings of a run, for summary.json.
 struct RunDescription {
-  std::string scene;                 ///< the name or file that the user gave
-  std::string technique;             ///< its name
-  Parameters scene_settings;         ///< of a built-in scene
-  Parameters technique_settings;     ///< options of the technique
-  RunSettings run;                   ///< step, duration, seed
-  bool contacts = false;             ///< whether contacts.csv is wanted
-  std::string filter;                ///< as filter_of() takes it; empty: no filtered trajectory
-  int halvings = 0;                  ///< how often a step may be halved, see AdaptiveStep; 0: never
-  std::vector<std::string> ignored;  ///< parts that the technique leaves out, for example friction
+  std::string scene;              ///< the name or file that the user gave
+  std::string technique;          ///< its name
+  Parameters scene_settings;      ///< of a built-in scene
+  Parameters technique_settings;  ///< options of the technique
+  RunSettings run;                ///< step, duration, seed
+  bool contacts = false;          ///< whether contacts.csv is written
+  std::string filter;             ///< as filter_of() takes it; empty: no filtered trajectory
+  int halvings = 0;               ///< how often a step may be halved, see AdaptiveStep; 0: never
+  std::vector<std::string> ignored_physics;  ///< see Technique::ignores()
 };
 
 /// Writes trajectory.csv, metrics.csv, events.csv, contacts.csv, scene.toml and summary.json; with a
 /// filter also trajectory_filtered.csv.
 ///
-/// All of them are the same bytes for the same run. Times of the clock are not the library's
-/// business: the command writes them into timing.csv beside these. An earlier run in the folder is replaced after
-/// the first step, or at the end of a run without steps: one that is refused before leaves it as it was.
-/// summary.json is written last: a folder without it is of a run that could not be finished.
+/// The same run gives the same bytes. Wall times are not written here, but by the command, into timing.csv. The files
+/// replace those of an earlier run after the first step, or at the end of a run without steps, so that a refused run
+/// leaves the folder as it was. summary.json is written last: without it the run was not finished.
 class RunFiles : public RunObserver {
  public:
   /// Makes the folder and opens the files.
-  /// \param folder       where; made if missing. One that is not empty must be a run's
-  /// \param description  how the run is made
-  /// \param scene        as resolved, for scene.toml
-  /// \throws std::invalid_argument if the folder holds other things than a run, if another process writes into it,
-  ///         or for a filter that there is not
+  /// \param folder       created if missing; if it is not empty, it has to be that of a run
+  /// \param description  settings of the run
+  /// \param scene        for scene.toml
+  /// \throws std::invalid_argument if the folder holds something else, if another process writes into it, or for an
+  ///         unknown filter
   /// \throws CannotWrite if it cannot be made or written
   RunFiles(const std::filesystem::path& folder, RunDescription description, const Scene& scene);
 
@@ -47,23 +46,22 @@ class RunFiles : public RunObserver {
                const Metrics& metrics) override;
   void on_event(const World& world, const Event& event) override;
 
-  /// Writes summary.json and what the tables still hold.
-  /// \param result what the run came to
+  /// Writes summary.json and the remaining rows of the tables.
+  /// \param result outcome of the run
   /// \throws CannotWrite if something cannot be written
   void finish(const RunResult& result);
 
-  /// Writes a file about the step that ended a run: a matrix whose numbers keep their bits, so that `tumble lcp` solves
-  /// the very same problem.
+  /// Writes a matrix of the step that ended a run, with all bits of its numbers, for `tumble lcp`.
   /// \param diagnostic  one of Technique::diagnostics(), called unsolved_A.mtx or unsolved_b.mtx
   /// \throws CannotWrite if something cannot be written
   /// \throws std::invalid_argument if a number in it is not finite
   void write_diagnostic(const Diagnostic& diagnostic);
 
-  /// Why trajectory_filtered.csv ends before the run does.
-  /// \return what the filter said of the frame that it refused; empty if it refused none
+  /// Reason why trajectory_filtered.csv ends before the run does.
+  /// \return the filter's message about the frame that it refused; empty if it refused none
   [[nodiscard]] std::string filter_refusal() const;
 
-  /// Where to write now what goes beside these files.
+  /// Folder for further files of the run.
   /// \return see OutputFolder::path()
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 

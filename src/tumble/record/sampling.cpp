@@ -51,7 +51,7 @@ NoisyMotion SceneSampler::motion(const ImpactNoise& noise,
   auto technique = std::make_unique<NoisyImpacts>(technique_->clone(), noise, noise_);
   const NoisyImpacts& impacts = *technique;
   Simulation simulation(scene_, std::move(technique));
-  const RunResult result = tumble::run(simulation, settings_, {}, stop);
+  const RunResult result = run_simulation(simulation, settings_, {}, stop);
   NoisyMotion motion;
   motion.impacts.assign(impacts.impacts().begin(), impacts.impacts().end());
   motion.finished = result.end != RunEnd::interrupted;

@@ -16,14 +16,14 @@
 
 namespace tumble {
 
-/// A scene and a technique, run again and again with other noise in its impacts.
+/// A scene and a technique that are run many times, each time with other noise in the impacts.
 ///
-/// The violation of a motion is that of the scene's wishes at its end. A motion with a step that is not done, or that a
-/// check of the run objects to, is none, however it ends: its violation is infinite.
+/// The violation of a motion is that of the scene's wishes at its end. It is infinite if a step was not done or a check of
+/// the run failed.
 /// \verified{What a chain finds meets the wishes when it is run again}
 class SceneSampler {
  public:
-  /// Takes what all motions have in common.
+  /// Makes a sampler.
   /// \param scene      with one wish or more
   /// \param technique  at its start; every motion gets a copy
   /// \param settings   step and duration of each motion
@@ -37,12 +37,12 @@ class SceneSampler {
   /// The motion of some noise. Several threads may call it at once.
   /// \param noise  of its impacts
   /// \param stop   ends it unfinished; may be empty
-  /// \return what it came to
+  /// \return its impacts and its violation
   /// \throws std::invalid_argument if the technique refuses the scene
   [[nodiscard]] NoisyMotion motion(const ImpactNoise& noise,
                                    const std::function<bool()>& stop = {}) const;
 
-  /// Runs the motion of some noise as run() does.
+  /// Runs the motion of some noise as run_simulation() does.
   /// \param noise      of its impacts
   /// \param observers  called in this order
   /// \return how it ended

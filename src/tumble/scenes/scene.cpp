@@ -6,7 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/mass_range.hpp"
-#include "tumble/geometry/broad_phase.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/scene_joint.hpp"
 #include "tumble/scenes/scene_names.hpp"
@@ -53,7 +53,7 @@ void refuse_overlaps(const Scene& scene, const World& world) {
                      tolerance::start_overlap * box.size.minCoeff());
   }
   std::vector<IndexPair> pairs;
-  make_broad_phase("bounding_tree")->find_pairs(bounds, pairs);
+  BoundingTree().find_pairs(bounds, pairs);
   SeparationOptions exact;
   exact.prefer_faces = false;
   for (const IndexPair& pair : pairs) {
@@ -163,7 +163,7 @@ void add_box(const SceneBox& box, World& world) {
   world.add(body, state_of(box, body), box.name);
 }
 
-void come_and_go(const Scene& scene, double from, double until, World& world) {
+void update_boxes(const Scene& scene, double from, double until, World& world) {
   const auto now = [&](double time) { return time > from && time <= until; };
   for (const SceneBox& box : scene.boxes) {
     if (!now(box.disappears)) continue;

@@ -54,10 +54,10 @@ struct Scene {
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties properties_of(const SceneBox& box);
 
-/// A mistake in a scene, with its place, so that a reader of files can point at the line.
+/// A mistake in a scene. It has the place in the scene, from which a reader of files finds the line.
 class SceneMistake : public std::invalid_argument {
  public:
-  /// A mistake.
+  /// Makes the exception.
   /// \param box      place of the box, or other table, in the scene, from 0; -1 if it is about the scene
   /// \param key      the wrong key of scene files; empty: the box as a whole
   /// \param message  the value and the expected one, for example "= die: two boxes have this name"
@@ -118,13 +118,13 @@ World build_world(const Scene& scene);
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now
 void add_box(const SceneBox& box, World& world);
 
-/// Takes away the boxes that disappear, and adds those that appear, in the time from `from` (not
-/// included) to `until` (included).
+/// Removes the boxes that disappear, and adds those that appear, after `from` and until `until`, in the order of the
+/// scene.
 /// \param scene  the scene that the world was built from
 /// \param from   [s] the last time at which this was called; 0 at first
 /// \param until  [s] the time now
-/// \param world  loses and gets the boxes, in the order of the scene
+/// \param world  in and out
 /// \throws std::invalid_argument if a name is taken by now
-void come_and_go(const Scene& scene, double from, double until, World& world);
+void update_boxes(const Scene& scene, double from, double until, World& world);
 
 }  // namespace tumble

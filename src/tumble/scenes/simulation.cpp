@@ -12,7 +12,7 @@
 namespace tumble {
 namespace {
 
-// Passes on the events of a step; without observers a technique is left as it is.
+// Forwards the collisions of a step to the observers; without observers the technique is left as it is.
 class EventsOfStep : public Observer {
  public:
   EventsOfStep(std::span<Observer* const> observers, Technique& technique)
@@ -33,7 +33,7 @@ class EventsOfStep : public Observer {
   Technique& technique_;
 };
 
-// What a technique does not refuse is no mistake of the caller's, whatever a part of it says of its arguments.
+// An std::invalid_argument that is no refusal comes from a check inside the step, so it is not the caller's mistake.
 StepReport checked_step(Technique& technique, World& world, double dt) {
   try {
     return technique.step(world, dt);
@@ -44,7 +44,7 @@ StepReport checked_step(Technique& technique, World& world, double dt) {
   }
 }
 
-// Wishes about a box that there will not be.
+// Removes the wishes about a box.
 void leave_out(const std::string& name, std::vector<Wish>& wishes) {
   for (Wish& wish : wishes) std::erase(wish.bodies, name);
   std::erase_if(wishes, [](const Wish& wish) { return wish.bodies.empty(); });
@@ -82,7 +82,7 @@ void Simulation::stop_observing(const Observer& observer) {
   observers_.erase(std::remove(observers_.begin(), observers_.end(), &observer), observers_.end());
 }
 
-// The energy of boxes that enter and leave is not the technique's.
+// The energy of boxes that are added and removed is reported apart: the technique is not to blame for it.
 template <class Change>
 void Simulation::change_bodies(const Change& change) {
   const double before = energy_of(world_).total();
@@ -91,14 +91,14 @@ void Simulation::change_bodies(const Change& change) {
   for (Observer* observer : observers_) observer->on_change(world_, added);
 }
 
-void Simulation::settle() {
-  if (!(world_.time() > settled_)) return;
-  const auto due = [&](double time) { return time > settled_ && time <= world_.time(); };
+void Simulation::update_boxes() {
+  if (!(world_.time() > updated_)) return;
+  const auto due = [&](double time) { return time > updated_ && time <= world_.time(); };
   if (std::any_of(scene_.boxes.begin(), scene_.boxes.end(),
                   [&](const SceneBox& box) { return due(box.appears) || due(box.disappears); }))
-    change_bodies([&] { come_and_go(scene_, settled_, world_.time(), world_); });
-  before_ = settled_;
-  settled_ = world_.time();
+    change_bodies([&] { tumble::update_boxes(scene_, updated_, world_.time(), world_); });
+  earlier_ = updated_;
+  updated_ = world_.time();
 }
 
 void require_time_step(double dt) {
@@ -109,7 +109,7 @@ void require_time_step(double dt) {
 StepReport Simulation::step(double dt) {
   require_time_step(dt);
   require_joints_held(*technique_, world_);
-  settle();
+  update_boxes();
   StepReport report;
   {
     const EventsOfStep events(observers_, *technique_);
@@ -139,15 +139,15 @@ std::string Simulation::throw_in(SceneBox box) {
     return scene_.boxes.back().name;
   }
   next = checked(std::move(next));
-  settle();  // a run of the scene lets in boxes that are due at this time before it too
+  update_boxes();  // as in a run of the scene, boxes that are due at this time come first
   change_bodies([&] { add_box(next.boxes.back(), world_); });
   scene_ = std::move(next);
   return scene_.boxes.back().name;
 }
 
 void Simulation::take_away(std::string_view asked) {
-  const std::string name(asked);  // it may be the world's own, which settle() moves
-  settle();
+  const std::string name(asked);  // it may be the world's own, which update_boxes() moves
+  update_boxes();
   const auto box = std::find_if(scene_.boxes.begin(), scene_.boxes.end(),
                                 [&](const SceneBox& b) { return b.name == name; });
   require::that(box != scene_.boxes.end() && world_.find(name),
@@ -161,8 +161,8 @@ void Simulation::take_away(std::string_view asked) {
     begin(std::move(next));
     return;
   }
-  // A run of the scene would not see it at all, and give its id to the next one.
-  require::that(box->appears <= before_,
+  // In a run of the scene it would never be there, and the next box would have its id.
+  require::that(box->appears <= earlier_,
                 name + " came in at this very time: step before it is taken away");
   box->disappears = world_.time();
   change_bodies([&] { world_.remove(*world_.find(name)); });

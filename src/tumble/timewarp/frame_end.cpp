@@ -11,13 +11,11 @@
 
 namespace tumble {
 
-FrameEnd::FrameEnd() : broad_phase_(make_broad_phase("bounding_tree")) {}
-
 void FrameEnd::settle(World& world, double dt, double resolution, std::span<const IndexPair> held,
                       StepReport& report, std::vector<ContactRecord>& records) {
   const double reach = world.gravity_w.norm() * dt * resolution;
   repair_bounds(world, reach, bounds_);
-  broad_phase_->find_pairs(bounds_, candidates_);
+  broad_phase_.find_pairs(bounds_, candidates_);
   if (!held.empty()) {
     resting_.assign(held.begin(), held.end());
     join_touching(world, reach, report);

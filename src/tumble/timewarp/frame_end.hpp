@@ -4,9 +4,9 @@
 #pragma once
 
 #include "tumble/contact/repair.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/timewarp/instant_impacts.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,12 +27,10 @@ namespace tumble {
 /// \verified{A box and a stack of five at rest stay where they are}
 class FrameEnd {
  public:
-  /// Makes it with its storage.
-  FrameEnd();
+  /// Makes it with empty storage.
+  FrameEnd() = default;
   /// A copy has fresh storage; there is no state to copy.
   FrameEnd(const FrameEnd&) : FrameEnd() {}
-  FrameEnd& operator=(const FrameEnd&) = delete;
-  ~FrameEnd() = default;
 
   /// Ends a frame.
   /// \param world       bodies at its end; in and out
@@ -47,7 +45,7 @@ class FrameEnd {
  private:
   void join_touching(const World& world, double reach, StepReport& report);
 
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   InstantImpacts impacts_;
   OverlapRepair repair_;
   std::vector<Bounds> bounds_;

@@ -26,13 +26,7 @@ void require_finite_states(const World& world) {
 }
 
 TimewarpFrame::TimewarpFrame(const TimewarpOptions& options, SearchMethod method)
-    : options_(options),
-      method_(method),
-      broad_phase_(make_broad_phase("bounding_tree")),
-      stage_({options.resolution, options.pair_events}) {}
-
-TimewarpFrame::TimewarpFrame(const TimewarpFrame& other)
-    : TimewarpFrame(other.options_, other.method_) {}
+    : options_(options), method_(method), stage_({options.resolution, options.pair_events}) {}
 
 void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
   require_step(dt, options_);
@@ -75,7 +69,7 @@ Bounds TimewarpFrame::bounds_of_body(int body) const {
 void TimewarpFrame::find_all_collisions(CollisionHeap& heap) {
   bounds_.resize(test.size());
   for (int body = 0; body < world_->count(); ++body) bounds_[idx(body)] = bounds_of_body(body);
-  broad_phase_->find_pairs(bounds_, candidates_);
+  broad_phase_.find_pairs(bounds_, candidates_);
   for (const IndexPair& pair : candidates_) search(pair, heap);
 }
 

@@ -6,12 +6,12 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/timewarp/collision_heap.hpp"
 #include "tumble/timewarp/contact_stage.hpp"
 #include "tumble/timewarp/frame_end.hpp"
 #include "tumble/timewarp/instant_impacts.hpp"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -99,9 +99,7 @@ class TimewarpFrame {
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
   /// A copy with options only; no other state is kept from frame to frame.
   /// \param other the original
-  TimewarpFrame(const TimewarpFrame& other);
-  TimewarpFrame& operator=(const TimewarpFrame&) = delete;
-  ~TimewarpFrame() = default;
+  TimewarpFrame(const TimewarpFrame& other) : TimewarpFrame(other.options_, other.method_) {}
 
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
@@ -178,7 +176,7 @@ class TimewarpFrame {
 
   TimewarpOptions options_;
   SearchMethod method_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   ContactStage stage_;
   InstantImpacts impacts_;
   FrameEnd end_;

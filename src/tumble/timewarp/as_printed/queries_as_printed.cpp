@@ -20,10 +20,7 @@ PrintedQueries::PrintedQueries(const TimewarpAsPrintedOptions& options)
               .strictly_before = options.repaired.has("F6"),
               .swept = options.repaired.has("F7")},
       method_(mended_.ways ? SearchMethod::conservative : SearchMethod::discrete),
-      broad_phase_(make_broad_phase("bounding_tree")),
       stage_({options.resolution, options.pair_events}) {}
-
-PrintedQueries::PrintedQueries(const PrintedQueries& other) : PrintedQueries(other.options_) {}
 
 void PrintedQueries::begin(World& world, double dt, Observer* observer) {
   require_step(dt, {.resolution = options_.resolution});
@@ -82,7 +79,7 @@ Bounds PrintedQueries::bounds_of_body(int body) const {
 void PrintedQueries::find_all_collisions(CollisionHeap& heap) {
   heap.reset(world_->count());
   for (int body = 0; body < world_->count(); ++body) bounds_[idx(body)] = bounds_of_body(body);
-  broad_phase_->find_pairs(bounds_, candidates_);
+  broad_phase_.find_pairs(bounds_, candidates_);
   for (const IndexPair& pair : candidates_) search(pair, heap);
 }
 

@@ -5,10 +5,10 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -85,9 +85,7 @@ class PrintedQueries {
   explicit PrintedQueries(const TimewarpAsPrintedOptions& options);
   /// A copy with options only; no other state is kept from frame to frame.
   /// \param other the original
-  PrintedQueries(const PrintedQueries& other);
-  PrintedQueries& operator=(const PrintedQueries&) = delete;
-  ~PrintedQueries() = default;
+  PrintedQueries(const PrintedQueries& other) : PrintedQueries(other.options_) {}
 
   /// Starts a frame.
   /// \param world     all bodies; kept until fix_interpenetration()
@@ -179,7 +177,7 @@ class PrintedQueries {
   TimewarpAsPrintedOptions options_;
   Mended mended_;
   SearchMethod method_;
-  std::unique_ptr<BroadPhase> broad_phase_;
+  BoundingTree broad_phase_;
   ContactStage stage_;
   InstantImpacts impacts_;
   FrameEnd end_;
