@@ -53,7 +53,7 @@ LOOK = r"""(() => {
     typeset: document.querySelectorAll('.MathJax_SVG svg').length,
     formulas: document.querySelectorAll('script[type^="math/tex"]').length,
     wrong: window.MathJax ? MathJax.Hub.getAllJax().filter(one => one.texError).map(one => one.originalText) : [],
-    raw: (copy.textContent.match(/\\f[$\[{]|\\\(|\\\[|\\(ref|frac|mathbf)\b.{0,20}|\*\*\S.{0,20}|`.{0,20}/g) || []),
+    raw: (copy.textContent.match(/\\f[$\[{]|\\\(|\\\[|\\(ref|frac|mathbf)\b.{0,20}|\*\*\S.{0,20}|`.{0,20}|<\/?tt>.{0,20}/g) || []),
     wide: [document.documentElement, content].some(box => box.scrollWidth > box.clientWidth) ||
           document.documentElement.scrollWidth > innerWidth,
     widest: [...content.querySelectorAll('*')].filter(node => node.getBoundingClientRect().right > innerWidth + 1)
