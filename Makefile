@@ -8,7 +8,8 @@ BUILD_PACKAGES   := g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libg
 COMMAND_PACKAGES := $(BUILD_PACKAGES) libcli11-dev libstb-dev
 TEST_PACKAGES    := $(COMMAND_PACKAGES) catch2
 FIGURE_PACKAGES  := $(BUILD_PACKAGES) gnuplot-nox fonts-dejavu-core
-SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen doxygen-awesome-css libjs-mathjax python3
+READY_PACKAGES   := xz-utils
+SITE_PACKAGES    := $(FIGURE_PACKAGES) doxygen doxygen-awesome-css libjs-mathjax python3 $(READY_PACKAGES)
 # npm comes with node where node is not Debian's, so the command is looked for first.
 LIVE_PACKAGES    := $(BUILD_PACKAGES) emscripten $(if $(shell command -v npm 2>/dev/null),,npm)
 BOOK_PACKAGES    := $(SITE_PACKAGES) chromium
@@ -29,13 +30,24 @@ RUN_TESTS := ctest --progress --no-label-summary -j $(JOBS)
 
 FUZZ_PRESET := $(if $(filter off,$(SANITIZERS)),fuzz-fast,fuzz)
 
-.PHONY: help command view test test-long figures figure check fuzz worlds bench live site book clean
+.PHONY: help view command test test-long figures figure check fuzz worlds bench live ready site book clean
 
 help:  ## this list
 	@echo "usage: make TARGET"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' Makefile | \
 	  while read -r name what; do printf '  %-10s %s\n' "$$name" "$$what"; done
 	@echo "variables: SETUP=no (only name missing packages), SETUP=skip (do not look), JOBS=N"
+
+view:  ## throw boxes at any scene, in the browser, at once; SCENE=pyramid: simulate that one and play it there
+ifdef SCENE
+	@cmake/setup $(COMMAND_PACKAGES)
+	$(CONFIGURE)
+	$(MAKE_IT) --target tumble_command
+	build/release/bin/tumble view $(SCENE)
+else
+	@cmake/setup $(READY_PACKAGES)
+	@cmake/ready --open
+endif
 
 test:  ## build and run the tests; ONLY=tag runs those with a tag, such as ONLY=separation
 	@cmake/setup $(TEST_PACKAGES)
@@ -53,12 +65,6 @@ command:  ## build the command that runs scenes: build/release/bin/tumble
 	@cmake/setup $(COMMAND_PACKAGES)
 	$(CONFIGURE)
 	$(MAKE_IT) --target tumble_command
-
-view:  ## simulate a scene and show it in the browser: SCENE=pyramid
-	@cmake/setup $(COMMAND_PACKAGES)
-	$(CONFIGURE)
-	$(MAKE_IT) --target tumble_command
-	build/release/bin/tumble view $(or $(SCENE),pyramid)
 
 figures:  ## compute and draw every figure into build/figures; open index.html there
 	@cmake/setup $(FIGURE_PACKAGES)
@@ -94,14 +100,20 @@ bench:  ## measure against the engines that are installed
 	cmake --preset bench $(OPTIONS)
 	cmake --build --preset bench -j $(JOBS)
 
-live:  ## the page on which boxes are thrown at the scenes: build/live/index.html
+live:  ## the page that make view opens, built from the sources: build/live/index.html
 	@cmake/setup $(LIVE_PACKAGES)
 	$(CONFIGURE)
 	cmake/live $(OPTIONS)
 
+ready:  ## renew the page that make view opens, live/ready, when a test asks for it
+	@cmake/setup $(LIVE_PACKAGES) $(READY_PACKAGES)
+	$(CONFIGURE)
+	$(MAKE_IT) --target live_hashes
+	cmake/live $(OPTIONS)
+	cmake/ready --renew
+
 site:  ## chapters, figures, ledger, reference and live page as a web site: build/site/index.html
 	@cmake/setup $(SITE_PACKAGES)
-	@cmake/setup $(LIVE_PACKAGES) || echo "Going on: the site will have pictures where scenes would run."
 	$(CONFIGURE) -DTUMBLE_FIGURES=ON
 	$(MAKE_IT) --target figures
 	$(MAKE_IT) --target pages

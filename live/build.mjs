@@ -29,7 +29,8 @@ const UNUSED_PROGRAMS = new RegExp(SHADERS + 'ShaderLib[/\\\\]' +
     '(background|backgroundCube|cube|distance|equirect|linedashed|meshbasic|meshmatcap|meshnormal|meshphong|' +
     'meshphysical|meshtoon|points|sprite|vsm)\\.');
 const USED_SHADERS = new RegExp(SHADERS + 'Shader(Chunk|Lib)[/\\\\]');
-// What the renderer asks of parts that the page has no use for: headsets, reflections, morph targets.
+// What the renderer asks of parts that the page has no use for: headsets, reflections, morph targets, buffers of uniforms,
+// effects on the finished picture.
 const IDLE_PARTS = {
   WebXRManager: `export class WebXRManager {
     enabled = false; isPresenting = false;
@@ -38,7 +39,12 @@ const IDLE_PARTS = {
   PMREMGenerator: 'export class PMREMGenerator {}',
   DFGLUTData: 'export const getDFGLUT = () => null;',
   WebGLMorphtargets: 'export function WebGLMorphtargets() { return {update() {}}; }',
+  WebGLEnvironments: 'export function WebGLEnvironments() { return {get: () => null, dispose() {}}; }',
+  WebGLUniformsGroups: 'export function WebGLUniformsGroups() { return {dispose() {}}; }',
+  WebGLOutput: 'export class WebGLOutput {}',
 };
+// Nor does it write objects of three.js into files, or read them.
+const FILED = /\n\t(to|from)JSON\([^\n]*\{\n[^]*?\n\t\}\n/g;
 const common = {bundle: true, minify: true, format: 'iife', target: 'es2021', charset: 'utf8', legalComments: 'none'};
 
 // A character for each byte, and no more escapes than a string needs: compressed that is about as small as the
@@ -72,6 +78,9 @@ const embedded = {
     }));
     const idle = new RegExp(`${THREE}.*[/\\\\](${Object.keys(IDLE_PARTS).join('|')})\\.js$`);
     it.onLoad({filter: idle}, ({path}) => ({contents: IDLE_PARTS[idle.exec(path)[1]], loader: 'js'}));
+    it.onLoad({filter: new RegExp(THREE)}, async ({path}) => ({
+      contents: (await readFile(path, 'utf8')).replace(FILED, '\n'), loader: 'js',
+    }));
   },
 };
 

@@ -4,7 +4,7 @@
 usage: site/check.py SITE [--pictures DIR]
 
 On every page below: it loads without an error on the console and without a file that is missing, formulas are
-typeset, drawings can be dragged and cut off none of their words, nothing makes it scroll sideways, no listing is cut
+typeset and fit the page, drawings can be dragged and cut off none of their words, nothing makes it scroll sideways, no listing is cut
 off at a desk, no page of prose has more than 5000 words, each link and picture leads to something, and where the site
 has the live page, each scene runs when it comes into sight. The search finds a word of the text, and its first hit
 leads there.
@@ -52,8 +52,10 @@ LOOK = r"""(() => {
   return {
     typeset: document.querySelectorAll('.MathJax_SVG svg').length,
     formulas: document.querySelectorAll('script[type^="math/tex"]').length,
+    beyond: [...document.querySelectorAll('.MathJax_SVG_Display')].filter(box => box.scrollWidth > box.clientWidth + 2)
+      .map(box => box.nextElementSibling.textContent.trim().slice(0, 40)),
     wrong: window.MathJax ? MathJax.Hub.getAllJax().filter(one => one.texError).map(one => one.originalText) : [],
-    raw: (copy.textContent.match(/\\f[$\[{]|\\\(|\\\[|\\(ref|frac|mathbf)\b.{0,20}|\*\*\S.{0,20}|`.{0,20}/g) || []),
+    raw: (copy.textContent.match(/\\f[$\[{]|\\\(|\\\[|\\(ref|frac|mathbf)\b.{0,20}|\*\*\S.{0,20}|`.{0,20}|<\/?tt>.{0,20}/g) || []),
     wide: [document.documentElement, content].some(box => box.scrollWidth > box.clientWidth) ||
           document.documentElement.scrollWidth > innerWidth,
     widest: [...content.querySelectorAll('*')].filter(node => node.getBoundingClientRect().right > innerWidth + 1)
@@ -132,6 +134,7 @@ def check_page(browser, site, page, size, anchors, pictures):
     if page in FORMULAS and not seen["typeset"]:
         yield "has no formulas"
     yield from (f"formula with a mistake: {text}" for text in seen["wrong"])
+    yield from (f"formula is cut off: {text} ..." for text in seen["beyond"])
     if seen["raw"]:
         yield f"shows {seen['raw'][0]} instead of what it means"
     yield from (f"drawing cannot be dragged: {name}" for name in seen["still"])

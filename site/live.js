@@ -4,7 +4,7 @@
 //   <img src="figures/NAME.svg" alt="...">
 //   <figcaption>What it shows. <span class="try">What to try.</span></figcaption></figure>
 //
-// and without scripts that is all, but for what to try. Where the site has the live page, it takes the place of
+// and without scripts that is all, but for what to try. With them the live page takes the place of
 // the picture when that comes into sight, opened by the link in data-live; a span of class "still", about the
 // picture alone, goes. Far out of sight the picture is back, and the scene begins anew next time: a browser
 // keeps few such drawings alive at once. A figure may have controls for settings of the link,
@@ -13,12 +13,10 @@
 //
 // or with "choices" in place of the numbers; the scene begins anew with what was chosen.
 class Live {
-  static here = false; // where cmake/site puts the live page, it adds a line to site.js that says otherwise
-
   static init() {
     document.addEventListener('DOMContentLoaded', () => {
       const figures = [...document.querySelectorAll('figure.live')].map(figure => new Live(figure));
-      if (!Live.here || figures.length === 0) return;
+      if (figures.length === 0) return;
       const of = ({target}) => figures.find(one => one.stage === target);
       const near = new IntersectionObserver(entries => entries.filter(one => !one.isIntersecting)
         .forEach(one => of(one).stop()), {rootMargin: '100%', scrollMargin: '100%'});
@@ -32,12 +30,6 @@ class Live {
     this.picture = figure.querySelector('img');
     this.link = `live/index.html#${figure.dataset.live}`;
     const caption = figure.querySelector('figcaption');
-    if (!Live.here) {
-      const scene = new URLSearchParams(figure.dataset.live).get('scene');
-      caption.insertAdjacentHTML('beforeend', ` <small>In motion: <code>make view SCENE=${scene}</code>. It runs here ` +
-        'once <code>make live</code> has installed what that needs and <code>make site</code> has been run again.</small>');
-      return;
-    }
     this.stage = document.createElement('div');
     this.stage.className = 'stage';
     this.picture.replaceWith(this.stage);
