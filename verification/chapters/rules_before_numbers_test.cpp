@@ -200,7 +200,7 @@ TEST_CASE("Verdicts by a first rule stay as they were when second words were add
     return said;
   };
   // Verdicts that have turned since, by their unchanged rule, because a technique has changed: CHANGELOG says why.
-  const std::map<std::string, std::string> turned = {};
+  const std::map<std::string, std::string> turned = {{"3.1a", ">= 0.8 < 0.5: qualified"}};
   std::map<std::string, std::string> now;  // claims may have moved to another chapter
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "chapters"))
     if (std::filesystem::exists(entry.path() / "claims.toml"))

@@ -54,9 +54,8 @@ TEST_CASE("The default technique keeps momentum and books all energy in random w
   CHECK(worst.unfinished == 0);
   CHECK(worst.momentum < 1e-9);
   CHECK(worst.unbooked < 0.01);
-  // Known to fail now and then, at mass ratios from a thousand on.
-  CHECK(worst.gained <= 2);
-  CHECK(worst.overlapping <= 4);
+  CHECK(worst.gained == 0);
+  CHECK(worst.overlapping <= 1);  // a gram between tons
 }
 
 TEST_CASE("Boxes with unlike masses do not go deep into each other in a step", "[unit][fuzz]") {
@@ -85,6 +84,19 @@ TEST_CASE("Boxes that turn while they touch do not sink into each other", "[unit
   for (const auto& [seed, steps] : worlds) {
     CAPTURE(seed, steps);
     CHECK(judge(random_world(seed, range), "contact_damped", {}, steps).overlap < 0.02);
+  }
+}
+
+TEST_CASE("Light boxes under heavy ones do not sink step by step", "[unit][fuzz]") {
+  WorldRange range;
+  range.most_boxes = 30;
+  range.mass_ratio = 1e4;
+  range.edge_ratio = 100.0;
+  // Towers that neither sweeps nor the direct solver finish: without normal impulses by themselves, 1.5 to 6.6 % of an edge.
+  for (const std::uint64_t seed :
+       {432ULL, 542ULL, 758ULL, 1142ULL, 1391ULL, 2288ULL, 2295ULL, 2382ULL, 3618ULL, 3806ULL}) {
+    CAPTURE(seed);
+    CHECK(judge(random_world(seed, range), "contact_damped").overlap < 0.01);
   }
 }
 

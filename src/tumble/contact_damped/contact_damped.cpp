@@ -8,13 +8,9 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/contact_patches/tolerances.hpp"
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/dynamics/integrate.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
 
@@ -201,76 +197,6 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
           velocities_.start,
           velocities_.free,
           velocities_.end};
-}
-
-// Which bodies turn about which: patches push at their centre of pressure. A patch whose friction is below its bound
-// holds, and what it slips is the error of the solver. One at its bound stays `unknown`: whether it slips
-// the pivot update finds out by itself. Where nothing turns, every body can be moved by itself.
-void ContactDamped::find_pivots(const World& world, double dt) {
-  storage_.pushed.clear();
-  storage_.pivots.clear();
-  const auto turns = [dt](const MovingBody& body) {
-    return dt * body.angular_velocity_w.norm() > tolerance::least_turn;
-  };
-  if (std::none_of(velocities_.end.begin(), velocities_.end.end(), turns)) return;
-  for (const ContactPatch& patch : memory_.manifolds.patches()) {
-    PushedPair pair{patch.first, patch.second, Vec3::Zero(), patch.frame_w.col(2)};
-    const Six all = impulse_of(patch);
-    const double limit = (1.0 - tolerance::friction_limit) * patch.friction * all[six::normal];
-    if (std::sqrt(all[0] * all[0] + all[1] * all[1]) < limit) pair.state = PushedState::held;
-    for (const ContactPatchPoint& p : patch.used()) {
-      if (p.impulse > 0.0 && std::abs(p.gap) > tolerance::contact_slop * patch.size)
-        pair.state = PushedState::unknown;  // it closes a gap, or there is overlap
-      pair.point_w += p.impulse * position_of(patch, velocities_.start[idx(patch.first)], p);
-    }
-    if (!(all[six::normal] > 0.0)) continue;
-    pair.point_w /= all[six::normal];
-    storage_.pushed.push_back(pair);
-  }
-  storage_.pivots.find(world.bodies(), velocities_.end, storage_.pushed);
-}
-
-// Moves a body with those that it turns with. The exponential turns it about a fixed axis, which a thin rod would not keep:
-// where that would add energy it stays where it is. Returns whether it has moved.
-bool ContactDamped::carry(int k, double dt, World& world, StepReport& report) const {
-  const BodyProperties& body = world.bodies()[idx(k)];
-  BodyState& state = world.states()[idx(k)];
-  const BodyState before = state;
-  const double repair = storage_.pivots.move(k, dt, world);
-  if (kinetic_energy(body, state) >
-      (1.0 + tolerance::carried_gain) * kinetic_energy(body, before)) {
-    state = before;
-    return false;
-  }
-  report.energy.repair += repair;
-  return true;
-}
-
-// Bodies with an impulse move with their velocity at the end of the step, which meets the targets of contacts;
-// the others fly their parabola.
-void ContactDamped::move(World& world, double dt, StepReport& report) {
-  const std::vector<MovingBody>& end = velocities_.end;
-  store_moving_bodies(end, world);
-  if (options_.pose == PoseUpdate::exponential) find_pivots(world, dt);
-  for (std::size_t k = 0; k < end.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    if (end[k].inverse_mass.x() == 0.0) continue;
-    BodyState& state = world.states()[k];
-    // [S6.3.1:move]
-    // No rule of rotation keeps the energy of a body that turns by radians at once.
-    const int parts = parts_of_turn(dt * end[k].angular_velocity_w.norm(), tolerance::turn_at_once);
-    const double part = dt / parts;
-    if (storage_.in_flight[k] != 0) {
-      for (int n = 0; n < parts; ++n) fly(body, state, world.gravity_w, part, options_.rotation);
-    } else {
-      state.linear_momentum_w = body.mass * end[k].velocity_w;
-      if (!storage_.pivots.carries(static_cast<int>(k)) ||
-          !carry(static_cast<int>(k), dt, world, report))
-        for (int n = 0; n < parts; ++n) advance_pose(body, state, part, options_.rotation);
-    }
-    report.integrations += parts;
-    // [S6.3.1:move]
-  }
 }
 
 }  // namespace tumble

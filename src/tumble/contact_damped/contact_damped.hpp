@@ -74,7 +74,7 @@ struct ContactDampedOptions {
 ///    are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.
-///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate).
+///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
 ///    push and were approached part with e times the speed on arrival, those that push without approach stay
 ///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it. Where that
@@ -140,12 +140,14 @@ class ContactDamped : public Technique {
     std::vector<IndexPair> candidates;         // pairs that may touch
     std::vector<IndexPair> touching;           // bodies of the patches
     std::vector<char> in_flight;               // by body index: without an impulse
+    std::vector<char> sinks;                   // by body index: it would, carried by others
     std::vector<char> hit;                     // by patch: an impact too fast to stick
     std::vector<PushedPair> pushed;            // pairs with an impulse
     std::vector<Quat> start_wb;                // orientations at the start of the step
     std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
     KeptSolution kept;                         // of an island, while raised targets are tried
     KeptSolution swept;                        // ditto, while the direct solver is
+    std::vector<MovingBody> held;              // velocities with friction alone
     PivotUpdate pivots;                        // bodies that are moved together
     std::vector<MovingBody> displacements;     // of the overlap correction
   };
@@ -162,6 +164,7 @@ class ContactDamped : public Technique {
   Island view_of_island(const World& world, int k, double dt);
   void solve_island(const Island& island, StepReport& report);
   void find_pivots(const World& world, double dt);
+  bool drop_sinking_pivots(const World& world, double dt);
   bool carry(int k, double dt, World& world, StepReport& report) const;
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);

@@ -131,6 +131,20 @@ double deepest_sinking(const Island& island) {
   return deepest;
 }
 
+double overlap_of_sinking(const Island& island) {
+  double deepest = 0.0;
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+    for (const ContactPatchPoint& p : patch.used()) {
+      const double way = island.dt * (p.target - velocity_at(p.along, p.across, u).z());
+      if (way > tolerance::sinking * patch.size)
+        deepest = std::max(deepest, (way + std::max(0.0, -p.gap)) / patch.size);
+    }
+  }
+  return deepest;
+}
+
 bool is_large_and_fast(const Island& island) {
   return !is_small(island) && speed_range(island).lower >= tolerance::fast_speed;
 }

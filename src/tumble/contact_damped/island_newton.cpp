@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -134,6 +135,19 @@ double IslandSolver::update_impulses(double shift_tolerance, double residual) {
   return residual;
 }
 
+// Newton steps to the balance of springs and bodies, a handful at most. Returns the last one's change [m/s].
+double IslandSolver::balance(std::span<const ContactPatch> patches, double balanced, int most,
+                             int& steps) {
+  evaluate_springs(patches);
+  double change = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < tolerance::newton_steps_in_a_row && steps < most; ++k) {
+    ++steps;
+    change = newton_step(patches);
+    if (change <= balanced) break;
+  }
+  return change;
+}
+
 // The springs of ADMM, but stiffer, and all kept in balance with the bodies by Newton steps: a handful where ADMM
 // would need thousands of iterations. Then impulses and shifts are updated, and so on until neither changes. The
 // result is dropped unless it has converged or, if IslandLimits allow that, is much better than that of ADMM.
@@ -154,12 +168,7 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   // [S6.3.1:newton]
   for (int update = 0; update < limits.max_shift_updates; ++update) {
     if (steps >= limits.max_newton_steps || residual < limits.residual) break;
-    evaluate_springs(patches);
-    for (int k = 0; k < tolerance::newton_steps_in_a_row && steps < limits.max_newton_steps; ++k) {
-      ++steps;
-      change = newton_step(patches);
-      if (change <= balanced) break;
-    }
+    change = balance(patches, balanced, limits.max_newton_steps, steps);
     if (change > balanced && steps < limits.max_newton_steps &&
         ++unbalanced == tolerance::newton_gives_up)
       break;
@@ -176,6 +185,40 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
     points_ = saved_points_;
     members_ = saved_members_;
   }
+}
+
+IslandResult IslandSolver::solve_normal(std::span<const int> bodies, std::span<const int> contacts,
+                                        const IslandLimits& limits,
+                                        std::span<const MovingBody> held,
+                                        std::span<ContactPatch> patches,
+                                        std::span<MovingBody> now) {
+  IslandResult result;
+  load(bodies, contacts, held, patches, now, FrictionLaw::held);
+  if (costs_too_much(limits.max_work)) return result;
+  result.accepted = true;
+  factored_stamps_.clear();
+  double change = 0.0;
+  const double balanced = tolerance::newton_balanced * limits.residual;
+  while (!result.converged && result.factorizations < limits.max_newton_steps) {
+    change = balance(patches, balanced, limits.max_newton_steps, result.factorizations);
+    result.residual = update_impulses(0.0, change);
+    result.converged = result.residual < limits.residual && change <= balanced;
+  }
+  for (const int body : bodies) {
+    now[idx(body)].velocity_w = held[idx(body)].velocity_w;
+    now[idx(body)].angular_velocity_w = held[idx(body)].angular_velocity_w;
+  }
+  for (const Constraint& constraint : constraints_) {
+    ContactPatch& patch = patches[idx(constraint.patch)];
+    Six sum{};
+    for (int i = constraint.begin; i < constraint.end; ++i) {
+      const Point& p = points_[idx(i)];
+      patch.points[idx(i - constraint.begin)].impulse = p.impulse[2];
+      add_push(p.along, p.across, p.impulse, sum);
+    }
+    apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
+  }
+  return result;
 }
 
 }  // namespace tumble

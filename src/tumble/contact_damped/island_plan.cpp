@@ -99,6 +99,13 @@ bool exceeds_budget(const Island& island, const IslandEffort& effort) {
          effort.budget;
 }
 
+// Whether Newton steps for normal impulses cost more than that.
+bool normal_exceeds_budget(const Island& island, const IslandEffort& effort) {
+  return static_cast<std::int64_t>(island.patch_indices.size()) * tolerance::small_newton_steps *
+             tolerance::newton_step_sweeps >
+         effort.budget;
+}
+
 // Whether anything in an island moves, so that its contacts change in the next step.
 bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
@@ -183,6 +190,12 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
+  plan.normal = plan.direct;
+  plan.normal.residual = tolerance::loose_residual * unit_speed;
+  plan.normal.max_newton_steps = tolerance::small_newton_steps;
+  plan.overlap = small                                   ? tolerance::small_island_overlap
+                 : normal_exceeds_budget(island, effort) ? std::numeric_limits<double>::infinity()
+                                                         : tolerance::large_island_overlap;
   if (small) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})

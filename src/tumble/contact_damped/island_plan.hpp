@@ -46,6 +46,8 @@ struct IslandPlan {
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
   bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
   IslandLimits direct;              ///< of the direct solver
+  IslandLimits normal;              ///< of its normal impulses alone
+  double overlap = 0.0;             ///< [-] share of the shortest edge beyond which these are found
 };
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up.

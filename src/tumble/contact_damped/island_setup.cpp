@@ -38,7 +38,7 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 
 void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
                         std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-                        std::span<const MovingBody> now) {
+                        std::span<const MovingBody> now, FrictionLaw law) {
   member_of_.assign(now.size(), -1);
   members_.clear();
   stamps_.clear();
@@ -66,7 +66,7 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
       joined_.push_back({constraint.first, constraint.second});
     }
     constraint.begin = static_cast<int>(points_.size());
-    load_points(patch, heaviest);
+    load_points(patch, heaviest, law);
     constraint.end = static_cast<int>(points_.size());
     stamps_.push_back(patch.stamp);
   }
@@ -79,11 +79,18 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
   unit_mass_ = std::ldexp(1.0, -power);
 }
 
+// Whether factors would. Finds out where they have entries.
+bool IslandSolver::costs_too_much(double max_work) {
+  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
+  return static_cast<double>(matrix_.multiplications_of_factor()) >
+         max_work * static_cast<double>(members_.size());
+}
+
 // The points of a patch, each with its impulse of the last solution. Friction that was added since is distributed:
 // each point gets a share in proportion to its pressure, and of the moment about the centre of pressure in
 // proportion to its lever as well.
 // Springs between light bodies are stiff enough to carry the heaviest body of the island.
-void IslandSolver::load_points(const ContactPatch& patch, double heaviest) {
+void IslandSolver::load_points(const ContactPatch& patch, double heaviest, FrictionLaw law) {
   const SixBySix& K = patch.inverse_mass;
   Six since = impulse_of(patch);
   for (const ContactPatchPoint& p : patch.used())
@@ -116,7 +123,7 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest) {
     point.along = p.along;
     point.across = p.across;
     point.target = p.target;
-    point.friction = patch.friction;
+    point.friction = law == FrictionLaw::held ? 0.0 : patch.friction;
     point.inverse_mass = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
                          p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
                          p.along * p.along * K[4][4];
@@ -126,7 +133,7 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest) {
     double f = p.solver_impulse[0] + share * since[0] - turn * pressure[i] * (p.across - across);
     double g = p.solver_impulse[1] + share * since[1] + turn * pressure[i] * (p.along - along);
     const double size = std::sqrt(f * f + g * g);
-    const double bound = patch.friction * pressure[i];
+    const double bound = point.friction * pressure[i];
     if (size > bound) {
       f *= bound / size;
       g *= bound / size;

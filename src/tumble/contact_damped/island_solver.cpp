@@ -143,14 +143,11 @@ IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const in
                                  const IslandLimits& limits, std::span<const MovingBody> free,
                                  std::span<ContactPatch> patches, std::span<MovingBody> now) {
   IslandResult result;
-  load(bodies, contacts, free, patches, now);
-  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
-  if (static_cast<double>(matrix_.multiplications_of_factor()) >
-      limits.max_work * static_cast<double>(bodies.size()))
-    return result;
+  load(bodies, contacts, free, patches, now, FrictionLaw::coulomb);
+  if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
-    load(bodies, contacts, free, patches, now);
+    load(bodies, contacts, free, patches, now, FrictionLaw::convex);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
     if (result.accepted) store(bodies, result.converged, free, patches, now);
     return result;

@@ -106,10 +106,27 @@ class IslandSolver {
                      const IslandLimits& limits, std::span<const MovingBody> free,
                      std::span<ContactPatch> patches, std::span<MovingBody> now);
 
+  /// Finds the normal impulses with which nothing approaches, friction held as it is.
+  ///
+  /// Without the cones' coupling the problem is convex with one solution, and the Newton steps of solve() find it
+  /// whatever the masses and the coefficients of friction are. Impulses of friction may be outside of their cones
+  /// afterwards.
+  /// \param bodies    indices of the island's movable bodies
+  /// \param contacts  places of its patches in `patches`
+  /// \param limits    residual, max_newton_steps and max_work count
+  /// \param held      by index: velocities without contacts, with the impulses of friction
+  /// \param patches   with their targets; normal impulses in (a start) and out
+  /// \param now       by index: velocities in (a start) and out
+  /// \return how it ended; nothing is changed unless it was accepted, which it is if factors do not cost too much
+  IslandResult solve_normal(std::span<const int> bodies, std::span<const int> contacts,
+                            const IslandLimits& limits, std::span<const MovingBody> held,
+                            std::span<ContactPatch> patches, std::span<MovingBody> now);
+
  private:
   // The shift s is found by substitution, which diverges where friction or the ratio of masses is very large. Without
-  // it the problem is convex, and the iterations converge; points that slide then separate a little.
-  enum class FrictionLaw : std::uint8_t { coulomb, convex };
+  // it the problem is convex, and the iterations converge; points that slide then separate a little. Where friction is
+  // held, points have none.
+  enum class FrictionLaw : std::uint8_t { coulomb, convex, held };
   // A movable body of the island.
   struct Member {
     double mass = 0.0;              // [kg]
@@ -147,8 +164,9 @@ class IslandSolver {
   // island_setup.cpp: bodies, points and the matrix.
   void load(std::span<const int> bodies, std::span<const int> contacts,
             std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-            std::span<const MovingBody> now);
-  void load_points(const ContactPatch& patch, double heaviest);
+            std::span<const MovingBody> now, FrictionLaw law);
+  void load_points(const ContactPatch& patch, double heaviest, FrictionLaw law);
+  bool costs_too_much(double max_work);
   void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);
   [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
   void factor(std::span<const ContactPatch> patches, bool newton);
@@ -172,6 +190,7 @@ class IslandSolver {
   void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,
               IslandResult& result);
   double update_impulses(double shift_tolerance, double residual);
+  double balance(std::span<const ContactPatch> patches, double balanced, int most, int& steps);
   double newton_step(std::span<const ContactPatch> patches);
   void evaluate_springs(std::span<const ContactPatch> patches);
   double line_search(std::span<const ContactPatch> patches);

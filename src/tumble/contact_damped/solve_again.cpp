@@ -1,10 +1,10 @@
 /// \file
 /// \brief The default technique: islands that are solved again, with what their first solution brought about.
 #include "tumble/base/index.hpp"
+#include "tumble/contact_damped/body_motion.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +13,14 @@
 namespace tumble {
 namespace {
 
-// Where a body is at the end of the step.
-BodyState state_after(const Island& island, int k) {
-  const MovingBody& now = island.now[idx(k)];
-  BodyState state = island.world.states()[idx(k)];
-  state.position_w += island.dt * now.velocity_w;
-  state.orientation_wb =
-      rotation_from_vector(island.dt * now.angular_velocity_w) * state.orientation_wb;
-  return state;
-}
-
 // How far the bodies of a patch are apart at the end of the step [m]; below 0 they overlap.
-double distance_after(const Island& island, const ContactPatch& patch) {
+double distance_after(const Island& island, const BodyMotion& motion, const ContactPatch& patch) {
+  const auto after = [&](int k) {
+    return state_after(motion, k, island.now[idx(k)], island.world);
+  };
   const std::span<const BodyProperties> bodies = island.world.bodies();
-  return gap_between(bodies[idx(patch.first)], state_after(island, patch.first),
-                     bodies[idx(patch.second)], state_after(island, patch.second))
+  return gap_between(bodies[idx(patch.first)], after(patch.first), bodies[idx(patch.second)],
+                     after(patch.second))
       .distance;
 }
 
@@ -37,7 +30,7 @@ struct Turned {
   double expected = 0.0;  // [m] how far apart the nearest point says that the bodies will be
 };
 
-Turned turned_in_step(const Island& island, const ContactPatch& patch) {
+Turned turned_in_step(const Island& island, const BodyMotion& motion, const ContactPatch& patch) {
   const MovingBody& first = island.now[idx(patch.first)];
   const MovingBody& second = island.now[idx(patch.second)];
   const double turn =
@@ -50,7 +43,7 @@ Turned turned_in_step(const Island& island, const ContactPatch& patch) {
     expected = std::min(expected, p.gap + island.dt * velocity_at(p.along, p.across, u).z());
     overlap = std::max(overlap, -p.gap);
   }
-  return {-overlap - distance_after(island, patch), expected};
+  return {-overlap - distance_after(island, motion, patch), expected};
 }
 
 // The farthest turn of a body of an island in the step [rad].
@@ -62,21 +55,21 @@ double farthest_turn(const Island& island) {
 }
 
 // The most that bodies of an island sink into each other in the step by turning, as a share of the size.
-double sunk_by_turning(const Island& island) {
+double sunk_by_turning(const Island& island, const BodyMotion& motion) {
   if (!(farthest_turn(island) > tolerance::turn_that_shows)) return 0.0;  // as at rest
   double most = 0.0;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
-    most = std::max(most, turned_in_step(island, patch).deeper / patch.size);
+    most = std::max(most, turned_in_step(island, motion, patch).deeper / patch.size);
   }
   return most;
 }
 
 // Asks the points of patches that sink so to end as much higher.
-void raise_targets(const Island& island) {
+void raise_targets(const Island& island, const BodyMotion& motion) {
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    const Turned turned = turned_in_step(island, patch);
+    const Turned turned = turned_in_step(island, motion, patch);
     if (!(turned.deeper > tolerance::sunk_by_turning * patch.size)) continue;
     for (ContactPatchPoint& p : patch.used())
       p.target = std::max(p.target, (turned.expected + turned.deeper - p.gap) / island.dt);
@@ -132,17 +125,18 @@ void ContactDamped::solve_missed(const World& world, double dt, StepReport& repo
 // along an arc. Where bodies so sink into each other, points are asked for as much more, and the island is solved again.
 // Solutions with which they sink further, or that make a body spin, are not taken.
 void ContactDamped::solve_turning(const World& world, double dt, StepReport& report) {
+  const BodyMotion motion{dt, options_.rotation, storage_.in_flight};
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     const Island island = view_of_island(world, k, dt);
     // [S6.3.1:turning]
-    double sunk = sunk_by_turning(island);
+    double sunk = sunk_by_turning(island, motion);
     for (int n = 0; n < tolerance::solutions_for_turning && sunk > tolerance::sunk_by_turning;
          ++n) {
       const double most_turn = std::max(farthest_turn(island), tolerance::turn_at_once);
       storage_.kept.keep(island, storage_.in_flight);
-      raise_targets(island);
+      raise_targets(island, motion);
       solve_again(island, report);
-      const double now = sunk_by_turning(island);
+      const double now = sunk_by_turning(island, motion);
       if (!(now < sunk) || farthest_turn(island) > most_turn) {
         storage_.kept.restore(island, storage_.in_flight);
         break;

@@ -7,6 +7,7 @@
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace tumble {
 namespace {
@@ -82,6 +83,43 @@ double sweep_without_gain(const Island& island, const IslandPlan& plan, StepRepo
   for (int k = 0; k < tolerance::sweeps_after_gain; ++k)
     if (sweep_number(k, island, plan, report) < plan.residual) break;
   return share_without_gain(island);
+}
+
+// Velocities without contacts, with a share of the impulses of friction, which becomes all of them.
+void hold_friction(const Island& island, double share, std::vector<MovingBody>& held) {
+  held.resize(island.free.size());
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    for (const int k : {patch.first, patch.second}) held[idx(k)] = island.free[idx(k)];
+  }
+  for (const int contact : island.patch_indices) {
+    ContactPatch& patch = island.all_patches[idx(contact)];
+    Six friction{};
+    friction[six::along] = patch.along_impulse *= share;
+    friction[six::across] = patch.across_impulse *= share;
+    friction[six::twist] = patch.twist_impulse *= share;
+    apply(friction, patch, held[idx(patch.first)], held[idx(patch.second)]);
+  }
+}
+
+// Where bodies still sink deeply, normal impulses are solved for with friction held as it is. If that adds energy, as friction
+// belonged to other pressures, with half of the friction, or none. Returns whether bodies sink less then.
+bool stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                  KeptSolution& before, std::vector<MovingBody>& held, std::span<char> in_flight,
+                  StepReport& report) {
+  const double overlap = overlap_of_sinking(island);
+  if (!(overlap > plan.overlap)) return false;
+  before.keep(island, in_flight);
+  for (const double share : {1.0, 0.5, 0.0}) {
+    hold_friction(island, share, held);
+    const IslandResult result = solver.solve_normal(
+        island.bodies, island.patch_indices, plan.normal, held, island.all_patches, island.now);
+    report.pivots += result.factorizations;
+    if (!result.accepted) break;
+    if (overlap_of_sinking(island) < overlap && share_without_gain(island) == 1.0) return true;
+  }
+  before.restore(island, in_flight);
+  return false;
 }
 
 // Clears `in_flight` of the bodies that do not fly their parabola. A body on which no point pushes flies, if its
@@ -163,6 +201,12 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
       island.all_patches[idx(contact)].solved_directly = direct;
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
+  if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep &&
+      stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
+                   storage_.in_flight, report)) {
+    for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
+    decide_flight(island, storage_.in_flight);
+  }
   // [S6.3.1:island]
 }
 

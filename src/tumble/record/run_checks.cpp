@@ -153,7 +153,7 @@ void PassageCheck::on_overlap(const World& world, double deepest) {
     cores_.push_back(core_of(world.bodies()[k], world.states()[k], 0.0));
     swept_.push_back(bounds_of(cores_.back()));
   }
-  near_->find_pairs(swept_, pairs_);
+  near_.find_pairs(swept_, pairs_);
   before_.swap(last_before_);  // the start of the step, for turn_of()
   std::swap(time_, last_time_);
   for (const IndexPair& pair : pairs_) {
