@@ -107,14 +107,14 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     if (!bounces) continue;
     if (!any_bounced) {
       velocities_.before_bounce = velocities_.end;
-      storage_.before_bounce.resize(patches.size());
+      storage_.impulses_before_bounce.resize(patches.size());
     }
     any_bounced = true;
     const Island island = view_of_island(world, k, dt);
     for (const int contact : island.patch_indices)
-      storage_.before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
+      storage_.impulses_before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
     bounce_island(island, report);
-    limit_bounce(island, velocities_.before_bounce, storage_.before_bounce, report);
+    limit_bounce(island, velocities_.before_bounce, storage_.impulses_before_bounce, report);
   }
   if (any_bounced) store_bounced_velocities(world);
   if (observer() == nullptr) return;

@@ -40,10 +40,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   if (options_.sleeping) {
     const int woken = sleeping.wake_disturbed(world);
     if (woken == 0 && sleeping.nobody_awake()) {
-      if (world.bodies().size() != velocities_.start.size() && !contacts().empty())
-        std::erase_if(records_, [&](const ContactRecord& contact) {
-          return !world.find(contact.first) || !world.find(contact.second);
-        });
+      forget_removed_bodies(world);
       world.finish_step(dt);
       return report;
     }
@@ -73,6 +70,14 @@ StepReport ContactDamped::step(World& world, double dt) {
   }
   world.finish_step(dt);
   return report;
+}
+
+// Where all sleep, contacts stay those of the last step that was made, but for bodies that there are no more.
+void ContactDamped::forget_removed_bodies(const World& world) {
+  if (world.bodies().size() == velocities_.start.size() || contacts().empty()) return;
+  std::erase_if(records_, [&](const ContactRecord& contact) {
+    return !world.find(contact.first) || !world.find(contact.second);
+  });
 }
 
 // The length of the k-th part of a step of which some time is left.

@@ -137,19 +137,20 @@ class ContactDamped : public Technique {
   struct Storage {
     int parts = 1;  // into which the step is divided
     std::vector<Bounds> bounds;
-    std::vector<IndexPair> candidates;         // pairs that may touch
-    std::vector<IndexPair> touching;           // bodies of the patches
-    std::vector<char> in_flight;               // by body index: without an impulse
-    std::vector<char> sinks;                   // by body index: it would, carried by others
-    std::vector<char> hit;                     // by patch: an impact too fast to stick
-    std::vector<PushedPair> pushed;            // pairs with an impulse
-    std::vector<Quat> start_wb;                // orientations at the start of the step
-    std::vector<PatchImpulses> before_bounce;  // by patch: impulses before something bounced
-    KeptSolution kept;                         // of an island, while raised targets are tried
-    KeptSolution swept;                        // ditto, while the direct solver is
-    std::vector<MovingBody> held;              // velocities with friction alone
-    PivotUpdate pivots;                        // bodies that are moved together
-    std::vector<MovingBody> displacements;     // of the overlap correction
+    std::vector<IndexPair> candidates;  // pairs that may touch
+    std::vector<IndexPair> touching;    // bodies of the patches
+    std::vector<char> in_flight;        // by body index: without an impulse
+    std::vector<char> sinks;            // by body index: it would, carried by others
+    std::vector<char> hit;              // by patch: an impact too fast to stick
+    std::vector<PushedPair> pushed;     // pairs with an impulse
+    std::vector<Quat> start_wb;         // orientations at the start of the step
+    std::vector<PatchImpulses>
+        impulses_before_bounce;             // by patch: impulses before something bounced
+    KeptSolution kept;                      // of an island, while raised targets are tried
+    KeptSolution swept;                     // ditto, while the direct solver is
+    std::vector<MovingBody> held;           // velocities with friction alone
+    PivotUpdate pivots;                     // bodies that are moved together
+    std::vector<MovingBody> displacements;  // of the overlap correction
   };
 
   [[nodiscard]] double length_of_part(const World& world, double left, int k);
@@ -172,6 +173,7 @@ class ContactDamped : public Technique {
   void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;
   void notify_observer(const ContactPatch& patch, double dt) const;
+  void forget_removed_bodies(const World& world);
 
   ContactDampedOptions options_;
   Memory memory_;

@@ -164,9 +164,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const bool sweeps_first = loose || fast || converging || has_sliding_patch(island, unit_speed);
   plan.method = effort.admm_iterations == 0 || (loose && exceeds_budget(island, effort))
                     ? IslandMethod::sweep
-                : loose        ? IslandMethod::sweep_or_solve
-                : sweeps_first ? IslandMethod::sweep_then_solve
-                               : IslandMethod::solve;
+                : loose        ? IslandMethod::sweep_unless_sinking
+                : sweeps_first ? IslandMethod::sweep_then_direct
+                               : IslandMethod::direct_then_sweep;
   // [S6.3.1:plan]
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 

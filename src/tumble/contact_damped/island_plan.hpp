@@ -26,11 +26,11 @@ struct IslandEffort {
 
 /// The method that solves an island after its first sweeps.
 enum class IslandMethod : std::uint8_t {
-  settled,         ///< nothing: it is solved
-  sweep,           ///< more sweeps
-  sweep_or_solve,  ///< more sweeps; the direct solver where bodies sink deeply, if that leaves less
-  sweep_then_solve,  ///< more sweeps, then the direct solver if they were not enough
-  solve              ///< the direct solver, or more sweeps if it does not accept the island
+  settled,               ///< nothing: it is solved
+  sweep,                 ///< more sweeps
+  sweep_unless_sinking,  ///< more sweeps; the direct solver where bodies sink deeply, if that leaves less
+  sweep_then_direct,  ///< more sweeps, then the direct solver if they were not enough
+  direct_then_sweep   ///< the direct solver, or more sweeps if it does not accept the island
 };
 
 /// The method for an island, with its limits.

@@ -177,16 +177,17 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
     case IslandMethod::sweep:  // much of it moves, or the direct solver is off
       sweep_on(island, plan, first, report);
       break;
-    case IslandMethod::sweep_or_solve:  // much of it moves, and there is time for the direct solver
+    case IslandMethod::
+        sweep_unless_sinking:  // much of it moves, and there is time for the direct solver
       if (!sweep_on(island, plan, first, report))
         direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
                                   storage_.in_flight, report);
       break;
-    case IslandMethod::sweep_then_solve:  // it moves fast, slides, or sweeps converge
+    case IslandMethod::sweep_then_direct:  // it moves fast, slides, or sweeps converge
       if (!sweep_on(island, plan, first, report))
         direct = solve_directly(island, plan, memory_.island_solver, report);
       break;
-    case IslandMethod::solve:  // weight has to go through all of it at once
+    case IslandMethod::direct_then_sweep:  // weight has to go through all of it at once
       direct = solve_directly(island, plan, memory_.island_solver, report);
       if (!direct) sweep_on(island, plan, first, report);
       break;
