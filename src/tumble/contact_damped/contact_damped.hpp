@@ -70,7 +70,8 @@ struct ContactDampedOptions {
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps in a heap
 ///    in which much moves, and where the island moves fast, slides or is nearly done; all patches at once (IslandSolver)
 ///    elsewhere, and where sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where much
-///    moves and bodies would still sink deeply, all patches at once are tried, too. An island is solved again where bodies
+///    moves and bodies would still sink deeply, all patches at once are tried, too; where they sink all the same, normal
+///    impulses are found by themselves. An island is solved again where bodies
 ///    are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than half a radian does so in parts of the step, since no rule keeps its energy at once.

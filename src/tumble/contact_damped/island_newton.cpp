@@ -197,27 +197,14 @@ IslandResult IslandSolver::solve_normal(std::span<const int> bodies, std::span<c
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
   factored_stamps_.clear();
-  double change = 0.0;
   const double balanced = tolerance::newton_balanced * limits.residual;
   while (!result.converged && result.factorizations < limits.max_newton_steps) {
-    change = balance(patches, balanced, limits.max_newton_steps, result.factorizations);
+    const double change =
+        balance(patches, balanced, limits.max_newton_steps, result.factorizations);
     result.residual = update_impulses(0.0, change);
     result.converged = result.residual < limits.residual && change <= balanced;
   }
-  for (const int body : bodies) {
-    now[idx(body)].velocity_w = held[idx(body)].velocity_w;
-    now[idx(body)].angular_velocity_w = held[idx(body)].angular_velocity_w;
-  }
-  for (const Constraint& constraint : constraints_) {
-    ContactPatch& patch = patches[idx(constraint.patch)];
-    Six sum{};
-    for (int i = constraint.begin; i < constraint.end; ++i) {
-      const Point& p = points_[idx(i)];
-      patch.points[idx(i - constraint.begin)].impulse = p.impulse[2];
-      add_push(p.along, p.across, p.impulse, sum);
-    }
-    apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
-  }
+  store(bodies, true, held, patches, now, FrictionLaw::held);
   return result;
 }
 

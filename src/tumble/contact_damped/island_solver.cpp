@@ -85,10 +85,11 @@ void IslandSolver::adjust_stiffness(double primal, double dual, double most) {
 }
 
 // Writes impulses back, and velocities: those that follow from the impulses if these are right or nearly so,
-// otherwise those with the springs, which meet the conditions better.
+// otherwise those with the springs, which meet the conditions better. Friction that is held stays as it is.
 void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
                          std::span<const MovingBody> free, std::span<ContactPatch> patches,
-                         std::span<MovingBody> now) const {
+                         std::span<MovingBody> now, FrictionLaw law) const {
+  const bool friction = law != FrictionLaw::held;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     MovingBody& body = now[idx(bodies[m])];
     body.velocity_w = from_impulses ? free[idx(bodies[m])].velocity_w : members_[m].now.head<3>();
@@ -101,13 +102,16 @@ void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
     Six sum{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
       const Point& p = points_[idx(i)];
-      patch.points[idx(i - constraint.begin)].impulse = p.impulse[2];
-      patch.points[idx(i - constraint.begin)].solver_impulse = p.impulse;
+      ContactPatchPoint& point = patch.points[idx(i - constraint.begin)];
+      point.impulse = p.impulse[2];
+      if (friction) point.solver_impulse = p.impulse;
       add_push(p.along, p.across, p.impulse, sum);
     }
-    patch.along_impulse = sum[0];
-    patch.across_impulse = sum[1];
-    patch.twist_impulse = sum[5];
+    if (friction) {
+      patch.along_impulse = sum[0];
+      patch.across_impulse = sum[1];
+      patch.twist_impulse = sum[5];
+    }
     if (from_impulses) apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
   }
 }
@@ -149,11 +153,11 @@ IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const in
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
     load(bodies, contacts, free, patches, now, FrictionLaw::convex);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
-    if (result.accepted) store(bodies, result.converged, free, patches, now);
+    if (result.accepted) store(bodies, result.converged, free, patches, now, FrictionLaw::convex);
     return result;
   }
   if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
-  store(bodies, result.converged || result.improved, free, patches, now);
+  store(bodies, result.converged || result.improved, free, patches, now, FrictionLaw::coulomb);
   return result;
 }
 

@@ -184,7 +184,7 @@ class IslandSolver {
                         double& dual);
   void adjust_stiffness(double primal, double dual, double most);
   void store(std::span<const int> bodies, bool from_impulses, std::span<const MovingBody> free,
-             std::span<ContactPatch> patches, std::span<MovingBody> now) const;
+             std::span<ContactPatch> patches, std::span<MovingBody> now, FrictionLaw law) const;
 
   // island_newton.cpp
   void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,
