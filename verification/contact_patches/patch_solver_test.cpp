@@ -168,3 +168,18 @@ TEST_CASE("The overlap correction removes a share of the overlap, and lets nothi
   CHECK(correct_overlap(apart.patch, 1e-5, 0.2, still, rest) == 0.0);
   CHECK(rest.velocity_w.norm() == 0.0);
 }
+
+TEST_CASE("Pressure at one point, and hardly any at another, has no lever",
+          "[exact][contact_damped]") {
+  // Pressure that half goes to a neighbour in each turn ends so; the square of its lever is 0.
+  OnGround cube(0.5);
+  cube.patch.points[0].impulse = 1e-3;
+  cube.patch.points[1].impulse = 3e-167;
+  cube.patch.along_impulse = 4e-4;
+  cube.patch.twist_impulse = 4e-4 * -cube.patch.points[0].across;
+  cube.patch.targets_planar = false;
+  cube.box.angular_velocity_w = Vec3(0.0, 1e-165, 0.0);
+  cube.solve(2);
+  CHECK(cube.box.velocity_w.allFinite());
+  CHECK(cube.box.angular_velocity_w.allFinite());
+}

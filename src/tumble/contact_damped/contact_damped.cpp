@@ -100,6 +100,7 @@ void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   storage_.in_flight.assign(velocities_.end.size(), 1);
+  storage_.crowded = is_crowded(world, dt);
   for (int k = 0; k < memory_.order.islands().count(); ++k)
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
@@ -187,6 +188,18 @@ void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
     impulse_ratio = 1.0;  // impulses have been scaled already
   }
   memory_.order.update(world, manifolds.patches(), storage_.touching);
+}
+
+// Whether small islands that move are too many to solve each as well as if it was by itself.
+bool ContactDamped::is_crowded(const World& world, double dt) {
+  const auto all = static_cast<std::int64_t>(memory_.manifolds.patches().size());
+  if (!are_too_many(all, effort())) return false;
+  std::int64_t moving = 0;
+  for (int k = 0; k < memory_.order.islands().count(); ++k) {
+    const Island island = view_of_island(world, k, dt);
+    if (is_small(island)) moving += moving_patches(island);
+  }
+  return are_too_many(moving, effort());
 }
 
 // A view of one island of the step.

@@ -22,6 +22,7 @@
 #include "tumble/contact/sleeping.hpp"
 #include "tumble/contact_damped/island.hpp"
 #include "tumble/contact_damped/island_order.hpp"
+#include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -36,7 +37,8 @@ namespace tumble {
 /// Options of the technique.
 struct ContactDampedOptions {
   /// Sweeps over an island, each in one direction, at most: at least 1. Each island gets one, and a second if that
-  /// changes something, whatever this says. Small islands, of up to twenty bodies, get at least fifty.
+  /// changes something, whatever this says. Small islands, of up to twenty bodies, get at least fifty, unless so many of
+  /// them move that they exceed the budget together.
   int sweeps = 6;
   /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;
@@ -136,7 +138,8 @@ class ContactDamped : public Technique {
   };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
-    int parts = 1;  // into which the step is divided
+    int parts = 1;         // into which the step is divided
+    bool crowded = false;  // small islands in motion are too many to solve each as if by itself
     std::vector<Bounds> bounds;
     std::vector<IndexPair> candidates;  // pairs that may touch
     std::vector<IndexPair> touching;    // bodies of the patches
@@ -164,7 +167,12 @@ class ContactDamped : public Technique {
   void solve_again(const Island& island, StepReport& report);
   void solve_turning(const World& world, double dt, StepReport& report);
   Island view_of_island(const World& world, int k, double dt);
+  [[nodiscard]] IslandEffort effort() const;
+  [[nodiscard]] bool is_crowded(const World& world, double dt);
   void solve_island(const Island& island, StepReport& report);
+  bool run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                StepReport& report);
+  void accept(const Island& island, const IslandPlan& plan, bool direct, StepReport& report);
   void find_pivots(const World& world, double dt);
   bool drop_sinking_pivots(const World& world, double dt);
   bool carry(int k, double dt, World& world, StepReport& report) const;

@@ -57,6 +57,13 @@ double approach_of(const ContactPatchPoint& p, const Six& before, const Six& aft
   return -std::sqrt(std::max(start * start + gained, 0.0));
 }
 
+void note_approach_of(const Island& island, ContactPatch& patch) {
+  const Six before =
+      motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
+  const Six after = motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
+  for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
+}
+
 // Speed of the fastest point of a patch, of its two bodies along each other or apart, as a share of sqrt(g L).
 double scaled_speed(const Island& island, const ContactPatch& patch,
                     std::span<const MovingBody> moving) {
@@ -110,6 +117,13 @@ SpeedRange speed_range(const Island& island) {
           static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
 }
 
+std::int64_t moving_patches(const Island& island) {
+  return std::count_if(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
+    return scaled_speed(island, island.all_patches[idx(contact)], island.start) >
+           tolerance::moving_speed;
+  });
+}
+
 double approach_of_slow_patches(const Island& island) {
   double most = 0.0;
   for (const int contact : island.patch_indices) {
@@ -153,14 +167,15 @@ bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
 }
 
+void note_approach(const Island& island) {
+  for (const int contact : island.patch_indices)
+    note_approach_of(island, island.all_patches[idx(contact)]);
+}
+
 void warm_start(const Island& island) {
   for (const int contact : island.upward) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    const Six before =
-        motion_of(patch, island.start[idx(patch.first)], island.start[idx(patch.second)]);
-    const Six after =
-        motion_of(patch, island.free[idx(patch.first)], island.free[idx(patch.second)]);
-    for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
+    note_approach_of(island, patch);
     apply(impulse_of(patch), patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   }
 }

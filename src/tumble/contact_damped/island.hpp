@@ -56,6 +56,11 @@ struct SpeedRange {
 /// \return see there
 [[nodiscard]] SpeedRange speed_range(const Island& island);
 
+/// The patches of an island whose bodies move against each other before the step.
+/// \param island  with a patch at least
+/// \return how many are faster than tolerance::moving_speed
+[[nodiscard]] std::int64_t moving_patches(const Island& island);
+
 /// Whether an island is large and moves fast: its contacts change in the next step, so nothing is solved far.
 /// \param island  the island
 /// \return true if so
@@ -65,6 +70,10 @@ struct SpeedRange {
 /// \param island  the island
 /// \return true if so
 [[nodiscard]] bool is_small(const Island& island);
+
+/// Notes how fast the points of an island approach before it is solved.
+/// \param island  `approach` of its points is written
+void note_approach(const Island& island);
 
 /// Warm start: applies the impulses of the step before, and notes how fast points approach.
 /// \param island  `now` is `free` before

@@ -13,10 +13,6 @@
 namespace tumble {
 namespace {
 
-int patch_iterations_of(const Island& island) {
-  return is_small(island) ? tolerance::small_patch_iterations : tolerance::patch_iterations;
-}
-
 // [m/s] Skipped residuals add up from step to step, and a small island can do without.
 double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
@@ -111,13 +107,6 @@ bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
 }
 
-// Whether sweeps have to do: in a large island much of which moves, contacts change before weight gets through all of it;
-// and where anything moves, it costs no more than its budget.
-bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
-  return !is_small(island) && (speed.moving > tolerance::loose_share ||
-                               (moves(speed) && exceeds_budget(island, effort)));
-}
-
 // Sweeps within the budget.
 int swept_within(const Island& island, const IslandEffort& effort) {
   const auto within = effort.budget / static_cast<int>(island.patch_indices.size());
@@ -126,8 +115,22 @@ int swept_within(const Island& island, const IslandEffort& effort) {
 
 }  // namespace
 
+bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
+  const bool much_moves = speed.moving > tolerance::loose_share;
+  if (is_small(island)) return effort.crowded && much_moves;
+  return much_moves || (moves(speed) && exceeds_budget(island, effort));
+}
+
+bool are_too_many(std::int64_t patches, const IslandEffort& effort) {
+  return patches * (tolerance::small_island_sweeps +
+                    tolerance::small_island_iterations * effort.admm_iterations) >
+         effort.budget;
+}
+
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report) {
-  const int patch_iterations = patch_iterations_of(island);
+  // A small island may be settled by them, and is to be so to the last digits.
+  const int patch_iterations =
+      is_small(island) ? tolerance::first_patch_iterations : tolerance::patch_iterations;
   const double negligible = negligible_residual(island);
   // What the direct solver has found within the bounds of single points, sweeps would change: they bound the friction
   // of a patch as a whole.
@@ -151,10 +154,10 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const double negligible = negligible_residual(island);
   const double unit_speed = negligible / tolerance::contact_settled;
   const SpeedRange speed = speed_range(island);
-  const bool small = is_small(island);
+  const bool loose = has_to_be_swept(island, speed, effort);
+  const bool small = is_small(island) && !loose;
   const bool fast = speed.lower >= tolerance::fast_speed;
   const bool quiet = !small && speed.higher < tolerance::quiet_speed;
-  const bool loose = has_to_be_swept(island, speed, effort);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
@@ -174,10 +177,11 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
                     : loose ? swept_within(island, effort)
                             : effort.sweeps;
   plan.patch_iterations =
-      !small && (fast || loose) ? tolerance::fast_patch_iterations : patch_iterations_of(island);
+      !small && (fast || loose) ? tolerance::fast_patch_iterations : tolerance::patch_iterations;
   plan.skipped_residual = skipped_residual_of(island);
-  plan.residual =
-      loose ? tolerance::loose_residual * unit_speed : tolerance::solved_residual * negligible;
+  plan.residual = loose   ? tolerance::loose_residual * unit_speed
+                  : small ? tolerance::small_island_residual * negligible
+                          : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
   plan.large_and_fast = fast && !small;
   plan.slow_approach = tolerance::slow_approach * unit_speed;

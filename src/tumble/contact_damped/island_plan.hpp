@@ -21,6 +21,7 @@ struct IslandEffort {
   int sweeps = 0;           ///< over a large island, at most
   int admm_iterations = 0;  ///< for a large island, at most; 0: the direct solver is not used
   int budget = 0;           ///< of work on a large island in motion, see ContactDampedOptions
+  bool crowded = false;     ///< small islands in motion together exceed it, and count as large
   int parts = 1;            ///< into which the step is divided: each gets its share of the work
 };
 
@@ -56,6 +57,21 @@ struct IslandPlan {
 /// \param report              counts sweeps
 /// \return what they found
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
+
+/// Whether sweeps have to do for an island: in a large one much of which moves, contacts change before weight gets through all
+/// of it; and where anything moves, it costs no more than its budget. A small one costs little, unless there are many.
+/// \param island  with the impulses so far
+/// \param speed   of it
+/// \param effort  the work that is allowed
+/// \return true if so
+[[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
+                                   const IslandEffort& effort);
+
+/// Whether small islands in motion, each solved as well as one by itself, exceed the budget of a large one together.
+/// \param patches  in these islands that move before the step
+/// \param effort   the work that is allowed
+/// \return true if so
+[[nodiscard]] bool are_too_many(std::int64_t patches, const IslandEffort& effort);
 
 /// Chooses how an island is solved.
 /// \param island      after sweep_first()

@@ -79,14 +79,6 @@ void raise_targets(const Island& island, const BodyMotion& motion) {
 
 }  // namespace
 
-void ContactDamped::solve_again(const Island& island, StepReport& report) {
-  for (const int body : island.bodies) {
-    velocities_.end[idx(body)] = velocities_.free[idx(body)];
-    storage_.in_flight[idx(body)] = 1;
-  }
-  solve_island(island, report);
-}
-
 // Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
 void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
   // Candidates were found along `free`; at rest `end` is `start`, which the margins include.
@@ -132,7 +124,7 @@ void ContactDamped::solve_turning(const World& world, double dt, StepReport& rep
     double sunk = sunk_by_turning(island, motion);
     for (int n = 0; n < tolerance::solutions_for_turning && sunk > tolerance::sunk_by_turning;
          ++n) {
-      const double most_turn = std::max(farthest_turn(island), tolerance::turn_at_once);
+      const double most_turn = std::max(farthest_turn(island), tolerance::turn_given_way);
       storage_.kept.keep(island, storage_.in_flight);
       raise_targets(island, motion);
       solve_again(island, report);

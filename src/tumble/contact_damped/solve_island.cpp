@@ -157,6 +157,11 @@ void decide_flight(const Island& island, std::span<char> in_flight) {
 
 }  // namespace
 
+IslandEffort ContactDamped::effort() const {
+  return {options_.sweeps, options_.admm_iterations, options_.budget, storage_.crowded,
+          storage_.parts};
+}
+
 void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (island.patch_indices.empty()) return;
   const bool direct_last_step =
@@ -168,30 +173,60 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
-  const IslandPlan plan = plan_island(
-      island, first, {options_.sweeps, options_.admm_iterations, options_.budget, storage_.parts});
+  const IslandPlan plan = plan_island(island, first, effort());
   if (plan.discard_warm_start) discard_impulses(island);
-  bool direct = false;
-  switch (plan.method) {
-    case IslandMethod::settled: break;
-    case IslandMethod::sweep:  // much of it moves, or the direct solver is off
-      sweep_on(island, plan, first, report);
-      break;
-    case IslandMethod::
-        sweep_unless_sinking:  // much of it moves, and there is time for the direct solver
-      if (!sweep_on(island, plan, first, report))
-        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
-                                  storage_.in_flight, report);
-      break;
-    case IslandMethod::sweep_then_direct:  // it moves fast, slides, or sweeps converge
-      if (!sweep_on(island, plan, first, report))
-        direct = solve_directly(island, plan, memory_.island_solver, report);
-      break;
-    case IslandMethod::direct_then_sweep:  // weight has to go through all of it at once
-      direct = solve_directly(island, plan, memory_.island_solver, report);
-      if (!direct) sweep_on(island, plan, first, report);
-      break;
+  accept(island, plan, run_plan(island, plan, first, report), report);
+  // [S6.3.1:island]
+}
+
+// With patches or targets that are new. In an island that is left to sweeps few of them are: sweeps go on from its impulses.
+// Others begin as in the first time.
+void ContactDamped::solve_again(const Island& island, StepReport& report) {
+  for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
+  if (!has_to_be_swept(island, speed_range(island), effort())) {
+    for (const int body : island.bodies) velocities_.end[idx(body)] = velocities_.free[idx(body)];
+    solve_island(island, report);
+    return;
   }
+  note_approach(island);
+  const IslandPlan plan = plan_island(island, {}, effort());
+  for (int k = 0; k < options_.sweeps; ++k)
+    if (sweep_number(k, island, plan, report) < plan.residual) break;
+  accept(island, plan, false, report);
+}
+
+// Makes what a plan asks for. Returns whether the direct solver has found the impulses.
+bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                             StepReport& report) {
+  // [S6.3.1:methods]
+  switch (plan.method) {
+    case IslandMethod::settled: return false;
+    case IslandMethod::sweep:
+      // Much of it moves, or the direct solver is off.
+      sweep_on(island, plan, first, report);
+      return false;
+    case IslandMethod::sweep_unless_sinking:
+      // Much of it moves, and there is time for the direct solver.
+      return !sweep_on(island, plan, first, report) &&
+             solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
+                              storage_.in_flight, report);
+    case IslandMethod::sweep_then_direct:
+      // It moves fast, slides, or sweeps converge.
+      return !sweep_on(island, plan, first, report) &&
+             solve_directly(island, plan, memory_.island_solver, report);
+    case IslandMethod::direct_then_sweep:
+      // Weight has to go through all of it at once.
+      if (solve_directly(island, plan, memory_.island_solver, report)) return true;
+      sweep_on(island, plan, first, report);
+      return false;
+  }
+  // [S6.3.1:methods]
+  return false;
+}
+
+// Impulses that add energy are not taken as they are, nor those with which bodies sink deeply, and what has none flies.
+void ContactDamped::accept(const Island& island, const IslandPlan& plan, bool direct,
+                           StepReport& report) {
   double share = share_without_gain(island);
   if (share < tolerance::least_share) {
     share = sweep_without_gain(island, plan, report);
@@ -208,7 +243,6 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
     for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
     decide_flight(island, storage_.in_flight);
   }
-  // [S6.3.1:island]
 }
 
 }  // namespace tumble

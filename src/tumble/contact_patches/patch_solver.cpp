@@ -2,6 +2,7 @@
 /// \brief The impulses of one contact patch.
 #include "tumble/contact_patches/patch_solver.hpp"
 
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_patches/patch_pressure.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
@@ -78,7 +79,9 @@ void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   const bool nothing = at.normal == 0.0 && patch.along_impulse == 0.0 &&
                        patch.across_impulse == 0.0 && patch.twist_impulse == 0.0;
   if (nothing) return;
-  const double radius = at.normal > 0.0 ? at.lever / at.normal : 0.0;
+  // All pressure at one point, but for rounding, has no lever.
+  const bool twists = at.lever > tolerance::rounding * patch.size * at.normal;
+  const double radius = twists ? at.lever / at.normal : 0.0;
   // Motions of unit forces at the centre of pressure; of a unit moment it is a column of K.
   Six a, b;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -92,12 +95,12 @@ void solve_friction(ContactPatch& patch, PatchUpdate& update) {
   A(1, 0) = A(0, 1);
   A(2, 0) = A(0, 2);
   A(2, 1) = A(1, 2);
-  if (!(radius > 0.0)) A(2, 2) = A(0, 0);  // nothing to twist with: the third motion is 0 as well
+  if (!twists) A(2, 2) = A(0, 0);  // nothing to twist with: the third motion is 0 as well
   const double moment =
       patch.twist_impulse - moment_of(at, patch.along_impulse, patch.across_impulse);
-  const Vec3 had(patch.along_impulse, patch.across_impulse, radius > 0.0 ? moment / radius : 0.0);
+  const Vec3 had(patch.along_impulse, patch.across_impulse, twists ? moment / radius : 0.0);
   // A moment without a lever, as pressure is at one point now, is removed first.
-  const double lost = radius > 0.0 ? 0.0 : -moment;
+  const double lost = twists ? 0.0 : -moment;
   for (std::size_t k = 0; k < 6; ++k) motion[k] += K[5][k] * lost;
   const Vec3 now(motion[0] - at.across * motion[5], motion[1] + at.along * motion[5],
                  radius * motion[5]);
