@@ -6,17 +6,12 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
-#include <gsl/gsl_multimin.h>
 
 namespace tumble::chapters {
 namespace {
 
-constexpr int kGrid = 4000;         // rates that are tried, from -widest to widest
-constexpr int kSearch = 200;        // steps of Brent's method
-constexpr int kRounds = 40;         // times that a simplex is taken up again
-constexpr int kMoves = 600;         // of a simplex in a round
-constexpr double kFirstSize = 0.3;  // [m] and [rad/s] of a simplex at first
-constexpr double kLastSize = 1e-11;
+constexpr int kGrid = 4000;   // rates that are tried, from -widest to widest
+constexpr int kSearch = 200;  // steps of Brent's method
 
 struct Problem {
   const World& world;
@@ -57,12 +52,6 @@ double left_at_rate(double rate, void* problem) {
   return left_by(p, closing_lower(p, rate));
 }
 
-double left_at_unknowns(const gsl_vector* u, void* problem) {
-  return left_by(*static_cast<const Problem*>(problem),
-                 {Vec3(gsl_vector_get(u, 0), gsl_vector_get(u, 1), 0.0),
-                  Vec3(0.0, 0.0, gsl_vector_get(u, 2))});
-}
-
 }  // namespace
 
 BestFrame best_frame(const World& world, std::span<const Joint> joints, double dt, double widest) {
@@ -93,39 +82,6 @@ BestFrame best_frame(const World& world, std::span<const Joint> joints, double d
     }
   }
   return {closing_lower(problem, best_rate), least};
-}
-
-BestFrame best_frame_by_simplex(const World& world, std::span<const Joint> joints, double dt,
-                                const GroupFrame& start) {
-  Problem problem{world, joints, dt};
-  const std::unique_ptr<gsl_multimin_fminimizer, decltype(&gsl_multimin_fminimizer_free)> search(
-      gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 3),
-      gsl_multimin_fminimizer_free);
-  const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> at(gsl_vector_alloc(3),
-                                                                   gsl_vector_free);
-  const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> size(gsl_vector_alloc(3),
-                                                                     gsl_vector_free);
-  gsl_vector_set(at.get(), 0, start.centre_w.x());
-  gsl_vector_set(at.get(), 1, start.centre_w.y());
-  gsl_vector_set(at.get(), 2, start.angular_velocity_w.z());
-  gsl_multimin_function function{left_at_unknowns, 3, &problem};
-  double least = left_at_unknowns(at.get(), &problem);
-  for (int round = 0; round < kRounds; ++round) {
-    gsl_vector_set_all(size.get(), round % 2 == 0 ? kFirstSize : 0.1 * kFirstSize);
-    gsl_multimin_fminimizer_set(search.get(), &function, at.get(), size.get());
-    for (int k = 0; k < kMoves; ++k) {
-      if (gsl_multimin_fminimizer_iterate(search.get()) != GSL_SUCCESS) break;
-      if (gsl_multimin_fminimizer_size(search.get()) < kLastSize) break;
-    }
-    const double left = gsl_multimin_fminimizer_minimum(search.get());
-    if (left < least) {
-      least = left;
-      gsl_vector_memcpy(at.get(), gsl_multimin_fminimizer_x(search.get()));
-    }
-  }
-  return {{Vec3(gsl_vector_get(at.get(), 0), gsl_vector_get(at.get(), 1), 0.0),
-           Vec3(0.0, 0.0, gsl_vector_get(at.get(), 2))},
-          least};
 }
 
 }  // namespace tumble::chapters

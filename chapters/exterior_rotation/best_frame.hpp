@@ -23,10 +23,4 @@ struct BestFrame {
 // widest: [rad/s] rates of the frame up to this one are tried, both ways round
 BestFrame best_frame(const World& world, std::span<const Joint> joints, double dt, double widest);
 
-// The same without that argument, as a check: GSL's simplex in the three unknowns, from one start, taken
-// up again until it gains nothing.
-// dt: [s] of the step
-BestFrame best_frame_by_simplex(const World& world, std::span<const Joint> joints, double dt,
-                                const GroupFrame& start);
-
 }  // namespace tumble::chapters

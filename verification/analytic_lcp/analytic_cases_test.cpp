@@ -34,21 +34,6 @@ Scene slope(double friction) {
   return scene;
 }
 
-Scene thrown_die(std::uint64_t seed) {
-  Random chance(seed);
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.5};
-  SceneBox die;
-  die.name = "die";
-  die.position_w = Vec3(0.0, 2.6, 0.0);
-  die.orientation_wb = chance.orientation();
-  die.angular_velocity_w = chance.in_cube(1.0);
-  die.friction = 0.5;
-  die.restitution = 0.5;
-  scene.boxes = {die};
-  return scene;
-}
-
 // --- flush neighbours --------------------------------------------------------------------------------
 
 constexpr double kFrame = 1.0 / 60.0;
@@ -158,20 +143,6 @@ TEST_CASE("A slow slide is as long as the closed form says, up to the way of hal
     const double way = (simulation.body("cube").position_w() - start_w).norm();
     CHECK(std::abs(way - expected) < 0.51 * expected * kFrame);
   }
-}
-
-TEST_CASE("Dice come to rest under the analytic technique, none at the cap on events",
-          "[unit][analytic_lcp]") {
-  int unfinished = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    CAPTURE(seed);
-    Simulation simulation(thrown_die(seed), "analytic");
-    EnergyCheck energy;
-    simulation.observe(energy);
-    unfinished += simulation.run_for(3.0) == StepStatus::done ? 0 : 1;
-    CHECK(energy.message().empty());
-  }
-  CHECK(unfinished == 0);
 }
 
 TEST_CASE("The rest of a step after many flights is one step of velocities, counted",

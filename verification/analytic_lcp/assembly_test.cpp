@@ -101,48 +101,6 @@ TEST_CASE("The contacts of a stack bear what is above them", "[exact][assembly][
   }
 }
 
-TEST_CASE("Two blocks on narrow feet stand under a block of two thirds of their mass, no lighter",
-          "[exact][assembly][analytic_lcp]") {
-  // The thesis's figure 6.5: each block by itself would tip outwards, and half of what lies on both
-  // holds down each. The top block's centre can be moved to one side, by a torque.
-  const auto unrest = [](double mass, double centre) {
-    World world;
-    add_fixed(world, Vec3(0.75, 1, 1), Vec3(-1.375, 0.5, 0));
-    add_fixed(world, Vec3(0.75, 1, 1), Vec3(1.375, 0.5, 0));
-    add_box(world, Vec3(2, 0.5, 1), 1.0, Vec3(-2, 1.25, 0));
-    add_box(world, Vec3(2, 0.5, 1), 1.0, Vec3(2, 1.25, 0));
-    add_box(world, Vec3(2.5, 0.5, 1), mass, Vec3(0, 1.75, 0));
-    Instant instant(world);
-    instant.external[4].torque_w.z() = -centre * mass * kG;
-    instant.solve();
-    return instant.unrest();
-  };
-  // A millionth of mass beyond the limit leaves a torque that moves bodies by some 1e-7 g.
-  CHECK(unrest(2.0 / 3.0 * (1.0 + 1e-6), 0.0) < 1e-10);  // measured 4e-14
-  CHECK(unrest(2.0 / 3.0 * (1.0 - 1e-6), 0.0) > 1e-7);   // measured 2e-6
-  CHECK(unrest(70.0 / 93.0 * (1.0 + 1e-6), 0.2) < 1e-10);
-  CHECK(unrest(70.0 / 93.0 * (1.0 - 1e-6), 0.2) > 1e-7);
-  CHECK(unrest(0.0001, 0.0) > 1.0);
-}
-
-TEST_CASE("Without friction a box slides down a slope with g sin and is pressed on it with g cos",
-          "[exact][assembly][analytic_lcp]") {
-  const double slope = std::numbers::pi / 6.0;
-  const Quat tilt = about(Vec3::UnitZ(), -slope);
-  for (const bool slope_is_first : {true, false}) {
-    World world;
-    if (slope_is_first) add_fixed(world, Vec3(20, 1, 5), tilt * Vec3(0, -0.5, 0), tilt);
-    add_box(world, Vec3::Ones(), 3.0, tilt * Vec3(-2, 0.5, 0), tilt, tilt * Vec3(3, 0, 0));
-    if (!slope_is_first) add_fixed(world, Vec3(20, 1, 5), tilt * Vec3(0, -0.5, 0), tilt);
-    Instant instant(world);
-    instant.solve();
-    const Acceleration& box = instant.accelerations[slope_is_first ? 1 : 0];
-    CHECK((box.linear_w - tilt * Vec3(0.5 * kG, 0, 0)).norm() < 1e-13);  // measured 5e-15
-    CHECK(box.angular_w.norm() < 1e-13);                                 // measured 4e-15
-    CHECK(instant.force_between(0, 1) == Approx(3.0 * kG * std::cos(slope)).epsilon(1e-13));
-  }
-}
-
 TEST_CASE("The force on the edge of a rocking block is its weight less what its swing takes",
           "[exact][assembly][analytic_lcp]") {
   // Edge at (x, -y) from the centre: the edge's centripetal acceleration is w² y upwards.

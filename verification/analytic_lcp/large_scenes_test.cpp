@@ -131,20 +131,6 @@ TEST_CASE("A card house of two storeys stands",
   }
 }
 
-TEST_CASE("Twelve cards that fall on each other take no minutes",
-          "[.long][unit][analytic][time_stepping][analytic_lcp]") {
-  for (const char* technique : {"time_stepping", "analytic"}) {
-    INFO(technique);
-    Simulation simulation(card_house(3, 0.07), technique);
-    EnergyCheck energy;
-    simulation.observe(energy);
-    const double began = processor_seconds();
-    for (int k = 0; k < 30; ++k) REQUIRE(simulation.step(kFrame).status == StepStatus::done);
-    CHECK(processor_seconds() - began < 30.0);
-    CHECK(energy.message().empty());
-  }
-}
-
 TEST_CASE("The forces of a step in a corner are found with bounded work, then velocities",
           "[unit][analytic_lcp]") {
   Scene scene;

@@ -186,48 +186,6 @@ TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stoppe
   CHECK(fastest(world) < 1e-12);  // [m/s]
 }
 
-TEST_CASE("A box bounces with Newton's restitution and comes to rest",
-          "[exact][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  for (const double e : {0.5, 1.0}) {
-    World world;
-    world.add_ground(0.5, e);
-    add_cube(world, Vec3(0.0, 1.5, 0.0), Vec3::Zero(), 0.5, e);
-    TimeStepping technique(posed<TimeSteppingOptions>());
-    double before = 0.0;
-    for (int k = 0; k < 60; ++k) {
-      technique.step(world, kStep);
-      const double after = velocity(world.bodies()[1], world.states()[1]).y();
-      if (after > 0.0) {
-        // e² times the energy, less what lifts it in the rest of the step.
-        CHECK(after == Approx(std::hypot(e * before, kG * kStep) - kG * kStep));
-        break;
-      }
-      before = after;
-    }
-    run(world, technique, 600);
-    if (e < 1.0) CHECK(fastest(world) < 1e-12);  // [m/s] slow impacts stick
-  }
-}
-
-TEST_CASE("Two cubes that collide keep their momentum and separate with Newton's speed",
-          "[exact][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  World world;
-  world.gravity_w.setZero();
-  add_cube(world, Vec3(-1.0, 0.0, 0.0), Vec3(2.0, 0.0, 0.0), 0.0, 0.5);
-  add_cube(world, Vec3(0.02, 0.0, 0.0), Vec3::Zero(), 0.0, 0.5);
-  TimeStepping technique(posed<TimeSteppingOptions>());
-  const StepReport report = technique.step(world, kStep);
-  const double first = velocity(world.bodies()[0], world.states()[0]).x();
-  const double second = velocity(world.bodies()[1], world.states()[1]).x();
-  CHECK(first + second == Approx(2.0));
-  CHECK(second - first == Approx(1.0));
-  // Half of (1 - e²) m_red v²: 0.5 · 0.75 · 0.5 · 4 J.
-  CHECK(report.energy.restitution == Approx(-0.75));
-  CHECK(report.energy.friction == Approx(0.0).margin(1e-15));
-}
-
 TEST_CASE("What a step books is what the energy does", "[exact][time_stepping][analytic_lcp]") {
   BOTH_POSES;
   // Also that gravity's impulse m g h acts at v+ in the positions and at (v- + v+)/2 in the velocities.
@@ -281,14 +239,4 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
     }
   }
   CHECK(worst < 1e-9);  // [m] rounding, grown by impacts
-}
-
-TEST_CASE("Time stepping can be made by name", "[unit][time_stepping][analytic_lcp]") {
-  const TechniqueRecipe& recipe = technique_recipe("time_stepping");
-  CHECK(recipe.name == "time_stepping");
-  CHECK_THROWS_WITH(TimeStepping(with_directions(6)), Contains("directions = 6"));
-  World world = stack_of(1);
-  TimeStepping technique(posed<TimeSteppingOptions>());
-  CHECK_THROWS_WITH(technique.step(world, 0.0), Contains("dt"));
-  CHECK(technique.unsolved_problem() == nullptr);
 }

@@ -108,32 +108,6 @@ TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1
   CHECK(worst_drag < 1e-9);     // [N s] the pyramid is inside the cone
 }
 
-TEST_CASE("Bodies that touch each other only keep their momenta",
-          "[unit][velocity_step][analytic_lcp]") {
-  Random random(73);
-  double worst = 0.0;
-  for (int trial = 0; trial < 300; ++trial) {
-    Scene scene = random_scene(random, false);
-    const auto momenta = [&] {
-      World copy = scene.world;
-      store_moving_bodies(scene.bodies, copy);
-      Vec3 linear = Vec3::Zero();
-      Vec3 angular = Vec3::Zero();
-      for (const BodyState& state : copy.states()) {
-        linear += state.linear_momentum_w;
-        angular += state.position_w.cross(state.linear_momentum_w) + state.angular_momentum_w;
-      }
-      return std::pair<Vec3, Vec3>(linear, angular);
-    };
-    const auto before = momenta();
-    REQUIRE(scene.solve().solved);
-    const auto after = momenta();
-    worst = std::max(
-        {worst, (after.first - before.first).norm(), (after.second - before.second).norm()});
-  }
-  CHECK(worst < 1e-11);  // [kg m/s], [kg m²/s] rounding of sums up to 50
-}
-
 TEST_CASE("A contact that is there twice changes nothing but the shares of its points",
           "[unit][velocity_step][analytic_lcp]") {
   Random random(79);

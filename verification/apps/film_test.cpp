@@ -65,18 +65,6 @@ TEST_CASE("A run becomes a GIF without any other program and with the same bytes
   CHECK(files_in(folder) == files + 1);  // nothing else is left
 }
 
-TEST_CASE("A GIF of three seconds of a pyramid is well under two megabytes",
-          "[.long][unit][command]") {
-  const Folder folder("film_pyramid");
-  REQUIRE(run_tumble("run fig6_6 --duration 5 --quiet --out " + folder.text()).code == 0);
-  const Outcome outcome =
-      run_tumble("render " + folder.text() + " --as gif --from 2 --to 5 --view 0.3,0.3,1");
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
-  // [bytes] measured 260 kB
-  CHECK(fs::file_size(folder.path / "film.gif") < 1000000);
-}
-
 TEST_CASE("A video is made by ffmpeg from frames that are in no file", "[unit][command]") {
   const Folder folder("film_mp4");
   const Folder programs("film_programs");

@@ -8,13 +8,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tumble::test;
 
-std::vector<std::string> rows_of(const fs::path& path) {
-  std::istringstream in(content(path));
-  std::vector<std::string> rows;
-  for (std::string line; std::getline(in, line);) rows.push_back(line);
-  return rows;
-}
-
 // A cell of a table without quoted cells.
 std::string cell(const std::string& row, int column) {
   std::istringstream in(row);
@@ -56,38 +49,6 @@ TEST_CASE("A filtered run leaves all other files as they are, and its own twice 
   CHECK(content(one.path / "summary.json") == content(plain.path / "summary.json"));
 }
 
-TEST_CASE("The filter that a summary names gives the same filtered trajectory again",
-          "[unit][command][filtering]") {
-  const Folder one("filter_named_one");
-  const Folder two("filter_named_two");
-  for (const std::string filter : {"box", "envelope:0.3mm,0.7deg", "one_euro:1.7Hz"}) {
-    INFO(filter);
-    const std::string rest = "run box_drop --duration 0.8 --quiet --force --filter ";
-    REQUIRE(run_tumble(rest + filter + " --out " + one.text()).code == 0);
-    const std::string summary = content(one.path / "summary.json");
-    const std::size_t at = summary.find("\"filter\": \"") + 11;
-    const std::string named = summary.substr(at, summary.find('"', at) - at);
-    REQUIRE(run_tumble(rest + named + " --out " + two.text()).code == 0);
-    CHECK(content(two.path / "trajectory_filtered.csv") ==
-          content(one.path / "trajectory_filtered.csv"));
-    CHECK(content(two.path / "summary.json") == summary);
-  }
-}
-
-TEST_CASE("A box filter over one frame writes the trajectory itself",
-          "[unit][command][filtering]") {
-  const Folder folder("filter_nothing");
-  for (const std::string options :
-       {"--duration 0.505", "--duration 0", "--duration 0.5 --every 7", "--duration 0.02"}) {
-    INFO(options);
-    REQUIRE(
-        run_tumble("run dice --quiet --force --filter box:1 " + options + " --out " + folder.text())
-            .code == 0);
-    CHECK(content(folder.path / "trajectory_filtered.csv") ==
-          content(folder.path / "trajectory.csv"));
-  }
-}
-
 TEST_CASE("The filter takes the frames that are recorded, not those between them",
           "[exact][command][filtering]") {
   const Folder folder("filter_every");
@@ -95,8 +56,8 @@ TEST_CASE("The filter takes the frames that are recorded, not those between them
                      folder.text())
               .code == 0);
   // In free fall the mean of three heights, h seconds apart, is g h²/3 below the middle one.
-  const auto computed = rows_of(folder.path / "trajectory.csv");
-  const auto shown = rows_of(folder.path / "trajectory_filtered.csv");
+  const auto computed = lines_of(folder.path / "trajectory.csv");
+  const auto shown = lines_of(folder.path / "trajectory_filtered.csv");
   REQUIRE(computed.size() == 10);  // the header, and frames 0, 3, ... 24
   REQUIRE(shown.size() == 10);
   CHECK(shown[1] == computed[1]);
@@ -136,8 +97,8 @@ TEST_CASE("An interrupted run has as many filtered frames as recorded ones",
   INFO(outcome.text);
   CHECK(outcome.text.find("interrupted at") != std::string::npos);
   CHECK(whole_lines(folder.path / "trajectory_filtered.csv"));
-  CHECK(rows_of(folder.path / "trajectory_filtered.csv").size() ==
-        rows_of(folder.path / "trajectory.csv").size());
+  CHECK(lines_of(folder.path / "trajectory_filtered.csv").size() ==
+        lines_of(folder.path / "trajectory.csv").size());
 }
 
 TEST_CASE("Filters are listed with the form in which they are written",
@@ -170,8 +131,8 @@ TEST_CASE("A halved step keeps the times of the frames, and no halving keeps the
   CHECK(hash_of(halved.path) == hash_of(again.path));
   CHECK(content(halved.path / "summary.json").find("\"halvings\": 3,") != std::string::npos);
   CHECK(content(plain.path / "summary.json").find("\"halvings\": 0,") != std::string::npos);
-  const auto one = rows_of(plain.path / "trajectory.csv");
-  const auto two = rows_of(halved.path / "trajectory.csv");
+  const auto one = lines_of(plain.path / "trajectory.csv");
+  const auto two = lines_of(halved.path / "trajectory.csv");
   REQUIRE(one.size() == two.size());
   for (std::size_t k = 0; k < one.size(); ++k) CHECK(cell(one[k], 0) == cell(two[k], 0));
 }

@@ -71,16 +71,6 @@ TEST_CASE("A thrown die first meets the ground within a microsecond of its exact
   CHECK(unbooked < 1e-13);
 }
 
-TEST_CASE("A strip that goes on until the die begins to rest, or ends before it lands, is refused",
-          "[unit][basic_colliding]") {
-  const Figure figure = registered_figure("dice_strip");
-  Parameters settings = figure.parameters;
-  settings.set("interval", "0.5");
-  CHECK_THROWS_WITH(figure.experiment(settings), Catch::Matchers::Contains("ended as event_cap"));
-  settings.set("interval", "0.001");
-  CHECK_THROWS_WITH(figure.experiment(settings), Catch::Matchers::Contains("has not met"));
-}
-
 TEST_CASE("The gallery has one picture for each built-in scene of its own",
           "[unit][basic_colliding]") {
   const std::vector<Figure> figures = gallery();

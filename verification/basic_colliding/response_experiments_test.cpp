@@ -44,13 +44,6 @@ TEST_CASE("The basic technique meets its cap once a bouncing cube has come to re
                  figure.number("speed at the end of a step at the end, closed form")) < 1e-6);
 }
 
-TEST_CASE("Bouncing is refused where it cannot be compared", "[unit][basic_colliding]") {
-  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1b_rest", {"duration=0.5"}),
-                    Catch::Matchers::Contains("the run ends before the cube rests"));
-  CHECK_THROWS_WITH(FigureUnderTest("claim_2_1a_impacts", {"restitution=0.5", "impacts=100"}),
-                    Catch::Matchers::Contains("ended as event_cap"));
-}
-
 TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][basic_colliding]") {
   // A tenth of a second of 4 seeds.
   const FigureUnderTest figure("claim_2_5_2a_stack");

@@ -62,28 +62,6 @@ TEST_CASE("A printed line gets the statement that its entry points at", "[unit][
   CHECK(next.meant[0].lines == std::vector<std::string>{"c();"});
 }
 
-TEST_CASE("Several statements can do a printed line, or none of its own", "[unit][ledger]") {
-  const auto listings =
-      read(listing_with(second("printed = \"c()\\nd()\"\nmeant = \"-\"\nwhy = \"Not needed.\"\n")));
-  const AppendixLine& line = listings[0].lines[1];
-  REQUIRE(line.printed.size() == 2);
-  CHECK(line.printed[1].first == 6);
-  REQUIRE(line.meant.size() == 1);
-  CHECK(line.meant[0].lines.empty());
-  CHECK_THAT(appendix_page(listings, one_erratum()), Contains("no statement of its own"));
-}
-
-TEST_CASE("A long region is cut after ten lines", "[unit][ledger]") {
-  std::string body;
-  for (int k = 0; k < 12; ++k) body += "  c();\n";
-  const auto listings = read(
-      listing_with(second("meant = \"c()\"\n")), kMeant,
-      "// [COLLIDE:1-2]\n" + body + "// [COLLIDE:1-2]\n// [COLLIDE:3]\nd();\n// [COLLIDE:3]\n");
-  const SourceExcerpt& shown = listings[0].lines[0].printed[0];
-  CHECK(shown.lines.size() == 10);
-  CHECK(shown.cut);
-}
-
 TEST_CASE("The page of appendix A links each line to its source and its erratum",
           "[unit][ledger]") {
   const auto listings = read(listing_with(second("meant = \"c()\"\n")));

@@ -39,21 +39,6 @@ TEST_CASE("Text in HTML keeps browsers and Doxygen from taking it for their own"
   CHECK(prose_html("below `eps`, a < b") == "below <code>eps</code>, a &lt; b");
 }
 
-TEST_CASE("The ledger has the gap of each technique", "[unit][ledger]") {
-  const Scratch scratch("techniques");
-  const auto folder = scratch.figure("technique_gaps", "\"gap, analytic\",mm,0.25,,,\n");
-  const std::string expected = "figure,quantity,unit,value,tolerance,reason\n";
-  const Findings findings = read_findings(
-      folder, {scratch.file("turning/expected.csv",
-                            expected + "technique_gaps,\"gap, analytic\",mm,0.2,0.1,it\n")});
-  const std::string page = ledger_page(findings);
-  CHECK_THAT(page, Contains("## Each technique on the same scene {#ledger_techniques}"));
-  CHECK_THAT(page, Contains("gap, analytic"));
-  CHECK_THAT(page, Contains("<span class=\"whole\">0.25 mm</span>"));
-  CHECK_THAT(ledger_page(findings_of_rows("speed,m/s,3.25,2,4,20\n")),
-             !Contains("{#ledger_techniques}"));
-}
-
 TEST_CASE("Ledger and index show statement, number, interval, rule and verdict", "[unit][ledger]") {
   const Findings findings = findings_of_rows("speed,m/s,3.25,2,4,20\n");
   for (const std::string& page : {ledger_page(findings), index_page(findings)}) {
@@ -77,72 +62,6 @@ TEST_CASE("A number that left its tolerance is marked on both pages", "[unit][le
   const Findings findings = findings_of_rows("speed,m/s,9,,,0\n");
   CHECK_THAT(ledger_page(findings), Contains("not as expected"));
   CHECK_THAT(index_page(findings), Contains("<span class=\"bad\"><span class=\"whole\">9 m/s"));
-}
-
-TEST_CASE("Pages without numbers say what to run", "[unit][ledger]") {
-  const Scratch scratch("without");
-  Findings findings = read_findings(
-      "/nowhere",
-      {scratch.file("falling/expected.csv",
-                    "figure,quantity,unit,value,tolerance,reason\n"
-                    "claim_2_1a_fall,speed,m/s,3,0.5,exact\n"),
-       scratch.file("falling/claims.toml", kClaimToEscape),
-       scratch.file("falling/errata.toml",
-                    "[[erratum]]\nid = \"C1\"\ntitle = \"A < b\"\nsection = \"A.1\"\nkind = "
-                    "\"misprint\"\n"
-                    "printed = \"p\"\nreading = \"r\"\nscene = \"s\"\nfigure = "
-                    "\"claim_2_1a_fall\"\nfailure = \"speed\"\nmended = \"speed\"\n"
-                    "test = \"t\"\ncommand = \"c\"\n")});
-  CHECK_THAT(ledger_page(findings), Contains("not measured"));
-  CHECK_THAT(errata_page(findings), Contains("\\anchor erratum_C1\n"));
-  CHECK_THAT(errata_page(findings),
-             Contains("<p>Thesis A.1</p>\n<ul>\n<li><a href=\"#erratum_C1\">C1</a> A &lt; b</li>"));
-  for (const std::string& page :
-       {ledger_page(findings), errata_page(findings), gallery_page(findings)}) {
-    CHECK_THAT(page, Contains("make figures"));
-    CHECK_THAT(page, !Contains("<img"));
-  }
-  findings.errata.clear();
-  CHECK_THAT(errata_page(findings), Contains("No chapter has found one yet."));
-}
-
-TEST_CASE("The gallery shows thumbnails and leads to the figures of each chapter",
-          "[unit][ledger]") {
-  const Findings findings = findings_of_rows("speed,m/s,3.25,,,0\n");
-  const std::string page = gallery_page(findings);
-  CHECK_THAT(page, Contains("{#gallery}"));
-  CHECK_THAT(page, Contains("src=\"figures/gallery_pile.png\" alt=\"A &lt; B &amp; &quot;C&quot;"));
-  CHECK_THAT(page, Contains("\\subpage figures_of_falling\n"));
-  CHECK(figure_chapters(findings) == std::vector<std::string>{"falling"});
-  const std::string figures = figures_page(findings, "falling");
-  CHECK_THAT(figures, Contains("# Figures: Falling {#figures_of_falling}"));
-  CHECK(figures.find("<article id=\"claim_2_1a_fall\">") != std::string::npos);
-  CHECK(figures.find("<article id=\"gallery_pile\">") == std::string::npos);
-  CHECK_THAT(index_page(findings), Contains("src=\"gallery_pile.png\""));
-}
-
-TEST_CASE("A film is shown below its figure and not to readers that want no motion",
-          "[unit][ledger]") {
-  const Scratch scratch("film");
-  const auto folder =
-      scratch
-          .file("figures/fig1_fall_numbers.csv",
-                "# figure: fig1_fall\n# title: A fall\n# settings: default\n# caption: It falls.\n"
-                "# film: It <moves>.\nquantity,unit,value,low,high,seeds\n")
-          .parent_path();
-  const Findings findings = read_findings(
-      folder,
-      {scratch.file("falling/expected.csv", "figure,quantity,unit,value,tolerance,reason\n")});
-  const std::string chapter = findings.figures.front().chapter;
-  for (const std::string& page : {figures_page(findings, chapter), index_page(findings)}) {
-    CHECK_THAT(page, Contains("fig1_fall.gif\" alt=\"Film: A fall\""));
-    CHECK_THAT(page, Contains("<source media=\"(prefers-reduced-motion: reduce)\" srcset="));
-    CHECK_THAT(page, Contains("It &lt;moves&gt;."));
-    CHECK_THAT(page, Contains(">gif</a>"));
-    CHECK(page.find("It falls.") < page.find("fig1_fall.gif"));
-  }
-  const std::string page = figures_page(findings_of_rows("speed,m/s,3.25,,,0\n"), "falling");
-  CHECK_THAT(page, !Contains(".gif"));
 }
 
 TEST_CASE("Small numbers are read with layer, value, unit, reason and section", "[unit][ledger]") {

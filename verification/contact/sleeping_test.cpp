@@ -344,37 +344,6 @@ TEST_CASE("A sleeper that the rule does not know is woken", "[unit][sleeping]") 
   CHECK(heaps.sleepers() == 0);
 }
 
-TEST_CASE("A technique that never looks again wakes a touched heap one step later",
-          "[unit][sleeping]") {
-  Heaps heaps;
-  heaps.box(0.0, 3.505);
-  heaps.rule.wake_disturbed(heaps.world);
-  heaps.gather();
-  heaps.islands.build(heaps.world.bodies(), heaps.contacts);
-  CHECK(heaps.rule.update(heaps.world, heaps.contacts, heaps.islands, kDt).woke == 3);
-  CHECK(heaps.stack_awake());
-}
-
-TEST_CASE("Which pairs need a test", "[unit][sleeping]") {
-  Heaps heaps;
-  const BodyId late = heaps.fixed(9.0, 0.5);
-  const BodyId faller = heaps.box(9.0, 9.0);
-  SleepingRule fresh;
-  CHECK(fresh.needs_test(0, 1));  // nothing known yet
-  heaps.rule.wake_disturbed(heaps.world);
-  const auto needed = [&](BodyId a, BodyId b) {
-    return heaps.rule.needs_test(heaps.world.index_of(a), heaps.world.index_of(b));
-  };
-  CHECK_FALSE(needed(heaps.low, heaps.middle));  // two sleepers of one group
-  CHECK_FALSE(needed(heaps.low, heaps.other));   // of two groups
-  CHECK_FALSE(needed(heaps.ground, heaps.low));  // a sleeper and its support
-  CHECK_FALSE(needed(heaps.ground, late));       // two immovable ones
-  CHECK(needed(late, heaps.low));                // a sleeper and what is new here
-  CHECK(needed(faller, heaps.low));
-  CHECK(needed(heaps.low, faller));
-  CHECK(needed(heaps.ground, faller));
-}
-
 TEST_CASE("A copy of world and rule goes on in the same bits", "[determinism][sleeping]") {
   Heaps heaps;
   heaps.box(0.0, 4.0);

@@ -13,9 +13,6 @@ using namespace tumble;
 using tumble::test::bouncing_clump;
 using tumble::test::LayerStepper;
 
-// A step of its own length every time, as an application may have.
-double uneven(int step) { return (1.0 + 0.25 * (step % 5)) / 100.0; }
-
 std::string hash_after(World world, Technique& technique, int steps, double dt) {
   for (int k = 0; k < steps; ++k) technique.step(world, dt);
   return world.hash().text();
@@ -62,30 +59,4 @@ TEST_CASE("Any broad phase gives the same bits", "[determinism][clump]") {
     LayerStepper stepper(name);
     CHECK(hash_after(bouncing_clump(3), stepper, 300, 1.0 / 60.0) == expected);
   }
-}
-
-TEST_CASE("Going on from a snapshot gives the same bits, with any steps", "[determinism][clump]") {
-  for (const int before : {0, 60, 400}) {
-    INFO(before << " steps before the snapshot");
-    Snapshot run(bouncing_clump(3), LayerStepper());
-    for (int k = 0; k < before; ++k) run.step(uneven(k));
-    const Snapshot kept = run;
-    for (int k = 0; k < 100; ++k) run.step(uneven(k + 3));
-    const std::string first = run.world().hash().text();
-    run = kept;
-    for (int k = 0; k < 100; ++k) run.step(uneven(k + 3));
-    CHECK(run.world().hash().text() == first);
-  }
-}
-
-TEST_CASE("A warm step asks for no memory", "[unit][clump][allocation]") {
-  // Warm: the same steps have been done before with the same storage, so every list has room.
-  const World start = bouncing_clump(3);
-  LayerStepper stepper;
-  World world = start;
-  for (int k = 0; k < 300; ++k) stepper.step(world, 1.0 / 60.0);
-  world = start;
-  const AllocationCount count;
-  for (int k = 0; k < 300; ++k) stepper.step(world, 1.0 / 60.0);
-  CHECK(count.value() == 0);
 }

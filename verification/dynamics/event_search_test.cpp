@@ -458,18 +458,3 @@ TEST_CASE("Two immovable bodies are never an event", "[unit][search]") {
     CHECK(event.pair_tests == 0);
   }
 }
-
-TEST_CASE("The gap of two bodies has the normal from the first to the second", "[unit][search]") {
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  const BodyState low = make_state(cube, Vec3(0.0, 0.75, 0.0));
-  const BodyState high = make_state(cube, Vec3(0.25, 2.0, 0.0));
-  const Separation boxes = gap_between(cube, low, cube, high);
-  CHECK(boxes.distance == 0.25);
-  CHECK(boxes.normal_w == Vec3::UnitY());
-  const Separation above = gap_between(ground_properties(), BodyState{}, cube, low);
-  CHECK(above.distance == 0.25);
-  CHECK(above.normal_w == Vec3::UnitY());
-  const Separation swapped = gap_between(cube, low, ground_properties(), BodyState{});
-  CHECK(swapped.distance == 0.25);
-  CHECK(swapped.normal_w == -Vec3::UnitY());
-}

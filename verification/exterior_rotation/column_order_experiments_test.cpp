@@ -33,22 +33,6 @@ TEST_CASE("At 60 steps a second the glued column is off by what was tabulated fo
   CHECK(coarse.gap == near(6.3e-6).margin(5e-8));
 }
 
-TEST_CASE(
-    "Forward Euler, semi-implicit Euler, impulses, midpoint and Runge-Kutta are of orders "
-    "1, 1, 1, 2 and 4 in a glued column's angle and gap",
-    "[reference][exterior_rotation]") {
-  const FigureUnderTest figure("claim_6_2b_order", {"doublings=7"});
-  // The seventh scheme is Dormand and Prince's, whose gap is no straight line.
-  const Table& orders = figure.result.tables[1];
-  constexpr std::array<double, 6> expected{1.0, 1.0, 1.0, 2.0, 2.0, 4.0};
-  REQUIRE(orders.rows.size() == 7);
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    CHECK(orders.rows[k][1] == near(expected[k]).margin(0.1));
-    CHECK(orders.rows[k][2] == near(expected[k]).margin(0.1));
-  }
-  CHECK(orders.rows[6][1] == near(5.0).margin(0.1));
-}
-
 TEST_CASE("Runge and Kutta's method follows the glued column with a gap of its own order, four",
           "[claims][exterior_rotation]") {
   const FigureUnderTest figure("claim_6_2b_order");

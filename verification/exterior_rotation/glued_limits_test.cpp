@@ -54,37 +54,6 @@ TEST_CASE("Wrong options of the glued technique are refused with the right ones"
     CHECK_THROWS_WITH(technique.step(world, dt), Catch::Contains("dt"));
 }
 
-TEST_CASE("Worlds without movable bodies, joints or weight are stepped",
-          "[unit][exterior_rotation]") {
-  for (const GluedOptions& options : all_ways()) {
-    INFO(text_of(options));
-    World fixed;
-    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    fixed.add_ground();
-    fixed.add(wall, make_state(wall, Vec3(0.0, 0.5, 0.0)));
-    fixed.add(wall, make_state(wall, Vec3(0.0, 1.5, 0.0)));
-    const World start = fixed;
-    Glued technique(options);
-    const StepReport report = technique.step(fixed, kFrame);
-    CHECK(report.contacts == 0);
-    CHECK(report.integrations == 0);
-    CHECK(same_states(fixed, start));
-    CHECK(fixed.time() == kFrame);
-
-    World empty;
-    Glued(options).step(empty, kFrame);
-    CHECK(empty.steps() == 1);
-
-    World pair = glued_pair(2.0);
-    const double energy = energy_of(pair).kinetic;
-    Glued weightless(options);
-    run(pair, weightless, 60, 1e-3);
-    CHECK(weightless.joints().size() == 1);
-    CHECK(linear_momentum(pair).norm() < 1e-14);
-    CHECK(energy_of(pair).kinetic == near(energy).margin(5e-3 * energy));  // [J] Euler's: 2.4e-4
-  }
-}
-
 TEST_CASE("Bodies without weight and without a push stay in every joint that only presses",
           "[unit][exterior_rotation]") {
   for (GluedOptions options : all_ways()) {

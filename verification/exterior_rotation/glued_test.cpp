@@ -66,21 +66,6 @@ TEST_CASE("Bodies that come and go between steps leave the others glued",
   CHECK(technique.contacts().size() == 2);
 }
 
-TEST_CASE("Steps of different lengths follow the same motion", "[exact][exterior_rotation]") {
-  World even = world_of("fig6_1");
-  World uneven = even;
-  Glued one(way(GluedScheme::rk4));
-  Glued other(way(GluedScheme::rk4));
-  run(even, one, 120, 1.0 / 120);
-  for (int k = 0; k < 40; ++k) {
-    other.step(uneven, 1.0 / 240);
-    other.step(uneven, 1.0 / 60);
-    other.step(uneven, 1.0 / 240);
-  }
-  CHECK(uneven.time() == near(even.time()).margin(1e-12));
-  CHECK(apart(even, uneven) < 2e-8);  // [m, -] rk4's error at 1/60 s is 1e-8
-}
-
 TEST_CASE("The glued technique reports the pivot's force and the centre of pressure of each joint",
           "[exact][exterior_rotation]") {
   World world = world_of("fig6_1", {{"angle", "0.3"}});

@@ -128,28 +128,6 @@ TEST_CASE("A tree of pivots closes every joint of a tower that turns at rates of
   }
 }
 
-TEST_CASE("The best frame of figure 6.3 is no worse than what a simplex finds from any start",
-          "[reference][exterior_rotation]") {
-  for (const double upper : {1.5, -10.0, 5.0}) {
-    const World world = build_world(scene_with("fig6_3", {setting("upper_spin", upper)}));
-    const std::vector<Joint> joints = joints_of(world);
-    const BestFrame best = best_frame(world, joints, kStep, 30.0);
-    CHECK(mismatch(joints, moved_in_frame(world, best.frame, kStep)) ==
-          near(best.left).margin(1e-15));
-    const std::vector<Joint> lower(joints.begin(), joints.begin() + 1);
-    CHECK(mismatch(lower, moved_in_frame(world, best.frame, kStep)) < 1e-13);  // [m] closed
-    double least = 1.0;
-    for (const double rate : {-3.0, -1.0, 1.0, 3.0}) {
-      const BestFrame found =
-          best_frame_by_simplex(world, joints, kStep, {Vec3(0.1, 1.9, 0.0), Vec3(0.0, 0.0, rate)});
-      CHECK(found.left > best.left * (1.0 - 1e-6));
-      least = std::min(least, found.left);
-    }
-    INFO("upper box at " << upper);
-    CHECK(least < 1.01 * best.left);
-  }
-}
-
 TEST_CASE("The fitted order of a power law is its exponent", "[exact][exterior_rotation]") {
   const std::array x = {0.1, 0.3, 0.7, 2.0};
   std::array<double, 4> y{};

@@ -41,17 +41,6 @@ double on_ground(const Simulation& run) {
 
 }  // namespace
 
-TEST_CASE("A stack without joints rests when bodies collide", "[exact][joints]") {
-  Simulation run(built("stack", {{"count", "3"}}), "glued", kCollide);
-  run.run_for(2.0);
-  for (const char* name : {"level1", "level2", "level3"}) {
-    CHECK(run.body(name).velocity_w().norm() < 1e-4);
-    CHECK(run.body(name).angular_velocity_w().norm() < 1e-4);
-  }
-  CHECK(run.body("level3").position_w().y() == near(2.5).margin(1e-4));
-  CHECK(on_ground(run) == near(3.0 * kGravity * kFrame).epsilon(1e-4));
-}
-
 TEST_CASE("A chain that lies on the ground presses on it with its weight", "[exact][joints]") {
   Scene scene = built("chain", {{"count", "5"}, {"angle", "0.3"}});
   scene.ground = SceneGround{};

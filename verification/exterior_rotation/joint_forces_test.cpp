@@ -132,19 +132,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Bodies glued together in free fall need no force", "[exact][exterior_rotation]") {
-  const Vec3 g(0.0, -kG, 0.0);
-  CHECK(largest_push(Held(boxes({Vec3::Zero(), Vec3::UnitX()}, Vec3::Zero(), g))) == 0.0);
-  // Rotation about the axis through both centres needs none either, across it the centripetal force.
-  CHECK(largest_push(Held(
-            boxes({-0.5 * Vec3::UnitX(), 0.5 * Vec3::UnitX()}, 2.0 * Vec3::UnitX(), g))) <= 1e-15);
-  const World across = boxes({-0.5 * Vec3::UnitX(), 0.5 * Vec3::UnitX()}, 2.0 * Vec3::UnitZ(), g);
-  const Held held(across);
-  // m ω² r = 2 N towards the middle
-  CHECK((held.forces.on_second(0).force_w - Vec3(-2.0, 0.0, 0.0)).norm() <= 1e-14);
-  CHECK(held.forces.on_second(0).torque_w.norm() <= 1e-14);
-}
-
 TEST_CASE("A group in free flight accelerates as the one rigid body that it is",
           "[exact][exterior_rotation]") {
   const World world = flying_group(Vec3(0.0, -kG, 0.0));

@@ -35,15 +35,6 @@ TEST_CASE("The column opens by a thousandth of its edge when it turns and not wh
   CHECK(figure.number("largest gap or overlap of the column that is pushed, over an edge") < 1e-13);
 }
 
-TEST_CASE("Figure 6.1 has a film of two columns beside each other", "[unit][exterior_rotation]") {
-  const FigureUnderTest figure("fig6_1_column");
-  REQUIRE(figure.result.film);
-  const std::string gif = figure.result.film();
-  CHECK(gif.substr(0, 6) == "GIF89a");
-  CHECK(static_cast<unsigned char>(gif[6]) + 256 * static_cast<unsigned char>(gif[7]) == 640);
-  CHECK(gif.back() == ';');
-}
-
 TEST_CASE(
     "A single step of an exact column errs in the second, third and fifth power of its length",
     "[claims][exterior_rotation]") {
@@ -142,29 +133,4 @@ TEST_CASE("A column that is pushed along moves as one and feels the push in its 
   CHECK(run.gaps.size() == 61);
   // An odd number is pushed in the middle of its middle one.
   CHECK(push_column(3, push, kStep, 60).gap < 1e-13);
-}
-
-TEST_CASE("An inset is as many times larger than its frame as its layout says",
-          "[unit][exterior_rotation]") {
-  FilmLayout layout;
-  layout.low = Vec2(-1.0, 2.0);
-  layout.high = Vec2(3.0, 4.0);
-  layout.width = 200.0;
-  layout.inset = 80.0;
-  CHECK(layout.scale() == 50.0);
-  CHECK(layout.inset / layout.seen() == near(50.0 * layout.magnification).margin(1e-9));
-  CHECK(layout.drawing().commands.find("frame_tall = 100\n") != std::string::npos);
-}
-
-TEST_CASE("A side view cuts what reaches out of it", "[unit][exterior_rotation]") {
-  const Polygon square = {Vec2(-9.0, -9.0), Vec2(0.5, -9.0), Vec2(0.5, 0.5), Vec2(-9.0, 0.5)};
-  SideView view(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
-  view.fill(square, 0x123456);
-  view.outline(square, {});
-  CHECK(view.commands().find("9.0") == std::string::npos);
-  CHECK(view.commands().find("first 0.500000,0.500000") != std::string::npos);
-  SideView empty(Vec2(2.0, 2.0), Vec2(3.0, 3.0));
-  empty.fill(square, 0x123456);
-  empty.outline(square, {});
-  CHECK(empty.commands().find("object polygon") == std::string::npos);
 }

@@ -61,25 +61,6 @@ TEST_CASE("The first step of each scheme is the one that its name promises",
   }
 }
 
-TEST_CASE("The centre of a body that tumbles in free fall does not depend on its rotation",
-          "[exact][exterior_rotation]") {
-  for (const SimpleScheme scheme : kSchemes)
-    for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
-      INFO("scheme " << static_cast<int>(scheme) << ", pose " << name_of(pose));
-      World tumbling;
-      World sliding;
-      const BodyProperties body = box_properties(Vec3(1.0, 2.0, 3.0), 2.0);
-      const Vec3 v(1.0, 2.0, -0.5);
-      tumbling.add(body, make_state(body, Vec3::Zero(), Quat::Identity(), v, Vec3(0.5, 3.0, 1.0)));
-      sliding.add(body, make_state(body, Vec3::Zero(), Quat::Identity(), v));
-      steps(tumbling, scheme, pose, 60);
-      steps(sliding, scheme, pose, 60);
-      // [m], [kg m/s] rounding of 60 steps
-      CHECK((tumbling.states()[0].position_w - sliding.states()[0].position_w).norm() <= 1e-13);
-      CHECK((linear_momentum(tumbling) - linear_momentum(sliding)).norm() <= 1e-12);
-    }
-}
-
 TEST_CASE("A group in free flight keeps the momenta that its scheme keeps",
           "[exact][exterior_rotation]") {
   for (const SimpleScheme scheme : kSchemes)
@@ -127,25 +108,6 @@ TEST_CASE("The exponential keeps the glued column together over a fall",
     }
 }
 
-TEST_CASE(
-    "Two bodies that turn differently about a moving point come apart by the residual of one step",
-    "[exact][exterior_rotation]") {
-  for (const double h : {1e-2, 1e-3}) {
-    World world = world_of("fig6_3", {{"lower_spin", "-1.5"}, {"upper_spin", "1.5"}});
-    const std::vector<Joint> joints = find_joints(world, tolerance::glue_margin);
-    REQUIRE(joints.size() == 2);
-    const MovingBody lower = moving_body_of(world.bodies()[2], world.states()[2]);
-    const Vec3 pivot_w = held_point(joints[1], world.states()).first_w;
-    const Vec3 from_w = pivot_w - Vec3(0.0, 2.0, 0.0);
-    CHECK(lower.angular_velocity_w.z() == near(-1.5).margin(1e-14));
-    const double residual = 0.5 * h * h * 3.0 * 1.5 * from_w.norm();
-    // Forward Euler moves with the twists at the start only.
-    steps(world, SimpleScheme::forward_euler, PoseUpdate::exponential, 1, h);
-    const double gap = gap_of(joints, world.states()).apart;
-    CHECK(gap / residual == near(1.0).margin(2.0 * h));  // [-] the next term has one more factor h
-  }
-}
-
 TEST_CASE("Leapfrog steps of a group that turns as one are reversible",
           "[exact][exterior_rotation]") {
   for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
@@ -167,21 +129,4 @@ TEST_CASE("Leapfrog steps of a group that turns as one are reversible",
     forty_steps();
     CHECK(apart(world, start) < 1e-13);  // [m, -] rounding of 80 steps, measured 2e-15
   }
-}
-
-TEST_CASE(
-    "Without joints and weight a body goes straight and turns at a constant rate in every scheme",
-    "[exact][exterior_rotation]") {
-  for (const SimpleScheme scheme : kSchemes)
-    for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
-      World world;
-      world.gravity_w = Vec3::Zero();
-      const BodyProperties cube = box_properties(Vec3::Ones(), 2.0);
-      const Vec3 v(1.0, 2.0, -0.5);
-      const Vec3 spin_w(0.5, 3.0, 1.0);
-      world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), v, spin_w));
-      steps(world, scheme, pose, 60);
-      CHECK((world.states()[0].position_w - v).norm() <= 1e-13);  // [m] rounding of 60 steps
-      CHECK(angle_between(world.states()[0].orientation_wb, rotation_from_vector(spin_w)) <= 1e-13);
-    }
 }

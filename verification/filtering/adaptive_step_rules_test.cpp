@@ -198,20 +198,6 @@ TEST_CASE("Reversals are found body by body, independent of other bodies in cont
   CHECK(adaptive.substeps().size() == 1);
 }
 
-TEST_CASE("A copy of an adaptive step keeps the last displacements of corners",
-          "[unit][filtering]") {
-  World world = resting_cubes();
-  AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
-    bodies.states()[0].position_w.y() += n == 0 ? 1e-3 : n == 1 ? -1e-3 : 0.0;
-    return std::vector<int>{0};
-  }));
-  adaptive.step(world, kStep);
-  AdaptiveStep copy(adaptive);
-  copy.step(world, kStep);
-  copy.step(world, kStep);
-  CHECK(copy.substeps().size() == 2);
-}
-
 TEST_CASE("Overlap above a fiftieth of an edge requests smaller steps", "[exact][filtering]") {
   const auto substeps = [](double overlap) {
     World world = resting_cubes();  // 4 mm are allowed

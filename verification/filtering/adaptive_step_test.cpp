@@ -204,19 +204,6 @@ TEST_CASE("An observer of an adaptive step receives the events of its sub-steps"
   CHECK(watcher.times.size() == told);
 }
 
-TEST_CASE("Bodies may come and go between adaptive steps", "[unit][filtering]") {
-  World world = clump(2);
-  AdaptiveStep adaptive(make("damped"), halvings(3));
-  for (int k = 0; k < 80; ++k) adaptive.step(world, kStep);
-  for (int k = 0; k < 20; ++k) {
-    world.remove(world.ids()[1]);
-    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-    world.add(cube, make_state(cube, Vec3(0.0, 8.0 + k, 0.0)));
-    adaptive.step(world, kStep);
-  }
-  CHECK(all_finite(world));
-}
-
 TEST_CASE("An adaptive step refuses invalid arguments and names them", "[unit][filtering]") {
   const auto refused = [](const AdaptiveStepOptions& options, const std::string& word) {
     try {

@@ -28,14 +28,6 @@ std::vector<Corners> white_noise(int count, int width) {
   return corner_path(filtered(run, BoxFilter(width)), ids[0], BodyProperties{});
 }
 
-World cubes_at(const std::vector<Vec3>& places) {
-  World world;
-  world.add_ground();
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  for (const Vec3& place : places) world.add(cube, make_state(cube, place));
-  return world;
-}
-
 }  // namespace
 
 TEST_CASE("A box over five frames cuts the amplitude of chatter and leaves most of the squirm",
@@ -107,25 +99,4 @@ TEST_CASE("Squirm of white noise under box filters is the root of summed squares
     CHECK(ratio == near(squirm_of_white_noise("", width, 1).value).margin(0.02));
   }
   CHECK(squirm_of_white_noise("", 5, 5).value == 1.0);
-}
-
-TEST_CASE("The overlap of shown bodies is the deepest of all pairs, the ground included",
-          "[unit][filtering]") {
-  const World world = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.5, 0.0)});
-  OverlapMeter meter;
-  CHECK(meter.look(world.bodies(), world.states()) == near(0.1).margin(1e-12));
-  const World sunk = cubes_at({Vec3(0.0, 0.5, 0.0), Vec3(0.9, 0.5, 0.0), Vec3(5.0, 0.2, 0.0)});
-  CHECK(meter.look(sunk.bodies(), sunk.states()) == near(0.3).margin(1e-12));
-  const World apart = cubes_at({Vec3(0.0, 0.6, 0.0), Vec3(1.9, 0.6, 0.0), Vec3(5.0, 0.6, 0.0)});
-  CHECK(meter.look(apart.bodies(), apart.states()) == 0.0);
-}
-
-TEST_CASE("Medians and means over seeds are those of textbooks", "[unit][filtering]") {
-  CHECK(median_of({3.0, 1.0, 2.0}) == 2.0);
-  CHECK(median_of({4.0, 1.0, 2.0, 3.0}) == 2.5);
-  // 1, 2 and 6: mean 3, standard error sqrt(7/3), Student's factor for two degrees of freedom.
-  const Quantity mean = mean_over_seeds("", "-", std::vector<double>{1.0, 2.0, 6.0});
-  CHECK(mean.value == 3.0);
-  CHECK(mean.seeds == 3);
-  CHECK(mean.high - mean.value == near(4.30265273 * std::sqrt(7.0 / 3.0)).margin(1e-7));
 }

@@ -147,27 +147,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A run of chatter counts the watched half seconds alone, and a fall is not rest",
-          "[unit][chatter][filtering]") {
-  SceneBox box;
-  box.name = "box";
-  box.position_w = Vec3(0.0, 50.0, 0.0);
-  Scene high;
-  high.boxes = {box};
-  high.ground = SceneGround{};
-  const ChatterRun falls = chatter_of(high, {"contact_damped"}, 0.5, 1.0);
-  CHECK(falls.bodies == 1);
-  CHECK(falls.steps == 90);
-  CHECK(falls.restless() == 1);
-  CHECK(std::isnan(falls.amplitude()));
-  CHECK(std::isnan(falls.acceleration()));
-  high.boxes[0].position_w.y() = 0.5;
-  const ChatterRun lies = chatter_of(high, {"contact_damped"}, 0.5, 0.5);
-  CHECK(lies.steps == 60);
-  CHECK(lies.restless() == 0);
-  CHECK(lies.amplitude() <= 1e-12);  // [m] measured: 0
-}
-
 TEST_CASE("Some chatter is left in the settled clump, and none with twice the damping",
           "[claims][filtering]") {
   const FigureUnderTest figure("claim_6_1b_chatter", {"per_edge=4", "varied=1"});

@@ -54,24 +54,6 @@ TEST_CASE("A ramp of 3 mm a frame under an envelope of 10 mm pops by 12 mm in ev
         near(0.012).margin(1e-15));
 }
 
-TEST_CASE("A pop is longer than the envelope and at most a computed step longer",
-          "[exact][filtering]") {
-  int count = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Trajectory run = random_walk(400, 0.004, 0.0, seed);
-    const Trajectory shown = shown_of(run);
-    for (int n = 1; n < run.count(); ++n) {
-      const double pop = way(body_in(shown, n), body_in(shown, n - 1));
-      if (pop == 0.0) continue;
-      ++count;
-      CHECK(pop > kRadius);
-      // [m] rounding
-      CHECK(pop <= kRadius + way(body_in(run, n), body_in(run, n - 1)) + 1e-15);
-    }
-  }
-  CHECK(count > 100);
-}
-
 TEST_CASE("A body is shown at rest if and only if it stays within the envelope of its first pose",
           "[exact][filtering]") {
   int at_rest = 0;

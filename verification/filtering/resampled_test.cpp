@@ -117,17 +117,6 @@ TEST_CASE("Between two frames a body turns the shorter way, whatever the signs o
   }
 }
 
-TEST_CASE("A body that rests between two frames keeps its bits when resampled",
-          "[unit][filtering]") {
-  Trajectory run;
-  const std::array<BodyId, 1> ids = {BodyId{0}};
-  std::array<BodyState, 1> states = {moving(0.7)};
-  for (const double time : {0.0, 0.013, 0.05, 0.11}) run.record(Frame{time, 0, ids, states});
-  const Trajectory even = resampled(run, kInterval);
-  REQUIRE(even.count() == 7);
-  for (int k = 0; k < even.count(); ++k) CHECK(even.frame(k).states[0] == states[0]);
-}
-
 TEST_CASE("A resampled body is there where both frames around the time have it, or the one at it",
           "[unit][filtering]") {
   Trajectory run;

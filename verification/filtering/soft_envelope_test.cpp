@@ -151,20 +151,6 @@ TEST_CASE("A creeping body that shakes pops under the envelope of the thesis and
   CHECK(pops_of(SoftEnvelopeFilter()).count == 0);
 }
 
-TEST_CASE(
-    "A random walk of less than half an envelope a frame never jumps by an envelope under ours",
-    "[exact][filtering]") {
-  double longest = 0.0;
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const Trajectory shown =
-        shown_of(random_walk(300, 0.499 * kEnvelope.radius, 0.499 * kEnvelope.angle, seed));
-    for (int n = 1; n < shown.count(); ++n)
-      longest = std::max(longest, apart(body_in(shown, n), body_in(shown, n - 1)));
-  }
-  CHECK(longest < 1.0);
-  CHECK(longest > 0.5);
-}
-
 TEST_CASE("A body that creeps without turning keeps the bits of its orientation under ours",
           "[exact][filtering]") {
   BodyState start;

@@ -63,15 +63,6 @@ TEST_CASE("The squares of the lines add up to the mean square of the signal",
   }
 }
 
-TEST_CASE("A signal that alternates from sample to sample is a line at half the rate",
-          "[exact][filtering]") {
-  std::vector<double> signal;
-  for (int n = 0; n < 20; ++n) signal.push_back(n % 2 == 0 ? 3.0 : -3.0);
-  const Spectrum lines = spectrum_of(signal, 0.5);
-  CHECK(lines.frequency.back() == near(1.0).margin(1e-15));  // [Hz]
-  CHECK(lines.amplitude.back() == near(3.0).margin(1e-14));
-}
-
 TEST_CASE("Hann's window keeps a tone with broken periods from far lines", "[unit][filtering]") {
   const std::vector<double> signal = tone(240, 20.5, 1.0, 5.0);
   double open = 0.0;

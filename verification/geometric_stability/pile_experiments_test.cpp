@@ -81,41 +81,6 @@ TEST_CASE("Boxes of a random pile rest on one another without overlap and withou
   CHECK(others > 100);
 }
 
-TEST_CASE("A random pile is the same for the same seed, and another one for another",
-          "[determinism][geometric_stability]") {
-  std::set<std::uint64_t> hashes;
-  for (int seed = 1; seed <= 20; ++seed) {
-    CHECK(pile(seed).hash().value() == pile(seed).hash().value());
-    hashes.insert(pile(seed).hash().value());
-  }
-  CHECK(hashes.size() == 20);
-}
-
-TEST_CASE("A box comes down onto what is highest under it, and beside what it passes",
-          "[unit][geometric_stability]") {
-  PileBuilder builder;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  const auto lower = [&](double x, const Vec3& size) {
-    const BodyProperties body = box_properties(size, 1.0);
-    return builder.lower(body, make_state(body, Vec3(x, 0.0, 0.0)));
-  };
-  REQUIRE(builder.add(cube, make_state(cube, Vec3(0.0, 0.5, 0.0))));
-  CHECK(lower(1.0, Vec3::Ones()));                  // side by side
-  CHECK(lower(0.5, Vec3(1.5, 0.5, 0.5)));           // across both
-  CHECK_FALSE(lower(2.001, Vec3::Ones()));          // a gap of a millimetre
-  CHECK_FALSE(lower(1.38, Vec3(0.2, 0.5, 1.002)));  // corners miss the edge by a millimetre
-  CHECK_FALSE(builder.add(cube, make_state(cube, Vec3(0.0, 1.2, 0.0))));  // overlaps
-  REQUIRE(builder.world().count() == 4);
-  CHECK(builder.world().states()[2].position_w.y() == 0.5);
-  CHECK(builder.world().states()[3].position_w.y() == 1.25);
-  // On its edge, which is over the middle of the cube.
-  const Quat turned(std::cos(0.125 * std::acos(-1.0)), 0.0, 0.0, std::sin(0.125 * std::acos(-1.0)));
-  PileBuilder other;
-  REQUIRE(other.add(cube, make_state(cube, Vec3(0.0, 0.5, 0.0))));
-  REQUIRE(other.lower(cube, make_state(cube, Vec3(0.0, 0.0, 0.0), turned)));
-  CHECK(other.world().states()[2].position_w.y() == near(1.0 + std::sqrt(0.5)).margin(1e-12));
-}
-
 TEST_CASE("Balance and the complementarity problem agree on random piles",
           "[reference][geometric_stability]") {
   StaticEquilibrium equilibrium;
@@ -253,45 +218,4 @@ TEST_CASE("Where hull and corners differ the hull is right more often than not, 
         0.0);
   CHECK(figure.number("share of which the hull is right, a leaning tower, tolerances of damped") ==
         1.0);
-}
-
-TEST_CASE("By the text alone a fifth support that can tip does not matter, and the body moves",
-          "[exact][geometric_stability]") {
-  // A slab on four fixed pillars, and a cap in its middle that balances on a post.
-  World world;
-  const auto add = [&](const BodyProperties& body, const Vec3& place_w) {
-    world.add(body, make_state(body, place_w));
-    return world.count() - 1;
-  };
-  for (const double x : {-1.0, 1.0})
-    for (const double z : {-1.0, 1.0})
-      add(fixed_box_properties(Vec3(0.4, 1.0, 0.4)), Vec3(x, 0.5, z));
-  add(fixed_box_properties(Vec3(0.1, 0.5, 0.1)), Vec3(0.0, 0.25, 0.0));
-  const int cap = add(box_properties(Vec3(0.5, 0.5, 0.5), 1.0), Vec3(0.0, 0.75, 0.0));
-  const int slab = add(box_properties(Vec3(2.2, 0.25, 2.2), 1.0), Vec3(0.0, 1.125, 0.0));
-  const ContactList contacts = touching(world);
-  const std::vector<char> text = called_stable_by_text(world, contacts, {});
-  CHECK(text[idx(cap)] == 0);
-  CHECK(text[idx(slab)] == 1);
-  CHECK(called_stable(StabilityLevel::corners, world, contacts)[idx(slab)] == 0);
-  CHECK(called_stable(StabilityLevel::hull, world, contacts)[idx(slab)] == 0);
-  CHECK(moves_under_loads(world, contacts)[idx(slab)] != 0);
-  // Without loads it stays.
-  PileForces forces;
-  REQUIRE(forces.solve(world, contacts));
-  CHECK(fastest_of(world.bodies()[idx(slab)], forces.accelerations()[idx(slab)]) < 1e-9);
-}
-
-TEST_CASE("Two squares have a square in common, or an octagon, or nothing",
-          "[exact][geometric_stability]") {
-  const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const std::vector<Vec2> shifted{{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}};
-  const std::vector<Vec2> far{{2, 0}, {3, 0}, {3, 1}, {2, 1}};
-  const std::vector<Vec2> diamond{{0.5, -0.2}, {1.2, 0.5}, {0.5, 1.2}, {-0.2, 0.5}};
-  const std::vector<Vec2> common = common_area(square, shifted);
-  REQUIRE(common.size() == 4);
-  for (const Vec2& corner : {Vec2(0.5, 0.5), Vec2(1, 0.5), Vec2(1, 1), Vec2(0.5, 1)})
-    CHECK(std::find(common.begin(), common.end(), corner) != common.end());
-  CHECK(common_area(square, diamond).size() == 8);
-  CHECK(common_area(square, far).empty());
 }

@@ -54,18 +54,6 @@ TEST_CASE(
   CHECK(slide({.offset = -0.4, .speed = 4.0}).until() == 0);  // stops before, after 0.77 m
 }
 
-TEST_CASE("The mark of a box that slides goes in the step that takes a corner beyond the edge",
-          "[exact][geometric_stability]") {
-  const SlideRun run = slide({.offset = -0.4, .speed = 11.0});
-  const auto last = static_cast<std::size_t>(run.leaves);
-  CHECK(run.steps[last - 1].overhang < 0.0);
-  CHECK(run.steps[last].overhang > 0.01);  // [m] beyond the tolerance of a hundredth of an edge
-  for (std::size_t k = 0; k < run.worlds.size(); ++k)
-    CHECK((stable_by_corners(run.worlds[k])[2] != 0) == (k <= last));
-  CHECK(run.steps[last].counted_stable);  // by the mark that it had when the step began
-  CHECK_FALSE(run.steps[last + 1].counted_stable);
-}
-
 TEST_CASE(
     "A box that slides among analytic forces is held in every step that begins and goes on its "
     "support",
@@ -90,11 +78,4 @@ TEST_CASE("Damping holds a box up whose centre is a third of an edge beyond the 
   const double held = held_overhang(2.0);
   CHECK(held > 0.3);
   CHECK(held < 0.45);
-}
-
-TEST_CASE("A run that leaves nothing, or that does not fall, is refused",
-          "[unit][geometric_stability]") {
-  CHECK_THROWS_AS(FigureUnderTest("claim_5_4d_sliding", {"speed=2"}), std::runtime_error);
-  CHECK_THROWS_AS(FigureUnderTest("claim_5_4d_sliding", {"slowest=1", "speeds=1"}),
-                  std::runtime_error);
 }

@@ -239,23 +239,6 @@ TEST_CASE("With gravity from the side, upwards or none the thesis's rules hold n
   CHECK(s.holds(StableRule::hull) == "f");
 }
 
-TEST_CASE("An unchanged pile is searched once", "[unit][geometric_stability]") {
-  Bridge bridge(1.0);
-  StableBoxes boxes(StableRule::equilibrium);
-  const std::vector<char> first = bridge.find(boxes);
-  CHECK_FALSE(boxes.report().remembered);
-  CHECK(boxes.report().stable == 3);
-  CHECK(boxes.report().pivots > 0);
-  CHECK(boxes.report().multiplications > 0);
-  for (int k = 0; k < 3; ++k) {
-    CHECK(bridge.find(boxes) == first);
-    CHECK(boxes.report().remembered);
-    CHECK(boxes.report().stable == 3);
-    CHECK(boxes.report().pivots == 0);
-    CHECK(boxes.report().multiplications == 0);
-  }
-}
-
 TEST_CASE("A change of any input of a verdict is detected", "[unit][geometric_stability]") {
   using Change = std::function<void(Bridge&)>;
   const auto move = [](Bridge& b, BodyId id, const Vec3& by) {
@@ -293,28 +276,6 @@ TEST_CASE("A change of any input of a verdict is detected", "[unit][geometric_st
     CHECK(found == bridge.find(StableRule::equilibrium));
     bridge.find(boxes);
     CHECK(boxes.report().remembered);
-  }
-}
-
-TEST_CASE("Another point, normal or pair in the list of contacts is detected",
-          "[unit][geometric_stability]") {
-  using Change = std::function<void(ContactList&)>;
-  const std::vector<std::pair<std::string, Change>> changes{
-      {"no change", [](ContactList&) {}},
-      {"a point moved", [](ContactList& list) { list[0].points[0].position_w.x() += 1e-9; }},
-      {"a point less", [](ContactList& list) { --list[0].count; }},
-      {"another normal", [](ContactList& list) { list[0].normal_w = Vec3(0.0, 0.6, 0.8); }},
-      {"another body", [](ContactList& list) { list[0].second = 5; }},
-      {"a contact less", [](ContactList& list) { list.pop_back(); }},
-  };
-  for (const auto& [what, change] : changes) {
-    Bridge bridge(1.0);
-    StableBoxes boxes(StableRule::equilibrium);
-    bridge.find(boxes);
-    change(bridge.contacts);
-    boxes.find(bridge.world, bridge.moving, bridge.contacts);
-    INFO(what);
-    CHECK(boxes.report().remembered == (what == "no change"));
   }
 }
 

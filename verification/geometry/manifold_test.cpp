@@ -226,36 +226,6 @@ TEST_CASE("Faces that meet in a line have two points, in a corner one", "[exact]
   CHECK(deepest(corner) == near(-1e-6).margin(1e-15));
 }
 
-TEST_CASE("Faces that meet in a line do so in any orientation", "[unit][manifold]") {
-  Random random(1);
-  int wrong = 0;
-  for (int n = 0; n < 10000; ++n) {
-    const Quat q = random.orientation();
-    const Vec3 center = random.in_cube(10.0);
-    const double slide = random.uniform(-0.9, 0.9);
-    const Vec3 offset = n % 2 == 0 ? Vec3(1, 1, slide) : Vec3(1, 1, 1);
-    const Manifold m = collided(cube_at(center, q), cube_at(center + q * offset, q), 1e-9);
-    if (m.count != (n % 2 == 0 ? 2 : 1)) ++wrong;
-  }
-  CHECK(wrong == 0);
-}
-
-TEST_CASE("Identical and nested boxes have finite contacts", "[unit][manifold]") {
-  const Box outer = make_box({1, 2, 3}, about({1, 2, 3}, 0.4), {1, 2, 3});
-  const Box inner = make_box({1.01, 2, 3}, about({3, 2, 1}, 0.7), {0.2, 0.1, 0.3});
-  const Manifold cases[] = {collided(outer, outer), collided(outer, inner), collided(inner, outer)};
-  for (const Manifold& m : cases) {
-    REQUIRE(m.count > 0);
-    CHECK(m.normal_w.norm() == near(1.0).margin(1e-15));
-    for (int i = 0; i < m.count; ++i) {
-      CHECK(point(m, i).position_w.allFinite());
-      CHECK(point(m, i).distance < 0.0);
-    }
-  }
-  CHECK(cases[0].count == 4);
-  CHECK(deepest(cases[0]) == near(-1.0).margin(1e-15));
-}
-
 TEST_CASE("Face to face, the order of the boxes turns only the normal", "[unit][manifold]") {
   Random random(2);
   double worst_parallel = 0.0, worst_tilted = 0.0, worst_normal = 0.0;

@@ -270,20 +270,6 @@ TEST_CASE("The search stops at the first axis beyond enough, and no axis is miss
   CHECK(stopped > 1000);
 }
 
-TEST_CASE("Boxes with the same centre have a finite separation and a normal of length 1",
-          "[unit][separation]") {
-  const Box box = make_box({1.0, 2.0, 3.0}, about({1.0, 1.0, 0.0}, 0.3), {1.0, 2.0, 3.0});
-  const Separation same = separation(box, box);
-  CHECK(same.distance == near(-1.0).margin(1e-15));  // across the shortest side
-  CHECK(same.axis == 0);
-  CHECK((same.normal_w - box.axes_w.col(0)).norm() < 1e-15);
-  const Box inner = make_box(box.center_w, Quat::Identity(), {0.1, 0.1, 0.1});
-  const Separation nested = separation(box, inner);
-  CHECK(std::isfinite(nested.distance));
-  CHECK(nested.distance < -0.5);
-  CHECK(nested.normal_w.norm() == near(1.0).margin(1e-15));
-}
-
 TEST_CASE("A separation that is asked for with bad options is refused", "[unit][separation]") {
   const Box box = cube_at(Vec3::Zero());
   SeparationOptions options;

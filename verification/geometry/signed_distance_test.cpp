@@ -20,25 +20,6 @@ constexpr double kRounding = 1e-14;
 
 Box cube_of_size(const Vec3& size) { return make_box(Vec3::Zero(), Quat::Identity(), size); }
 
-// The distance by another road: clamp to the box if outside, else the nearest of the six planes.
-double distance_by_faces(const Box& box, const Vec3& point_w) {
-  double nearest_plane = kInfinity;
-  Vec3 clamped = box.center_w;
-  bool inside = true;
-  for (int face = 0; face < 6; ++face) {
-    const Vec3 n = (face % 2 == 0 ? -1.0 : 1.0) * box.axes_w.col(face / 2);
-    const double beyond = n.dot(point_w - box.center_w) - box.half[face / 2];
-    inside = inside && beyond <= 0.0;
-    nearest_plane = std::min(nearest_plane, std::abs(beyond));
-  }
-  if (inside) return -nearest_plane;
-  for (int k = 0; k < 3; ++k) {
-    const double along = box.axes_w.col(k).dot(point_w - box.center_w);
-    clamped += std::clamp(along, -box.half[k], box.half[k]) * box.axes_w.col(k);
-  }
-  return (point_w - clamped).norm();
-}
-
 // How near the point is to a place where the gradient jumps (inside) or bends sharply (the surface).
 bool is_near_a_kink(const Box& box, const Vec3& point_w, double margin) {
   const Vec3 p = (box.axes_w.transpose() * (point_w - box.center_w)).cwiseAbs();
@@ -70,17 +51,6 @@ TEST_CASE("The signed distance of a unit cube has its closed-form values",
   CHECK((edge.gradient_w - Vec3(1.0, -2.0, 0.0) / std::sqrt(5.0)).norm() < kRounding);
 }
 
-TEST_CASE("On a surface the signed distance is 0 and its gradient a face normal",
-          "[exact][signed_distance]") {
-  const Box box = cube_of_size(Vec3(2.0, 4.0, 8.0));
-  const SignedDistance face = signed_distance(box, Vec3(0.3, -2.0, 1.0));
-  CHECK(face.distance == 0.0);
-  CHECK(face.gradient_w == Vec3(0.0, -1.0, 0.0));
-  // Where faces meet, the axis of lowest number decides.
-  CHECK(signed_distance(box, Vec3(1.0, -2.0, 1.0)).gradient_w == Vec3::UnitX());
-  CHECK(signed_distance(box, Vec3(0.0, -2.0, -4.0)).gradient_w == Vec3(0.0, -1.0, 0.0));
-}
-
 TEST_CASE("On medial planes the lowest axis and the positive side are taken",
           "[unit][signed_distance]") {
   const Box cube = cube_of_size(Vec3::Ones());
@@ -90,21 +60,6 @@ TEST_CASE("On medial planes the lowest axis and the positive side are taken",
   // In a flat box the centre is nearest to the flat faces, whichever number these have.
   const Box plate = cube_of_size(Vec3(4.0, 4.0, 1.0));
   CHECK(signed_distance(plate, Vec3(0.0, 0.0, -0.0)).gradient_w == Vec3::UnitZ());
-}
-
-TEST_CASE("The signed distance agrees with clamping and with the six planes",
-          "[unit][signed_distance]") {
-  Random random(11);
-  double worst = 0.0, worst_length = 0.0;
-  for (int trial = 0; trial < 20000; ++trial) {
-    const Box box = random_box(random, 1.0, 1.0, 0.2);
-    const Vec3 point = box.center_w + random.in_cube(1.2);
-    const SignedDistance got = signed_distance(box, point);
-    worst = std::max(worst, std::abs(got.distance - distance_by_faces(box, point)));
-    worst_length = std::max(worst_length, std::abs(got.gradient_w.norm() - 1.0));
-  }
-  CHECK(worst < kRounding);         // measured 2.0e-15 m
-  CHECK(worst_length < kRounding);  // measured 1.1e-15
 }
 
 TEST_CASE("No point of a dense sampling of the surface is nearer than the signed distance",

@@ -84,26 +84,6 @@ TEST_CASE("Damped integration as printed ends every step with finite numbers, wh
   }
 }
 
-TEST_CASE("Pushes of the printed listings end at the cap, and the report says so",
-          "[unit][impulse_damped]") {
-  // A cube is 0.1 m in the ground: a hundred pushes of a millimetre for its first contact point.
-  for (const std::int64_t cap : {std::int64_t{50}, std::int64_t{200}}) {
-    World world;
-    world.add_ground();
-    const int cube = add_cube(world, Vec3(0.0, 0.4, 0.0));
-    DampedAsPrintedOptions options;
-    options.repaired = DampedErrata(kSlips);
-    options.push_cap = cap;
-    DampedAsPrinted technique(options);
-    const StepReport report = technique.step(world, kDt);
-    CHECK(report.status == (cap == 50 ? StepStatus::event_cap : StepStatus::done));
-    // [m] four points of 50 pushes, or one of 100 or 101: rounding may ask for one more.
-    const double risen = world.states()[static_cast<std::size_t>(cube)].position_w.y() - 0.4;
-    CHECK(risen > 0.0999);
-    CHECK(risen < 0.2001);
-  }
-}
-
 TEST_CASE("With all misprints mended the printed listings keep a cube at rest where it is",
           "[exact][impulse_damped]") {
   World world;

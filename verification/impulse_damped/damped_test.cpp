@@ -198,16 +198,6 @@ TEST_CASE("Gravity last, as listed, or before the contacts, as in the text, is t
   }
 }
 
-TEST_CASE("Passes of contact take the approach away bit by bit", "[exact][impulse_damped]") {
-  // -1 + i/N in whole numbers would leave all work to the last pass; a stack sags then.
-  World real = stack_of(5, 0.0);
-  Damped damped(bare());
-  run(real, damped, 60);
-  // Position pushes hold it up, and it chatters: 20 cm/s at most is what gravity gives in a step.
-  CHECK(real.states()[5].position_w.y() > 4.45);
-  CHECK(fastest(real) < 0.3);
-}
-
 TEST_CASE("A stack is still with shock by velocity and chatters with shock by position",
           "[reference][impulse_damped]") {
   DampedOptions options = bare();

@@ -106,49 +106,6 @@ TEST_CASE("With all its misprints, the listing ends whatever is negative along y
   CHECK(report.frozen == 0);
 }
 
-TEST_CASE("A slow spin is scaled, a slower one ended", "[exact][impulse_damped]") {
-  // ε7 is 0.157 and ε8 is 0.00626 kg m²/s: half of the one times k2 k7 is above the other. A fall of
-  // 1 m/s is not settled: k3 stays out.
-  const double slow = 0.5 * numbers().eps.slow_spin;
-  const double slower = -0.5 * numbers().eps.still_spin;
-  for (const auto& [spin, left] : {std::pair{slow, slow * usual.k2 * usual.k7}, {slower, 0.0}}) {
-    World world = one_cube(Vec3::Zero(), Vec3(0.0, -1.0, 0.0), spin * Vec3::UnitZ());
-    dampen(world, true, DampedErrata::all());
-    CHECK(world.states()[0].angular_momentum_w.z() == near(left).margin(1e-16));
-  }
-}
-
-TEST_CASE("A body that has hardly moved nor turned is put back in both",
-          "[exact][impulse_damped]") {
-  // In a step it comes as far as half of ε10, 0.25 mm, and turns by half of ε11, 0.25 mrad.
-  const Vec3 momentum_w(0.5 * numbers().eps.frozen / dt, 0.0, 0.0);
-  const Vec3 spin_w(0.0, 0.5 * numbers().eps.frozen_angle / dt * cube.inertia_b.y(), 0.0);
-  World world = one_cube(Vec3::Zero(), momentum_w, spin_w);
-  CHECK(dampen(world, false, DampedErrata::all()).frozen == 1);
-  CHECK(world.states()[0].position_w == Vec3::Zero());
-  CHECK(world.states()[0].orientation_wb.coeffs() == Quat::Identity().coeffs());
-  CHECK(world.states()[0].linear_momentum_w == momentum_w);
-  // Turned by twice as much as ε11, it stays where it has come to.
-  World turned = one_cube(Vec3::Zero(), momentum_w, 4.0 * spin_w);
-  CHECK(dampen(turned, false, DampedErrata::all()).frozen == 0);
-  CHECK(turned.states()[0].position_w.x() == near(momentum_w.x() * dt).margin(1e-18));
-}
-
-TEST_CASE("What damping and undone moves do to the energy is reported", "[exact][impulse_damped]") {
-  // Slow enough to be put back: 9 mm/s up for a step.
-  World world = one_cube(Vec3(0.0, 2.0, 0.0), Vec3(0.3, 0.009, 0.0), Vec3(0.01, 0.2, 0.0));
-  const double before = energy_of(world).kinetic;
-  const DampenReport damped = dampen(world, true, DampedErrata::all());
-  CHECK(damped.damping == near(energy_of(world).kinetic - before).margin(1e-15));  // [J]
-  CHECK(damped.damping < 0.0);
-
-  World slow = one_cube(Vec3(0.0, 2.0, 0.0), Vec3(0.0, 0.009, 0.0), Vec3::Zero());
-  const DampenReport frozen = dampen(slow, false, DampedErrata::all());
-  CHECK(frozen.frozen == 1);
-  CHECK(slow.states()[0].position_w == Vec3(0.0, 2.0, 0.0));
-  CHECK(frozen.repair == near(-9.81 * 0.009 * dt).margin(1e-14));  // [J] undone
-}
-
 TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
           "[exact][impulse_damped]") {
   // A normal along the ground never leads out of it.

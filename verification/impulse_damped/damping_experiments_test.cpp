@@ -10,20 +10,6 @@
 using namespace tumble;
 using namespace tumble::chapters;
 
-namespace {
-
-// The ground and a cube that is dropped flat from a height, restitution 0.
-World falling_cube(double height) {
-  World world;
-  world.add_ground(0.0, 0.0);
-  BodyState state;
-  state.position_w = Vec3(0.0, 0.5 + height, 0.0);
-  world.add(box_properties(Vec3::Ones(), 1.0), state);
-  return world;
-}
-
-}  // namespace
-
 TEST_CASE("No stage of the damping gives energy to a cube, but slow components do to a brick",
           "[claims][impulse_damped]") {
   const FigureUnderTest energy("claim_5_3a_energy");
@@ -106,26 +92,6 @@ TEST_CASE("The alignment test catches chattering boxes that lie flat and none th
                        "over the share among those that lie flat") == 0.0);
   CHECK(leaning.number("of these, share that the test catches") == 1.0);
   CHECK(leaning.number("boxes that lean and chatter, mean of a heap and its planks") > 0.0);
-}
-
-TEST_CASE("A cube that is dropped flat is seen to rest on a face, and when",
-          "[unit][impulse_damped]") {
-  DampedOptions options;
-  const std::vector<BoxEnd> ends = settle(falling_cube(0.5), options, 2.0);
-  REQUIRE(ends.size() == 1);
-  CHECK(ends[0].rests);
-  CHECK(ends[0].on_face);
-  CHECK(ends[0].aligned);
-  CHECK(ends[0].shake < 1e-9);
-  CHECK_FALSE(ends[0].chatters());
-  // [s] sqrt(2 h / g) = 0.319, and a few steps for the last millimetres
-  CHECK(ends[0].rest_time > 0.3);
-  CHECK(ends[0].rest_time < 0.5);
-  // One that is still falling neither rests nor chatters.
-  const std::vector<BoxEnd> high = settle(falling_cube(50.0), options, 1.0);
-  CHECK_FALSE(high[0].rests);
-  CHECK_FALSE(high[0].on_face);
-  CHECK(std::abs(high[0].rest_time - 1.0) < 1e-9);
 }
 
 TEST_CASE("Planks that are propped up stay where they are with all of the damping",

@@ -78,15 +78,3 @@ TEST_CASE(
   CHECK(twice > 0.4);
   CHECK(twice < 1.0);
 }
-
-TEST_CASE("The interval of a median over seeds holds the median", "[unit][impulse_damped]") {
-  const FigureUnderTest figure("claim_5_3g_seen", {"seeds=5"});
-  const Quantity& number = quantity_of(
-      figure.result,
-      "difference of the median travel over seeds, damped and with Coulomb's friction, over the "
-      "latter");
-  CHECK(number.seeds == 5);
-  CHECK(number.low <= number.value);
-  CHECK(number.value <= number.high);
-  CHECK_THROWS_AS(FigureUnderTest("claim_5_3g_seen", {"seeds=1"}), std::invalid_argument);
-}

@@ -43,43 +43,6 @@ double sunk(const World& world) {
   return static_cast<double>(top) - 0.5 - world.states()[top].position_w.y();
 }
 
-// How a stack chatters in the third and fourth second.
-struct Chatter {
-  double speed = 0.0;      // [m/s] root mean square of the centres
-  double amplitude = 0.0;  // [m] from the lowest to the highest place of the uppermost centre
-};
-
-Chatter chatter_of(World world, const ImpulseOptions& options) {
-  Impulse technique(posed(options));
-  for (int k = 0; k < 120; ++k) technique.step(world, kStep);
-  const std::size_t top = world.states().size() - 1;
-  double sum = 0.0;
-  double low = world.states()[top].position_w.y();
-  double high = low;
-  for (int k = 0; k < 120; ++k) {
-    technique.step(world, kStep);
-    for (std::size_t b = 1; b <= top; ++b)
-      sum += velocity(world.bodies()[b], world.states()[b]).squaredNorm();
-    low = std::min(low, world.states()[top].position_w.y());
-    high = std::max(high, world.states()[top].position_w.y());
-  }
-  return {std::sqrt(sum / (120.0 * static_cast<double>(top))), high - low};
-}
-
-// Rows of cubes with half overlap; the order of the bodies may be turned round.
-World pyramid_of(int rows, bool backwards = false) {
-  World world;
-  world.add_ground();
-  const int count = rows * (rows + 1) / 2;
-  for (int n = 0; n < count; ++n) {
-    int k = backwards ? count - 1 - n : n;
-    int row = 0;
-    for (; k >= rows - row; ++row) k -= rows - row;
-    add_box(world, Vec3::Ones(), 1.0, Vec3(1.05 * (k - 0.5 * (rows - row - 1)), row + 0.5, 0.0));
-  }
-  return world;
-}
-
 // Two blocks that overhang outwards on pedestals, and one on their inner ends.
 World figure_6_5(double mass) {
   World world;
@@ -178,26 +141,6 @@ TEST_CASE("Without shock propagation a stack sags, whatever the passes of contac
   }
 }
 
-TEST_CASE("With a push of positions in place of the shock a stack keeps its speed but shows none",
-          "[claims][impulse][impulse_damped]") {
-  // Each step it begins to sag, and is pushed back by as much: momenta never come to rest, and
-  // what is shown does not move. Restitution makes it less, but neither ends it.
-  for (const double e : {0.0, 0.9}) {
-    const Chatter one = chatter_of(stack_of(1, 0.5, e), with(ImpulseShock::position, 1));
-    const Chatter two = chatter_of(stack_of(2, 0.5, e), with(ImpulseShock::position, 1));
-    const Chatter five = chatter_of(stack_of(5, 0.5, e), with(ImpulseShock::position, 1));
-    const Chatter shock = chatter_of(stack_of(5, 0.5, e), with(ImpulseShock::velocity, 1));
-    CHECK(one.speed < 1e-12);  // [m/s]
-    CHECK(two.speed == near(0.011).margin(0.001));
-    CHECK(five.speed == near(e == 0.0 ? 0.159 : 0.071).margin(0.005));
-    CHECK(shock.speed < 1e-9);    // measured 6e-14
-    CHECK(one.amplitude < 1e-9);  // [m] for all: measured up to 1.2e-12
-    CHECK(two.amplitude < 1e-9);
-    CHECK(five.amplitude < 1e-9);
-    CHECK(shock.amplitude < 1e-9);
-  }
-}
-
 TEST_CASE("Contacts at rest show a foot that carries a third of a stack of ten",
           "[claims][impulse][impulse_damped]") {
   // Weight that ten passes do not bring down is lost in the shock: its lower side is infinitely
@@ -239,39 +182,3 @@ TEST_CASE("A see-saw does not feel a stack beyond what contact passes bring down
 }
 
 // --- two supports -------------------------------------------------------------------------------
-
-TEST_CASE("A pyramid squirms less if the sweeps of the shock share its load",
-          "[claims][impulse][impulse_damped]") {
-  std::array<double, 2> speed{};
-  for (const std::size_t k : {0U, 1U}) {
-    World world = pyramid_of(5);
-    ImpulseOptions options;
-    options.level_restitution = k == 0 ? LevelRestitution::constant : LevelRestitution::shock;
-    Impulse technique(posed(options));
-    for (int n = 0; n < 60; ++n) {
-      technique.step(world, kStep);
-      if (n >= 30) speed[k] += corner_speed(world) / 30.0;
-    }
-  }
-  CHECK(speed[0] < 0.005);           // [m/s] measured 0.0019
-  CHECK(speed[1] < 0.4 * speed[0]);  // measured 0.00053
-}
-
-TEST_CASE("Bodies in another order end elsewhere, by a little",
-          "[claims][impulse][impulse_damped]") {
-  World world = pyramid_of(4);
-  World other = pyramid_of(4, true);
-  Impulse first(posed<ImpulseOptions>());
-  Impulse second(posed<ImpulseOptions>());
-  for (int k = 0; k < 60; ++k) {
-    first.step(world, kStep);
-    second.step(other, kStep);
-  }
-  double spread = 0.0;
-  const std::size_t count = world.states().size();
-  for (std::size_t k = 1; k < count; ++k)
-    spread = std::max(spread,
-                      (world.states()[k].position_w - other.states()[count - k].position_w).norm());
-  CHECK(spread < 0.01);   // [m] in a second: measured 0.00076
-  CHECK(spread > 1e-12);  // pairs of equal depth are taken by index
-}

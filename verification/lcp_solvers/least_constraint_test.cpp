@@ -49,20 +49,6 @@ TEST_CASE("Least constraint keeps its digits on a box of a ton on one of a gram"
   CHECK(std::abs(result.f[0] / (9.81 * 1000.001) - 1.0) <= 1e-12);
 }
 
-TEST_CASE("Equalities pull as well as push, and axes may be locked", "[exact][lcp][analytic_lcp]") {
-  // The cube hangs from one glued corner and may not turn: the glue carries all of it.
-  CHECK(solved(rising_cube(true)).pushing == std::vector<int>{2});
-
-  // Free to turn, only about x: moments about x alone have to balance.
-  LcpProblem axis = cube_on_ground(9.81, 0, 0.4);
-  axis.factors.bodies[0].inverse_inertia_w = Vec3(6, 0, 0).asDiagonal();
-  multiply_out(axis.factors, axis.A);
-  const LcpResult turning = solved(axis);
-  CHECK(turning.status == LcpStatus::solved);
-  CHECK(near(turning.a, {0, 0, 0, 0}, rounding));
-  CHECK(std::abs(turning.f[2] + turning.f[3] - 0.9 * 9.81) <= rounding);
-}
-
 TEST_CASE("Least constraint begins with the rows that it is given", "[unit][lcp][analytic_lcp]") {
   LeastConstraintSolver solver;
   LcpResult result;

@@ -80,25 +80,3 @@ TEST_CASE("The catalogue has every scene, technique and setting as it was declar
   REQUIRE(all.at("numbers").items.size() == names.size());
   for (std::size_t k = 0; k < names.size(); ++k) CHECK(all.at("numbers").items[k].text == names[k]);
 }
-
-TEST_CASE("A scene or technique of the catalogue opens with the settings that are listed there",
-          "[unit][live]") {
-  const JsonValue all = JsonReader::read(live::catalogue());
-  const auto request = [](const char* what, const JsonValue& entry) {
-    std::string text = std::string(what) + " " + entry.at("name").text + "\n";
-    for (const JsonValue& setting : entry.at("settings").items)
-      text += std::string("set ") + what + "." + setting.at("key").text + "=" +
-              setting.at("value").text + "\n";
-    return text;
-  };
-  for (const JsonValue& scene : all.at("scenes").items) {
-    INFO(scene.at("name").text);
-    const live::Session opened(request("scene", scene));
-    const live::Session plain("scene " + scene.at("name").text);
-    CHECK(opened.run().world().hash().text() == plain.run().world().hash().text());
-  }
-  for (const JsonValue& technique : all.at("techniques").items) {
-    INFO(technique.at("name").text);
-    CHECK_NOTHROW(live::Session("scene box_drop\n" + request("technique", technique)));
-  }
-}

@@ -63,16 +63,6 @@ Problem random_problem(Random& random) {
 
 }  // namespace
 
-TEST_CASE("The nearest point of a cone is found in the plane", "[exact][least_squares]") {
-  MatX G(2, 2);
-  G << 1, 1, 0, 1;  // the eighth of the plane between (1,0) and (1,1)
-  const auto distance = [&](double x, double y) { return nearest(G, VecX(Vec2(x, y))).distance; };
-  CHECK(distance(3.0, 1.0) <= 1e-15);                             // inside
-  CHECK(std::abs(distance(2.0, -1.0) - 1.0) <= 1e-15);            // below
-  CHECK(std::abs(distance(0.0, 2.0) - std::sqrt(2.0)) <= 1e-15);  // above
-  CHECK(distance(-3.0, -4.0) == 5.0);                             // behind: the tip
-}
-
 TEST_CASE("Non-negative least squares agrees with trying every set of columns",
           "[unit][least_squares]") {
   Random random(1);

@@ -89,43 +89,6 @@ void judge(const std::vector<Box>& boxes, const std::vector<int>& places, const 
 
 }  // namespace
 
-TEST_CASE("A row of boxes is painted from the far end, whatever its numbering",
-          "[exact][painters_order]") {
-  std::vector<Box> row;
-  for (const double x : {3.0, 0.0, 6.0, 9.0})
-    row.push_back(upright(Vec3(x, 0.0, 0.0), Vec3::Ones()));
-  CHECK(flat(painters_order(row, Vec3(-5.0, 0.2, 0.1))) == std::vector<int>{3, 2, 0, 1});
-  CHECK(flat(painters_order(row, Vec3(20.0, 0.2, 0.1))) == std::vector<int>{1, 0, 2, 3});
-  CHECK(flat(painters_order(row, ViewPoint::along(Vec3(1.0, 0.0, 0.0)))) ==
-        std::vector<int>{3, 2, 0, 1});
-  CHECK(flat(painters_order(row, ViewPoint::along(Vec3(-1e-200, 0.0, 0.0)))) ==
-        std::vector<int>{1, 0, 2, 3});
-}
-
-TEST_CASE("A small box on a large slab is painted after it although its centre is farther away",
-          "[exact][painters_order]") {
-  const std::vector<Box> boxes = {upright(Vec3(-9.0, 0.5, 0.0), Vec3::Ones()),
-                                  upright(Vec3(0.0, -0.5, 0.0), Vec3(20.0, 1.0, 20.0))};
-  const Vec3 eye(15.0, 3.0, 0.0);
-  REQUIRE((boxes[0].center_w - eye).norm() > (boxes[1].center_w - eye).norm());
-  const PaintersOrder got = painters_order(boxes, eye);
-  CHECK(flat(got) == std::vector<int>{1, 0});
-  CHECK(grouped(got) == 0);
-  // From below it is hidden.
-  CHECK(flat(painters_order(boxes, Vec3(15.0, -3.0, 0.0))) == std::vector<int>{0, 1});
-}
-
-TEST_CASE("An eye above the edge of a plate sees the plate before the cube behind it",
-          "[exact][painters_order]") {
-  // The gap is x = 0.5 to 0.6. From (0.7, 1.5) the ray to (0.5, 0.4) leaves the plate at (0.6, 0.95).
-  const Box cube = upright(Vec3::Zero(), Vec3::Ones());
-  const Box plate = upright(Vec3(0.7, 0.0, 0.0), Vec3(0.2, 2.0, 2.0));
-  const Vec3 eye(0.7, 1.5, 0.0);
-  REQUIRE(views_overlap(cube, plate, ViewPoint::from_eye(eye)));
-  CHECK(flat(painters_order(std::vector<Box>{cube, plate}, eye)) == std::vector<int>{0, 1});
-  CHECK(flat(painters_order(std::vector<Box>{plate, cube}, eye)) == std::vector<int>{1, 0});
-}
-
 TEST_CASE("Every ray from the eye meets a box that was painted later before one painted earlier",
           "[unit][painters_order]") {
   Random random(31);

@@ -195,26 +195,6 @@ TEST_CASE("Each pixel of 200 pictures shows the box that the line of sight meets
   CHECK(check_scenes(24, 224, 5000) >= 3);  // measured 5: the scenes are hard enough
 }
 
-TEST_CASE("Three sticks that overlap cyclically are drawn correctly", "[exact][picture]") {
-  const std::vector<Box> shapes = test::ring_of_sticks();
-  std::vector<PictureBox> sticks;
-  for (const Box& stick : shapes) sticks.push_back({stick});
-  const Camera camera = camera_for(sticks, Vec3(0.05, 0.1, 1.0), 300.0, 300.0, false);
-  REQUIRE(is_cyclic(shapes, camera.eye_w));
-  const Picture picture = draw_boxes(sticks, camera, false);
-  Random random(1);
-  Judgement judgement;
-  judge(sticks, camera, picture, 20000, random, judgement);
-  CHECK(judgement.pixels > 2000);
-  CHECK(judgement.wrong == 0);
-  // The cut that resolves the cycle has no outline: areas with one are whole faces or lines.
-  for (const PictureArea& area : picture.areas) {
-    if (!area.outlined) continue;
-    for (const Polygon& loop : area.loops)
-      CHECK((loop.size() == 4 || std::abs(area_of(loop)) < 1e-9));  // [px²] measured 1e-13
-  }
-}
-
 TEST_CASE("Boxes that overlap are drawn as the line of sight meets them", "[exact][picture]") {
   // A heap of 54 boxes that has collapsed into itself.
   Random random(11);

@@ -203,44 +203,6 @@ TEST_CASE("Each body that rests is reported with its own chatter", "[exact][reco
   CHECK(worst.acceleration == each[1].acceleration);
 }
 
-TEST_CASE("The worst chatter of a world is the worst of each body, measure by measure",
-          "[unit][record][chatter]") {
-  // Random shaking of cubes, some loud and slow, some quiet and quick; the window has wrapped around.
-  Random random(7);
-  World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  std::vector<BodyId> ids;
-  for (int k = 0; k < 12; ++k) ids.push_back(world.add(cube, at(Vec3(2.0 * k, 0.0, 0.0))));
-  std::vector<Vec3> place(ids.size(), Vec3::Zero());
-  ChatterMeter meter;
-  const std::vector<char> touches(ids.size(), 1);
-  int amplitude_from_another = 0;
-  for (int step = 0; step <= 120; ++step) {
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-      const int held = 1 + static_cast<int>(k);  // frames that it stays
-      if (step % held == 0) place[k] = random.in_cube(1e-4 + 1e-5 * held);
-      world.set_state(ids[k], at(Vec3(2.0 * static_cast<double>(k), 0.0, 0.0) + place[k]));
-    }
-    meter.add(world, touches);
-    world.finish_step(1.0 / 60.0);
-    const Chatter worst = meter.measure(kGravity);
-    BodyChatter largest;
-    BodyId loudest{};
-    BodyId quickest{};
-    for (const BodyChatter& body : meter.each(kGravity)) {
-      if (body.amplitude > largest.amplitude) loudest = body.id;
-      if (body.acceleration > largest.acceleration) quickest = body.id;
-      largest.amplitude = std::max(largest.amplitude, body.amplitude);
-      largest.acceleration = std::max(largest.acceleration, body.acceleration);
-    }
-    CHECK(worst.bodies == static_cast<int>(meter.each(kGravity).size()));
-    CHECK(worst.amplitude == largest.amplitude);
-    CHECK(worst.acceleration == largest.acceleration);
-    if (loudest != quickest) ++amplitude_from_another;
-  }
-  CHECK(amplitude_from_another > 60);  // measured: all 91 steps with a whole window
-}
-
 TEST_CASE("Of many bodies every other one may leave at once, and the others are measured on",
           "[unit][record][chatter]") {
   World world;

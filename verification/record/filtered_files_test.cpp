@@ -177,22 +177,3 @@ TEST_CASE("A run that ends with a state that is no number leaves the filtered fr
               rows_of(folder.path / kFilteredFile).size());
       }
 }
-
-TEST_CASE("Without a filter there is no filtered trajectory, nor is one left of an earlier run",
-          "[unit][record][filtering]") {
-  const Folder folder("filtered_none");
-  const Scene scene = dice();
-  Spoiler still(-1, false);
-  for (const std::string filter : {"box:5", ""}) {
-    const RunDescription d = description(filter);
-    RunFiles files(folder.path, d, scene);
-    const std::array<RunObserver*, 1> observers = {&files};
-    files.finish(run_scene(scene, still, d.run, observers));
-    CHECK(fs::exists(folder.path / kFilteredFile) == !filter.empty());
-  }
-  CHECK(content(folder.path / "summary.json").find("\"filter\": \"none\"") != std::string::npos);
-  CHECK_THROWS_WITH(read_run(folder.path, kFilteredFile), Catch::Matchers::Contains("--filter"));
-  CHECK_THROWS_WITH(read_run(folder.path / "nowhere", kFilteredFile),
-                    Catch::Matchers::Contains("give the folder of a run"));
-  CHECK_THROWS_AS(RunFiles(folder.path, description("box:4"), scene), std::invalid_argument);
-}

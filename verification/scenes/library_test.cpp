@@ -44,20 +44,6 @@ TEST_CASE("The seed changes scenes with chance in them and no others", "[unit][s
   }
 }
 
-TEST_CASE("A projectile enters the scene at its time with its speed", "[unit][scenes]") {
-  const Scene scene = built("projectile", {{"appears", "2"}, {"speed", "20"}, {"rows", "3"}});
-  World world = build_world(scene);
-  CHECK(world.count() == 7);  // the ground and six cubes
-  update_boxes(scene, 0.0, 1.9, world);
-  CHECK(world.count() == 7);
-  update_boxes(scene, 1.9, 2.0, world);
-  REQUIRE(world.count() == 8);
-  CHECK(world.name(7) == "projectile");
-  CHECK(velocity(world.bodies()[7], world.states()[7]).z() == near(-20.0).margin(1e-12));
-  update_boxes(scene, 2.0, 9.0, world);
-  CHECK(world.count() == 8);
-}
-
 TEST_CASE("Boxes come and go at their times, and one with no time in between is never there",
           "[unit][scenes]") {
   Scene scene;

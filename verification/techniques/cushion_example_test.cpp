@@ -50,16 +50,6 @@ TEST_CASE("A cube on springs sinks by (4 - damper) g h² / spring", "[exact][tec
   }
 }
 
-TEST_CASE("A stack of three stands on springs", "[unit][technique]") {
-  World world = world_of("stack", {{"count", "3"}});
-  Cushion technique;
-  const Course course = run(world, technique, 10.0);
-  INFO("overlap " << course.overlap << " m, moved " << course.moved << " m");
-  CHECK(course.failed == 0);
-  CHECK(course.overlap < 0.01);     // [m] measured 0.0093
-  CHECK(fastest_of(world) < 1e-9);  // [m/s] measured 3e-14
-}
-
 TEST_CASE("A box that is a hundred times heavier than the one below sinks in by a quarter",
           "[unit][technique]") {
   World world = world_of("stack", {{"count", "2"}, {"top_mass", "100"}});
@@ -85,44 +75,6 @@ TEST_CASE("Without gravity springs give back nothing that is not booked", "[exac
     CHECK(course.unbooked < 1e-9 * (energy + std::abs(course.booked)));  // [J] rounding
     CHECK(course.booked != 0.0);
   }
-}
-
-TEST_CASE("Springs at their limit throw no box out of a pile at rest", "[unit][technique]") {
-  // spring + 2 damper just below 4, where a point alone would swing for ever.
-  for (const CushionOptions& options :
-       {CushionOptions{1.9, 1.0, 2}, CushionOptions{0.9, 1.5, 8}, CushionOptions{0.25, 1.8, 8}}) {
-    World world = world_of("pyramid", {{"rows", "4"}, {"spacing", "1.05"}});
-    Cushion technique(options);
-    const Course course = run(world, technique, 3.0);
-    INFO(options.spring << ", " << options.damper << ": fastest " << course.fastest);
-    CHECK(course.moved < 0.1);  // [m]
-    CHECK(course.not_finite == 0);
-  }
-}
-
-TEST_CASE("Springs do the same bits in other units", "[determinism][technique]") {
-  for (const char* scene : {"box_drop", "two_boxes", "table"}) {
-    INFO(scene);
-    CHECK(differ_in_other_units<Cushion>(world_of(scene)) == 0);
-  }
-}
-
-TEST_CASE("The order of the bodies changes nothing under springs but rounding",
-          "[exact][technique]") {
-  const World world = world_of("pyramid", {{"rows", "3"}});
-  World forth = world;
-  World back;
-  back.add_ground(world.bodies()[0].friction);
-  for (std::size_t k = world.bodies().size(); k-- > 1;)
-    back.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
-  Cushion first;
-  Cushion second;
-  run(forth, first, 1.0);
-  run(back, second, 1.0);
-  for (int k = 1; k < forth.count(); ++k)
-    CHECK((back.body(forth.name(k)).position_w() -
-           forth.states()[static_cast<std::size_t>(k)].position_w)
-              .norm() < 1e-9);  // [m]
 }
 
 TEST_CASE("The four corners of a cube on springs carry a quarter of its weight each",

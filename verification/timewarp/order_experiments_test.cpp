@@ -38,22 +38,7 @@ std::string wrong(const std::vector<std::string>& reference,
 
 World world_with(const std::string& scene) { return build_world(scene_with(scene, {})); }
 
-// [m s] The area within an outline.
-double area_of(const Outline& outline) {
-  double twice = 0.0;
-  for (std::size_t k = 1; k < outline.size(); ++k)
-    twice += outline[k - 1].place * outline[k].time - outline[k].place * outline[k - 1].time;
-  return 0.5 * std::abs(twice);
-}
-
 }  // namespace
-
-TEST_CASE("Equal stories of collisions differ in nothing", "[unit][timewarp]") {
-  const std::vector<std::string> reference = {"AB", "BC", "CD", "DE", "CD"};
-  CHECK(counts(reference, reference) == std::vector<int>{0, 0, 0});
-  CHECK(wrong(reference, reference) == ".....");
-  CHECK(compare_stories(story(reference), {}).reference == 5);
-}
 
 TEST_CASE("A collision is missed, misordered or invented by its partner in the true story",
           "[unit][timewarp]") {
@@ -131,38 +116,6 @@ TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]"
       }
     }
   }
-}
-
-TEST_CASE("Bands refuse gravity and bodies that go back in time", "[unit][timewarp]") {
-  World start = world_with("line");
-  EventLog events(2);
-  for (Event& event : events) {
-    event.first = start.ids()[0];
-    event.second = start.ids()[1];
-  }
-  events[0].time = 0.5;
-  events[1].time = 0.25;
-  CHECK_THROWS_AS(ways_of(start, events, 1.0), std::invalid_argument);
-  start.gravity_w = Vec3(0.0, -9.81, 0.0);
-  CHECK_THROWS_AS(ways_of(start, {}, 1.0), std::invalid_argument);
-}
-
-TEST_CASE("The area where two bands overlap is that of the parallelogram between them",
-          "[exact][timewarp]") {
-  // One stands, one flies over it: it overlaps from 1 s to 3 s; base 2 s, height 1 m, half of it.
-  const Way stands = {{0.0, 2.0}, {4.0, 2.0}};
-  const Way flies = {{0.0, 0.0}, {4.0, 4.0}};
-  const std::vector<Outline> areas = overlaps_of(stands, flies, 1.0, 1e-9);
-  REQUIRE(areas.size() == 1);
-  CHECK(area_of(areas[0]) == near(1.0).margin(1e-12));
-  CHECK(overlaps_of(flies, stands, 1.0, 1e-9).size() == 1);
-  // [m s] a band is as wide as its body all the time.
-  CHECK(area_of(band_of(flies, 1.0)) == near(4.0).margin(1e-12));
-  // Touching is no overlap; a body that comes back overlaps twice.
-  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.0}}, 1.0, 1e-9).empty());
-  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.0 + 1e-10}}, 1.0, 1e-9).empty());
-  CHECK(overlaps_of(stands, {{0.0, 0.0}, {2.0, 4.0}, {4.0, 0.0}}, 1.0, 1e-9).size() == 2);
-  CHECK(overlaps_of(stands, {{0.0, 0.0}, {4.0, 1.5}}, 1.0, 1e-9).size() == 1);
 }
 
 TEST_CASE("Simple and safer put the five cubes of figure 5.1 out of order, swept volumes do not",

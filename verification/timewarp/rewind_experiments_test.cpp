@@ -71,24 +71,6 @@ TEST_CASE("Of those near a collision each body that is taken back flies twice",
   }
 }
 
-TEST_CASE("A cage that is hurried has its velocities multiplied and nothing else",
-          "[unit][timewarp]") {
-  CageStretch stretch = small_cage();
-  stretch.lead = 2;
-  const World led = led_cage(stretch, 1);
-  stretch.factor = 0.5;
-  const SettledCage cage = settled_cage(led, stretch);
-  for (int body = 0; body < led.count(); ++body) {
-    const auto k = static_cast<std::size_t>(body);
-    const BodyState& before = led.states()[k];
-    const BodyState& after = cage.before.states()[k];
-    CHECK(after.position_w == before.position_w);
-    CHECK(after.linear_momentum_w == 0.5 * before.linear_momentum_w);
-    CHECK(after.angular_momentum_w == 0.5 * before.angular_momentum_w);
-  }
-  CHECK(cage.after.time() == near(led.time() + 8.0 / 60.0).margin(1e-12));
-}
-
 TEST_CASE("Taking back all bodies costs ten times as much as two of 512, if they are fast enough",
           "[claims][timewarp]") {
   const FigureUnderTest figure("claim_2_4_3a_rewinding");
