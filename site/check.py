@@ -124,7 +124,7 @@ def dead_links(site, page, links, anchors):
 
 def check_page(browser, site, page, size, anchors, pictures):
     browser.resize(*SIZES[size], size == "phone")
-    browser.open((site / f"{page}.html").as_uri())
+    browser.open((site / f"{page}.html").as_uri() + "?undrawn")  # scenes run, although nothing draws them
     browser.value(SETTLED)
     seen = browser.value(LOOK)
     yield from check_live(browser)
@@ -171,6 +171,8 @@ def value_in_scene(browser):
 
 def check_live(browser):
     """Each scene of the page that is open runs when it comes into sight, and understands all of its link."""
+    if browser.value("document.querySelectorAll('figure.live:not(.runs)').length"):
+        yield "has scenes that stay pictures"
     for k in range(browser.value("document.querySelectorAll('figure.runs').length")):
         browser.value(f"document.querySelectorAll('figure.runs')[{k}].scrollIntoView({{block: 'center'}})")
         if not browser.wait_for(f"!!document.querySelectorAll('figure.runs')[{k}].querySelector('iframe')", 10):

@@ -4,8 +4,8 @@
 //   <img src="figures/NAME.svg" alt="...">
 //   <figcaption>What it shows. <span class="try">What to try.</span></figcaption></figure>
 //
-// and without scripts that is all, but for what to try. With them the live page takes the place of
-// the picture when that comes into sight, opened by the link in data-live; a span of class "still", about the
+// and without scripts, or without WebGL to draw with, that is all, but for what to try. With them the live
+// page takes the place of the picture when that comes into sight, opened by the link in data-live; a span of class "still", about the
 // picture alone, goes. Far out of sight the picture is back, and the scene begins anew next time: a browser
 // keeps few such drawings alive at once. A figure may have controls for settings of the link,
 //
@@ -15,8 +15,11 @@
 class Live {
   static init() {
     document.addEventListener('DOMContentLoaded', () => {
-      const figures = [...document.querySelectorAll('figure.live')].map(figure => new Live(figure));
-      if (figures.length === 0) return;
+      const found = [...document.querySelectorAll('figure.live')];
+      // check.py asks for scenes that run without being drawn, which takes less time.
+      const drawn = location.search === '?undrawn' || document.createElement('canvas').getContext('webgl2');
+      if (found.length === 0 || !drawn) return;
+      const figures = found.map(figure => new Live(figure));
       const of = ({target}) => figures.find(one => one.stage === target);
       const near = new IntersectionObserver(entries => entries.filter(one => !one.isIntersecting)
         .forEach(one => of(one).stop()), {rootMargin: '100%', scrollMargin: '100%'});

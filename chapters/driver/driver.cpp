@@ -7,6 +7,7 @@
 #include "driver/registry.hpp"
 #include "driver/settings.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -26,7 +27,7 @@ struct Request {
   bool list = false;
   bool help = false;
   bool quick = false;
-  std::string figure;  // empty: all
+  std::vector<std::string> figures;  // empty: all
   std::string out = "build/figures";
   std::vector<std::string> set;  // each as key=value
 };
@@ -46,7 +47,7 @@ Request parse(int argc, const char* const* argv) {
     } else if (option == "--quick") {
       request.quick = true;
     } else if (option == "--figure") {
-      request.figure = next();
+      request.figures.push_back(next());
     } else if (option == "--out") {
       request.out = next();
     } else if (option == "--set") {
@@ -65,10 +66,10 @@ Request parse(int argc, const char* const* argv) {
 
 void print_help(std::string_view program) {
   std::printf(
-      "usage: %s [--list] [--figure NAME] [--set KEY=VALUE]... [--quick] [--out DIR]\n"
+      "usage: %s [--list] [--figure NAME]... [--set KEY=VALUE]... [--quick] [--out DIR]\n"
       "Computes the numbers behind the figures of a chapter and writes them as CSV.\n"
       "  --list           every figure with its parameters, defaults and units\n"
-      "  --figure NAME    only this one\n"
+      "  --figure NAME    only this one; may be given several times\n"
       "  --set KEY=VALUE  change a parameter (of the figure given)\n"
       "  --quick          small sizes, for a look or a test\n"
       "  --out DIR        where the files go (build/figures)\n"
@@ -86,19 +87,24 @@ void print_list(std::span<const Figure> figures) {
   }
 }
 
-// The figures asked for; a name that does not exist is reported with all that do.
+// The figures asked for, in their own order; a name that does not exist is reported with all that do.
 std::vector<const Figure*> chosen(const Request& request, std::span<const Figure> figures) {
-  std::vector<const Figure*> result;
-  std::string names;
-  for (const Figure& figure : figures) {
-    if (request.figure.empty() || request.figure == figure.name) result.push_back(&figure);
-    if (!names.empty()) names += ", ";
-    names += figure.name;
-  }
-  if (result.empty())
-    throw std::invalid_argument("no figure '" + request.figure + "'; there are: " + names);
-  if (request.figure.empty() && !request.set.empty())
+  if (request.figures.size() != 1 && !request.set.empty())
     throw std::invalid_argument("--set belongs to one figure: give --figure NAME too");
+  for (const std::string& asked : request.figures) {
+    std::string names;
+    bool found = false;
+    for (const Figure& figure : figures) {
+      found = found || figure.name == asked;
+      names += (names.empty() ? "" : ", ") + figure.name;
+    }
+    if (!found) throw std::invalid_argument("no figure '" + asked + "'; there are: " + names);
+  }
+  std::vector<const Figure*> result;
+  for (const Figure& figure : figures)
+    if (request.figures.empty() || std::find(request.figures.begin(), request.figures.end(),
+                                             figure.name) != request.figures.end())
+      result.push_back(&figure);
   return result;
 }
 
@@ -199,12 +205,11 @@ int exit_code_of(std::string_view program, const std::function<void()>& body) {
 
 }  // namespace
 
-int run_chapter(int argc, const char* const* argv, const std::string& chapter,
-                const std::filesystem::path& folder) {
-  const std::string program = "reproduce_" + chapter;
+int run_chapter(int argc, const char* const* argv, const char* chapter, const char* folder) {
+  const std::string program = std::string("reproduce_") + chapter;
+  const std::string texts = std::string(folder) + "/figures.toml";
   return exit_code_of(program, [&] {
-    run(argc, argv, program,
-        with_texts(registered_figures(), read_figure_texts(folder / "figures.toml")));
+    run(argc, argv, program, with_texts(registered_figures(), read_figure_texts(texts)));
   });
 }
 

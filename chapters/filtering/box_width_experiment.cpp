@@ -75,8 +75,8 @@ Clumps watch_clumps(const Parameters& settings) {
   for (int seed = settings.count("seeds") + 1; seed <= settings.count("piles"); ++seed) {
     const auto chance = static_cast<std::uint64_t>(seed);
     const SettledRun run =
-        settle_scene(clump_scene(settings.count("per_edge"), chance), {"damped", {}}, flying, 0.5,
-                     chance);  // longer by half a second, so that no window is cut before
+        damped_clump(settings.count("per_edge"), chance, flying,
+                     0.5);  // longer by half a second, so that no window is cut before
     look_for_overlap(run, shown_by_width(run));
   }
   return all;

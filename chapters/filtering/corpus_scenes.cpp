@@ -71,8 +71,7 @@ Scene rocking(Random chance) {
 
 MotionCorpus corpus_of(std::uint64_t seed, int per_edge, int boxes) {
   MotionCorpus corpus;
-  add_run(settle_scene(clump_scene(per_edge, seed), {"damped", {}}, 10.0, 4.0, seed), kSparse,
-          Doing::creeps, corpus);
+  add_run(damped_clump(per_edge, seed, 10.0, 4.0), kSparse, Doing::creeps, corpus);
 
   const Random chance(seed);
   std::uint64_t name = 0;

@@ -48,8 +48,8 @@ SettledRun tossed_cube(std::uint64_t seed) {
 }
 
 FastSeed fast_seed(const Parameters& settings, std::uint64_t seed) {
-  const SettledRun clump = settle_scene(clump_scene(settings.count("per_edge"), seed),
-                                        {"damped", {}}, 0.0, settings.number("duration"), seed);
+  const SettledRun clump =
+      damped_clump(settings.count("per_edge"), seed, 0.0, settings.number("duration"));
   const SettledRun cube = tossed_cube(seed);
   FastSeed out;
   out.both.add(clump, filtered(clump.frames, EnvelopeFilter()));

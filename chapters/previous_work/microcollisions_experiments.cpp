@@ -10,7 +10,7 @@ constexpr double kGap = 1e-4;      // [m] between cubes at the start, at most
 constexpr double kOffset = 1e-2;   // [m] from the column's axis, at most
 constexpr double kSettles = 1.0;   // [s] before impacts are counted
 constexpr double kFriction = 0.5;  // [-]
-constexpr int kFewSeeds = 5;
+constexpr int kFewSeeds = 2;
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
 // Cubes of 1 m and 1 kg on one another, or beside one another on the ground.

@@ -1,11 +1,11 @@
-# Five errata, one in each row: on the left the text taken literally, on the right mended.
+# Five errata, one in each row: on the left the text taken literally, on the right corrected.
 tall = 1560
 @PAGE
 set multiplot
 unset key
 top(row) = 0.935 - 0.187*row
 set label 90 'taken literally' at screen 0.34,0.985 center
-set label 91 'mended' at screen 0.77,0.985 center
+set label 91 'corrected' at screen 0.77,0.985 center
 LEFT = 'set lmargin at screen 0.15; set rmargin at screen 0.53'
 RIGHT = "set lmargin at screen 0.58; set rmargin at screen 0.96; set format y ''; unset label 90; unset label 91; unset label 92; unset label 99"
 ROW = "set tmargin at screen top(row); set bmargin at screen top(row)-0.102; set label 92 title_of_row at screen 0.02,top(row)+0.017 textcolor rgb '#202020'; set label 99 side at screen 0.027,top(row)-0.051 center rotate textcolor rgb '#202020'"

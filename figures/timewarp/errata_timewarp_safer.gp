@@ -1,4 +1,4 @@
-# Errata of SAFERSYNCTIMEWARP, one in each row: on the left as printed, on the right mended. Lines are the
+# Errata of SAFERSYNCTIMEWARP, one in each row: on the left as printed, on the right corrected. Lines are the
 # ways of the cubes' centres, dots are collisions. The number above a panel is the erratum's.
 rows = 9
 pitch = 270
@@ -25,7 +25,7 @@ below = form eq 'svg' ? 0.8 : 0.4  # terminals put labels at different distances
 unset key
 top(row) = 1 - (100.0 + pitch*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center textcolor rgb '#B34A00'
-set label 91 'mended' at screen 0.77,1-14.0/tall center textcolor rgb '#0060A0'
+set label 91 'corrected' at screen 0.77,1-14.0/tall center textcolor rgb '#0060A0'
 number(x) = abs(x) < 1e-5 ? 0 : x  # [m] ten times the resolution at these speeds
 do for [k=1:8] {
   row = k - 1

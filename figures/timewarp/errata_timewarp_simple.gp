@@ -1,4 +1,4 @@
-# Errata of SIMPLESYNCTIMEWARP, one in each row: on the left as printed, on the right mended. Lines are
+# Errata of SIMPLESYNCTIMEWARP, one in each row: on the left as printed, on the right corrected. Lines are
 # the ways of the cubes' centres, dots are collisions. The number above a panel is the erratum's.
 rows = 10
 pitch = 270
@@ -27,7 +27,7 @@ below = form eq 'svg' ? 0.8 : 0.4  # terminals put labels at different distances
 unset key
 top(row) = 1 - (100.0 + pitch*row)/tall
 set label 90 'as printed' at screen 0.34,1-14.0/tall center textcolor rgb '#B34A00'
-set label 91 'mended' at screen 0.77,1-14.0/tall center textcolor rgb '#0060A0'
+set label 91 'corrected' at screen 0.77,1-14.0/tall center textcolor rgb '#0060A0'
 number(x) = abs(x) < 1e-9 ? 0 : x
 do for [k=1:rows] {
   row = k - 1

@@ -32,13 +32,11 @@ Pressure pressure_of(std::span<const PatchPoint> points) {
   return p;
 }
 
-}  // namespace
-
-void even_out(const Vec3& normal_w, std::span<PatchPoint> points) {
-  using Column = Eigen::Matrix<double, kMostPatchPoints, 1>;
+// even_out() of at most so many points with a force.
+template <int kRows>
+void even_out_rows(const Vec3& normal_w, const Pressure& pressure, std::span<PatchPoint> points) {
+  using Column = Eigen::Matrix<double, kRows, 1>;
   const std::size_t count = points.size();
-  const Pressure pressure = pressure_of(points);
-  if (count < 4 || count > kMostPatchPoints || !(pressure.force > 0.0)) return;
 
   // Places in the contact plane from the centre of pressure, in units of the widest: the columns of
   // G are 1, x, y. Wanted: j = max(0, G λ) with G' j = (F, 0, 0).
@@ -84,7 +82,7 @@ void even_out(const Vec3& normal_w, std::span<PatchPoint> points) {
     lambda[0] = (lambda[0] - r(0, 1) * lambda[1] - r(0, 2) * lambda[2]) / r(0, 0);
 
     const Column bears = lambda[0] * g[0] + lambda[1] * g[1] + lambda[2] * g[2];
-    const Column now = (bears.array() > 0.0).cast<double>();
+    const Column now = (bears.array() > 0.0).template cast<double>();
     if (now == loaded) {
       const Column j = y[0] * q[0] + y[1] * q[1] + y[2] * q[2];
       for (std::size_t i = 0; i < count; ++i)
@@ -95,10 +93,21 @@ void even_out(const Vec3& normal_w, std::span<PatchPoint> points) {
   }
 }
 
+}  // namespace
+
+void even_out(const Vec3& normal_w, std::span<PatchPoint> points) {
+  const std::size_t count = points.size();
+  const Pressure pressure = pressure_of(points);
+  if (count < 4 || count > kMostPatchPoints || !(pressure.force > 0.0)) return;
+  if (count == 4) return even_out_rows<4>(normal_w, pressure, points);  // nearly always
+  even_out_rows<kMostPatchPoints>(normal_w, pressure, points);
+}
+
 void PatchFriction::begin(std::size_t points) {
   stepped_ = false;
   before_.assign(points, {});
   now_.assign(points, {});
+  yield_.resize(points);
 }
 
 // Notes how the points slip, and returns β for the step.
@@ -116,8 +125,11 @@ double PatchFriction::look(std::span<const Patch> patches, std::span<const Movin
          i < static_cast<std::size_t>(patch.end); ++i) {
       const Vec3 u = relative_velocity(first, second, points[i].position_w);
       now_[i] = {points[i].friction_impulse_w, u - n.dot(u) * n, points[i].normal_impulse};
-      const Mat3 k = inverse_mass_at(first, second, points[i].position_w);
-      yield += now_[i].load * (k.trace() - n.dot(k * n));
+      if (!stepped_) {  // places and masses stay
+        const Mat3 k = inverse_mass_at(first, second, points[i].position_w);
+        yield_[i] = k.trace() - n.dot(k * n);
+      }
+      yield += now_[i].load * yield_[i];
       const Vec3 df = now_[i].friction_w - before_[i].friction_w;
       const double load = std::max(now_[i].load, before_[i].load);
       if (load > 0.0) size += df.squaredNorm() / load;

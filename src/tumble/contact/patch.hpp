@@ -81,9 +81,10 @@ class PatchFriction {
   double look(std::span<const Patch> patches, std::span<const MovingBody> bodies,
               std::span<const PatchPoint> points);
 
-  bool stepped_ = false;      // whether there was a step before
-  std::vector<Seen> before_;  // what it found
-  std::vector<Seen> now_;     // what this one finds
+  bool stepped_ = false;       // whether there was a step before
+  std::vector<Seen> before_;   // what it found
+  std::vector<Seen> now_;      // what this one finds
+  std::vector<double> yield_;  // [1/kg] by point: trace of the inverse mass across the normal
 };
 
 }  // namespace tumble

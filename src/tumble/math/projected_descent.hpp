@@ -64,9 +64,13 @@ class ProjectedDescent {
 
       // All go on together, along a conjugate direction.
       const double share = fresh || !(before > 0.0) ? 0.0 : std::max(0.0, both / before);
-      for (std::size_t i = 0; i < p.size(); ++i) direction_[i] = way_[i] + share * direction_[i];
+      double slope = 0.0;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        direction_[i] = way_[i] + share * direction_[i];
+        slope += residual_[i] * direction_[i];
+      }
       before = now;
-      fresh = !go_down(problem, p, report);
+      fresh = !go_down(problem, p, slope, report);
       if (fresh) go_towards_target(problem, p, report);
       // [S2.6.4:step]
     }
@@ -91,10 +95,9 @@ class ProjectedDescent {
     return sum;
   }
 
-  // To the least energy along the direction. Returns whether the energy falls once what is not allowed is put back;
+  // To the least energy along the direction, with the slope that it has at the start. Returns whether the energy falls once what is not allowed is put back;
   // if not, nothing has changed.
-  bool go_down(Problem& problem, std::span<double> p, DescentReport& report) {
-    const double slope = dot(residual_, direction_);
+  bool go_down(Problem& problem, std::span<double> p, double slope, DescentReport& report) {
     if (!(slope < 0.0)) return false;
     problem.multiply(direction_, image_);
     ++report.products;
@@ -111,7 +114,12 @@ class ProjectedDescent {
     for (std::size_t i = 0; i < p.size(); ++i) moved_[i] = target_[i] - p[i];
     problem.multiply(moved_, image_);
     ++report.products;
-    if (!(dot(residual_, moved_) + 0.5 * dot(moved_, image_) < 0.0)) return false;
+    double first_order = 0.0, second_order = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      first_order += residual_[i] * moved_[i];
+      second_order += moved_[i] * image_[i];
+    }
+    if (!(first_order + 0.5 * second_order < 0.0)) return false;
     take(p);
     return true;
   }
@@ -120,8 +128,11 @@ class ProjectedDescent {
   void go_towards_target(Problem& problem, std::span<double> p, DescentReport& report) {
     problem.multiply(way_, image_);
     ++report.products;
-    const double slope = dot(residual_, way_);
-    const double curvature = dot(way_, image_);
+    double slope = 0.0, curvature = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      slope += residual_[i] * way_[i];
+      curvature += way_[i] * image_[i];
+    }
     // Without friction the slope is below 0.
     const double t = slope < 0.0 && curvature > -slope ? -slope / curvature : 1.0;
     for (std::size_t i = 0; i < p.size(); ++i) target_[i] = p[i] + t * way_[i];

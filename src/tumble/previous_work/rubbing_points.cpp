@@ -23,6 +23,8 @@ void RubbingPoints::take(std::span<const MovingBody> bodies, std::span<const Con
                          std::span<const double> least) {
   bodies_ = bodies;
   rows_.clear();
+  yield_.clear();
+  constant_.clear();
   impulses_.clear();
   for (const Contact& contact : contacts) {
     const MovingBody& a = bodies[idx(contact.first)];
@@ -37,15 +39,17 @@ void RubbingPoints::take(std::span<const MovingBody> bodies, std::span<const Con
       row.axis_w = {contact.normal_w, tangents.first_w, tangents.second_w};
       const Vec3 motion_w = relative_velocity(a, b, p.position_w);
       const Mat3 yield_w = inverse_mass_at(a, b, p.position_w);
+      std::array<double, 3> yield{};
       for (std::size_t i = 0; i < 3; ++i) {
         row.arm_first_w[i] = (p.position_w - a.position_w).cross(row.axis_w[i]);
         row.arm_second_w[i] = (p.position_w - b.position_w).cross(row.axis_w[i]);
-        row.yield[i] = row.axis_w[i].dot(yield_w * row.axis_w[i]);
-        row.constant[i] = row.axis_w[i].dot(motion_w);
+        yield[i] = row.axis_w[i].dot(yield_w * row.axis_w[i]);
+        constant_.push_back(row.axis_w[i].dot(motion_w));
       }
       // The mean, so that nothing depends on the choice of directions.
-      row.yield[1] = row.yield[2] = 0.5 * (row.yield[1] + row.yield[2]);
-      row.constant[0] -= least[rows_.size()];
+      yield[1] = yield[2] = 0.5 * (yield[1] + yield[2]);
+      yield_.insert(yield_.end(), yield.begin(), yield.end());
+      constant_[impulses_.size()] -= least[rows_.size()];
       rows_.push_back(row);
       impulses_.push_back(p.normal_impulse);
       impulses_.push_back(p.friction_impulse_w.dot(tangents.first_w));
@@ -61,23 +65,29 @@ void RubbingPoints::multiply(std::span<const double> p, std::span<double> out) {
   angular_w_.assign(bodies_.size(), Vec3::Zero());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Row& row = rows_[k];
+    Vec3 first_w = linear_w_[idx(row.first)], second_w = linear_w_[idx(row.second)];
+    Vec3 turns_first_w = angular_w_[idx(row.first)], turns_second_w = angular_w_[idx(row.second)];
     for (std::size_t i = 0; i < 3; ++i) {
       const double impulse = p[3 * k + i];
       if (impulse == 0.0) continue;
-      linear_w_[idx(row.first)] -= impulse * row.axis_w[i];
-      linear_w_[idx(row.second)] += impulse * row.axis_w[i];
-      angular_w_[idx(row.first)] -= impulse * row.arm_first_w[i];
-      angular_w_[idx(row.second)] += impulse * row.arm_second_w[i];
+      first_w -= impulse * row.axis_w[i];
+      second_w += impulse * row.axis_w[i];
+      turns_first_w -= impulse * row.arm_first_w[i];
+      turns_second_w += impulse * row.arm_second_w[i];
     }
+    linear_w_[idx(row.first)] = first_w;
+    linear_w_[idx(row.second)] = second_w;
+    angular_w_[idx(row.first)] = turns_first_w;
+    angular_w_[idx(row.second)] = turns_second_w;
   }
   yield(linear_w_, angular_w_);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Row& row = rows_[k];
     const Vec3 linear_w = linear_w_[idx(row.second)] - linear_w_[idx(row.first)];
+    const Vec3 second_w = angular_w_[idx(row.second)], first_w = angular_w_[idx(row.first)];
     for (std::size_t i = 0; i < 3; ++i)
-      out[3 * k + i] = row.axis_w[i].dot(linear_w) +
-                       row.arm_second_w[i].dot(angular_w_[idx(row.second)]) -
-                       row.arm_first_w[i].dot(angular_w_[idx(row.first)]);
+      out[3 * k + i] = row.axis_w[i].dot(linear_w) + row.arm_second_w[i].dot(second_w) -
+                       row.arm_first_w[i].dot(first_w);
   }
 }
 // [S2.6.4:multiply]
@@ -103,9 +113,9 @@ void RubbingPoints::allow(std::span<double> p) const {
 
 double RubbingPoints::first_step() const {
   double sum = 0.0;
-  for (const Row& row : rows_) {
-    const double sinks = std::min(row.constant[0], 0.0);
-    sum += sinks * sinks / row.yield[0];
+  for (std::size_t i = 0; i < size(); i += 3) {
+    const double sinks = std::min(constant_[i], 0.0);
+    sum += sinks * sinks / yield_[i];
   }
   return std::sqrt(sum);
 }

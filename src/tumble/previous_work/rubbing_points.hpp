@@ -37,10 +37,10 @@ class RubbingPoints {
   [[nodiscard]] std::size_t size() const { return 3 * rows_.size(); }
   /// \param i  unknown
   /// \return [1/kg]
-  [[nodiscard]] double diagonal(std::size_t i) const { return rows_[i / 3].yield[i % 3]; }
+  [[nodiscard]] double diagonal(std::size_t i) const { return yield_[i]; }
   /// \param i  unknown
   /// \return [m/s] how the point would move, less what it may
-  [[nodiscard]] double constant(std::size_t i) const { return rows_[i / 3].constant[i % 3]; }
+  [[nodiscard]] double constant(std::size_t i) const { return constant_[i]; }
   /// What impulses change of the motions of all points.
   /// \param p    [N s]
   /// \param out  [m/s] is overwritten
@@ -73,13 +73,13 @@ class RubbingPoints {
     std::array<Vec3, 3> axis_w;        // [-] normal and tangents
     std::array<Vec3, 3> arm_first_w;   // [m] lever arm × axis
     std::array<Vec3, 3> arm_second_w;  // [m]
-    std::array<double, 3> yield{};     // [1/kg] of the pair; across the normal the mean
-    std::array<double, 3> constant{};  // [m/s]
     double friction = 0.0;             // [-]
   };
 
   std::span<const MovingBody> bodies_;
   std::vector<Row> rows_;
+  std::vector<double> yield_;     // [1/kg] by unknown, of the pair; across the normal the mean
+  std::vector<double> constant_;  // [m/s] by unknown
   std::vector<double> impulses_;
   std::vector<Vec3> linear_w_, angular_w_;  // [m/s], [rad/s] what impulses change, by body index
   std::vector<double> image_;
