@@ -51,7 +51,7 @@ void simulate(const Scene& scene) {
   }
 }
 
-// A folder of its own that goes away with its files. Several processes may run the target at once.
+// A folder that goes away with its files. Each process that runs the target has one, for all its inputs.
 class RunFolder {
  public:
   RunFolder() {
@@ -132,7 +132,7 @@ void fuzz_matrix(Bytes bytes) {
 
 void fuzz_run_folder(Bytes bytes) {
   const Halves text = halves_of(bytes);
-  const RunFolder folder;
+  static const RunFolder folder;
   folder.write("scene.toml", text.first);
   folder.write("trajectory.csv", text.second);
   RecordedRun run;
