@@ -109,6 +109,15 @@ TEST_CASE("A row in small units is judged in its own units", "[exact][lcp][lcp_s
   CHECK(holds(problem, result));
 }
 
+TEST_CASE("A problem whose forces are too large for a number is not called infeasible",
+          "[exact][lcp][lcp_solvers]") {
+  const LcpProblem problem = lcp({2e-200, 0, 0, 2e-200}, {-1e200, 1e200});  // f = 5e399
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    CAPTURE(recipe.name);
+    CHECK(solved_by(recipe.name, problem).status == LcpStatus::singular);
+  }
+}
+
 TEST_CASE("Sweeps that end in numbers that are none are not solved", "[exact][lcp][lcp_solvers]") {
   // The last row comes out finite after one that did not.
   LcpProblem problem = lcp({2, 0, -3, -2, 3, -3, 1, -2, 1}, {-3, -1, 0});

@@ -63,7 +63,11 @@ void SafeguardedSolver::solve(const LcpProblem& problem, LcpResult& result,
   end_pulls(problem, result);
   if (needs_help(problem, result)) try_again(problem, result);
   end_pulls(problem, result);
-  if (result.status == LcpStatus::solved && !holds(problem, result))
+  // Forces that no number holds are no proof of anything.
+  const bool finite = std::all_of(result.f.begin(), result.f.end(),
+                                  [](double force) { return std::isfinite(force); });
+  if ((result.status == LcpStatus::solved && !holds(problem, result)) ||
+      (result.status == LcpStatus::infeasible && !finite))
     result.status = LcpStatus::singular;
 }
 
