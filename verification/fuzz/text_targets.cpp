@@ -45,9 +45,14 @@ Halves halves_of(Bytes bytes) {
 
 void simulate(const Scene& scene) {
   Simulation simulation(scene);
-  for (int k = 0; k < kSteps; ++k) {
-    if (simulation.step().status != StepStatus::done) return;
-    promise(all_finite(simulation.world()), "a step that is done, with a state that is not finite");
+  try {
+    for (int k = 0; k < kSteps; ++k) {
+      if (simulation.step().status != StepStatus::done) return;
+      promise(all_finite(simulation.world()),
+              "a step that is done, with a state that is not finite");
+    }
+  } catch (const StepFault& fault) {
+    promise(false, std::string("a step that throws: ") + fault.what());
   }
 }
 
