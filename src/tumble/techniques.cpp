@@ -210,7 +210,7 @@ const std::vector<TechniqueRecipe>& technique_library() {
        make_freezable<ContactDamped, ContactDampedOptions>},
       {"basic", "2.1",
        "advance, find an overlap, search back for the impact, resolve, go on; fast bodies may pass "
-       "through thin ones, edges of flush neighbours catch what slides over them",
+       "through thin ones, edges of flush neighbours catch what slides over them, slopes creep",
        declared_options<BasicOptions>, make<Basic, BasicOptions>},
       {"analytic", "3.3.1, 4.3, 5.3",
        "collisions in the order of their times, exact contact forces in between; friction holds up "
@@ -226,7 +226,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"impulse", "2.5.2",
        "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
        "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
-       "what stands on a moving body may sink or drift, what a heavy body pushes may sink in",
+       "what stands on a moving body may sink or drift, stacks on slopes creep, what a heavy body "
+       "pushes may sink in",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
@@ -262,8 +263,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in, and bounces may lose energy; carried bodies as in time_stepping, flush edges and "
-       "fast bodies as in timewarp_simple",
+       "sinks in, and bounces may lose energy; carried bodies as in time_stepping, what leans, "
+       "flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
       {"relaxation", "2.3",
        "boxes of particles and rods; no bounce, spins die out, slopes creep, light boxes give way "

@@ -45,13 +45,18 @@ Halves halves_of(Bytes bytes) {
 
 void simulate(const Scene& scene) {
   Simulation simulation(scene);
-  for (int k = 0; k < kSteps; ++k) {
-    if (simulation.step().status != StepStatus::done) return;
-    promise(all_finite(simulation.world()), "a step that is done, with a state that is not finite");
+  try {
+    for (int k = 0; k < kSteps; ++k) {
+      if (simulation.step().status != StepStatus::done) return;
+      promise(all_finite(simulation.world()),
+              "a step that is done, with a state that is not finite");
+    }
+  } catch (const StepFault& fault) {
+    promise(false, std::string("a step that throws: ") + fault.what());
   }
 }
 
-// A folder of its own that goes away with its files. Several processes may run the target at once.
+// A folder that goes away with its files. Each process that runs the target has one, for all its inputs.
 class RunFolder {
  public:
   RunFolder() {
@@ -132,7 +137,7 @@ void fuzz_matrix(Bytes bytes) {
 
 void fuzz_run_folder(Bytes bytes) {
   const Halves text = halves_of(bytes);
-  const RunFolder folder;
+  static const RunFolder folder;
   folder.write("scene.toml", text.first);
   folder.write("trajectory.csv", text.second);
   RecordedRun run;

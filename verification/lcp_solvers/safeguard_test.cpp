@@ -86,6 +86,16 @@ TEST_CASE("An answer that is not finite, pulls or does not complement is not cal
   }
 }
 
+TEST_CASE("A force below 0 by rounding is 0 in an answer that is called solved",
+          "[exact][lcp][lcp_solvers]") {
+  const LcpProblem problem = lcp({2, 0, 0, 2}, {-4, 0});
+  LcpResult result;
+  SafeguardedSolver(std::make_unique<Liar>(std::vector<double>{2.0, -1e-9})).solve(problem, result);
+  CHECK(result.status == LcpStatus::solved);
+  CHECK(result.f == std::vector<double>{2.0, 0.0});
+  CHECK(result.a == std::vector<double>{0.0, 0.0});
+}
+
 TEST_CASE("A row in small units is judged in its own units", "[exact][lcp][lcp_solvers]") {
   // The second row is wrong by its whole b, which is a hundred-millionth of the first one's.
   const LcpProblem problem = lcp({1, 0, 0, 1e-16}, {-1, -1e-8});
@@ -97,6 +107,15 @@ TEST_CASE("A row in small units is judged in its own units", "[exact][lcp][lcp_s
   result.f = {1, 1e8};
   complete(problem, result);
   CHECK(holds(problem, result));
+}
+
+TEST_CASE("A problem whose forces are too large for a number is not called infeasible",
+          "[exact][lcp][lcp_solvers]") {
+  const LcpProblem problem = lcp({2e-200, 0, 0, 2e-200}, {-1e200, 1e200});  // f = 5e399
+  for (const LcpRecipe& recipe : lcp_solvers()) {
+    CAPTURE(recipe.name);
+    CHECK(solved_by(recipe.name, problem).status == LcpStatus::singular);
+  }
 }
 
 TEST_CASE("Sweeps that end in numbers that are none are not solved", "[exact][lcp][lcp_solvers]") {

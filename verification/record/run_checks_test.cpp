@@ -159,6 +159,21 @@ TEST_CASE("A body that spins through a thin one within a step is found", "[unit]
   }
 }
 
+TEST_CASE("Bodies at rest in free space may move by the rounding of their positions",
+          "[unit][record][run]") {
+  // Three that touch: particles and rods push by rounding.
+  Scene scene = two(Vec3(1.0, 0.0, 0.0), Vec3::Zero(), Vec3::Zero());
+  scene.boxes[0].position_w.setZero();
+  scene.boxes.push_back(cube("third", Vec3(2.0, 0.2, 0.0), Vec3::Zero()));
+  Simulation simulation(scene, "relaxation");
+  EnergyCheck check;
+  simulation.observe(check);
+  for (int k = 0; k < 60; ++k) {
+    simulation.step(1.0 / 60.0);
+    CHECK(check.status() == StepStatus::done);
+  }
+}
+
 TEST_CASE("Energy that nothing in the scene can add is found", "[unit][record][run]") {
   const Scene scene = two(Vec3(0.0, 5.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3::Zero());
   CHECK(ran(scene, 1.0004).worst == StepStatus::done);          // 0.8 % in ten steps

@@ -112,7 +112,8 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// - One step of TimeStepping replaces the rest of a step if an island with friction is too large for exact impacts (more
 ///   than 150 points) or forces (FrictionLemkeSolver::kMostUnknowns), and after `event_cap` flights, four substitutes, or
 ///   300 million multiplications. Without Coulomb's friction the rest is flown without collisions in place of the last,
-///   and the step ends as StepStatus::event_cap.
+///   and the step ends as StepStatus::event_cap. Where repair then would lift bodies, since a light one turns far into a
+///   heavy one, that step is divided, in up to 64 parts.
 ///
 /// **Limit.** Corners of a fast body hit one after the other, and each throws the next one down: a toy brick that falls
 /// 100 m on a plate leaves sideways at 2.8 m/s, whatever the step. In a step of velocities all corners arrive at once, and

@@ -14,6 +14,21 @@ namespace {
 // Impulses and friction of an impact are found in turn, up to some hundred dense problems of all its points.
 constexpr int kMostImpactPoints = 150;
 
+// Of a rest of a step that repair would lift: a 64th of it turns a body by so little that its overlap is a 4000th.
+constexpr double kMostPartsOfRest = 64.0;
+
+// [J] Kinetic energy plus the sum of m g L, with which gains of energy are compared.
+double energy_scale(const World& world) {
+  double scale = 0.0;
+  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
+    const BodyProperties& body = world.bodies()[b];
+    if (body.movable())
+      scale += kinetic_energy(body, world.states()[b]) +
+               body.mass * world.gravity_w.norm() * body.size.maxCoeff();
+  }
+  return scale;
+}
+
 }  // namespace
 
 // Whether an impact with friction has so many points that the rest of the step is better one step of velocities.
@@ -61,14 +76,7 @@ bool Analytic::take_midway(World& world, const Plan& plan, StepReport& report) {
   recorded_for_ = plan.time;
   book_work(world, plan.time, flight);
   flight_.put(world, 0.0, options_.rotation);
-  double scale = 0.0;  // [J]
-  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
-    const BodyProperties& body = world.bodies()[b];
-    if (body.movable())
-      scale += kinetic_energy(body, world.states()[b]) +
-               body.mass * world.gravity_w.norm() * body.size.maxCoeff();
-  }
-  if (flight.energy.friction <= tolerance::driving_friction * scale) return true;
+  if (flight.energy.friction <= tolerance::driving_friction * energy_scale(world)) return true;
   resting_.swap(midway_);
   flight_.set_wrenches(first_wrenches_);
   flight_.accelerate(first_accelerations_);
@@ -76,7 +84,8 @@ bool Analytic::take_midway(World& world, const Plan& plan, StepReport& report) {
   return false;
 }
 
-// The rest of a step at once, with all contacts and impacts in it.
+// The rest of a step with all contacts and impacts in it: at once, or in parts as long as bodies would turn so far into others
+// that their repair lifts them by more than nothing.
 void Analytic::finish_by_velocities(World& world, Progress& progress, StepReport& report) {
   TimeSteppingOptions how;
   how.velocities.directions = options_.directions;
@@ -84,13 +93,25 @@ void Analytic::finish_by_velocities(World& world, Progress& progress, StepReport
   how.rotation = options_.rotation;
   how.pose = options_.pose;
   TimeStepping rest(how);
-  World copy = world;  // its clock goes on, which is ours to do
-  add_report(rest.step(copy, progress.left()), report);
+  const double allowed = tolerance::lifting_repair * energy_scale(world);  // [J]
+  const double least = progress.left() / kMostPartsOfRest;
+  double part = progress.left();
+  while (progress.left() > 0.0) {
+    World copy = world;  // its clock goes on, which is ours to do
+    const bool last = part >= progress.left();
+    const StepReport done = rest.step(copy, last ? progress.left() : part);
+    if (done.energy.repair > allowed && part > least) {
+      part *= 0.5;
+      continue;
+    }
+    add_report(done, report);
+    std::copy(copy.states().begin(), copy.states().end(), world.states().begin());
+    records_.insert(records_.end(), rest.contacts().begin(), rest.contacts().end());
+    const bool ends = last || done.status >= StepStatus::unsolved;
+    progress.passed = ends ? progress.dt : progress.passed + part;
+  }
   ++report.fallbacks;
-  std::copy(copy.states().begin(), copy.states().end(), world.states().begin());
-  records_.insert(records_.end(), rest.contacts().begin(), rest.contacts().end());
   resting_.clear();
-  progress.passed = progress.dt;
 }
 
 }  // namespace tumble

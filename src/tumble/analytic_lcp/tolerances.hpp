@@ -38,6 +38,10 @@ inline constexpr double motionless = 1e-9;
 /// are not used. Reason: rounding and the midpoint rule leave a millionth; a hundred flights must not make a hundredth. (3.3.1)
 inline constexpr double driving_friction = 1e-4;
 
+/// [-] Energy by which repair lifts bodies after a step of velocities, over their kinetic energy and the sum of m g L, from which on
+/// that step is divided. Reason: sixty such steps must not make a hundredth. (3.3.1)
+inline constexpr double lifting_repair = 1e-4;
+
 /// [-] How far unknowns of a contact problem with friction may fall below 0 on the way, as a share of
 /// max |b|. Reason: boxes that have turned by 1e-9 have rows that depend on each other to as much, and
 /// a hundred pivots may then add up to the accepted error at most. (2.6.3)

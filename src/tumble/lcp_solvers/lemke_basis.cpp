@@ -7,6 +7,7 @@
 #include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -22,6 +23,31 @@ constexpr double underflow =
 // y += s |x|
 void add_sizes(double s, const double* x, std::vector<double>& y) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += s * std::abs(x[i]);
+}
+
+// y += f(M) c for a function of each entry, and how many columns of M were read: those for which c is not 0. Four at a time, so
+// that y is read and written a quarter as often; the sum of each row is made in the order of the columns all the same.
+template <class Entry>
+int add_columns(const MatX& M, std::span<const double> c, std::span<double> y, const Entry& f) {
+  int read = 0;
+  std::array<const double*, 4> x{};
+  std::array<double, 4> s{};
+  std::size_t held = 0;
+  for (std::size_t j = 0; j < c.size(); ++j) {
+    if (c[j] == 0.0) continue;
+    x[held] = M.col(static_cast<Eigen::Index>(j)).data();
+    s[held] = c[j];
+    ++read;
+    if (++held < 4) continue;
+    held = 0;
+    const auto [x0, x1, x2, x3] = x;
+    const auto [s0, s1, s2, s3] = s;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = (((y[i] + s0 * f(x0[i])) + s1 * f(x1[i])) + s2 * f(x2[i])) + s3 * f(x3[i]);
+  }
+  for (std::size_t k = 0; k < held; ++k)
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += s[k] * f(x[k][i]);
+  return read;
 }
 
 }  // namespace
@@ -175,21 +201,14 @@ void LemkeBasis::subtract_product(std::span<const double> x, std::vector<double>
 
 // y += B⁻¹ c
 void LemkeBasis::add_inverse_times(std::span<const double> c, std::vector<double>& y) {
-  const auto n = static_cast<Eigen::Index>(y.size());
-  for (std::size_t j = 0; j < c.size(); ++j) {
-    if (c[j] == 0.0) continue;
-    add_column(c[j], inverse_.topLeftCorner(n, n), static_cast<int>(j), y);
-    multiplications_ += n;
-  }
+  const int read = add_columns(inverse_, c, y, [](double x) { return x; });
+  multiplications_ += static_cast<std::int64_t>(y.size()) * read;
 }
 
 // y += |B⁻¹| c for c >= 0
 void LemkeBasis::add_inverse_sizes_times(std::span<const double> c, std::vector<double>& y) {
-  for (std::size_t j = 0; j < c.size(); ++j) {
-    if (c[j] == 0.0) continue;
-    add_sizes(c[j], inverse_.col(static_cast<Eigen::Index>(j)).data(), y);
-    multiplications_ += static_cast<std::int64_t>(y.size());
-  }
+  const int read = add_columns(inverse_, c, y, [](double x) { return std::abs(x); });
+  multiplications_ += static_cast<std::int64_t>(y.size()) * read;
 }
 
 }  // namespace tumble

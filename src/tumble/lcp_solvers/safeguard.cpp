@@ -34,6 +34,18 @@ bool is_solved(const LcpProblem& problem, const LcpResult& result) {
   return result.status == LcpStatus::solved && holds(problem, result);
 }
 
+// A force that is below 0 by as little as a solution may be is 0: contacts do not pull. It is judged again with that.
+void end_pulls(const LcpProblem& problem, LcpResult& result) {
+  if (!is_solved(problem, result)) return;
+  bool any = false;
+  for (int i = 0; i < problem.size(); ++i) {
+    if (is_equality(problem, i) || !(result.f[idx(i)] < 0.0)) continue;
+    result.f[idx(i)] = 0.0;
+    any = true;
+  }
+  if (any) complete(problem, result);
+}
+
 // Of two solved ones: as exact with smaller forces, or with much smaller ones.
 bool is_better(const LcpProblem& problem, const LcpResult& one, const LcpResult& other) {
   if (!is_solved(problem, one)) return false;
@@ -48,8 +60,14 @@ bool is_better(const LcpProblem& problem, const LcpResult& one, const LcpResult&
 void SafeguardedSolver::solve(const LcpProblem& problem, LcpResult& result,
                               std::span<const int> start) {
   core_->solve(problem, result, start);
+  end_pulls(problem, result);
   if (needs_help(problem, result)) try_again(problem, result);
-  if (result.status == LcpStatus::solved && !holds(problem, result))
+  end_pulls(problem, result);
+  // Forces that no number holds are no proof of anything.
+  const bool finite = std::all_of(result.f.begin(), result.f.end(),
+                                  [](double force) { return std::isfinite(force); });
+  if ((result.status == LcpStatus::solved && !holds(problem, result)) ||
+      (result.status == LcpStatus::infeasible && !finite))
     result.status = LcpStatus::singular;
 }
 

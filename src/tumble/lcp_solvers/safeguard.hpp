@@ -19,7 +19,8 @@ namespace tumble {
 /// - larger ones by Lemke's method from other bases (LemkeRestarts).
 ///
 /// The thesis's own form is judged but not helped, and neither are sweeps that end at their cap before a
-/// solution: their failures are what they are known for. Nothing is `solved` that does not pass holds().
+/// solution: their failures are what they are known for. Nothing is `solved` that does not pass holds(),
+/// or that pulls: a force below 0 by rounding becomes 0.
 /// \verified{Of 8000 semidefinite problems in any units no solver calls a wrong answer solved}
 class SafeguardedSolver final : public LcpSolver {
  public:

@@ -37,7 +37,8 @@ class RunCheck : public Observer {
 ///
 /// Small errors of a technique are allowed: `tolerance::energy_gain` times the kinetic energy at the start and the
 /// sum of m g L over the movable bodies, L a body's longest edge; and of that which the technique has not booked,
-/// `tolerance::unbooked_gain` times the largest kinetic energy so far and that sum.
+/// `tolerance::unbooked_gain` times the largest kinetic energy so far and that sum. What rounds positions in a step gives
+/// bodies at rest in free space speeds, whose energy is allowed too.
 class EnergyCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;
@@ -52,6 +53,7 @@ class EnergyCheck : public RunCheck {
   double booked_ = 0.0;           // [J] since the start
   double kinetic_ = 0.0;          // [J] the most so far
   double weight_ = 0.0;           // [J] sum of m g L
+  double time_ = 0.0;             // [s] before the step
   std::vector<double> energies_;  // [J] of each body, before the step
 };
 
