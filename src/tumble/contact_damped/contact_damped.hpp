@@ -37,8 +37,8 @@ namespace tumble {
 /// Options of the technique.
 struct ContactDampedOptions {
   /// Sweeps over an island, each in one direction, at most: at least 1. Each island gets one, and a second if that
-  /// changes something, whatever this says. Small islands, of up to twenty bodies, get at least fifty, unless so many of
-  /// them move that they exceed the budget together.
+  /// changes something, whatever this says. Small islands get at least fifty: of up to 96 bodies, or 20 if much of them
+  /// moves, unless so many of these move that they exceed the budget together.
   int sweeps = 6;
   /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;

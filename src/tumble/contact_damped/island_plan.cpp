@@ -13,6 +13,15 @@
 namespace tumble {
 namespace {
 
+// Friction and pressure in turn within a patch, in each sweep. Of a single patch they are all there is to do; of many, sweeps do
+// the rest.
+int patch_iterations_of(const Island& island) {
+  const auto patches = static_cast<int>(island.patch_indices.size());
+  return is_small(island)
+             ? std::max(tolerance::patch_iterations, tolerance::first_patch_iterations / patches)
+             : tolerance::patch_iterations;
+}
+
 // [m/s] Skipped residuals add up from step to step, and a small island can do without.
 double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
@@ -117,7 +126,8 @@ int swept_within(const Island& island, const IslandEffort& effort) {
 
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
   const bool much_moves = speed.moving > tolerance::loose_share;
-  if (is_small(island)) return effort.crowded && much_moves;
+  if (is_small(island))
+    return much_moves && (effort.crowded || island.bodies.size() > tolerance::small_moving_island);
   return much_moves || (moves(speed) && exceeds_budget(island, effort));
 }
 
@@ -177,10 +187,10 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
                     : loose ? swept_within(island, effort)
                             : effort.sweeps;
   plan.patch_iterations =
-      !small && (fast || loose) ? tolerance::fast_patch_iterations : tolerance::patch_iterations;
+      !small && (fast || loose) ? tolerance::fast_patch_iterations : patch_iterations_of(island);
   plan.skipped_residual = skipped_residual_of(island);
   plan.residual = loose   ? tolerance::loose_residual * unit_speed
-                  : small ? tolerance::small_island_residual * negligible
+                  : small ? tolerance::solved_residual_exact * negligible
                           : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
   plan.large_and_fast = fast && !small;

@@ -59,7 +59,8 @@ struct IslandPlan {
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
 /// Whether sweeps have to do for an island: in a large one much of which moves, contacts change before weight gets through all
-/// of it; and where anything moves, it costs no more than its budget. A small one costs little, unless there are many.
+/// of it; and where anything moves, it costs no more than its budget. A small one is swept if much of it moves and it has more
+/// than tolerance::small_moving_island bodies, or there are many such.
 /// \param island  with the impulses so far
 /// \param speed   of it
 /// \param effort  the work that is allowed
