@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace tumble {
@@ -127,7 +128,8 @@ int swept_within(const Island& island, const IslandEffort& effort) {
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
   const bool much_moves = speed.moving > tolerance::loose_share;
   if (is_small(island))
-    return much_moves && (effort.crowded || island.bodies.size() > tolerance::small_moving_island);
+    return much_moves &&
+           (effort.crowded || std::ssize(island.bodies) > tolerance::small_moving_island);
   return much_moves || (moves(speed) && exceeds_budget(island, effort));
 }
 

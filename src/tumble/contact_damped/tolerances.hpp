@@ -2,8 +2,6 @@
 /// \brief The small numbers of `contact_damped`.
 #pragma once
 
-#include <cstddef>
-
 namespace tumble::tolerance {
 
 // --- contact_damped -----------------------------------------------------------------------
@@ -129,7 +127,7 @@ inline constexpr double repair_share = 0.2;
 inline constexpr int small_island = 96;
 
 /// [-] The same if more than loose_share of its patches move. Reason: up to here that costs little. (6.3.1)
-inline constexpr std::size_t small_moving_island = 20;
+inline constexpr int small_moving_island = 20;
 
 /// [-] Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
 inline constexpr int small_island_sweeps = 50;
