@@ -18,6 +18,12 @@ double sweep_number(int k, const Island& island, const IslandPlan& plan, StepRep
                plan.skipped_residual, report);
 }
 
+// Sweeps over an island until little changes, so many at most.
+void sweep_at_most(int most, const Island& island, const IslandPlan& plan, StepReport& report) {
+  for (int k = 0; k < most; ++k)
+    if (sweep_number(k, island, plan, report) < plan.residual) return;
+}
+
 // Whether slow patches of an island are held, and none sinks deeply.
 bool holds(const Island& island, const IslandPlan& plan) {
   return approach_of_slow_patches(island) < plan.slow_approach &&
@@ -46,8 +52,7 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
   if (result.accepted && !result.converged && plan.sweep_unconverged) {
     velocities_from_impulses(island);
-    for (int k = 0; k < tolerance::small_island_sweeps; ++k)
-      if (sweep_number(k, island, plan, report) < plan.residual) break;
+    sweep_at_most(tolerance::small_island_sweeps, island, plan, report);
   }
   return result.accepted;
 }
@@ -80,8 +85,7 @@ double sweep_without_gain(const Island& island, const IslandPlan& plan, StepRepo
   }
   if (share >= tolerance::least_share) return share;
   discard_impulses(island);
-  for (int k = 0; k < tolerance::sweeps_after_gain; ++k)
-    if (sweep_number(k, island, plan, report) < plan.residual) break;
+  sweep_at_most(tolerance::sweeps_after_gain, island, plan, report);
   return share_without_gain(island);
 }
 
@@ -190,8 +194,7 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
   }
   note_approach(island);
   const IslandPlan plan = plan_island(island, {}, effort());
-  for (int k = 0; k < options_.sweeps; ++k)
-    if (sweep_number(k, island, plan, report) < plan.residual) break;
+  sweep_at_most(options_.sweeps, island, plan, report);
   accept(island, plan, false, report);
 }
 
