@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -325,8 +326,10 @@ TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
 TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_damped]") {
   // With more than twenty bodies small tiles were held to 3 % of g dt only, tilted, and the slider tripped over them.
   for (const Floor& floor : {Floor{8, 1, 0.5, 50.0, true}, Floor{8, 1, 0.5, 50.0, false},
-                             Floor{30, 1, 0.1, 5.0, false}, Floor{30, 3, 0.1, 5.0, false}}) {
+                             Floor{30, 1, 0.1, 5.0, false}, Floor{30, 3, 0.1, 5.0, false},
+                             Floor{30, 5, 0.1, 5.0, false}, Floor{20, 15, 0.15, 1.0, false}}) {
     for (const double dt : {1.0 / 240.0, 1.0 / 100.0, 1.0 / 60.0, 1.0 / 50.0, 1.0 / 30.0}) {
+      if (floor.across == 15 && dt != 1.0 / 60.0) continue;  // 300 tiles take their time
       for (const double speed : {0.7, 2.0, 3.5}) {
         CAPTURE(floor.fixed, floor.along, floor.across, dt, speed);
         Simulation simulation(floor_with_slider(floor, speed));
@@ -340,7 +343,7 @@ TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_
               1e-3 + 0.5 * 9.81 * dt * dt + left * stops);
         CHECK(std::abs(slider.position_w().y() - floor.edge - 0.15) < 1e-6);
         CHECK(std::abs(slider.position_w().z() - 0.1 * floor.edge) <
-              (floor.across > 1 ? 2e-5 : 1e-6));
+              (floor.across > 1 ? std::max(2e-5, 0.02 * 9.81 * 0.5 * dt * dt) : 1e-6));
         CHECK(std::abs(slider.orientation_wb().w()) > 1.0 - 1e-9);
       }
     }

@@ -74,4 +74,15 @@ TEST_CASE("Friction within a ball is finite whatever the lever and the bound",
   }
   CHECK(minimum_in_ball(Mat3::Identity(), Vec3::UnitX(), 0.0) == Vec3::Zero());
   CHECK(minimum_in_ball(Mat3::Identity(), Vec3::Zero(), 1.0) == Vec3::Zero());
+  // Slopes and bounds whose squares vanish, as impulses do that halve in each step.
+  for (int k = 0; k < 3000; ++k) {
+    const double size = std::pow(10.0, -random.uniform(50.0, 320.0));
+    const Mat3 a = random_matrix(1.0, random);
+    const Vec3 u = random_vector(random);
+    const double limit = std::pow(10.0, random.uniform(-3.0, 1.0));
+    const Vec3 small = minimum_in_ball(a, size * u, size * limit);
+    REQUIRE(small.allFinite());
+    const double unit = std::ldexp(1.0, 900);  // a norm of such numbers would be 0
+    REQUIRE((unit * small).norm() <= (1.0 + 1e-12) * unit * size * limit + 1e-50);
+  }
 }

@@ -67,6 +67,12 @@ inline constexpr double small_angle = 1e-4;
 /// Reason: below the rounding of the slope, 1e-16. (6.3.1)
 inline constexpr double ball_negligible = 1e-17;
 
+/// [any] A slope below it is scaled up. Reason: products of four of its size are not yet rounded to 0. (6.3.1)
+inline constexpr double ball_smallest = 1e-70;
+
+/// [-] The power of two by which it is scaled. Reason: 1e60, so that the smallest number there is takes five steps. (6.3.1)
+inline constexpr int ball_power = 200;
+
 /// [-] Excess over the radius below which the next Newton step is the last one and is taken to first
 /// order. Reason: its error is the square of this, 1e-14. (6.3.1)
 inline constexpr double ball_last_step = 1e-7;

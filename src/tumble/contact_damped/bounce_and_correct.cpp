@@ -3,6 +3,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/bounce_order.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
@@ -11,30 +12,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
 
-// Slower approaches stick (thesis 4.3) [m/s].
-double sticky_speed(double gravity, double size, double dt) {
-  return gravity > 0.0 ? tolerance::sticky_speed * std::sqrt(gravity * size)
-                       : tolerance::sticky_speed_weightless * size / dt;
-}
-
-// Whether a patch was hit: one of its points has an impulse and approached fast.
-bool was_hit(const ContactPatch& patch, double gravity, double dt) {
-  const double slowest = sticky_speed(gravity, patch.size, dt);
-  return std::any_of(patch.used().begin(), patch.used().end(), [&](const ContactPatchPoint& p) {
-    return p.impulse > 0.0 && p.approach < -slowest;
-  });
+// Points that are apart when their bodies have moved ask for nothing: a bounce may send one body towards the other.
+void release_open_points(const Island& island, ContactPatch& patch) {
+  const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+  for (ContactPatchPoint& p : patch.used()) {
+    const double gap = p.gap + island.dt * velocity_at(p.along, p.across, u).z();
+    if (p.impulse == 0.0 && is_apart(gap, tolerance::contact_slop * patch.size))
+      p.target = -std::numeric_limits<double>::infinity();
+  }
 }
 
 // Points that were hit separate with the speed that restitution gives them, all at once.
-void bounce_island(const Island& island, StepReport& report) {
+void bounce_island(const Island& island, double step, StepReport& report) {
   const double g = island.world.gravity_w.norm();
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    require_separation(sticky_speed(g, patch.size, island.dt), patch);
+    release_open_points(island, patch);
+    require_separation(slowest_bounce(g, patch.size, step), patch);
   }
   const int most_sweeps =
       is_small(island) ? tolerance::small_bounce_sweeps : tolerance::bounce_sweeps;
@@ -99,7 +98,7 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     bool bounces = false;
     for (const int contact : memory_.order.islands().contacts(k)) {
       const ContactPatch& patch = patches[idx(contact)];
-      if (!was_hit(patch, g, dt)) continue;
+      if (!was_hit(patch, slowest_bounce(g, patch.size, storage_.step))) continue;
       storage_.hit[idx(contact)] = 1;
       ++report.events;
       bounces = bounces || patch.restitution > 0.0;
@@ -113,7 +112,7 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     const Island island = view_of_island(world, k, dt);
     for (const int contact : island.patch_indices)
       storage_.impulses_before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
-    bounce_island(island, report);
+    bounce_island(island, storage_.step, report);
     limit_bounce(island, velocities_.before_bounce, storage_.impulses_before_bounce, report);
   }
   if (any_bounced) store_bounced_velocities(world);

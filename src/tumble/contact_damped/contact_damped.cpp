@@ -6,6 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/contact_damped/bounce_order.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/dynamics/step_report.hpp"
@@ -47,7 +48,9 @@ StepReport ContactDamped::step(World& world, double dt) {
   }
   // [S6.3.1:step]
   // A step is divided where bodies that move by half an edge or more meet, where one that may touch
-  // another turns by more than a radian, and, if allowed, where bodies that touch move far.
+  // another turns by more than a radian, where a bounce sends a body on into another, and, if allowed, where
+  // bodies that touch move far.
+  storage_.step = dt;
   double left = dt;
   for (int k = 0; left > 0.0; ++k) {
     contact_time_ = world.time() + (dt - left);
@@ -56,10 +59,10 @@ StepReport ContactDamped::step(World& world, double dt) {
     find_patches(world, left, done);
     const double part = length_of_part(world, left, k);
     if (part < left) shorten(left, part, world);
-    step_part(world, part, done);
+    const double made = step_part(world, part, k < kMostBounces, done);
     add_report(done, report);
     report.contacts = done.contacts;
-    left = part < left ? left - part : 0.0;
+    left = made < left ? left - made : 0.0;
   }
   // [S6.3.1:step]
   // 7. Bodies at rest fall asleep.
@@ -93,20 +96,20 @@ double ContactDamped::length_of_part(const World& world, double left, int k) {
                               part);
 }
 
-void ContactDamped::step_part(World& world, double dt, StepReport& report) {
+// Makes a part of a step, or less of it where a bounce sends a body on into another. Returns how long it was [s].
+double ContactDamped::step_part(World& world, double dt, bool may_divide, StepReport& report) {
   // [S6.3.1:part]
   // 1. Gravity has been added, and
   // 2. patches have been found where bodies touch or will within the part,
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
-  storage_.in_flight.assign(velocities_.end.size(), 1);
-  storage_.crowded = is_crowded(world, dt);
-  for (int k = 0; k < memory_.order.islands().count(); ++k)
-    solve_island(view_of_island(world, k, dt), report);
-  // Where they send a body into one that was out of reach, with that one.
-  solve_missed(world, dt, report);
-  // Where they turn so far that they sink into each other on the way, with targets that know of it.
-  solve_turning(world, dt, report);
+  solve(world, dt, report);
+  const double first = may_divide ? time_to_bounce(world, dt) : dt;
+  if (first < dt) {
+    shorten(dt, first, world);
+    dt = first;
+    solve(world, dt, report);
+  }
   // 4. Bodies move with these velocities.
   move(world, dt, report);
   // 5. Fast impacts bounce from there.
@@ -116,6 +119,29 @@ void ContactDamped::step_part(World& world, double dt, StepReport& report) {
   correct_overlaps(world, dt, report);
   // [S6.3.1:part]
   memory_.last_dt = dt;
+  return dt;
+}
+
+// The impulses of all islands.
+void ContactDamped::solve(World& world, double dt, StepReport& report) {
+  storage_.in_flight.assign(velocities_.end.size(), 1);
+  storage_.crowded = is_crowded(world, dt);
+  for (int k = 0; k < memory_.order.islands().count(); ++k)
+    solve_island(view_of_island(world, k, dt), report);
+  // Where they send a body into one that was out of reach, with that one.
+  solve_missed(world, dt, report);
+  // Where they turn so far that they sink into each other on the way, with targets that know of it.
+  solve_turning(world, dt, report);
+}
+
+// Until when no bounce sends a body on into another [s]. In a heap that bounces one does all the time: it is for small islands.
+double ContactDamped::time_to_bounce(const World& world, double dt) {
+  double first = dt;
+  for (int k = 0; k < memory_.order.islands().count() && !storage_.crowded; ++k) {
+    const Island island = view_of_island(world, k, dt);
+    if (is_small(island)) first = std::min(first, time_to_first_bounce(island, storage_.step));
+  }
+  return first;
 }
 
 // Velocities before gravity, with it, and (to be changed) at the end. Sleeping bodies are immovable.

@@ -138,7 +138,8 @@ class ContactDamped : public Technique {
   };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
-    int parts = 1;         // into which the step is divided
+    double step = 0.0;     // [s] the whole step
+    int parts = 1;         // into which it is divided
     bool crowded = false;  // small islands in motion are too many to solve each as if by itself
     std::vector<Bounds> bounds;
     std::vector<IndexPair> candidates;  // pairs that may touch
@@ -157,9 +158,11 @@ class ContactDamped : public Technique {
     std::vector<MovingBody> displacements;  // of the overlap correction
   };
 
+  [[nodiscard]] double time_to_bounce(const World& world, double dt);
   [[nodiscard]] double length_of_part(const World& world, double left, int k);
   void shorten(double dt, double part, const World& world);
-  void step_part(World& world, double dt, StepReport& report);
+  double step_part(World& world, double dt, bool may_divide, StepReport& report);
+  void solve(World& world, double dt, StepReport& report);
   void load(const World& world, double dt);
   void find_patches(World& world, double dt, StepReport& report);
   void find_candidates(const World& world, std::span<const MovingBody> moves, double dt);

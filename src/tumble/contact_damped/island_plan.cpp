@@ -117,20 +117,20 @@ bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
 }
 
-// Sweeps within the budget.
-int swept_within(const Island& island, const IslandEffort& effort) {
+// Whether much of an island moves.
+bool much_moves(const SpeedRange& speed) { return speed.moving > tolerance::loose_share; }
+
+// Sweeps within the budget, so many at most.
+int swept_within(const Island& island, const IslandEffort& effort, int most) {
   const auto within = effort.budget / static_cast<int>(island.patch_indices.size());
-  return std::clamp(within, effort.sweeps, std::max(effort.sweeps, tolerance::loose_sweeps));
+  return std::clamp(within, effort.sweeps, std::max(effort.sweeps, most));
 }
 
 }  // namespace
 
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
-  const bool much_moves = speed.moving > tolerance::loose_share;
-  if (is_small(island))
-    return much_moves &&
-           (effort.crowded || std::ssize(island.bodies) > tolerance::small_moving_island);
-  return much_moves || (moves(speed) && exceeds_budget(island, effort));
+  if (is_small(island)) return effort.crowded && much_moves(speed);
+  return much_moves(speed) || (moves(speed) && exceeds_budget(island, effort));
 }
 
 bool are_too_many(std::int64_t patches, const IslandEffort& effort) {
@@ -166,18 +166,21 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const double negligible = negligible_residual(island);
   const double unit_speed = negligible / tolerance::contact_settled;
   const SpeedRange speed = speed_range(island);
-  const bool loose = has_to_be_swept(island, speed, effort);
+  const bool swept = has_to_be_swept(island, speed, effort);
+  const bool loose = swept && much_moves(speed);
   const bool small = is_small(island) && !loose;
-  const bool fast = speed.lower >= tolerance::fast_speed;
+  const bool steady = !is_small(island) && !loose && moves(speed);
   const bool quiet = !small && speed.higher < tolerance::quiet_speed;
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
   // [S6.3.1:plan]
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
-  // others, and for small islands in any case. Where much moves, sweeps have to do, unless bodies sink deeply.
-  const bool sweeps_first = loose || fast || converging || has_sliding_patch(island, unit_speed);
-  plan.method = effort.admm_iterations == 0 || (loose && exceeds_budget(island, effort))
+  // others, and for small islands in any case. Where much moves, sweeps have to do, unless bodies sink deeply. Where
+  // little of a large island does, sweeps go on as long as they converge.
+  const bool sweeps_first = loose || steady || speed.lower >= tolerance::fast_speed || converging ||
+                            has_sliding_patch(island, unit_speed);
+  plan.method = effort.admm_iterations == 0 || (swept && exceeds_budget(island, effort))
                     ? IslandMethod::sweep
                 : loose        ? IslandMethod::sweep_unless_sinking
                 : sweeps_first ? IslandMethod::sweep_then_direct
@@ -185,17 +188,18 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   // [S6.3.1:plan]
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 
-  plan.max_sweeps = small   ? std::max(effort.sweeps, tolerance::small_island_sweeps)
-                    : loose ? swept_within(island, effort)
-                            : effort.sweeps;
-  plan.patch_iterations =
-      !small && (fast || loose) ? tolerance::fast_patch_iterations : patch_iterations_of(island);
+  plan.max_sweeps = small    ? std::max(effort.sweeps, tolerance::small_island_sweeps)
+                    : loose  ? swept_within(island, effort, tolerance::loose_sweeps)
+                    : steady ? swept_within(island, effort, tolerance::steady_sweeps)
+                             : effort.sweeps;
+  plan.while_halving = steady;
+  plan.patch_iterations = loose ? tolerance::fast_patch_iterations : patch_iterations_of(island);
   plan.skipped_residual = skipped_residual_of(island);
-  plan.residual = loose   ? tolerance::loose_residual * unit_speed
-                  : small ? tolerance::solved_residual_exact * negligible
-                          : tolerance::solved_residual * negligible;
+  plan.residual = loose    ? tolerance::loose_residual * unit_speed
+                  : small  ? tolerance::solved_residual_exact * negligible
+                  : steady ? negligible
+                           : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
-  plan.large_and_fast = fast && !small;
   plan.slow_approach = tolerance::slow_approach * unit_speed;
 
   plan.direct = small   ? small_limits(island, effort.admm_iterations)

@@ -43,7 +43,7 @@ struct IslandPlan {
   double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
-  bool large_and_fast = false;      ///< then they are also enough if `slow_approach` is met
+  bool while_halving = false;       ///< sweeps end if four of them do not halve the residual
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
   bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
   IslandLimits direct;              ///< of the direct solver
@@ -59,8 +59,8 @@ struct IslandPlan {
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
 /// Whether sweeps have to do for an island: in a large one much of which moves, contacts change before weight gets through all
-/// of it; and where anything moves, it costs no more than its budget. A small one is swept if much of it moves and it has more
-/// than tolerance::small_moving_island bodies, or there are many such.
+/// of it; and where anything moves, it costs no more than its budget. A small one much of which moves is swept if there are many
+/// such.
 /// \param island  with the impulses so far
 /// \param speed   of it
 /// \param effort  the work that is allowed

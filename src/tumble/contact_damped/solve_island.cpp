@@ -30,16 +30,19 @@ bool holds(const Island& island, const IslandPlan& plan) {
          deepest_sinking(island) < tolerance::deep_sinking;
 }
 
-// Goes on sweeping after the first two sweeps. Returns whether that was enough. In an island that moves fast it is, if
-// patches that do not are held, and none sinks deeply.
+// Goes on sweeping after the first two sweeps. Returns whether that was enough.
 bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
               StepReport& report) {
   double residual = first.up;
+  double before = std::max(first.down, first.up);  // some sweeps ago
   for (int k = 2; k < plan.max_sweeps; ++k) {
     residual = sweep_number(k, island, plan, report);
     if (residual < plan.residual) return true;
+    if (!plan.while_halving || (k + 1) % tolerance::sweeps_to_halve != 0) continue;
+    if (residual > 0.5 * before) break;
+    before = residual;
   }
-  return residual < plan.fair_residual || (plan.large_and_fast && holds(island, plan));
+  return residual < plan.fair_residual;
 }
 
 // All patches together. Returns whether the direct solver accepted the island. In a small one that moves a result that

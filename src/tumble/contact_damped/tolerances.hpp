@@ -122,12 +122,8 @@ inline constexpr double repair_share = 0.2;
 
 // --- sweeps over an island -----------------------------------------------------------------------
 
-/// [-] Bodies of a small island, at most. Reason: it is solved well at any speed. A slider trips over the tiles of a floor that is not,
-/// and a tower of thirty layers sinks where a block is pulled out of it. In 125 cubes it costs four times as much. (6.3.1)
-inline constexpr int small_island = 96;
-
-/// [-] The same if more than loose_share of its patches move. Reason: up to here that costs little. (6.3.1)
-inline constexpr int small_moving_island = 20;
+/// [-] Bodies of a small island, at most. Reason: up to here it costs little to solve one well, whatever moves in it. (6.3.1)
+inline constexpr int small_island = 20;
 
 /// [-] Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
 inline constexpr int small_island_sweeps = 50;
@@ -158,6 +154,13 @@ inline constexpr int sweeps_after_gain = 50;
 /// [-] Sweeps over a large island much of which moves, at most. Reason: of 6, 12, 24 and 50 the one after which 125 cubes
 /// that fall together overlap no less with more. (6.3.1)
 inline constexpr int loose_sweeps = 24;
+
+/// [-] Sweeps over a large island little of which moves, at most. Reason: a floor of 400 tiles that carries a slider needs forty,
+/// and less than half of the time of the direct solver. (6.3.1)
+inline constexpr int steady_sweeps = 100;
+
+/// [-] Sweeps after which it is seen whether they converge. Reason: down and up, twice. (6.3.1)
+inline constexpr int sweeps_to_halve = 4;
 
 /// [-] Way by which bodies of such an island may sink into each other in a step, as a share of the shortest edge, before
 /// the direct solver is tried. Reason: of 0.003, 0.01 and 0.03 the one that 125 falling cubes never reach. (6.3.1)

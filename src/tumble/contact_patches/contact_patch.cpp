@@ -231,11 +231,13 @@ void scale_impulses(double factor, ContactPatch& patch) {
   }
 }
 
+bool is_apart(double gap, double slop) { return gap > (1.0 + tolerance::planar_targets) * slop; }
+
 void set_targets(double slop, double dt, ContactPatch& patch) {
   bool all_touch = true;
   // [S6.3.1:targets]
   for (ContactPatchPoint& p : patch.used()) {
-    p.target = p.gap > slop ? -(p.gap - slop) / dt : 0.0;
+    p.target = is_apart(p.gap, slop) ? -(p.gap - slop) / dt : 0.0;
     all_touch = all_touch && p.target == 0.0;
   }
   // [S6.3.1:targets]

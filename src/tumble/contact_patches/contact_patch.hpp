@@ -152,6 +152,12 @@ void go_back(const PatchImpulses& before, double share, ContactPatch& patch);
 /// \param patch   impulses in and out
 void scale_impulses(double factor, ContactPatch& patch);
 
+/// Whether a point does not touch. One that rests a slop above the other body stays there, whatever rounding does.
+/// \param gap   [m] of the point
+/// \param slop  [m] smaller gaps count as touching, and those larger by a hundredth
+/// \return true if so
+[[nodiscard]] bool is_apart(double gap, double slop);
+
 /// Sets the least normal velocities of the points for a step.
 ///
 /// A point with the gap d may close it up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one

@@ -10,7 +10,12 @@
 namespace tumble {
 
 Vec3 minimum_in_ball(const Mat3& A, const Vec3& u, double radius) {
-  if (!(radius > 0.0)) return Vec3::Zero();
+  if (!(radius > 0.0) || u == Vec3::Zero()) return Vec3::Zero();
+  // Squares of very small numbers vanish. Powers of two give the same bits.
+  if (u.cwiseAbs().maxCoeff() < tolerance::ball_smallest) {
+    const double unit = std::ldexp(1.0, tolerance::ball_power);
+    return minimum_in_ball(A, unit * u, unit * radius) / unit;
+  }
   const double steepest = u.norm();
   const double curvature = A.norm();
   // Too small to change the slope at all; the formulas below would overflow.
