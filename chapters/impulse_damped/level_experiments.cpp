@@ -126,10 +126,10 @@ const Registered impulse_levels_figure{
      .parameters =
          Parameters{}
              .add_whole("rows", 10, 4, 30, "of the highest pyramid; 4, 7, 10 and so on are run")
-             .add_number("duration", 1.0, 0.5, 100.0, "s", "of each run")
+             .add_number("duration", 1.0, 0.1, 100.0, "s", "of each run")
              .add_whole("piles", 15, 2, 30, "rows of the pyramid that is drawn over time")
              .add_number("piles_duration", 1.0, 0.1, 100.0, "s", "of its run"),
-     .quick = {"rows=7", "duration=0.5", "piles=5", "piles_duration=0.1"},
+     .quick = {"rows=7", "duration=0.3", "piles=5", "piles_duration=0.1"},
      .experiment = measure_levels}};
 
 }  // namespace
