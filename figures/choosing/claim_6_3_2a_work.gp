@@ -1,5 +1,5 @@
 # Error against work on three problems with closed forms: a curve for each technique over six steps.
-tall = 1470
+tall = 1510
 @PAGE
 set multiplot
 set lmargin at screen 0.175; set rmargin at screen 0.955
@@ -19,11 +19,11 @@ set logscale xy
 set xrange [20:2e6]; set xtics 1,10; set format x powers
 set yrange [1e-12:20]; set ytics 1e-12,1e3; set format y powers; unset mytics
 side = 'largest error'; @SIDE
-set key at screen 0.56,0.992 center top vertical maxrows 7 width 1 samplen 2
+set key at screen 0.56,0.996 center top vertical maxrows 7 width 1 samplen 2
 shown(e) = e > 1e-11 ? e : 1e-11
 do for [p = 0:2] {
-  top = 0.872 - 0.284*p
-  set tmargin at screen top; set bmargin at screen top - 0.215
+  top = 0.848 - 0.277*p
+  set tmargin at screen top; set bmargin at screen top - 0.209
   set label 1 problems[p + 1] at graph 0.5,1.05 center textcolor rgb '#202020'
   set label 2 'one per cent' at graph 0.99,first 0.01 right offset 0,0.6 textcolor rgb soft
   set arrow 1 from graph 0,first 0.01 to graph 1,first 0.01 nohead lt 8 dt (2,4)

@@ -28,7 +28,7 @@ set yrange [1e-5:0.3]; set ytics 1e-5,10
 set xrange [0.4:4.6]; unset xlabel
 set xtics ('forward' 1, 'semi-implicit' 2, 'impulses' 3, 'leapfrog' 4) scale 0
 side = 'error of the angle [rad]'; @SIDE
-plot stem.'_angles.csv' using (column('scheme') - 0.12):(abs(column('separate_rad'))) with points lt 2 ps 1.4 title 'apart', \
+plot stem.'_angles.csv' using (column('scheme') - 0.12):(abs(column('separate_rad'))) with points lt 2 ps 1.4 title 'separate', \
   '' using (column('scheme') + 0.12):(abs(column('exponential_rad'))) with points lt 1 ps 1.5 title 'one twist', \
   '' using (column('scheme') - 0.12):(abs(column('separate_rad'))):(sprintf('%.2g', column('separate_rad'))) with labels offset -0.6,0.9 notitle, \
   '' using (column('scheme') + 0.12):(abs(column('exponential_rad'))):(sprintf('%.2g', column('exponential_rad'))) with labels offset 0.6,-0.9 notitle

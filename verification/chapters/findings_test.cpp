@@ -100,17 +100,6 @@ TEST_CASE("A film that README shows is the one that was painted", "[unit][ledger
   CHECK_THAT(stale[0], Contains("fig2_1_fall.gif: is not the film that was painted now"));
 }
 
-TEST_CASE("Without any figures everything is expected and nothing is measured", "[unit][ledger]") {
-  const Scratch scratch("nothing");
-  const auto expected = scratch.file("falling/expected.csv", kExpected);
-  const Findings findings = read_findings(expected.parent_path() / "figures",
-                                          {expected, scratch.file("falling/claims.toml", kClaims)});
-  CHECK(findings.ledger.at(0).verdict == Verdict::not_measured);
-  CHECK(summary_text(findings) ==
-        "1 thesis figures, 0 claims measured, 1 not measured, 2 differ from expected");
-  CHECK_FALSE(is_drawn(findings.figures.at(0)));
-}
-
 TEST_CASE("An erratum has the numbers of its figure beside it", "[unit][ledger]") {
   const Scratch scratch("errata");
   const auto expected = scratch.file("falling/expected.csv", kExpected);

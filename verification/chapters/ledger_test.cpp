@@ -33,10 +33,7 @@ reads_because = "Because."
 
 // The same with one piece replaced.
 std::string with(const std::string& old_text, const std::string& new_text) {
-  std::string text = kClaim;
-  const std::size_t at = text.find(old_text);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, old_text.size(), new_text);
+  return replaced(kClaim, old_text, new_text);
 }
 
 DrawnFigure drawn(double value, double low, double high, int seeds) {
@@ -61,10 +58,6 @@ DrawnFigure drawn(double value) {
 std::vector<Claim> claims_of(const std::string& text) {
   const Scratch scratch("claims");
   return read_claims(scratch.file("falling/claims.toml", text));
-}
-
-Verdict verdict_at(const std::string& text, double value) {
-  return judge(claims_of(text), {drawn(value)}).at(0).verdict;
 }
 
 }  // namespace
@@ -104,12 +97,6 @@ TEST_CASE("A text that is no comparison is refused and named", "[unit][ledger]")
     CHECK_THROWS_WITH(read_comparison(text),
                       Contains('\'' + std::string(text) + "' is no comparison"));
   }
-}
-
-TEST_CASE("The verdict follows from the number of the claim's figure", "[unit][ledger]") {
-  CHECK(verdict_at(kClaim, 5.0) == Verdict::confirmed);
-  CHECK(verdict_at(kClaim, 6.0) == Verdict::qualified);
-  CHECK(verdict_at(kClaim, 101.0) == Verdict::refuted);
 }
 
 TEST_CASE("A figure that was not drawn, or with other settings, measures nothing",

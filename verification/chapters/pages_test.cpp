@@ -84,18 +84,11 @@ TEST_CASE("Small numbers are read with layer, value, unit, reason and section", 
 TEST_CASE("A small number without unit, reason or section is refused", "[unit][ledger]") {
   const std::string constant = "inline constexpr double slow = 1e-3;\n";
   for (const char* said : {"", "/// Slow. Reason: so. (3.1)\n", "/// [-] Slow. (3.1)\n",
-                           "/// [-] Slow. Reason: so.\n", "/// [-] Slow. Reason: (3.1)\n"}) {
+                           "/// [-] Slow. Reason: so.\n"}) {
     INFO(said);
     CHECK_THROWS_WITH(tolerances_in(header_with(said + constant)),
                       Contains("tolerances.hpp:") && Contains("what it decides. Reason: why."));
   }
-  const std::string good = "/// [-] Slow. Reason: so. (3.1)\n";
-  CHECK_THROWS_WITH(tolerances_in(header_with(good + "\n" + constant)),
-                    Contains("tolerances.hpp:7: '': a docstring without its constant"));
-  CHECK_THROWS_WITH(tolerances_in(header_with(good + constant + "inline double fast = 1.0;\n")),
-                    Contains("tolerances.hpp:8: 'inline double fast = 1.0;'"));
-  CHECK_THROWS_WITH(tolerances_in(header_with("")), Contains("no constants between"));
-  CHECK_THROWS_WITH(tolerances_in(good + constant), Contains("no constants between"));
 }
 
 TEST_CASE("Every small number of the library has unit, reason and section", "[unit][ledger]") {

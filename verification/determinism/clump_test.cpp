@@ -53,10 +53,10 @@ TEST_CASE("A bouncing clump settles on the ground and loses energy on the way", 
 
 TEST_CASE("Any broad phase gives the same bits", "[determinism][clump]") {
   LayerStepper reference("all_pairs");
-  const std::string expected = hash_after(bouncing_clump(3), reference, 300, 1.0 / 60.0);
+  const std::string expected = hash_after(bouncing_clump(3), reference, 150, 1.0 / 60.0);
   for (const std::string_view name : broad_phase_names()) {
     INFO(name);
     LayerStepper stepper(name);
-    CHECK(hash_after(bouncing_clump(3), stepper, 300, 1.0 / 60.0) == expected);
+    CHECK(hash_after(bouncing_clump(3), stepper, 150, 1.0 / 60.0) == expected);
   }
 }

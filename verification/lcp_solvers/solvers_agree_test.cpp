@@ -140,7 +140,7 @@ TEST_CASE("Chains of boxes with a dozen contacts and more on each are solved",
   Comparison comparison;
   for (const int bodies : {1, 4})
     for (const int contacts : {12, 16})
-      for (int k = 0; k < 20; ++k)
+      for (int k = 0; k < 10; ++k)
         comparison.add(chapters::contact_chain(random, bodies, contacts, {.repeat = true}));
   CHECK(comparison.unsure == 0);
   for (const std::string_view name : {"baraff", "lemke", "augmented_lagrangian"}) {

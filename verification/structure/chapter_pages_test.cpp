@@ -71,9 +71,7 @@ TEST_CASE("A chapter has one page or three", "[structure]") {
   CHECK(incomplete_chapters({idea, measured}).size() == 1);
   CHECK(incomplete_chapters({idea, measured, algorithm, page}).size() == 1);
 
-  const Complaints complaints = incomplete_chapters(project_files());
-  INFO(joined(complaints));
-  CHECK(complaints.empty());
+  expect_none(incomplete_chapters(project_files()));
 }
 
 TEST_CASE("No page of a chapter of three pages has more than 5000 words", "[structure]") {
@@ -84,20 +82,16 @@ TEST_CASE("No page of a chapter of three pages has more than 5000 words", "[stru
   CHECK(long_pages({{"chapters/falling/idea.md", words + "more"}}).size() == 1);
   CHECK(long_pages({{"chapters/falling/page.md", words + "more"}}).empty());
 
-  const Complaints complaints = long_pages(project_files());
-  INFO(joined(complaints));
-  CHECK(complaints.empty());
+  expect_none(long_pages(project_files()));
 }
 
 TEST_CASE("Each page of a chapter is read by Doxygen", "[structure]") {
   const auto files = project_files();
-  const auto doxyfile = std::find_if(
-      files.begin(), files.end(), [](const SourceFile& file) { return file.path == "Doxyfile"; });
-  REQUIRE(doxyfile != files.end());
+  const std::string& doxyfile = file_called(files, "Doxyfile").text;
   for (const auto& [chapter, names] : pages_of(files)) {
     for (const std::string& name : names) {
       INFO("chapters/" << chapter << '/' << name);
-      CHECK(doxyfile->text.find("chapters/" + chapter + '/' + name + ' ') != std::string::npos);
+      CHECK(doxyfile.find("chapters/" + chapter + '/' + name + ' ') != std::string::npos);
     }
   }
 }

@@ -7,12 +7,7 @@ namespace tumble::structure {
 
 TEST_CASE("README shows the first example as it is compiled", "[structure]") {
   const auto files = project_files();
-  const auto text_of = [&](const char* path) {
-    const auto found = std::find_if(files.begin(), files.end(),
-                                    [&](const SourceFile& file) { return file.path == path; });
-    REQUIRE(found != files.end());
-    return found->text;
-  };
+  const auto text_of = [&](const char* path) { return file_called(files, path).text; };
   const std::string mark = "// [stack]\n";
   const std::string example = text_of("examples/link/stack.cpp");
   const std::size_t begin = example.find(mark) + mark.size();

@@ -2,6 +2,8 @@
 /// \brief Reading the project's own text files.
 #include "structure/source_tree.hpp"
 
+#include "support/catch.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -59,6 +61,13 @@ std::vector<SourceFile> project_files() {
   std::sort(files.begin(), files.end(),
             [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
   return files;
+}
+
+const SourceFile& file_called(const std::vector<SourceFile>& files, const std::string& path) {
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&](const SourceFile& file) { return file.path == path; });
+  if (found == files.end()) throw std::runtime_error("there is no " + path);
+  return *found;
 }
 
 std::vector<SourceFile> code_in(const std::vector<SourceFile>& files, std::string_view folder) {
@@ -160,10 +169,8 @@ std::string place(const SourceFile& file, std::size_t line) {
   return file.path + ':' + std::to_string(line) + ": ";
 }
 
-std::string joined(const Complaints& complaints) {
-  std::string text;
-  for (const std::string& complaint : complaints) text += '\n' + complaint;
-  return text;
+void expect_none(const Complaints& complaints) {
+  for (const std::string& complaint : complaints) FAIL_CHECK(complaint);
 }
 
 }  // namespace tumble::structure

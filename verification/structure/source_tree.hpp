@@ -24,6 +24,13 @@ using Complaints = std::vector<std::string>;
 /// \throws std::runtime_error if the source folder has gone or a file cannot be read
 std::vector<SourceFile> project_files();
 
+/// The file with a path.
+/// \param files  to look in
+/// \param path   from the root of the project
+/// \return it
+/// \throws std::runtime_error if there is none
+const SourceFile& file_called(const std::vector<SourceFile>& files, const std::string& path);
+
 /// The files of one folder.
 /// \param files   to choose from
 /// \param folder  the beginning of their paths, for example "src/"
@@ -63,9 +70,8 @@ std::size_t line_at(const std::string& text, std::size_t offset);
 /// \return "path:line: "
 std::string place(const SourceFile& file, std::size_t line);
 
-/// Joins complaints for a test's message.
+/// Fails the test with each complaint.
 /// \param complaints what was found
-/// \return a line for each
-std::string joined(const Complaints& complaints);
+void expect_none(const Complaints& complaints);
 
 }  // namespace tumble::structure

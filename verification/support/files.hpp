@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace tumble::test {
@@ -26,11 +27,12 @@ inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-// A folder of its own for a test: not there at its start, and gone at its end.
+// A folder of its own for a test and its process: not there at its start, and gone at its end.
 struct Folder {
   // Makes sure that it is not there.
   explicit Folder(const std::string& name)
-      : path(std::filesystem::temp_directory_path() / ("tumble_test_" + name)) {
+      : path(std::filesystem::temp_directory_path() /
+             ("tumble_test_" + name + '_' + std::to_string(getpid()))) {
     std::filesystem::remove_all(path);
   }
   ~Folder() { std::filesystem::remove_all(path); }

@@ -168,7 +168,7 @@ TEST_CASE("A warm step of every technique but two asks for no memory",
       if (!set.empty() && !recipe.options().has(set[0].first)) continue;
       World world = start;
       const auto technique = made(recipe, set);
-      run(world, *technique, 1.0);
+      run(world, *technique, 0.5);
       const AllocationCount count;
       for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
       const auto asked = count.value();  // before the message, which asks for some itself
