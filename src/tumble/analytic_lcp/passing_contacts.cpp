@@ -79,13 +79,14 @@ void PassingContacts::add(const World& world, std::span<const MovingBody> bodies
   if (contacts.size() > found) std::sort(contacts.begin(), contacts.end(), comes_before);
 }
 
-bool PassingContacts::add_missed(const World& world, std::span<const BodyState> start,
-                                 std::span<const MovingBody> before,
-                                 std::span<const MovingBody> bodies, double dt,
-                                 ContactList& contacts, StepReport& report) {
-  const std::size_t found = contacts.size();
+bool PassingContacts::find_missed(const World& world, std::span<const BodyState> start,
+                                  std::span<const MovingBody> before,
+                                  std::span<const MovingBody> bodies, double dt,
+                                  const ContactList& contacts, ContactList& out,
+                                  StepReport& report) {
+  bool any = false;
   Manifold manifold;
-  for (std::size_t c = 0; c < found; ++c) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
     const IndexPair pair{contacts[c].first, contacts[c].second};
     if (c > 0 && contacts[c - 1].first == pair.first && contacts[c - 1].second == pair.second)
       continue;
@@ -117,11 +118,12 @@ bool PassingContacts::add_missed(const World& world, std::span<const BodyState> 
           contact.normal_w.dot(relative_velocity(bodies[i], bodies[j], point.position_w));
       point.distance = std::max(0.0, point.distance - dt * closes);
     }
-    contacts.push_back(contact);
+    if (!any) out = contacts;
+    any = true;
+    out.push_back(contact);
   }
-  if (contacts.size() == found) return false;
-  std::sort(contacts.begin(), contacts.end(), comes_before);
-  return true;
+  if (any) std::sort(out.begin(), out.end(), comes_before);
+  return any;
 }
 
 }  // namespace tumble

@@ -40,19 +40,20 @@ class PassingContacts {
   void add(const World& world, std::span<const MovingBody> bodies, std::span<const IndexPair> pairs,
            double dt, RotationRule rotation, ContactList& contacts, StepReport& report);
 
-  /// Adds contacts of pairs that have one, and that overlap all the same once the step is done, by more than
+  /// Finds contacts of pairs that have one, and that overlap all the same once the step is done, by more than
   /// tolerance::missed_overlap of their size.
   /// \param world     the bodies at the end of the step that was tried
   /// \param start     their states at its start
   /// \param before    how they moved at its start, one for each body index
   /// \param bodies    how they moved during it
   /// \param dt        [s] the step
-  /// \param contacts  in and out, in ascending order; a pair may get several
+  /// \param contacts  of the step, in ascending order
+  /// \param out       those and the new ones, in ascending order, if there is a new one; a pair may have several
   /// \param report    pair tests are counted
   /// \return whether there is a new one
-  bool add_missed(const World& world, std::span<const BodyState> start,
-                  std::span<const MovingBody> before, std::span<const MovingBody> bodies, double dt,
-                  ContactList& contacts, StepReport& report);
+  bool find_missed(const World& world, std::span<const BodyState> start,
+                   std::span<const MovingBody> before, std::span<const MovingBody> bodies,
+                   double dt, const ContactList& contacts, ContactList& out, StepReport& report);
 
  private:
   std::vector<BodyState> ended_;  // if nothing pushes

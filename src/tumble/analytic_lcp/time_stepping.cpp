@@ -98,22 +98,28 @@ double TimeStepping::moved_against_gravity(const World& world, double dt) const 
 }
 
 // Where bodies end up in each other although none of their points was to: back to the start, and again with the points of
-// the overlap. Returns whether it was done. Without an answer to it the step stays as it is.
+// the overlap. Returns whether it was done. If the new problem has no answer, or sweeps one that adds more energy, the step
+// stays as it is.
 bool TimeStepping::solve_missed(World& world, double dt, StepReport& report) {
   if (options_.velocities.form != SteppingForm::stewart_trinkle) return false;
-  if (!passing_.add_missed(world, start_, before_, moving_, dt, contacts_, report)) return false;
+  if (!passing_.find_missed(world, start_, before_, moving_, dt, contacts_, more_, report))
+    return false;
   again_ = before_;
   ended_.assign(world.states().begin(), world.states().end());
   std::copy(start_.begin(), start_.end(), world.states().begin());
   const VelocityStepResult result =
-      velocity_step_.solve(world, free_, contacts_, dt, options_.velocities, again_);
+      velocity_step_.solve(world, free_, more_, dt, options_.velocities, again_);
   report.pivots += result.pivots;
-  if (!result.solved) {
+  const auto gain = [](const VelocityStepResult& of) {
+    return of.restitution_energy + of.friction_energy;
+  };
+  if (!result.solved || gain(result) > std::max(gain(velocities_), 0.0)) {
     std::copy(ended_.begin(), ended_.end(), world.states().begin());
     return false;
   }
   velocities_ = result;
   moving_.swap(again_);
+  contacts_.swap(more_);
   move(world, dt, report);
   return true;
 }

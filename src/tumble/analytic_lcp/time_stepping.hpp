@@ -133,6 +133,7 @@ class TimeStepping : public Technique {
   std::vector<MovingBody> again_;   // ditto, solved again
   std::vector<Acceleration> free_;
   ContactList contacts_;
+  ContactList more_;  // with those that the step missed
   std::vector<PushedPair> pushed_;
   std::vector<char> flying_;  // by body index: nothing is near it
   std::vector<ContactRecord> records_;
