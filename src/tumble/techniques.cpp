@@ -219,21 +219,22 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<AnalyticOptions>, make<Analytic, AnalyticOptions>},
       {"time_stepping", "2.6.3",
        "impacts and contacts of a step solved together at its start, so that bounces come up to a "
-       "step early, and elastic bodies that meet one after another in a step lose energy; friction "
-       "in eight directions, up to 8 % too weak between them; what stands on a turning body drifts "
-       "unless pose=exponential",
+       "step early, and elastic bodies that meet one after another in a step lose energy; small "
+       "bodies that fly several of their lengths in a step may pass each other; friction in eight "
+       "directions, up to 8 % too weak between them; what stands on a turning body drifts unless "
+       "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
        "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
-       "early; fast bodies may pass through thin ones, edges of flush neighbours may catch, "
-       "what stands on a moving body may sink or drift, stacks on slopes creep, what a heavy body "
-       "pushes may sink in",
+       "early; elastic bounces die out, fast bodies may pass through thin ones, edges of flush "
+       "neighbours may catch, what stands on a moving body may sink or drift, stacks on slopes "
+       "creep, those without friction slide apart, what a heavy body pushes may sink in",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
-       "impulses, damping in place of friction, pushes out of overlap; fast bodies may "
-       "pass through thin ones, an elastic impact of faces may leave a spin, what stands on a "
-       "moving "
-       "body may drift",
+       "impulses, damping in place of friction, pushes out of overlap; elastic bounces die out, "
+       "fast bodies may pass through thin ones, an elastic impact of faces may leave a spin, what "
+       "stands on a moving body may drift, and what rests may do so up to the fall of a step above "
+       "what carries it",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
        "collisions in the order of their times; rolls back the two bodies that collide; fast "
@@ -254,33 +255,34 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
       {"glued", "2.6.5, 6.2",
        "bodies that touch at the start stick for ever, by one of seven integrators; holds joints "
-       "of "
-       "scenes, with collisions if contacts=collide",
+       "of scenes, with collisions if contacts=collide",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
       {"penalty", "2.5.1",
        "springs and dampers where bodies overlap; heavy loads sink in, what friction should hold "
-       "creeps; flush edges and fast bodies as in timewarp_simple",
+       "creeps, stacks without friction slide apart; flush edges and fast bodies as in "
+       "timewarp_simple",
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in, and bounces may lose energy; carried bodies as in time_stepping, what leans, "
-       "flush edges and fast bodies as in timewarp_simple",
+       "sinks in, and bounces may lose energy or gain some; carried bodies as in time_stepping, "
+       "what leans, flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
       {"relaxation", "2.3",
-       "boxes of particles and rods; no bounce, spins die out, slopes creep, light boxes give way "
-       "to heavy loads",
+       "boxes of particles and rods; no bounce but of fast impacts, spins die out, slopes creep, "
+       "what is carried slips, stacks without friction slide apart, light boxes give way to heavy "
+       "loads",
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
       {"optimised", "2.7.2",
-       "nearest poses without overlap, then momenta; steps of any length, in which bounces "
-       "may lose energy; fast bodies go round obstacles, flush edges brake what slides over them, "
-       "what "
+       "nearest poses without overlap, then momenta; steps of any length, in which bounces may "
+       "lose energy; fast bodies go round obstacles, flush edges brake what slides over them, what "
        "stands on a turning body drifts",
        declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
        "every contact is a train of collisions at one point (Mirtich); nothing rests, slopes "
-       "creep, an impact of faces leaves a spin, and high stacks meet the cap on impacts",
+       "creep, what is carried drifts, loose tiles brake and turn what slides over them, an impact "
+       "of faces leaves a spin, and high stacks meet the cap on impacts",
        declared_options<MicrocollisionsOptions>, make<Microcollisions, MicrocollisionsOptions>},
   };
   return library;

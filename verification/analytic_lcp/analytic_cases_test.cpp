@@ -184,6 +184,29 @@ TEST_CASE("A box slides over flush neighbours as over one", "[unit][analytic_lcp
   }
 }
 
+TEST_CASE("A box that passes a tile in a step is held by those that it comes to",
+          "[exact][analytic_lcp]") {
+  // A cube on tiles a quarter wider than itself, on one of them wholly at the start: 5 m at 7 m/s.
+  Scene scene;
+  for (int k = 0; k < 40; ++k) {
+    SceneBox tile;
+    tile.size = Vec3(0.25, 0.1, 0.5);
+    tile.position_w = Vec3(0.25 * k, -0.05, 0.0);
+    tile.fixed = true;
+    tile.friction = 0.5;
+    scene.boxes.push_back(tile);
+  }
+  SceneBox cube;
+  cube.size.setConstant(0.2);
+  cube.position_w = Vec3(1.0, 0.1, 0.0);
+  cube.velocity_w = Vec3(std::sqrt(2.0 * 0.5 * 9.81 * 5.0), 0.0, 0.0);
+  cube.friction = 0.5;
+  scene.boxes.push_back(cube);
+  Simulation simulation(scene, "analytic");
+  CHECK(simulation.run_for(1.5, 0.0223) == StepStatus::done);
+  CHECK((simulation.world().states().back().position_w - Vec3(6.0, 0.1, 0.0)).norm() < 1e-6);
+}
+
 namespace {
 
 // A fixed plate of 2 cm, and a toy brick that falls on it at 44 m/s.

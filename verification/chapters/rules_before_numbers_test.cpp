@@ -177,7 +177,7 @@ TEST_CASE("A number that moves to another chapter is as old as it was, and a cha
   CHECK(moved("depth,deepest,m,2,0,it") == late);
 }
 
-TEST_CASE("Verdicts by a first rule stay as they were when second words were added",
+TEST_CASE("Verdicts by a first rule stay as they were when second words were added, but for mends",
           "[unit][ledger]") {
   const std::string then = "b8247b2";
   if (git("cat-file -t " + then) != "commit\n") {
@@ -203,6 +203,8 @@ TEST_CASE("Verdicts by a first rule stay as they were when second words were add
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "chapters"))
     if (std::filesystem::exists(entry.path() / "claims.toml"))
       now.merge(verdicts(entry.path() / "claims.toml", entry.path() / "expected.csv"));
+  // What a mend of a technique has turned since, under the same rule; CHANGELOG names it.
+  const std::map<std::string, std::string> turned = {{"2.6.3a", "<= 0 > 0.01: confirmed"}};
   std::size_t compared = 0;
   std::istringstream names(git("ls-tree -r --name-only " + then + " -- chapters"));
   for (std::string name; std::getline(names, name);) {
@@ -218,8 +220,12 @@ TEST_CASE("Verdicts by a first rule stay as they were when second words were add
          verdicts(scratch.file(name, text), file_at(scratch, then, numbers))) {
       INFO("claim " << id);
       REQUIRE(now.count(id) == 1);
-      CHECK(now.at(id) == verdict);
       ++compared;
+      if (turned.count(id) == 1) {
+        CHECK(now.at(id) == turned.at(id));
+      } else {
+        CHECK(now.at(id) == verdict);
+      }
     }
   }
   CHECK(compared == 57);

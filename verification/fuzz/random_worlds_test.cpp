@@ -129,6 +129,13 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Time stepping turns no light box into a heavy one beside the one point that is known",
+          "[unit][fuzz]") {
+  // Light boxes that touch on one pair of edges: repair of what they turned into once lifted tons by up to all energy.
+  for (const std::uint64_t seed : {77ULL, 557ULL, 1491ULL})
+    CHECK(worst_of("time_stepping", seed, 1).gained == 0);
+}
+
 TEST_CASE("An impact whose friction and pushes drive each other up stays finite", "[unit][fuzz]") {
   CHECK(worst_of("timewarp_swept", 294, 1).overlapping == 0);  // 0.002 kg under 550 kg
 }

@@ -64,7 +64,7 @@ TEST_CASE("Under optimisation bodies touch in about as many places as under time
       "points at which a body of a heap of 27 cubes touches others after a step of optimisation "
       "based animation, over the same under time stepping");
   CHECK(ratio > 0.7);
-  CHECK(ratio < 1.5);  // measured: 1.01
+  CHECK(ratio < 1.5);  // measured: 1.04
 }
 
 TEST_CASE("Twenty heaps touch in as many places under optimisation as under time stepping",
@@ -72,7 +72,7 @@ TEST_CASE("Twenty heaps touch in as many places under optimisation as under time
   const FigureUnderTest figure("claim_2_7_2b_touches", {"seeds=20", "per_edge=3", "duration=3"});
   CHECK(figure.number("points at which a body of a heap of 27 cubes touches others after a step of "
                       "optimisation based animation, over the same under time stepping") ==
-        near(1.01).margin(0.02));
+        near(1.0).margin(0.02));
 }
 
 TEST_CASE(

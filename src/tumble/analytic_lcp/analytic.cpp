@@ -193,11 +193,11 @@ void Analytic::carry(const World& world) {
 bool Analytic::improve_forces(World& world, const Progress& progress, Plan& plan,
                               StepReport& report) {
   plan.forces_at = 0.5 * plan.time;
+  pairs_after(world, moving_, resting_, candidates_, plan.forces_at, resting_pairs_);
   flight_.put(world, plan.forces_at, options_.rotation);
   load_moving_bodies(world, moving_);
-  resting_pairs_.clear();
-  for (const Contact& c : resting_) resting_pairs_.push_back({c.first, c.second});
   report.pair_tests += gather_near(world, moving_, resting_pairs_, resting_, midway_).pair_tests;
+  if (resting_pairs_.size() > resting_.size()) drop_flush_edges(world, midway_);
   keep_points(midway_, [&](const Contact& contact, const ContactPoint& point) {
     if (point.normal_impulse > 0.0) return true;  // it was pushed at the start
     const TouchScale scale = touch_scale(world, contact.first, contact.second, progress.dt);

@@ -1,7 +1,8 @@
 /// \file
-/// \brief Contacts of bodies that have no contact area until they overlap.
+/// \brief Contacts of bodies that have no contact area until they overlap, and points that a turn brings in.
 #include "tumble/analytic_lcp/passing_contacts.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/touch.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
@@ -76,6 +77,53 @@ void PassingContacts::add(const World& world, std::span<const MovingBody> bodies
     contacts.push_back(contact);
   }
   if (contacts.size() > found) std::sort(contacts.begin(), contacts.end(), comes_before);
+}
+
+bool PassingContacts::find_missed(const World& world, std::span<const BodyState> start,
+                                  std::span<const MovingBody> before,
+                                  std::span<const MovingBody> bodies, double dt,
+                                  const ContactList& contacts, ContactList& out,
+                                  StepReport& report) {
+  bool any = false;
+  Manifold manifold;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const IndexPair pair{contacts[c].first, contacts[c].second};
+    if (c > 0 && contacts[c - 1].first == pair.first && contacts[c - 1].second == pair.second)
+      continue;
+    const std::size_t i = idx(pair.first), j = idx(pair.second);
+    const BodyProperties& a = world.bodies()[i];
+    const BodyProperties& b = world.bodies()[j];
+    if (a.shape == Shape::ground || b.shape == Shape::ground)
+      continue;  // has all corners as points
+    const double allowed = tolerance::missed_overlap * pair_size(world, pair.first, pair.second);
+    if (turning(a, bodies[i], dt) + turning(b, bodies[j], dt) <= allowed) continue;
+    ++report.pair_tests;
+    if (!touch_pair(world, world.states(), pair, 0.0, kNoAxis, manifold)) continue;
+    double least = 0.0;
+    for (int p = 0; p < manifold.count; ++p)
+      least = std::min(least, manifold.points[idx(p)].distance);
+    if (-least <= allowed) continue;
+
+    Contact contact = contact_of(world, pair);
+    contact.axis = manifold.axis;
+    set_points(manifold, contact);
+    const Vec3 middle_w =
+        0.5 * (travel(start[i], world.states()[i]) + travel(start[j], world.states()[j]));
+    for (int p = 0; p < contact.count; ++p) {
+      ContactPoint& point = contact.points[idx(p)];
+      point.position_w -= middle_w;
+      point.approach_speed =
+          contact.normal_w.dot(relative_velocity(before[i], before[j], point.position_w));
+      const double closes =
+          contact.normal_w.dot(relative_velocity(bodies[i], bodies[j], point.position_w));
+      point.distance = std::max(0.0, point.distance - dt * closes);
+    }
+    if (!any) out = contacts;
+    any = true;
+    out.push_back(contact);
+  }
+  if (any) std::sort(out.begin(), out.end(), comes_before);
+  return any;
 }
 
 }  // namespace tumble

@@ -2,6 +2,7 @@
 /// \brief The technique of Stewart and Trinkle, and of Anitescu and Potra.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
+#include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/analytic_lcp/unsolved.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
@@ -51,28 +52,28 @@ StepReport TimeStepping::step_part(World& world, double dt) {
   free_.assign(moving_.size(), Acceleration{});
   for (std::size_t k = 0; k < free_.size(); ++k)
     if (world.bodies()[k].movable()) free_[k].linear_w = world.gravity_w;
+  before_ = moving_;
   velocities_ = velocity_step_.solve(world, free_, contacts_, dt, options_.velocities, moving_);
-  const VelocityStepResult& result = velocities_;
-  report.pivots = result.pivots;
-  if (!result.solved) {
+  report.pivots = velocities_.pivots;
+  if (!velocities_.solved) {
     report.status = StepStatus::unsolved;
     world.finish_step(0.0);  // no time has passed
     return report;
   }
-  record(world);
-  find_flying(world);
-  report.energy.restitution = result.restitution_energy + moved_against_gravity(world, dt);
-  report.energy.friction = result.friction_energy;
-  store_moving_bodies(moving_, world);
 
   // Then all bodies move with these.
+  start_.assign(world.states().begin(), world.states().end());
   move(world, dt, report);
+  for (int k = 0; k < tolerance::most_missed && solve_missed(world, dt, report); ++k) continue;
   // [S2.6.3]
 
+  record(world);
   find_pairs(world, 0.0);
   book(repair_.run(world, pairs_), report);
-  report.impulses = result.impulses;
-  report.fallbacks = result.fallbacks;
+  report.energy.restitution += velocities_.restitution_energy;
+  report.energy.friction = velocities_.friction_energy;
+  report.impulses = velocities_.impulses;
+  report.fallbacks = velocities_.fallbacks;
   report.contacts = static_cast<std::int64_t>(records_.size());
   return report;
 }
@@ -96,8 +97,43 @@ double TimeStepping::moved_against_gravity(const World& world, double dt) const 
   return work;
 }
 
+// Where bodies end up in each other although none of their points was to: back to the start, and again with the points of
+// the overlap. Returns whether it was done. If the new problem has no answer, or sweeps one that adds more energy, the step
+// stays as it is.
+bool TimeStepping::solve_missed(World& world, double dt, StepReport& report) {
+  if (options_.velocities.form != SteppingForm::stewart_trinkle) return false;
+  if (!passing_.find_missed(world, start_, before_, moving_, dt, contacts_, more_, report))
+    return false;
+  again_ = before_;
+  ended_.assign(world.states().begin(), world.states().end());
+  std::copy(start_.begin(), start_.end(), world.states().begin());
+  const VelocityStepResult result =
+      velocity_step_.solve(world, free_, more_, dt, options_.velocities, again_);
+  report.pivots += result.pivots;
+  const auto gain = [](const VelocityStepResult& of) {
+    return of.restitution_energy + of.friction_energy;
+  };
+  // Contacts that carry what would fall gain as much as that without being wrong, see VelocityStep.
+  double falls = 0.0;  // [J]
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) falls += 0.5 * body.mass * world.gravity_w.squaredNorm() * dt * dt;
+  if (!result.solved || gain(result) > std::max(gain(velocities_), 0.0) + falls) {
+    std::copy(ended_.begin(), ended_.end(), world.states().begin());
+    return false;
+  }
+  velocities_ = result;
+  moving_.swap(again_);
+  contacts_.swap(more_);
+  move(world, dt, report);
+  return true;
+}
+
 // Each by itself, on its parabola if nothing is near, or about what it stands on.
 void TimeStepping::move(World& world, double dt, StepReport& report) {
+  find_flying(world);
+  report.energy.repair = 0.0;
+  report.energy.restitution = moved_against_gravity(world, dt);
+  store_moving_bodies(moving_, world);
   pushed_.clear();
   if (options_.pose == PoseUpdate::exponential)
     for (const Contact& contact : contacts_)

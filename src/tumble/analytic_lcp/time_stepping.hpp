@@ -73,7 +73,8 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// leaves with \f$\sqrt{e^2v^2 + g^2h^2} - g\,h\f$.
 ///
 /// **Range.** Points count up to the distance that the two fastest bodies can close in a step. Bodies without a contact
-/// area while they are apart (corner to corner) touch where they would overlap at the end (PassingContacts). A body that
+/// area while they are apart (corner to corner) touch where they would overlap at the end (PassingContacts). Where a step would
+/// turn bodies that touch in a point so that they overlap elsewhere, it is solved again with the points of that overlap. A body that
 /// an impact makes the fastest in this step may overlap for a step and be repaired.
 /// \par Cost
 /// O(N³) for a group with N unknowns, (2 + d) for each point that rubs; a group in which nothing rubs
@@ -112,6 +113,7 @@ class TimeStepping : public Technique {
   void find_flying(const World& world);
   [[nodiscard]] double moved_against_gravity(const World& world, double dt) const;
   void move(World& world, double dt, StepReport& report);
+  bool solve_missed(World& world, double dt, StepReport& report);
 
   TimeSteppingOptions options_;
   BoundingTree broad_phase_;
@@ -124,9 +126,14 @@ class TimeStepping : public Technique {
   // Storage of one step, kept so that a warm step asks for no memory.
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
-  std::vector<MovingBody> moving_;
+  std::vector<BodyState> start_;    // of the step
+  std::vector<BodyState> ended_;    // at its end, before it is solved again
+  std::vector<MovingBody> before_;  // at its start
+  std::vector<MovingBody> moving_;  // at its end, once it is solved
+  std::vector<MovingBody> again_;   // ditto, solved again
   std::vector<Acceleration> free_;
   ContactList contacts_;
+  ContactList more_;  // with those that the step missed
   std::vector<PushedPair> pushed_;
   std::vector<char> flying_;  // by body index: nothing is near it
   std::vector<ContactRecord> records_;

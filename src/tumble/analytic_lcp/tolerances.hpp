@@ -34,6 +34,10 @@ inline constexpr double closing = 0.5;
 /// far as forces are concerned. Reason: forces change by as much, and are solved to 1e-11. (3.3.1)
 inline constexpr double motionless = 1e-9;
 
+/// [-] What slides by more than this share of the smaller body's shortest edge in half a flight may stand on others there. Reason: a
+/// box on one side of a seam then has most of itself on that side. (3.3.1)
+inline constexpr double far_slide = 0.1;
+
 /// [-] Energy that friction gives bodies in a flight, over their kinetic energy and the sum of m g L, from which on forces of its middle
 /// are not used. Reason: rounding and the midpoint rule leave a millionth; a hundred flights must not make a hundredth. (3.3.1)
 inline constexpr double driving_friction = 1e-4;
@@ -51,6 +55,13 @@ inline constexpr double slack = 1e-10;
 /// up to which they are accepted. Reason: rows that nearly depend on each other leave 1e-8; this
 /// much is 2 nm in 1/60 s at 1 m/s. (2.6.3)
 inline constexpr double step_residual = 1e-7;
+
+/// [-] Overlap at the end of a time step, as a share of the smaller body's shortest edge, from which on the step is solved again with
+/// the points that overlap. Reason: points that are known overlap by half (hω)² of an edge, 0.5 % of it for a tenth of a radian. (2.6.3)
+inline constexpr double missed_overlap = 5e-3;
+
+/// [-] How often that is done in a step, at most. Reason: each time one more corner of an edge may come in. (2.6.3)
+inline constexpr int most_missed = 3;
 
 /// [-] What slides more slowly at the end of a time step, as a share of the fastest point of the island,
 /// needs no friction. Reason: rounding in a pile at rest is 1e-13; at 0.16 m/s, gravity's share of

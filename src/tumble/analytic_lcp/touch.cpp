@@ -5,6 +5,7 @@
 #include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 
@@ -60,6 +61,34 @@ void gather_near(const World& world, std::span<const MovingBody> bodies, Contact
   std::vector<IndexPair> pairs;
   BoundingTree().find_pairs(bounds, pairs);
   gather_near(world, bodies, pairs, {}, out);
+}
+
+void pairs_after(const World& world, std::span<const MovingBody> bodies,
+                 std::span<const Contact> resting, std::span<const IndexPair> candidates,
+                 double time, std::vector<IndexPair>& out) {
+  out.clear();
+  std::vector<int> sliders;
+  for (const Contact& c : resting) {
+    out.push_back({c.first, c.second});
+    if (world.bodies()[idx(c.first)].shape == Shape::ground ||
+        world.bodies()[idx(c.second)].shape == Shape::ground)
+      continue;
+    const double far = tolerance::far_slide * pair_size(world, c.first, c.second);
+    const Vec3 u_w =
+        relative_velocity(bodies[idx(c.first)], bodies[idx(c.second)], c.points[0].position_w);
+    if (time * (u_w - c.normal_w.dot(u_w) * c.normal_w).norm() <= far) continue;
+    sliders.push_back(c.first);
+    sliders.push_back(c.second);
+  }
+  if (sliders.empty()) return;
+  std::sort(sliders.begin(), sliders.end());
+  const auto slides = [&](int body) {
+    return std::binary_search(sliders.begin(), sliders.end(), body);
+  };
+  for (const IndexPair& pair : candidates)
+    if (slides(pair.first) || slides(pair.second)) out.push_back(pair);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 }  // namespace tumble

@@ -87,4 +87,16 @@ void keep_points(ContactList& contacts, const Keep& keep) {
   contacts.resize(kept);
 }
 
+/// Pairs that may touch later in a flight: those that rest on each other, and of bodies that slide far those that they may
+/// come to stand on.
+/// \param world       the bodies at its start
+/// \param bodies      how they move there, one for each body index
+/// \param resting     contacts at its start, in ascending order
+/// \param candidates  pairs that may meet, in ascending order
+/// \param time        [s] from its start
+/// \param out         is overwritten, in ascending order
+void pairs_after(const World& world, std::span<const MovingBody> bodies,
+                 std::span<const Contact> resting, std::span<const IndexPair> candidates,
+                 double time, std::vector<IndexPair>& out);
+
 }  // namespace tumble

@@ -166,6 +166,8 @@ void turn_to_edges(const BoxPair& pair, double margin, Manifold& manifold) {
   const std::optional<Vec3> middle_w = middle_of_outermost(first, second);
   if (!middle_w) return;
   const Vec3 gap_w = between(first, second);
+  // Along the middle of the normals two edges look nearer than they are.
+  if (manifold.count == 0 && gap_w.norm() > margin) return;
   const bool apart = gap_w.norm() > near && leaves(first, gap_w) && leaves(second, -gap_w);
   write_ends(first, second, apart ? gap_w.normalized() : *middle_w, near, margin, manifold);
 }
