@@ -324,7 +324,7 @@ TEST_CASE("No layer of a tower sinks while one of its blocks is pulled out",
 }
 
 TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_damped]") {
-  // With more than twenty bodies small tiles were held to 3 % of g dt only, tilted, and the slider tripped over them.
+  // Where sweeps end too early small tiles tilt, and the slider trips over them.
   for (const Floor& floor : {Floor{8, 1, 0.5, 50.0, true}, Floor{8, 1, 0.5, 50.0, false},
                              Floor{30, 1, 0.1, 5.0, false}, Floor{30, 3, 0.1, 5.0, false},
                              Floor{30, 5, 0.1, 5.0, false}, Floor{20, 15, 0.15, 1.0, false}}) {
@@ -342,8 +342,11 @@ TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_
         CHECK(std::abs(slider.position_w().x() - stops) <
               1e-3 + 0.5 * 9.81 * dt * dt + left * stops);
         CHECK(std::abs(slider.position_w().y() - floor.edge - 0.15) < 1e-6);
-        CHECK(std::abs(slider.position_w().z() - 0.1 * floor.edge) <
-              (floor.across > 1 ? std::max(2e-5, 0.02 * 9.81 * 0.5 * dt * dt) : 1e-6));
+        // Loose tiles give way, and are held to 1e-5 of g dt.
+        const double sideways = floor.across > 1  ? std::max(2e-5, 0.01 * 9.81 * dt * dt)
+                                : floor.along > 8 ? 5e-6
+                                                  : 1e-6;
+        CHECK(std::abs(slider.position_w().z() - 0.1 * floor.edge) < sideways);
         CHECK(std::abs(slider.orientation_wb().w()) > 1.0 - 1e-9);
       }
     }

@@ -37,13 +37,13 @@ namespace tumble {
 /// Options of the technique.
 struct ContactDampedOptions {
   /// Sweeps over an island, each in one direction, at most: at least 1. Each island gets one, and a second if that
-  /// changes something, whatever this says. Small islands get at least fifty: of up to 96 bodies, or 20 if much of them
-  /// moves, unless so many of these move that they exceed the budget together.
+  /// changes something, whatever this says. Small islands, of up to 20 bodies, get at least fifty, unless so many of
+  /// these move that they exceed the budget together; a large one little of which moves up to a hundred.
   int sweeps = 6;
   /// ADMM iterations of the direct solver, at most: three times as many for a small island. 0: it is not used.
   int admm_iterations = 100;
   /// Work on a large island in motion. If its patches times `admm_iterations` exceed it, the island is only swept: budget
-  /// over patches times, but at least `sweeps` times and at most 24 (or `sweeps`, if more); the next step goes on.
+  /// over patches times, but at least `sweeps` times and at most 24, or 100 if little of it moves (or `sweeps`, if more).
   /// Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
   int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
@@ -63,25 +63,26 @@ struct ContactDampedOptions {
 /// conserved. Friction, torsion and the inelastic normal impulse are the only dissipation.
 ///
 /// **A step**, as step() does it, for each of its parts. It has one, unless boxes that move against each other by half an edge
-/// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, or
-/// ContactDampedOptions::parts asks for more:
+/// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, a bounce sends a body on
+/// towards another (time_to_first_bounce()), or ContactDampedOptions::parts asks for more:
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
-///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: more sweeps in a heap
-///    in which much moves, and where the island moves fast, slides or is nearly done; all patches at once (IslandSolver)
-///    elsewhere, and where sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where much
-///    moves and bodies would still sink deeply, all patches at once are tried, too; where they sink all the same, normal
-///    impulses are found by themselves. An island is solved again where bodies
-///    are sent into others that were out of reach, and where they turn so far that they sink along the way.
+///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: a bounded number of sweeps in
+///    a heap in which much moves; where little of a large island does, sweeps as long as they converge; more sweeps where it
+///    slides or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps were not enough. Impulses that
+///    would add much energy are corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once
+///    are tried, too; where they sink all the same, normal impulses are found by themselves. An island is solved again where
+///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
 ///    turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
 ///    push and were approached part with e times the speed on arrival, those that push without approach stay
-///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it. Where that
-///    asks for more energy than there is, limit_bounce() takes as much of it as there is.
+///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it; across gaps, one
+///    bounce follows the other, in up to kMostBounces parts of the step. Where that asks for more energy than there is,
+///    limit_bounce() takes as much of it as there is.
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
