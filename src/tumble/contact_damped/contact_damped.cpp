@@ -51,6 +51,7 @@ StepReport ContactDamped::step(World& world, double dt) {
   // another turns by more than a radian, where a bounce sends a body on into another, and, if allowed, where
   // bodies that touch move far.
   storage_.step = dt;
+  storage_.work = 0;
   double left = dt;
   for (int k = 0; left > 0.0; ++k) {
     contact_time_ = world.time() + (dt - left);
@@ -59,7 +60,7 @@ StepReport ContactDamped::step(World& world, double dt) {
     find_patches(world, left, done);
     const double part = length_of_part(world, left, k);
     if (part < left) shorten(left, part, world);
-    const double made = step_part(world, part, k < kMostBounces, done);
+    const double made = step_part(world, part, k, done);
     add_report(done, report);
     report.contacts = done.contacts;
     left = made < left ? left - made : 0.0;
@@ -96,14 +97,15 @@ double ContactDamped::length_of_part(const World& world, double left, int k) {
                               part);
 }
 
-// Makes a part of a step, or less of it where a bounce sends a body on into another. Returns how long it was [s].
-double ContactDamped::step_part(World& world, double dt, bool may_divide, StepReport& report) {
+// Makes the k-th part of a step, or less of it where a bounce sends a body on into another. Returns how long it was [s].
+double ContactDamped::step_part(World& world, double dt, int k, StepReport& report) {
   // [S6.3.1:part]
   // 1. Gravity has been added, and
   // 2. patches have been found where bodies touch or will within the part,
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   solve(world, dt, report);
+  const bool may_divide = k < kMostBounces && 2 * storage_.work < options_.budget;
   const double first = may_divide ? time_to_bounce(world, dt) : dt;
   if (first < dt) {
     shorten(dt, first, world);

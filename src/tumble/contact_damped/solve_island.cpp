@@ -171,6 +171,7 @@ IslandEffort ContactDamped::effort() const {
 
 void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (island.patch_indices.empty()) return;
+  const std::int64_t before = report.iterations;
   const bool direct_last_step =
       std::any_of(island.patch_indices.begin(), island.patch_indices.end(),
                   [&](int contact) { return island.all_patches[idx(contact)].solved_directly; });
@@ -184,6 +185,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   if (plan.discard_warm_start) discard_impulses(island);
   accept(island, plan, run_plan(island, plan, first, report), report);
   // [S6.3.1:island]
+  storage_.work += (report.iterations - before) * std::ssize(island.patch_indices);
 }
 
 // With patches or targets that are new. In an island that is left to sweeps few of them are: sweeps go on from its impulses.
