@@ -71,4 +71,13 @@ double time_to_first_bounce(const Island& island, double step) {
   return first;
 }
 
+void release_open_patches(const Island& island, double time) {
+  for (const int contact : island.patch_indices) {
+    ContactPatch& patch = island.all_patches[idx(contact)];
+    if (!is_open_after(island, patch, time)) continue;
+    for (ContactPatchPoint& p : patch.used()) p.target = -std::numeric_limits<double>::infinity();
+    patch.targets_planar = false;
+  }
+}
+
 }  // namespace tumble

@@ -36,4 +36,10 @@ inline constexpr double kSimultaneous = 1e-3;
 /// A comparison for each two patches of the island, if one of them was hit and bounces.
 [[nodiscard]] double time_to_first_bounce(const Island& island, double step);
 
+/// Lets patches that are still open when an island bounces ask for nothing. A body that arrives is slowed for the whole part of the
+/// step, and one that flies along with it would meet it.
+/// \param island  the targets of such patches are changed
+/// \param time    [s] of the bounce
+void release_open_patches(const Island& island, double time);
+
 }  // namespace tumble

@@ -106,10 +106,10 @@ double ContactDamped::step_part(World& world, double dt, int k, StepReport& repo
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   solve(world, dt, report);
   const bool may_divide = k < kMostBounces && 2 * storage_.work < options_.budget;
-  const double first = may_divide ? time_to_bounce(world, dt) : dt;
-  if (first < dt) {
-    shorten(dt, first, world);
-    dt = first;
+  if (const FirstBounce first = first_bounce(world, dt); may_divide && first.time < dt) {
+    shorten(dt, first.time, world);
+    dt = first.time;
+    release_open_patches(view_of_island(world, first.island, dt), dt);
     solve(world, dt, report);
   }
   // 4. Bodies move with these velocities.
@@ -136,12 +136,15 @@ void ContactDamped::solve(World& world, double dt, StepReport& report) {
   solve_turning(world, dt, report);
 }
 
-// Until when no bounce sends a body on into another [s]. In a heap that bounces one does all the time: it is for small islands.
-double ContactDamped::time_to_bounce(const World& world, double dt) {
-  double first = dt;
+// When a bounce sends a body on into another [s], and in which island; or dt. In a heap that bounces one does all the time: it is
+// for small islands.
+ContactDamped::FirstBounce ContactDamped::first_bounce(const World& world, double dt) {
+  FirstBounce first{dt, -1};
   for (int k = 0; k < memory_.order.islands().count() && !storage_.crowded; ++k) {
     const Island island = view_of_island(world, k, dt);
-    if (is_small(island)) first = std::min(first, time_to_first_bounce(island, storage_.step));
+    if (!is_small(island)) continue;
+    const double time = time_to_first_bounce(island, storage_.step);
+    if (time < first.time) first = {time, k};
   }
   return first;
 }

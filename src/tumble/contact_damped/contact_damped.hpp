@@ -162,7 +162,13 @@ class ContactDamped : public Technique {
     std::vector<MovingBody> displacements;  // of the overlap correction
   };
 
-  [[nodiscard]] double time_to_bounce(const World& world, double dt);
+  // A bounce in the middle of a step.
+  struct FirstBounce {
+    double time = 0.0;  // [s] from the start of the part
+    int island = -1;
+  };
+
+  [[nodiscard]] FirstBounce first_bounce(const World& world, double dt);
   [[nodiscard]] double length_of_part(const World& world, double left, int k);
   void shorten(double dt, double part, const World& world);
   double step_part(World& world, double dt, int k, StepReport& report);
