@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace tumble;
@@ -143,4 +144,34 @@ TEST_CASE("An elastic cube between two walls keeps its speed when a step holds s
   Simulation simulation(scene);
   CHECK(simulation.run_for(1.0) == StepStatus::done);
   CHECK(std::abs(std::abs(simulation.body("cube0").velocity_w().x()) - 3.0) < 1e-9);
+}
+
+TEST_CASE(
+    "A light cube that falls a little above a heavy one leaves with the speed of Galileo's drop",
+    "[exact][contact_damped]") {
+  // The heavy one bounces with v, and meets the light one that arrives with v.
+  const double v = std::sqrt(2.0 * 9.81 * 1.0);
+  for (const double gap : {1e-3, 1e-2}) {
+    for (const double dt : {1.0 / 240.0, 1.0 / 120.0, 1.0 / 60.0, 1.0 / 30.0}) {
+      CAPTURE(gap, dt);
+      Scene scene;
+      scene.ground = SceneGround{0.0, 1.0};
+      for (const auto& [name, y, mass] :
+           {std::tuple{"heavy", 1.05, 1.0}, std::tuple{"light", 1.15 + gap, 0.1}})
+        scene.boxes.push_back({.name = name,
+                               .size = Vec3::Constant(kEdge),
+                               .mass = mass,
+                               .position_w = Vec3(0.0, y, 0.0),
+                               .friction = 0.0,
+                               .restitution = 1.0});
+      Simulation simulation(scene);
+      CHECK(simulation.run_for(0.5, dt) == StepStatus::done);
+      const double since = simulation.world().time() - v / 9.81;
+      const auto speed_at_bounce = [&](const char* name) {
+        return simulation.body(name).velocity_w().y() + 9.81 * since;
+      };
+      CHECK(std::abs(speed_at_bounce("heavy") - 0.7 / 1.1 * v) < 1e-2 * v);
+      CHECK(std::abs(speed_at_bounce("light") - 2.9 / 1.1 * v) < 1e-2 * v);
+    }
+  }
 }

@@ -106,7 +106,8 @@ double ContactDamped::step_part(World& world, double dt, int k, StepReport& repo
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   solve(world, dt, report);
   const bool may_divide = k < kMostBounces && 2 * storage_.work < options_.budget;
-  if (const FirstBounce first = first_bounce(world, dt); may_divide && first.time < dt) {
+  if (const FirstBounce first = may_divide ? first_bounce(world, dt) : FirstBounce{dt, -1};
+      first.time < dt) {
     shorten(dt, first.time, world);
     dt = first.time;
     release_open_patches(view_of_island(world, first.island, dt), dt);
