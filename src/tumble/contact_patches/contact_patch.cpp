@@ -263,6 +263,12 @@ void set_targets(double slop, double dt, ContactPatch& patch) {
   patch.target_motion[six::roll_across] = -slope_along;
 }
 
+bool asks_for_nothing(const ContactPatch& patch) {
+  return std::all_of(patch.used().begin(), patch.used().end(), [](const ContactPatchPoint& p) {
+    return p.target == -std::numeric_limits<double>::infinity();
+  });
+}
+
 void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
                                   ContactPatch& patch) {
   // How much further along the normal than its tangent the arc of a point leads.

@@ -167,6 +167,11 @@ void scale_impulses(double factor, ContactPatch& patch);
 /// \param patch  targets, targets_planar and target_motion are overwritten
 void set_targets(double slop, double dt, ContactPatch& patch);
 
+/// Whether no velocity is asked for at any point of a patch: all targets are minus infinity.
+/// \param patch  a patch
+/// \return true if so
+[[nodiscard]] bool asks_for_nothing(const ContactPatch& patch);
+
 /// Corrects the targets where a body turns so far in a step that a point leaves its tangent: by how much
 /// the arc \f$(e^{[h\omega]} - 1)\,r\f$ leads further away than \f$h\,\omega\times r\f$.
 /// \param first   how the first body would move
