@@ -133,7 +133,7 @@ void ContactDamped::solve(World& world, double dt, StepReport& report) {
     solve_island(view_of_island(world, k, dt), report);
   // Where they send a body into one that was out of reach, with that one.
   solve_missed(world, dt, report);
-  // Where they turn so far that they sink into each other on the way, with targets that know of it.
+  // Where they turn so far that they sink into each other on the way, with targets that allow for it.
   solve_turning(world, dt, report);
 }
 

@@ -24,7 +24,7 @@ double distance_after(const Island& island, const BodyMotion& motion, const Cont
       .distance;
 }
 
-// What the points of a patch do not know: its bodies turn in the step, and with them its normal.
+// What the points of a patch leave out: its bodies turn in the step, and with them its normal.
 struct Turned {
   double deeper = 0.0;    // [m] more overlap than at the start of the step
   double expected = 0.0;  // [m] how far apart the nearest point says that the bodies will be
