@@ -120,9 +120,9 @@ bool PassingContacts::find_missed(const World& world, std::span<const BodyState>
     }
     if (!any) out = contacts;
     any = true;
-    out.push_back(contact);
+    // After those of its pair: std::sort puts equals in an order that differs from library to library.
+    out.insert(std::upper_bound(out.begin(), out.end(), contact, comes_before), contact);
   }
-  if (any) std::sort(out.begin(), out.end(), comes_before);
   return any;
 }
 
