@@ -88,10 +88,10 @@ enum class SweepOrder : std::uint8_t {
 /// One Gauss-Seidel sweep: solve_patch() for all patches of an island.
 /// \param island            the island
 /// \param order             of the patches
-/// \param patch_iterations  of friction and pressure in turn within a patch
+/// \param patch_iterations  of friction and pressure in turn within a patch; 0: only what sticks is solved
 /// \param residual          [m/s] at which a patch is skipped, see solve_patch()
 /// \param report            counts it
-/// \return [m/s] the largest change of a velocity
+/// \return [m/s] the largest change of a velocity, or error of a patch that was left, see solve_patch()
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report);
 

@@ -11,7 +11,7 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::raise;
+using island_math::raise;
 
 namespace {
 
@@ -149,8 +149,8 @@ double IslandSolver::balance(std::span<const ContactPatch> patches, double balan
 }
 
 // The springs of ADMM, but stiffer, and all kept in balance with the bodies by Newton steps: a handful where ADMM
-// would need thousands of iterations. Then impulses and shifts are updated, and so on until neither changes. The
-// result is dropped unless it has converged or, if IslandLimits allow that, is much better than that of ADMM.
+// would need thousands of iterations. Then impulses and shifts are updated, and so on until neither changes. If that
+// does not converge, the best result in balance is taken if IslandLimits allow that and it is much better than that of ADMM.
 void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLimits& limits,
                           IslandResult& result) {
   const auto steep = [](const Point& p) {
@@ -162,26 +162,31 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   factored_stamps_.clear();  // the matrix will no longer hold the factors of ADMM
   int steps = 0;
   int unbalanced = 0;
-  double change = 0.0;  // [m/s] by the last Newton step
   double residual = result.residual;
+  double best = tolerance::newton_improved * residual;
   const double balanced = tolerance::newton_balanced * limits.residual;
   // [S6.3.1:newton]
   for (int update = 0; update < limits.max_shift_updates; ++update) {
     if (steps >= limits.max_newton_steps || residual < limits.residual) break;
-    change = balance(patches, balanced, limits.max_newton_steps, steps);
+    const double change = balance(patches, balanced, limits.max_newton_steps, steps);
     if (change > balanced && steps < limits.max_newton_steps &&
         ++unbalanced == tolerance::newton_gives_up)
       break;
     residual = update_impulses(limits.shift_tolerance, change);
+    if (!(limits.shift_tolerance > 0.0 && change < limits.residual && residual < best)) continue;
+    best = residual;
+    result.improved = true;
+    saved_points_ = points_;
+    saved_members_ = members_;
+    if (residual < limits.good_residual) break;
   }
   // [S6.3.1:newton]
   result.factorizations += steps;
   result.converged = residual < limits.residual;
-  result.improved = !result.converged && limits.shift_tolerance > 0.0 && change < limits.residual &&
-                    residual < tolerance::newton_improved * result.residual;
-  if (result.converged || result.improved) {
+  if (result.converged) {
     result.residual = residual;
   } else {
+    if (result.improved) result.residual = best;
     points_ = saved_points_;
     members_ = saved_members_;
   }

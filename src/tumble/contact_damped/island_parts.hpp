@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/contact_patches/contact_patch.hpp"
+#include "tumble/contact_patches/point_friction.hpp"
 #include "tumble/math/rotation.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
@@ -43,38 +44,11 @@ inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse
   return w;
 }
 
-/// Adds an impulse at a point to that of the patch.
-/// \param along   [m] its place
-/// \param across  [m] ditto
-/// \param push    [N s] along, across, normal
-/// \param sum     of the patch; in and out
-inline void add_push(double along, double across, const Vec3& push, Six& sum) {
-  sum[0] += push[0];
-  sum[1] += push[1];
-  sum[2] += push[2];
-  sum[3] += across * push[2];
-  sum[4] -= along * push[2];
-  sum[5] += along * push[1] - across * push[0];
-}
-
 /// Raises a maximum. A NaN stays, so that it is not taken for converged.
 /// \param value  candidate
 /// \param most   in and out
 inline void raise(double value, double& most) {
   if (value > most || std::isnan(value)) most = value;
-}
-
-/// The nearest point of Coulomb's cone \f$|f| \le \mu p\f$.
-/// \param a   [N s] along, across, normal
-/// \param mu  [-] at least 0
-/// \return [N s]
-inline Vec3 into_cone(const Vec3& a, double mu) {
-  const double size = std::sqrt(a[0] * a[0] + a[1] * a[1]);
-  if (mu * size <= -a[2])
-    return Vec3::Zero();  // before the next test, which a pull without friction would pass
-  if (size <= mu * a[2]) return a;
-  const double p = (a[2] + mu * size) / (1.0 + mu * mu);
-  return {mu * p * a[0] / size, mu * p * a[1] / size, p};
 }
 
 /// All springs of a patch as one at its middle. The motion of the middle is v - [r] w for a body with the arm r.

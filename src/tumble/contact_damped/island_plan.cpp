@@ -12,6 +12,7 @@
 #include <limits>
 
 namespace tumble {
+
 namespace {
 
 // Friction and pressure in turn within a patch, in each sweep. Of a single patch they are all there is to do; of many, sweeps do
@@ -30,7 +31,7 @@ double skipped_residual_of(const Island& island) {
 
 // By how much this step speeds up the fastest point of an island that hardly moves [m/s]; 0 if it does move.
 double speed_gained(const Island& island) {
-  if (speed_range(island).higher >= tolerance::quiet_speed) return 0.0;
+  if (speed_range(island).higher >= tolerance::moving_speed) return 0.0;
   double most = 0.0;
   for (const int k : island.bodies) {
     const MovingBody& before = island.start[idx(k)];
@@ -87,6 +88,7 @@ IslandLimits quiet_limits(const Island& island, int iterations) {
   limits.max_newton_steps = tolerance::quiet_newton_steps;
   limits.shift_tolerance = tolerance::contact_slop * shortest_edge(island) / island.dt;
   limits.max_shift_updates = tolerance::quiet_shift_updates;
+  limits.good_residual = tolerance::good_residual * negligible_residual(island);
   return limits;
 }
 
@@ -150,6 +152,15 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
                              ? tolerance::solved_residual_exact * negligible
                              : skipped_residual_of(island);
   FirstSweeps first;
+  // In a large one that is quiet, only what sticks is swept then, as long as the solution is nearly right.
+  if (direct_last_step && !is_small(island) &&
+      speed_range(island).higher < tolerance::moving_speed) {
+    first.down = sweep(island, SweepOrder::down, 0, skipped, report);
+    first.settled =
+        first.down < negligible && speed_gained(island) <= tolerance::solved_residual * negligible;
+    first.nearly_solved = first.down < tolerance::nearly_solved * negligible;
+    if (first.nearly_solved) return first;
+  }
   first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
   // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
   // solution they may change no velocity.
@@ -170,7 +181,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const bool loose = swept && much_moves(speed);
   const bool small = is_small(island) && !loose;
   const bool steady = !is_small(island) && !loose && moves(speed);
-  const bool quiet = !small && speed.higher < tolerance::quiet_speed;
+  const bool quiet = !small && speed.higher < tolerance::moving_speed;
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
@@ -186,6 +197,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
                 : sweeps_first ? IslandMethod::sweep_then_direct
                                : IslandMethod::direct_then_sweep;
   // [S6.3.1:plan]
+  if (first.nearly_solved) plan.method = IslandMethod::direct_then_sweep;
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
 
   plan.max_sweeps = small    ? std::max(effort.sweeps, tolerance::small_island_sweeps)
@@ -207,6 +219,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
                         : large_limits(island, effort.admm_iterations);
   if (moves(speed) && !small)
     plan.direct.early_stop_residual = tolerance::moving_residual * unit_speed;
+  if (first.nearly_solved) plan.direct.near = tolerance::nearly_solved * negligible;
   plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;

@@ -14,6 +14,8 @@ struct FirstSweeps {
   bool settled = false;  ///< the sweep down found nothing to change: the island is solved
   /// Nothing to change, but the impulses that stopped the island in the step before would set it moving.
   bool stale_warm_start = false;
+  /// It is quiet, and the impulses of the direct solver still nearly solve it: only what sticks was swept.
+  bool nearly_solved = false;
 };
 
 /// How much work an island may cost: the options of the technique of these names.
@@ -51,7 +53,9 @@ struct IslandPlan {
   double overlap = 0.0;             ///< [-] share of the shortest edge beyond which these are found
 };
 
-/// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up.
+/// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up. In a large and quiet one that
+/// the direct solver has solved, only what sticks is swept if that is still nearly a solution: sweeps bound the friction of a
+/// patch as a whole, not of its points, and would lead away from it.
 /// \param island              after warm_start()
 /// \param direct_last_step    whether the direct solver was used for it in the step before
 /// \param report              counts sweeps

@@ -11,8 +11,8 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::motion_of, island_math::Spring,
-    island_math::velocities_of, island_math::wrench_of;
+using island_math::motion_of, island_math::Spring, island_math::velocities_of,
+    island_math::wrench_of;
 
 namespace {
 
@@ -125,9 +125,7 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest, Frict
     point.across = p.across;
     point.target = p.target;
     point.friction = law == FrictionLaw::held ? 0.0 : patch.friction;
-    point.inverse_mass = K[2][2] + 2.0 * (p.across * K[2][3] - p.along * K[2][4]) +
-                         p.across * p.across * K[3][3] - 2.0 * p.across * p.along * K[3][4] +
-                         p.along * p.along * K[4][4];
+    point.inverse_mass = inverse_mass_at(K, p.along, p.across);
     point.inverse_mass = std::min(point.inverse_mass, tolerance::lightest_spring / heaviest);
     if (!(pressure[i] > 0.0)) continue;
     const double share = pressure[i] / normal;

@@ -11,7 +11,7 @@
 
 namespace tumble {
 
-using island_math::add_push, island_math::into_cone, island_math::raise;
+using island_math::raise;
 
 // First half of an ADMM iteration: the velocities of all bodies, with all springs on.
 void IslandSolver::solve_velocities(std::span<const ContactPatch> patches) {
@@ -150,6 +150,16 @@ IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const in
   load(bodies, contacts, free, patches, now, FrictionLaw::coulomb);
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
+  if (limits.near > 0.0) {
+    stiffness_ = tolerance::admm_stiffness;
+    begin_iterations(patches, limits.unit_speed, FrictionLaw::coulomb);
+    result.residual = limits.near;
+    newton(patches, limits, result);
+    if (result.converged || result.improved) {
+      store(bodies, true, free, patches, now, FrictionLaw::coulomb);
+      return result;
+    }
+  }
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
     load(bodies, contacts, free, patches, now, FrictionLaw::convex);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);

@@ -30,6 +30,10 @@ struct IslandLimits {
   int max_shift_updates = 100;  ///< updates of impulses and shifts between Newton steps
   double early_stop_residual =
       0.0;  ///< [m/s] ADMM ends if velocities change by less, though that does not count as solved
+  /// [m/s] Above 0, the impulses at the start are as near as this to a solution, and Newton steps are tried before ADMM.
+  double near = 0.0;
+  double good_residual =
+      0.0;  ///< [m/s] Newton steps in balance end below it: the next step goes on
 };
 
 /// How IslandSolver ended.
@@ -69,8 +73,8 @@ struct IslandResult {
 /// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$; each step goes as far as the convex function decreases whose
 /// gradient this is. Then \f$\lambda_0\f$ and s are updated (augmented Lagrangian). With
 /// friction above 1 this is not tried, as the shifts diverge there. If it does not
-/// converge either, the result of ADMM stays: an unfinished one is dominated by rounding, enlarged by the
-/// stiffness of the springs.
+/// converge either, the best one in balance is taken (IslandLimits::shift_tolerance), or the result of ADMM stays: one that is
+/// not in balance is dominated by rounding, enlarged by the stiffness of the springs.
 ///
 /// **From step to step.** Where points creep, an update brings s nearer by a twentieth only. An error of the shift
 /// below a slop in a step opens no gap and is accepted (IslandLimits::shift_tolerance), so two or three updates in

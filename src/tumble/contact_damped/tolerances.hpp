@@ -27,7 +27,7 @@ inline constexpr double contact_settled = 1e-5;
 inline constexpr double fast_speed = 0.5;
 
 /// [-] Two bodies move if a point of their patch moves by more than this share of sqrt(g L). Reason: a block that is pulled
-/// out of a tower does; cubes of a heap that has come to rest do not. (6.3.1)
+/// out of a tower does; cubes of a heap that has come to rest do not, nor those that ADMM has left jittering. (6.3.1)
 inline constexpr double moving_speed = 0.05;
 
 /// [-] Share of moving patches above which a large island is left to sweeps. Reason: of 0.1, 0.2, 0.3 and 0.5 the one with
@@ -36,10 +36,6 @@ inline constexpr double loose_share = 0.1;
 
 /// [-] sqrt(g L) where there is no gravity, as a share of L / dt. Reason: at 60 Hz and 1 m the same. (6.3.1)
 inline constexpr double weightless_unit = 0.05;
-
-/// [-] An island slower than this share of sqrt(g L) hardly moves. Reason: a wall that lands at 0.3 m/s
-/// needs all ADMM iterations; at a tenth of it few hold it. (6.3.1)
-inline constexpr double quiet_speed = 0.01;
 
 /// [-] Stands for g dt where there is no gravity, as a share of L / dt. Reason: gravity moves a
 /// metre's box at 60 Hz by about as much, 0.3 % of it in a step. (6.3.1)
@@ -218,6 +214,14 @@ inline constexpr int small_newton_steps = 50;
 
 /// [-] Newton steps in a quiet island, at most. Reason: each factors a large matrix; the next step goes on. (6.3.1)
 inline constexpr int quiet_newton_steps = 20;
+
+/// [-] Multiple of the negligible residual up to which a quiet island counts as nearly solved, and Newton steps are tried before ADMM.
+/// Reason: up to here a heap of 1000 needs no more of them than after ADMM, or twice as many. (6.3.1)
+inline constexpr double nearly_solved = 1000.0;
+
+/// [-] Multiple of the negligible residual at which Newton steps in balance end in a quiet island. Reason: a second update rarely
+/// halves it, and the next step goes on. (6.3.1)
+inline constexpr double good_residual = 10.0;
 
 /// [-] Updates of impulses and shifts in a quiet island, at most. Reason: the next step goes on. (6.3.1)
 inline constexpr int quiet_shift_updates = 3;

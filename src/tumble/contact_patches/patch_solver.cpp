@@ -5,6 +5,7 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_patches/patch_pressure.hpp"
+#include "tumble/contact_patches/point_friction.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/minimum_in_ball.hpp"
 
@@ -235,6 +236,7 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
     correction = update.largest_change;
   } else {
     if (touches && solved()) return 0.0;
+    if (iterations == 0) return error_at_points(patch, update.motion);
     update.change = {};
     for (int k = 0; k < iterations; ++k) {
       update.largest_change = 0.0;

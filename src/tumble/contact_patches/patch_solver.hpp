@@ -28,10 +28,10 @@ namespace tumble {
 /// \param patch       impulses in and out
 /// \param first       its first body; changed
 /// \param second      its second body; changed
-/// \param iterations  how often friction and pressure are solved in turn if the patch does not stick, at least 1
+/// \param iterations  how often friction and pressure are solved in turn if the patch does not stick; 0: it is left then
 /// \param residual    [m/s] velocity error of a patch that is skipped; points that push may slide ten times as
 ///                    fast; 0: none is skipped
-/// \return [m/s] the largest change of a velocity
+/// \return [m/s] the largest change of a velocity, or error_at_points() of a patch that was left
 /// \see Box2D and its relatives solve points; solving patches is due to Baraff's remark on contact regions;
 /// the common bound of force and moment is the ellipsoid of Howe and Cutkosky (1996).
 double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, int iterations,

@@ -17,7 +17,7 @@
 namespace tumble {
 namespace {
 
-constexpr double kMostSteps = 1e12;  // as many would run for years
+constexpr double kMostStepsOfRun = 1e12;  // as many would run for years
 
 // Passes on the events of the steps, with the world for the bodies' names.
 class EventForwarder : public Observer {
@@ -145,7 +145,7 @@ void require_valid(const RunSettings& settings) {
   require::not_negative(settings.duration, "duration");
   require::that(settings.every >= 1,
                 "every = " + std::to_string(settings.every) + ": expected 1 or more");
-  require::that(settings.duration / settings.dt < kMostSteps,
+  require::that(settings.duration / settings.dt < kMostStepsOfRun,
                 "duration / dt = " + shortest_text(settings.duration / settings.dt) +
                     ": expected fewer than 1e12 steps");
 }
