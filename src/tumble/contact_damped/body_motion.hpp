@@ -13,7 +13,7 @@ namespace tumble {
 struct BodyMotion {
   double dt = 0.0;                                  ///< [s] of the part
   RotationRule rotation = RotationRule::splitting;  ///< how orientations are integrated
-  std::span<const char> in_flight;                  ///< by body index: those without an impulse
+  std::span<const char> in_flight;                  ///< by body index: those that nothing holds
 };
 
 /// Moves a body: along its parabola if it is in flight, else with its velocity at the end of the step. One that turns by more

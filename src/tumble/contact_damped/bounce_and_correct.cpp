@@ -188,7 +188,8 @@ void ContactDamped::account(const World& world, StepReport& report) const {
   const std::vector<MovingBody>& end = velocities_.end;
   double all = -report.energy.repair;  // pivot updates have booked their part already
   for (std::size_t k = 0; k < end.size(); ++k) {
-    if (end[k].inverse_mass.x() == 0.0 || storage_.in_flight[k] != 0) continue;
+    if (end[k].inverse_mass.x() == 0.0) continue;
+    if (storage_.in_flight[k] != 0 && !end[k].changed) continue;
     const BodyProperties& body = world.bodies()[k];
     const Vec3& spin_w = start[k].angular_velocity_w;
     all += kinetic_energy(body, world.states()[k]) -

@@ -76,7 +76,8 @@ struct ContactDampedOptions {
 ///    would add much energy are corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once
 ///    are tried, too; where they sink all the same, normal impulses are found by themselves. An island is solved again where
 ///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
-/// 4. Bodies with an impulse move with their velocity at the end of the step; the others fly their parabola. One that
+/// 4. Bodies that push something immovable, or others that do, move with their velocity at the end of the step; the others fly
+///    their parabola. One that
 ///    turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its energy at once.
 ///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
@@ -148,7 +149,7 @@ class ContactDamped : public Technique {
     std::vector<Bounds> bounds;
     std::vector<IndexPair> candidates;  // pairs that may touch
     std::vector<IndexPair> touching;    // bodies of the patches
-    std::vector<char> in_flight;        // by body index: without an impulse
+    std::vector<char> in_flight;        // by body index: pushed by nothing that is held
     std::vector<char> sinks;            // by body index: it would, carried by others
     std::vector<char> hit;              // by patch: an impact too fast to stick
     std::vector<PushedPair> pushed;     // pairs with an impulse
@@ -183,9 +184,9 @@ class ContactDamped : public Technique {
   [[nodiscard]] IslandEffort effort() const;
   [[nodiscard]] bool is_crowded(const World& world, double dt);
   void solve_island(const Island& island, StepReport& report);
-  bool run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
-                StepReport& report);
-  void accept(const Island& island, const IslandPlan& plan, bool direct, StepReport& report);
+  FoundBy run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                   StepReport& report);
+  void accept(const Island& island, const IslandPlan& plan, FoundBy found, StepReport& report);
   void find_pivots(const World& world, double dt);
   bool drop_sinking_pivots(const World& world, double dt);
   bool carry(int k, double dt, World& world, StepReport& report) const;

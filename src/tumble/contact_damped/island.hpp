@@ -131,7 +131,7 @@ class KeptSolution {
  public:
   /// Keeps those of now.
   /// \param island     the island
-  /// \param in_flight  by body index: whether a body has no impulse
+  /// \param in_flight  by body index: whether a body flies its parabola
   void keep(const Island& island, std::span<const char> in_flight);
   /// Goes back to them.
   /// \param island     the same one

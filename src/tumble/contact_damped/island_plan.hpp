@@ -36,6 +36,13 @@ enum class IslandMethod : std::uint8_t {
   direct_then_sweep   ///< the direct solver, or more sweeps if it does not accept the island
 };
 
+/// What has found the impulses of an island.
+enum class FoundBy : std::uint8_t {
+  sweeps,  ///< sweeps, or those of the step before have been enough
+  direct,  ///< the direct solver
+  springs  ///< the direct solver, not converged: its springs are in the velocities, which meet the conditions better
+};
+
 /// The method for an island, with its limits.
 struct IslandPlan {
   IslandMethod method = IslandMethod::settled;  ///< after the first sweeps

@@ -15,6 +15,16 @@
 #include <cmath>
 
 namespace tumble {
+namespace {
+
+// A body in flight gets its share of gravity on the way: takes it from the momentum that impulses have left at the end of the step.
+void take_gravity(const BodyMotion& motion, int k, const MovingBody& end, const World& world,
+                  BodyState& state) {
+  if (motion.in_flight[idx(k)] != 0 && end.changed)
+    state.linear_momentum_w -= motion.dt * world.bodies()[idx(k)].mass * world.gravity_w;
+}
+
+}  // namespace
 
 int move_by_itself(const BodyMotion& motion, int k, double turn, const World& world,
                    BodyState& state) {
@@ -36,6 +46,7 @@ BodyState state_after(const BodyMotion& motion, int k, const MovingBody& end, co
   BodyState state = world.states()[idx(k)];
   if (end.inverse_mass.x() == 0.0) return state;
   store_moving_body(end, world.bodies()[idx(k)], state);
+  take_gravity(motion, k, end, world, state);
   move_by_itself(motion, k, motion.dt * end.angular_velocity_w.norm(), world, state);
   return state;
 }
@@ -136,6 +147,7 @@ void ContactDamped::move(World& world, double dt, StepReport& report) {
     const int k = static_cast<int>(b);
     BodyState& state = world.states()[b];
     const double turn = dt * end[b].angular_velocity_w.norm();
+    take_gravity(motion, k, end[b], world, state);
     if (storage_.in_flight[b] == 0) {
       state.linear_momentum_w = world.bodies()[b].mass * end[b].velocity_w;
       if (storage_.pivots.carries(k) && carry(k, dt, world, report)) {

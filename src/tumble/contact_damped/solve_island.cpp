@@ -45,10 +45,10 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual;
 }
 
-// All patches together. Returns whether the direct solver accepted the island. In a small one that moves a result that
-// has not converged is the start of sweeps, which put friction back into its cone.
-bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                    StepReport& report) {
+// All patches together. Returns whether the direct solver accepted the island, and how far it got. In a small one that moves a
+// result that has not converged is the start of sweeps, which put friction back into its cone.
+FoundBy solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                       StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
@@ -56,21 +56,23 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   if (result.accepted && !result.converged && plan.sweep_unconverged) {
     velocities_from_impulses(island);
     sweep_at_most(tolerance::small_island_sweeps, island, plan, report);
+    return FoundBy::direct;
   }
-  return result.accepted;
+  if (!result.accepted) return FoundBy::sweeps;
+  return result.converged || result.improved ? FoundBy::direct : FoundBy::springs;
 }
 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
-// other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
-bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                      KeptSolution& before, std::span<char> in_flight, StepReport& report) {
+// other. Where little sinks the direct solver is not tried. Returns whose impulses were taken.
+FoundBy solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                         KeptSolution& before, std::span<char> in_flight, StepReport& report) {
   const double swept = deepest_sinking(island);
-  if (swept < tolerance::deep_sinking) return false;
+  if (swept < tolerance::deep_sinking) return FoundBy::sweeps;
   before.keep(island, in_flight);
-  if (!solve_directly(island, plan, solver, report)) return false;
-  if (deepest_sinking(island) < swept) return true;
+  const FoundBy found = solve_directly(island, plan, solver, report);
+  if (found == FoundBy::sweeps || deepest_sinking(island) < swept) return found;
   before.restore(island, in_flight);
-  return false;
+  return FoundBy::sweeps;
 }
 
 // Impulses of the direct solver that add energy are no solution, but are near one. Each sweep that begins with them takes
@@ -129,36 +131,40 @@ bool stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& so
   return false;
 }
 
-// Clears `in_flight` of the bodies that do not fly their parabola. A body on which no point pushes flies, if its
-// velocity is changed by no more than rounding, which impulses leave that were added and removed. More is momentum
-// from the springs of the direct solver.
-void decide_flight(const Island& island, std::span<char> in_flight) {
-  for (const int contact : island.patch_indices) {
-    const ContactPatch& patch = island.all_patches[idx(contact)];
-    const std::span<const ContactPatchPoint> points = patch.used();
-    const bool pushes = std::any_of(points.begin(), points.end(),
-                                    [](const ContactPatchPoint& p) { return p.impulse > 0.0; });
-    if (!pushes) continue;
-    in_flight[idx(patch.first)] = 0;
-    in_flight[idx(patch.second)] = 0;
-  }
+// Clears `in_flight` of the bodies that do not fly their parabola. Those fly it that are pushed by nothing, or only by each other:
+// then all of a group that touches falls alike. Impulses of rounding push nothing, nor are they kept. Where springs of the direct
+// solver are in the velocities, they hold bodies as well.
+void decide_flight(const Island& island, FoundBy found, std::span<char> in_flight) {
   double fastest = 0.0;  // [m/s]
   for (const int k : island.bodies) {
     const MovingBody& free = island.free[idx(k)];
     fastest = std::max(fastest, fastest_point_speed(island.world.bodies()[idx(k)], free.velocity_w,
                                                     free.angular_velocity_w));
   }
+  const double none = tolerance::rounding * fastest;
   for (const int k : island.bodies) {
-    if (in_flight[idx(k)] == 0) continue;
     MovingBody& now = island.now[idx(k)];
     const MovingBody& free = island.free[idx(k)];
     const double changed =
         fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
                             now.angular_velocity_w - free.angular_velocity_w);
-    if (changed <= tolerance::rounding * fastest)
+    if (changed <= none)
       now = free;
-    else
+    else if (found == FoundBy::springs)
       in_flight[idx(k)] = 0;
+  }
+  const auto is_held = [&](int k) {
+    return in_flight[idx(k)] == 0 || island.now[idx(k)].inverse_mass.x() == 0.0;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (const int contact : island.upward) {
+      const ContactPatch& patch = island.all_patches[idx(contact)];
+      if (is_held(patch.first) == is_held(patch.second)) continue;
+      if (!(impulse_of(patch)[six::normal] * patch.inverse_mass[2][2] > none)) continue;
+      in_flight[idx(patch.first)] = in_flight[idx(patch.second)] = 0;
+      more = true;
+    }
   }
 }
 
@@ -200,56 +206,59 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
   note_approach(island);
   const IslandPlan plan = plan_island(island, {}, effort());
   sweep_at_most(options_.sweeps, island, plan, report);
-  accept(island, plan, false, report);
+  accept(island, plan, FoundBy::sweeps, report);
 }
 
-// Makes what a plan asks for. Returns whether the direct solver has found the impulses.
-bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
-                             StepReport& report) {
+// Makes what a plan asks for. Returns what has found the impulses.
+FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
+                                const FirstSweeps& first, StepReport& report) {
   // [S6.3.1:methods]
+  FoundBy found = FoundBy::sweeps;
   switch (plan.method) {
-    case IslandMethod::settled: return false;
+    case IslandMethod::settled: break;
     case IslandMethod::sweep:
       // Much of it moves, or the direct solver is off.
       sweep_on(island, plan, first, report);
-      return false;
+      break;
     case IslandMethod::sweep_unless_sinking:
       // Much of it moves, and there is time for the direct solver.
-      return !sweep_on(island, plan, first, report) &&
-             solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
-                              storage_.in_flight, report);
+      if (!sweep_on(island, plan, first, report))
+        found = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
+                                 storage_.in_flight, report);
+      break;
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
-      return !sweep_on(island, plan, first, report) &&
-             solve_directly(island, plan, memory_.island_solver, report);
+      if (!sweep_on(island, plan, first, report))
+        found = solve_directly(island, plan, memory_.island_solver, report);
+      break;
     case IslandMethod::direct_then_sweep:
       // Weight has to go through all of it at once.
-      if (solve_directly(island, plan, memory_.island_solver, report)) return true;
-      sweep_on(island, plan, first, report);
-      return false;
+      found = solve_directly(island, plan, memory_.island_solver, report);
+      if (found == FoundBy::sweeps) sweep_on(island, plan, first, report);
+      break;
   }
   // [S6.3.1:methods]
-  return false;
+  return found;
 }
 
 // Impulses that add energy are not taken as they are, nor those with which bodies sink deeply, and what has none flies.
-void ContactDamped::accept(const Island& island, const IslandPlan& plan, bool direct,
+void ContactDamped::accept(const Island& island, const IslandPlan& plan, FoundBy found,
                            StepReport& report) {
   double share = share_without_gain(island);
   if (share < tolerance::least_share) {
     share = sweep_without_gain(island, plan, report);
-    direct = false;
+    found = FoundBy::sweeps;
   }
   if (plan.method != IslandMethod::settled)  // which changes nothing
     for (const int contact : island.patch_indices)
-      island.all_patches[idx(contact)].solved_directly = direct;
-  decide_flight(island, storage_.in_flight);
+      island.all_patches[idx(contact)].solved_directly = found != FoundBy::sweeps;
+  decide_flight(island, found, storage_.in_flight);
   limit_energy(island, share, report);
   if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep &&
       stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
                    storage_.in_flight, report)) {
     for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
-    decide_flight(island, storage_.in_flight);
+    decide_flight(island, FoundBy::direct, storage_.in_flight);
   }
 }
 
