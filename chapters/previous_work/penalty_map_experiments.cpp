@@ -29,12 +29,7 @@ World world_of(std::size_t scene) {
 
 // Energy that a run may gain.
 // Returns [J]
-double allowed(const World& world) {
-  double scale = 0.0;
-  for (const BodyProperties& body : world.bodies())
-    if (body.movable()) scale += body.mass * kGravity * body.size.maxCoeff();
-  return kGain * scale;
-}
+double allowed(const World& world) { return kGain * lifting_energy(world); }
 
 Outcome outcome(std::size_t scene, double stiffness, double rate, double duration) {
   World world = world_of(scene);

@@ -11,7 +11,7 @@ set ytics 1e-15,1e3
 set format y powers
 set key off
 side = 'overlap over size [%]'; @SIDE
-set label 1 '1 %' at graph 0.02,first 3 textcolor rgb soft
+set label 1 '1 %' at graph 0.02,first 0.03 textcolor rgb soft
 plot numbers using 'time_s':(1.0) with lines lt 8, \
   '' using 'time_s':(column('overlap_percent') < 2e-15 ? 2e-15 : column('overlap_percent')) with points lt 1
 set tmargin at screen 0.51; set bmargin at screen 0.145

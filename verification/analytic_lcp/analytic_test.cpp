@@ -56,22 +56,6 @@ double drift_of_tower(const World& world) {
   return drift;
 }
 
-// A flat box on a slope that falls towards +x.
-World slope(double angle, double friction, double speed) {
-  World world;
-  const Quat q = about(Vec3::UnitZ(), -angle);
-  const BodyProperties plane = fixed_box_properties(Vec3(100.0, 1.0, 10.0), friction);
-  const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
-  world.add(plane, make_state(plane, q * Vec3(0.0, -0.5, 0.0), q));
-  world.add(box, make_state(box, q * Vec3(0.0, 0.1, 0.0), q, q * Vec3(speed, 0.0, 0.0)));
-  return world;
-}
-
-double way_down(const World& world, double angle) {
-  const Quat q = about(Vec3::UnitZ(), -angle);
-  return world.states()[1].position_w.dot(q * Vec3::UnitX());
-}
-
 // A block 2b x 2h x 1 tilted about its right lower edge, which is at the origin.
 World rocking(double width, double height, double tilt) {
   World world;
@@ -146,38 +130,6 @@ TEST_CASE("A tower of ten boxes stands for two seconds", "[exact][analytic][anal
 TEST_CASE("A tower of ten boxes stands for a minute", "[.long][exact][analytic][analytic_lcp]") {
   BOTH_POSES;
   check_tower(60.0, 1e-5, 1e-6, 1e-9);  // measured 6.8e-7, 9.6e-12 and 5.3e-12
-}
-
-TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][analytic][analytic_lcp]") {
-  BOTH_POSES;
-  World world;
-  world.add_ground(0.3);
-  const BodyProperties box = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, 0.3);
-  world.add(box, make_state(box, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
-  Analytic analytic(posed<AnalyticOptions>());
-  const Course course = run(analytic, world, 2.0);
-  // v0²/(2 mu g), exact in each flight, and a flight ends where the box does; measured 3e-13.
-  CHECK(world.states()[1].position_w.x() == near(9.0 / (0.6 * kG)).margin(1e-11));
-  CHECK(velocity(box, world.states()[1]).norm() < 1e-14);  // [m/s] measured 3e-17
-  CHECK(course.total.energy.friction == near(-4.5).margin(1e-11));
-  CHECK(course.unbooked < 1e-12);  // [J]
-}
-
-TEST_CASE("On a slope of 30 degrees a box slides with mu = 0.3 and sticks with 0.6",
-          "[exact][analytic][analytic_lcp]") {
-  BOTH_POSES;
-  const double angle = std::asin(0.5);
-  Analytic slides(posed<AnalyticOptions>());
-  World slippery = slope(angle, 0.3, 0.0);
-  run(slides, slippery, 1.0);
-  const double a = kG * (0.5 - 0.3 * std::sqrt(0.75));
-  CHECK(way_down(slippery, angle) == near(0.5 * a).margin(1e-10));  // [m] measured 2e-12
-
-  Analytic sticks(posed<AnalyticOptions>());
-  World rough = slope(angle, 0.6, 0.0);
-  run(sticks, rough, 5.0);
-  CHECK(std::abs(way_down(rough, angle)) < 1e-13);                       // [m] rounding: no creep
-  CHECK(velocity(rough.bodies()[1], rough.states()[1]).norm() < 1e-14);  // [m/s] measured 5e-17
 }
 
 TEST_CASE("A rocking block comes down after a quarter period, and loses Housner's share",

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Time stepping: sliding, inclines, stacks and impacts, without a search for events.
+/// \brief Time stepping: stacks and impacts, without a search for events.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
 #include "tumble/base/index.hpp"
@@ -24,15 +24,6 @@ BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = V
   return world.add(body, make_state(body, position_w, Quat::Identity(), velocity_w));
 }
 
-double place_x(const World& world) { return world.states()[1].position_w.x(); }
-double speed_x(const World& world) { return velocity(world.bodies()[1], world.states()[1]).x(); }
-
-TimeSteppingOptions with_directions(int directions) {
-  TimeSteppingOptions options;
-  options.velocities.directions = directions;
-  return options;
-}
-
 // Rows of cubes, each row shifted by half a cube.
 World pyramid_of(int rows, double friction = 0.5) {
   World world;
@@ -45,58 +36,6 @@ World pyramid_of(int rows, double friction = 0.5) {
 }
 
 }  // namespace
-
-// --- sliding ------------------------------------------------------------------------------------
-
-TEST_CASE("A box that slides stops after 62 steps and 1.5041075 m",
-          "[exact][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  for (const int directions : {4, 8}) {
-    World world = tilted_plane(0.0, 0.3, 3.0);
-    TimeStepping technique(posed(with_directions(directions)));
-    CHECK(run(world, technique, 61) == 0);
-    CHECK(speed_x(world) > 0.001);  // 3 - 61 mu g h = 0.00795 m/s
-    CHECK(run(world, technique, 1) == 0);
-    CHECK(std::abs(speed_x(world)) < 1e-12);  // [m/s] rounding: measured 1e-17
-    const double stop = place_x(world);
-    CHECK(std::abs(stop - 1.5041075) < 1e-12);  // [m] sums of 61 terms: measured 1e-15
-    CHECK(run(world, technique, 600) == 0);
-    CHECK(std::abs(place_x(world) - stop) < 1e-12);  // [m] ten seconds of rest
-  }
-}
-
-TEST_CASE("A box slides down an incline as the semi-implicit rule says",
-          "[exact][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  struct Case {
-    double degrees, friction, acceleration;
-  };
-  for (const Case& c : {Case{30.0, 0.3, 2.35628723666}, Case{20.0, 0.3, 0.589702223}}) {
-    World world = tilted_plane(c.degrees, c.friction, 0.0);
-    TimeStepping technique(posed<TimeSteppingOptions>());
-    CHECK(run(world, technique, 60) == 0);
-    // v = a t and x = a h² N(N+1)/2: 1.19777934517 m at 30 degrees. The accelerations are given
-    // to 1e-9 m/s².
-    CHECK(std::abs(speed_x(world) - c.acceleration) < 2e-9);
-    CHECK(std::abs(place_x(world) - c.acceleration * kStep * kStep * 1830.0) < 2e-9);
-  }
-}
-
-TEST_CASE("A box on an incline below the angle of friction does not creep",
-          "[exact][time_stepping][analytic_lcp]") {
-  BOTH_POSES;
-  for (const int directions : {4, 8}) {
-    World world = tilted_plane(30.0, 0.6, 0.0);
-    TimeStepping technique(posed(with_directions(directions)));
-    double worst = 0.0;
-    for (int k = 0; k < 600; ++k) {
-      technique.step(world, kStep);
-      worst = std::max(worst, fastest(world));
-    }
-    CHECK(worst < 1e-12);                     // [m/s], [rad/s] rounding: measured 1e-16
-    CHECK(std::abs(place_x(world)) < 1e-12);  // [m]
-  }
-}
 
 // --- rest ---------------------------------------------------------------------------------------
 

@@ -3,35 +3,23 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 
 namespace tumble::chapters {
 
-// A folder of one test, removed when the test ends.
+// A folder of one test and its process, removed when the test ends.
 class Scratch {
  public:
-  // Makes an empty folder.
-  explicit Scratch(const std::string& name)
-      : folder_(std::filesystem::temp_directory_path() /
-                ("tumble_" + name + '_' + std::to_string(getpid()))) {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  // Removes it.
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+  // Begins with no file in it.
+  explicit Scratch(const std::string& name) : folder_("chapters_" + name) {}
 
   // Writes a file.
   [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& text) const {
-    const std::filesystem::path path = folder_ / name;
+    const std::filesystem::path path = folder_.file(name);
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << text;
     return path;
@@ -49,7 +37,7 @@ class Scratch {
   }
 
  private:
-  std::filesystem::path folder_;
+  test::Folder folder_;
 };
 
 // A text in which a part that it has to have is another one.

@@ -10,6 +10,7 @@
 #include "lcp_solvers/redundant_contacts.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/catch.hpp"
+#include "support/dense_solve.hpp"
 #include "support/shared_data.hpp"
 
 using namespace tumble;
@@ -130,7 +131,7 @@ TEST_CASE(
       for (int j = 0; j < 2; ++j) J(i, j) = whole(random, 2);
       for (int j = 0; j < n; ++j) K(i, j) = whole(random, 1);
     }
-    problem.A = J * J.transpose() + K - K.transpose();
+    problem.A = product(J, J.transpose()) + K - K.transpose();
     solver.solve(problem, result);
     const bool solvable =
         solve_by_enumeration(problem.A, problem.b).status == ComplementarityStatus::solved;
@@ -168,8 +169,9 @@ TEST_CASE("Contacts with friction are solved from any velocities", "[unit][lcp][
     const Vec3 W(1.0, 1.0, inverse_inertia);
     const int n = 4 * contacts;
     LcpProblem problem{MatX::Zero(n, n), VecX::Zero(n), {}};
-    problem.A.topLeftCorner(3 * contacts, 3 * contacts) = G * W.asDiagonal() * G.transpose();
-    problem.b.head(3 * contacts) = G * velocity;
+    problem.A.topLeftCorner(3 * contacts, 3 * contacts) =
+        product(G * W.asDiagonal(), G.transpose());
+    problem.b.head(3 * contacts) = G.lazyProduct(velocity);
     for (int c = 0; c < contacts; ++c) {
       const int slip = 3 * contacts + c;
       problem.A(slip, c) = friction;

@@ -11,6 +11,7 @@
 
 #include "lcp_solvers/lcp_cases.hpp"
 #include "support/catch.hpp"
+#include "support/dense_solve.hpp"
 #include "support/shared_data.hpp"
 
 using namespace tumble;
@@ -256,7 +257,7 @@ LcpProblem random_problem(Random& random, bool units, bool glued, VecX& a) {
     for (int j = 0; j < rank; ++j) J(i, j) = random.uniform(-1.0, 1.0);
   for (int i = 1; i < n; ++i)
     if (random.below(4) == 0) J.row(i) = J.row(i - 1);
-  LcpProblem problem{J * J.transpose(), VecX(n), {}};
+  LcpProblem problem{product(J, J.transpose()), VecX(n), {}};
   problem.equality.assign(idx(n), 0);
   VecX f = VecX::Zero(n);
   a = VecX::Zero(n);
@@ -270,7 +271,7 @@ LcpProblem random_problem(Random& random, bool units, bool glued, VecX& a) {
       a[i] = random.uniform(0.0, 2.0);
     }
   }
-  problem.b = a - problem.A * f;
+  problem.b = a - problem.A.lazyProduct(f);
   for (int i = 0; units && i < n; ++i) {
     const double unit = elementary::pow(10.0, random.uniform(-3.0, 3.0));
     problem.A.row(i) *= unit;
@@ -340,14 +341,14 @@ TEST_CASE("Baraff's method by itself solves problems whose rows are in units fro
       const double unit = elementary::pow(10.0, random.uniform(-3.0, 3.0));
       for (int k = 0; k < J.cols(); ++k) J(i, k) = unit * random.uniform(-1.0, 1.0);
     }
-    LcpProblem problem{J * J.transpose(), VecX::Zero(n), {}};
+    LcpProblem problem{product(J, J.transpose()), VecX::Zero(n), {}};
     // Forces of one size, whatever the units: the accelerations differ by 1e12.
     VecX f = VecX::Zero(n);
     for (int i = 0; i < n; ++i) {
       f[i] = std::max(0.0, random.uniform(-1.0, 1.0));
       if (f[i] == 0.0) problem.b[i] = random.uniform(0.0, 1.0) * problem.A(i, i);
     }
-    problem.b -= problem.A * f;
+    problem.b -= problem.A.lazyProduct(f);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < j; ++i) problem.A(i, j) = problem.A(j, i);
     solver.solve(problem, result);

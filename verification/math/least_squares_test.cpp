@@ -7,6 +7,7 @@
 
 #include "support/allocation_counter.hpp"
 #include "support/catch.hpp"
+#include "support/dense_solve.hpp"
 
 using namespace tumble;
 
@@ -81,7 +82,7 @@ TEST_CASE("Non-negative least squares agrees with trying every set of columns",
       ++wrong["wrong distance"];
 
     // Karush, Kuhn and Tucker: f >= 0, slopes G'(d - G f) <= 0, and f is 0 where they are not 0.
-    const VecX slope = p.G.transpose() * view(result.rest);
+    const VecX slope = p.G.transpose().lazyProduct(view(result.rest));
     const VecX rest = p.d - p.G * view(result.f);
     bool good = result.status == ComplementarityStatus::solved &&
                 (rest - view(result.rest)).norm() <= 1e-12;
@@ -115,7 +116,7 @@ TEST_CASE("Wide cones of nearly dependent columns keep their conditions", "[unit
     }
     const LeastSquaresResult result = nearest(G, d);
     most_pivots = std::max(most_pivots, result.pivots);
-    const VecX slope = G.transpose() * view(result.rest);
+    const VecX slope = G.transpose().lazyProduct(view(result.rest));
     bool good = result.status == ComplementarityStatus::solved;
     for (int j = 0; j < 25; ++j) {
       const double f = result.f[static_cast<std::size_t>(j)];
@@ -165,9 +166,9 @@ TEST_CASE("Warm solvers of no larger problems ask for no memory", "[unit][least_
   MatX G(6, 20);
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i < 6; ++i) G(i, j) = random.uniform(-1.0, 1.0);
-  const MatX A = G.transpose() * G;
+  const MatX A = test::product(G.transpose(), G);
   const VecX d = VecX::Ones(6);
-  const VecX b = -(G.transpose() * d);
+  const VecX b = -G.transpose().lazyProduct(d);
   least_squares.solve(G, d, distance);
   complementarity.solve(A, b, forces);
   const AllocationCount count;

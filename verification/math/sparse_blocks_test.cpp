@@ -5,8 +5,7 @@
 #include "tumble/base/random.hpp"
 
 #include "support/catch.hpp"
-
-#include <Eigen/Cholesky>
+#include "support/dense_solve.hpp"
 
 using namespace tumble;
 
@@ -72,7 +71,7 @@ double error_of(const Problem& problem, SparseBlocks& matrix, std::uint64_t seed
     for (int i = 0; i < 6; ++i)
       right[6 * b + i] = x[static_cast<std::size_t>(b)][i] = chance.uniform(-1.0, 1.0);
   matrix.solve(x);
-  const Column exact = problem.dense.ldlt().solve(right);
+  const Column exact = test::dense_solve(problem.dense, right);
   double worst = 0.0;
   for (int b = 0; b < problem.blocks; ++b)
     worst = std::max(

@@ -133,26 +133,6 @@ TEST_CASE("Without any step of the iteration nothing holds a box", "[unit][faure
   CHECK_FALSE(technique.descent().settled);
 }
 
-TEST_CASE(
-    "Under Faure's method a box slides as far as Coulomb's friction lets it, and holds on a slope",
-    "[exact][faure]") {
-  World slide = world_of("slide");
-  const double from = slide.states()[1].position_w.x();
-  const double speed = velocity(slide.bodies()[1], slide.states()[1]).x();
-  const double friction = std::sqrt(slide.bodies()[0].friction * slide.bodies()[1].friction);
-  Faure technique;
-  run(slide, technique, 3.0);
-  const double way = speed * speed / (2.0 * friction * kEarth);
-  // [m] The rule is of first order, and moves with the velocity of the end.
-  CHECK(slide.states()[1].position_w.x() - from == near(way - 0.5 * kFrame * speed).margin(0.003));
-
-  World slope = world_of("slope", {{"angle", "10"}});
-  const World start = slope;
-  Faure holds;
-  run(slope, holds, 3.0);
-  CHECK(distance_of(slope, start) < 1e-5);  // [m] measured: 1e-7
-}
-
 TEST_CASE("Under Faure's method a cube bounces with its restitution", "[exact][faure]") {
   for (const double e : {0.3, 0.9}) {
     World world;

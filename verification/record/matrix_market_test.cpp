@@ -6,6 +6,7 @@
 #include "tumble/record/table_file.hpp"
 
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <filesystem>
 
@@ -139,12 +140,10 @@ TEST_CASE("A mistake in a Matrix Market file is reported with its line and the e
 }
 
 TEST_CASE("A Matrix Market file that is no file is distinguished", "[unit][matrix_market]") {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  CHECK_THROWS_WITH(read_matrix_market(folder / "tumble_no_such.mtx"),
-                    Contains("there is no such file"));
-  CHECK_THROWS_WITH(read_matrix_market(folder), Contains("is a folder"));
-  const std::filesystem::path file = folder / "tumble_matrix_market_test.mtx";
+  const test::Folder folder("matrix_market");
+  const std::filesystem::path file = folder.file("one.mtx");
+  CHECK_THROWS_WITH(read_matrix_market(file), Contains("there is no such file"));
+  CHECK_THROWS_WITH(read_matrix_market(folder.path), Contains("is a folder"));
   write_file(file, to_matrix_market(rows({{1, 2}, {3, 4}})));
   CHECK(read_matrix_market(file) == rows({{1, 2}, {3, 4}}));
-  std::filesystem::remove(file);
 }

@@ -19,17 +19,14 @@ namespace {
 using namespace tumble;
 using namespace tumble::test;
 
-std::filesystem::path scratch(const char* name) {
-  return std::filesystem::temp_directory_path() / (std::string("tumble_test_") + name);
-}
-
 }  // namespace
 
 TEST_CASE(
     "A table has the shortest digits that keep the bits, quotes where CSV asks for them, and whole "
     "rows",
     "[unit][record]") {
-  const auto path = scratch("table.csv");
+  const Folder folder("table_file");
+  const auto path = folder.file("table.csv");
   {
     TableFile table(path, "number,text,whole");
     table.cell(0.1).cell("plain").cell(std::int64_t{-3}).end_row();
@@ -39,7 +36,6 @@ TEST_CASE(
   CHECK(content(path) ==
         "number,text,whole\n0.1,plain,-3\n"
         "0.3333333333333333,\"a \"\"quoted\"\", text\",4\n");
-  std::filesystem::remove(path);
 }
 
 TEST_CASE("A number that is none is written alike on every machine", "[unit][record]") {
@@ -80,7 +76,9 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
       std::signal(SIGXFSZ, SIG_DFL);
     }
   };
-  const auto path = scratch("full.csv");
+  const Folder folder("full_disk");
+  const auto path = folder.file("full.csv");
+  const auto other = folder.file("full.json");
   std::int64_t failed = 0;  // the row at which the error came
   {
     TableFile table(path, "number,twice");
@@ -95,10 +93,10 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
     CHECK(failed > 0);
     table.cell(std::int64_t{-1}).cell(std::int64_t{-2}).end_row();  // would leave a hole
     CHECK_THROWS_AS(table.flush(), CannotWrite);
-    CHECK_THROWS_WITH(write_file(scratch("full.json"), std::string(200000, 'x')),
-                      Catch::Matchers::Contains("tumble_test_full.json"));
+    CHECK_THROWS_WITH(write_file(other, std::string(200000, 'x')),
+                      Catch::Matchers::Contains("full.json"));
   }
-  CHECK(!std::filesystem::exists(scratch("full.json")));  // half of it would be no JSON
+  CHECK(!std::filesystem::exists(other));  // half of it would be no JSON
   std::istringstream in(content(path));
   std::string line;
   std::getline(in, line);
@@ -112,7 +110,6 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
   CHECK(right);
   CHECK(rows > 1000);
   CHECK(rows < failed);
-  std::filesystem::remove(path);
 }
 
 TEST_CASE("JSON is written with commas, escapes and null for what is no number", "[unit][record]") {

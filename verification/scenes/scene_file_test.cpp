@@ -7,6 +7,7 @@
 
 #include "scenes/refusal.hpp"
 #include "support/catch.hpp"
+#include "support/files.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -197,8 +198,8 @@ TEST_CASE("A file that is no scene file is refused by its name", "[unit][scenes]
     }
     return std::string("not refused");
   };
-  const fs::path folder = fs::temp_directory_path() / "tumble_scene_files";
-  fs::remove_all(folder);
+  const test::Folder scratch("scene_files");
+  const fs::path& folder = scratch.path;
   fs::create_directories(folder / "folder.toml");
   std::ofstream(folder / "empty.toml").close();
   std::ofstream(folder / "good.toml") << kBox;
@@ -209,7 +210,6 @@ TEST_CASE("A file that is no scene file is refused by its name", "[unit][scenes]
   CHECK(refused(folder / "none.toml").find("no such file") != std::string::npos);
   if (fs::exists("/dev/zero"))  // never ends
     CHECK(refused("/dev/zero").find("at most 64 MiB") != std::string::npos);
-  fs::remove_all(folder);
 }
 
 TEST_CASE("A box without a name gets a number that is free", "[unit][scenes]") {

@@ -38,6 +38,11 @@ struct Folder {
   ~Folder() { std::filesystem::remove_all(path); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
+  // A path in the folder, which is made.
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const {
+    std::filesystem::create_directories(path);
+    return path / name;
+  }
   // Names the folder.
   [[nodiscard]] std::string text() const { return path.string(); }
   std::filesystem::path path;  // where it is

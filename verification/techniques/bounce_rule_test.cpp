@@ -57,11 +57,9 @@ Rise largest_rise(std::string_view technique, std::uint64_t seed) {
   const World& world = simulation.world();
   const bool closed = !random.scene.ground && random.scene.gravity_w.isZero();
   const Vec3 momentum_w = linear_momentum(world);
-  double scale = energy_of(world).kinetic, speeds = 0.0;
-  for (const SceneBox& box : random.scene.boxes) {
-    scale += box.mass * random.scene.gravity_w.norm() * box.size.maxCoeff();
-    speeds += box.mass * box.velocity_w.norm();
-  }
+  const double scale = energy_of(world).kinetic + lifting_energy(world);
+  double speeds = 0.0;
+  for (const SceneBox& box : random.scene.boxes) speeds += box.mass * box.velocity_w.norm();
   Rise most;
   if (!(scale > 0.0)) return most;
   for (int k = 0; k < 60; ++k) {

@@ -4,6 +4,7 @@
 #include "tumble/analytic_lcp/time_stepping.hpp"
 #include "tumble/analytic_lcp/tolerances.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/step_report.hpp"
 
 #include <algorithm>
@@ -17,17 +18,8 @@ constexpr int kMostImpactPoints = 150;
 // Of a rest of a step that repair would lift: a 64th of it turns a body by so little that its overlap is a 4000th.
 constexpr double kMostPartsOfRest = 64.0;
 
-// [J] Kinetic energy plus the sum of m g L, with which gains of energy are compared.
-double energy_scale(const World& world) {
-  double scale = 0.0;
-  for (std::size_t b = 0; b < world.bodies().size(); ++b) {
-    const BodyProperties& body = world.bodies()[b];
-    if (body.movable())
-      scale += kinetic_energy(body, world.states()[b]) +
-               body.mass * world.gravity_w.norm() * body.size.maxCoeff();
-  }
-  return scale;
-}
+// [J] With which gains of energy are compared.
+double energy_scale(const World& world) { return energy_of(world).kinetic + lifting_energy(world); }
 
 }  // namespace
 

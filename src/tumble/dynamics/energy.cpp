@@ -19,6 +19,13 @@ Energy energy_of(const World& world) {
   return sum;
 }
 
+double lifting_energy(const World& world) {
+  double sum = 0.0;
+  for (const BodyProperties& body : world.bodies())
+    if (body.movable()) sum += body.mass * world.gravity_w.norm() * body.size.maxCoeff();
+  return sum;
+}
+
 // Immovable bodies have no momentum: World refuses it and no formula gives them any.
 Vec3 linear_momentum(const World& world) {
   Vec3 sum = Vec3::Zero();

@@ -29,6 +29,12 @@ Energy energy_of(const BodyProperties& body, const BodyState& state, const Vec3&
 /// \return [J]
 Energy energy_of(const World& world);
 
+/// Energy to lift each movable body by its longest edge, \f$\sum m\,g\,L\f$: with the kinetic energy, the scale of
+/// energy that is gained or lost by mistake.
+/// \param world the bodies
+/// \return [J] 0 without gravity
+double lifting_energy(const World& world);
+
 /// Linear momentum of all movable bodies, summed in the order of the ids.
 /// \param world the bodies
 /// \return [kg m/s] world frame

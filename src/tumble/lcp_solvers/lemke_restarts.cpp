@@ -73,11 +73,12 @@ bool LemkeRestarts::exchange(std::span<const int> exchanged) {
   }
   MatX inverse;
   if (!invert(own, inverse)) return false;
-  const MatX to_rows = columns * inverse;
-  transformed_.A = problem.A - to_rows * rows;
-  transformed_.b = problem.b - to_rows * b;
-  const MatX own_rows = -inverse * rows;
-  const VecX own_b = -inverse * b;
+  // Lazy products: Eigen's other ones sum in an order that depends on the cache.
+  const MatX to_rows = columns.lazyProduct(inverse);
+  transformed_.A = problem.A - to_rows.lazyProduct(rows);
+  transformed_.b = problem.b - to_rows.lazyProduct(b);
+  const MatX own_rows = (-inverse).lazyProduct(rows);
+  const VecX own_b = (-inverse).lazyProduct(b);
   for (Eigen::Index k = 0; k < count; ++k) {
     const int i = exchanged[static_cast<std::size_t>(k)];
     transformed_.A.row(i) = own_rows.row(k);

@@ -50,18 +50,12 @@ void RunCheck::find(const World& world, const std::string& what) {
 // --- energy -----------------------------------------------------------------------------------------
 
 void EnergyCheck::begin(const World& world) {
-  double kinetic = 0.0;  // [J]
-  weight_ = 0.0;
+  const double kinetic = energy_of(world).kinetic;
+  weight_ = lifting_energy(world);
   time_ = world.time();
   energies_.resize(idx(world.count()));
-  for (std::size_t k = 0; k < energies_.size(); ++k) {
-    const BodyProperties& body = world.bodies()[k];
-    const Energy energy = energy_of_body(world, k);
-    energies_[k] = energy.total();
-    if (!body.movable()) continue;
-    kinetic += energy.kinetic;
-    weight_ += body.mass * world.gravity_w.norm() * body.size.maxCoeff();
-  }
+  for (std::size_t k = 0; k < energies_.size(); ++k)
+    energies_[k] = energy_of_body(world, k).total();
   allowed_ = std::max(allowed_, tolerance::energy_gain * (kinetic + weight_));
   kinetic_ = std::max(kinetic_, kinetic);
 }
