@@ -121,7 +121,7 @@ int run_into(const Request& request, std::filesystem::path& folder) {
                  r.folder.c_str());
     return kMathematical;
   }
-  if (result.worst == StepStatus::energy_gained || result.worst == StepStatus::passed_through) {
+  if (result.worst >= StepStatus::energy_gained && result.worst < StepStatus::unsolved) {
     std::fprintf(stderr, "this run is wrong, see above: try a smaller --dt or another technique\n");
     return kMathematical;
   }

@@ -9,9 +9,8 @@ namespace {
 // Set down before the first run: 0.5 and 0.9 are the claim's; chatter is the median amplitude of the
 // bodies that rest while they are watched; the time to rest is when nine tenths of the bodies have
 // come to rest (see RestingMeasures). The quantities show what the mean, and the median body, give.
-// The number of halvings was not: two, to 1/240 s, is what a figure can afford, and below 1/300 s the
-// thresholds of `damped` hold bodies of 1 m that nothing supports, as DampedNumbers says. The page
-// shows what four halvings do to the verdict.
+// The number of halvings was not: two, to 1/240 s, is what a figure can afford. The page shows what four
+// halvings do to the verdict.
 constexpr double kHalfTheChatter = 0.5;
 constexpr double kSooner = 0.9;
 

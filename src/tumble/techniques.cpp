@@ -233,8 +233,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; elastic bounces die out, "
        "fast bodies may pass through thin ones, an elastic impact of faces may leave a spin, what "
-       "stands on a moving body may drift, and what rests may do so up to the fall of a step above "
-       "what carries it",
+       "stands on a moving body may drift, what rests may do so up to the fall of a step above "
+       "what carries it, and light boxes give way to heavy loads",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
        "collisions in the order of their times; rolls back the two bodies that collide; fast "

@@ -113,8 +113,9 @@ bool VelocityStep::sweep(const Task& task, int island, bool bounce, VelocityStep
   return true;
 }
 
-// Pushes without restitution only take energy, W = p·u + p·A p/2 <= 0 with u the motion without them. Sweeps that
-// have not settled may break this by a little: then the part of them that does not is used.
+// Pushes without restitution only take energy. Sweeps that have not settled may break this: then the part of them that
+// does not is used. The energy is E(s) = s p·(u- + u_free)/2 + s² p·A p/2 for the share s of the pushes, with gravity's
+// work on what they lift; what is at rest gains as much as falling would take, and is left alone up to twice of it.
 void VelocityStep::take_no_energy(const Task& task, int island) {
   double slope = 0.0;
   double curvature = 0.0;
@@ -122,11 +123,13 @@ void VelocityStep::take_no_energy(const Task& task, int island) {
     const Contact& contact = task.contacts[idx(candidate.contact)];
     const Vec3& place_w = contact.points[idx(candidate.point)].position_w;
     const Vec3 u = motion(free_, contact, place_w);
-    slope += candidate.push_w.dot(u);
-    curvature += candidate.push_w.dot(motion(ended_, contact, place_w) - u);
+    const Vec3 mean_w = 0.5 * (motion(task.start, contact, place_w) + u);
+    slope += candidate.push_w.dot(gain_of(task, contact, mean_w));
+    curvature += 0.5 * candidate.push_w.dot(motion(ended_, contact, place_w) - u);
   }
-  if (slope + 0.5 * curvature <= 0.0) return;
-  const double share = slope < 0.0 && curvature > 0.0 ? -2.0 * slope / curvature : 0.0;
+  const double allowed = -2.0 * work_of_gravity(task, island);
+  if (slope + curvature <= allowed) return;
+  const double share = largest_share(-allowed, slope, curvature);
   for (Candidate& candidate : candidates()) candidate.push_w *= share;
   apply_pushes(task, island);
 }

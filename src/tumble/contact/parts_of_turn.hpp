@@ -3,11 +3,13 @@
 #pragma once
 
 #include "tumble/base/error.hpp"
+#include "tumble/dynamics/flight.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/dynamics/world.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -40,6 +42,21 @@ inline constexpr double kTurnBeyondParts = 1e6;
     if (world.bodies()[k].movable())
       turn = std::max(turn, dt * angular_velocity(world.bodies()[k], world.states()[k]).norm());
   return parts_of_turn(turn);
+}
+
+/// How long a body flies in one go if it turns far in a step but keeps its momenta: so long that it turns by a radian. A rule
+/// of rotation keeps the energy of such turns.
+/// \param body   its constant part
+/// \param state  its state at the start
+/// \param rule   how it turns
+/// \param dt     [s] of the step
+/// \return [s] infinite for what turns by less, evenly, or by more than kMostPartsOfTurn radians
+[[nodiscard]] inline double micro_step_of(const BodyProperties& body, const BodyState& state,
+                                          RotationRule rule, double dt) {
+  constexpr double in_one_go = std::numeric_limits<double>::infinity();
+  if (turns_evenly(body, state, rule)) return in_one_go;
+  const double turn = dt * angular_velocity(body, state).norm();
+  return turn > kTurnOfPart && turn <= kMostPartsOfTurn ? dt / parts_of_turn(turn) : in_one_go;
 }
 
 /// A step that is divided so.

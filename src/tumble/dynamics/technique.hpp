@@ -21,8 +21,9 @@ enum class StepStatus : std::uint8_t {
   event_cap,  ///< the cap on events was reached, and the rest of the step ignored collisions
   energy_gained,  ///< the total energy is above that at the start; set by run_simulation(), see EnergyCheck
   passed_through,  ///< a body passed through another one; set by run_simulation(), see PassageCheck
-  unsolved,        ///< a solver found no solution
-  not_finite       ///< a state became infinite or NaN
+  held_by_nothing,  ///< a body hung in the air; set by run_simulation(), see HangCheck
+  unsolved,         ///< a solver found no solution
+  not_finite        ///< a state became infinite or NaN
 };
 
 /// Energy that a step added (above 0) or removed (below 0), by cause. Any other change of the total energy is

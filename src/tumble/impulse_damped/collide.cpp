@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/collide.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 
 #include <algorithm>
@@ -18,6 +19,13 @@ double booked_energy_of(const World& world, int body, const DampedBodies& bodies
   MovingBody moving = bodies.moving[idx(body)];
   moving.velocity_w -= 0.5 * ahead_w;
   return kinetic_energy_of(world.bodies()[idx(body)], bodies.axes_w[idx(body)], moving);
+}
+
+// [m/s] What falls beside each other in flight may approach by so much and does not touch.
+double rounding_of_speeds(const std::array<int, 2>& pair, const DampedBodies& bodies) {
+  double speed = 0.0;
+  for (const int body : pair) speed += bodies.moving[idx(body)].velocity_w.norm();
+  return tolerance::rounding * speed;
 }
 
 }  // namespace
@@ -42,12 +50,12 @@ CollideResult Collide::run(const World& world, Contact& collision, double restit
   // The point was found with the pair (PairGatherer). A caller that
   // parts already gets no impulse.
   CollideResult result;
-  const bool approaching = least_normal_speed(collision, bodies.moving) < 0.0;
-  if (approaching) {
+  const double approach = -least_normal_speed(collision, bodies.moving);
+  const bool touches = plus_gravity && approach > rounding_of_speeds(pair, bodies);
+  if (approach > 0.0)
     result = apply_newtonian_impulse(world, collision, restitution, delta_velocity_w, bodies);
-    if (plus_gravity)
-      for (const int body : pair) bodies.touched[idx(body)] = 1;
-  }
+  if (touches)
+    for (const int body : pair) bodies.touched[idx(body)] = 1;
   // [COLLIDE:7-8]
 
   // [COLLIDE:9-14]

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/math/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble {
@@ -25,16 +26,21 @@ DampedThresholds thresholds_of(const DampedNumbers& numbers, const BodyPropertie
   const double momentum = numbers.eps_scale * body.mass * std::sqrt(gravity * length);
   const double share = kDampedStepsPerSecond * dt;  // of a step of 1/60 s
   const double step = numbers.eps_scale * share;
+  // What a step stops has to be less than what gravity sets in motion.
+  const double stopped = std::min(
+      share * momentum, numbers.eps_scale * tolerance::damped_stop * body.mass * gravity * dt);
+  const double frozen =
+      std::min(share * length, tolerance::damped_halt * gravity * dt * dt);  // [m] for ε10 = 1
   return DampedThresholds{.push = numbers.eps_scale * numbers.eps1 * length,
                           .aligned = numbers.eps_scale * numbers.eps2,
-                          .settled = numbers.eps3 * momentum * share,
+                          .settled = numbers.eps3 * stopped,
                           .tilt = numbers.eps4 * step,
                           .slow = numbers.eps5 * momentum,
-                          .still = numbers.eps6 * momentum * share,
+                          .still = numbers.eps6 * stopped,
                           .slow_spin = numbers.eps7 * momentum * length,
-                          .still_spin = numbers.eps8 * momentum * length * share,
+                          .still_spin = numbers.eps8 * stopped * length,
                           .rising = numbers.eps9 * momentum * share,
-                          .frozen = numbers.eps10 * step * length,
+                          .frozen = numbers.eps_scale * numbers.eps10 * frozen,
                           .frozen_angle = numbers.eps11 * step};
 }
 

@@ -47,8 +47,8 @@ struct DampedFactors {
 /// Two bounds follow from gravity, which gives a body \f$m g\,\Delta t\f$ and moves it by
 /// \f$g\,\Delta t^2\f$ in its first step: ε3 and ε6 have to be below the one, or a box that touches
 /// a wall would hang there, and ε10 below the other, or a released one would not fall. At 1/60 s and 1
-/// m these are 0.0522 and 0.00272. Both bounds shrink as boxes grow, the numbers keep them up to
-/// 5 m; and the second one with the step, down to 1/300 s at 1 m.
+/// m these are 0.0522 and 0.00272. Both bounds shrink as boxes grow, and the second one with the step: above 5 m, and at 1 m
+/// in steps below 1/300 s, the thresholds stay below them (`damped_stop`, `damped_halt`).
 struct DampedNumbers {
   double eps1 = tolerance::damped_push;               ///< [-] see DampedThresholds
   double eps2 = tolerance::damped_aligned;            ///< [rad] ditto

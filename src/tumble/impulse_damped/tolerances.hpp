@@ -54,6 +54,14 @@ inline constexpr double damped_frozen = 5e-4;
 /// [rad] ε11: a turn in a step that is undone with it. Reason: moves a corner as far as ε10. (5.3)
 inline constexpr double damped_frozen_angle = 5e-4;
 
+/// [-] ε3, ε6 and ε8 are shares of at most this many times the momentum that gravity gives in a step. Reason: ε3 is then nine
+/// tenths of that, so that nothing hangs on a wall or balances beyond its edge, however large; boxes below 5 m are far from it. (5.3)
+inline constexpr double damped_stop = 45.0;
+
+/// [-] ε10 is a share of at most this many times the fall of a first step. Reason: nineteen twentieths of that; boxes of 1 m
+/// at 1/60 s are far from it, larger ones and shorter steps would hang in the air. (5.3)
+inline constexpr double damped_halt = 1900.0;
+
 /// [-] k1: what a step in contact leaves of momentum. Reason: slows 1 m/s by 4.8 m/s², as a
 /// coefficient of friction of 0.5 would. (5.3)
 inline constexpr double damped_momentum_factor = 0.92;

@@ -5,6 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
+#include "tumble/record/hang_check.hpp"
 #include "tumble/record/run_checks.hpp"
 #include "tumble/record/tolerances.hpp"
 
@@ -54,9 +55,11 @@ class RunChecks {
  public:
   explicit RunChecks(Simulation& simulation)
       : observed_{Observation(simulation, energy_), Observation(simulation, passage_),
-                  Observation(simulation, turn_)} {}
+                  Observation(simulation, hang_), Observation(simulation, turn_)} {}
 
-  [[nodiscard]] StepStatus status() const { return std::max(energy_.status(), passage_.status()); }
+  [[nodiscard]] StepStatus status() const {
+    return std::max({energy_.status(), passage_.status(), hang_.status()});
+  }
   void on_overlap(const World& world, double deepest) { passage_.on_overlap(world, deepest); }
   // After the last step; with nothing left in anything no pair needs to be looked at.
   StepStatus end(const World& world, double deepest_overlap) {
@@ -77,9 +80,10 @@ class RunChecks {
  private:
   EnergyCheck energy_;
   PassageCheck passage_;
+  HangCheck hang_;
   TurnCheck turn_;
-  std::array<const RunCheck*, 3> unheard_{&energy_, &passage_, &turn_};
-  std::array<Observation, 3> observed_;
+  std::array<const RunCheck*, 4> unheard_{&energy_, &passage_, &hang_, &turn_};
+  std::array<Observation, 4> observed_;
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.
@@ -220,6 +224,7 @@ std::string_view name_of(StepStatus status) {
     case StepStatus::event_cap: return "event_cap";
     case StepStatus::energy_gained: return "energy_gained";
     case StepStatus::passed_through: return "passed_through";
+    case StepStatus::held_by_nothing: return "held_by_nothing";
     case StepStatus::unsolved: return "unsolved";
     case StepStatus::not_finite: return "not_finite";
   }

@@ -27,6 +27,13 @@ inline constexpr double unbooked_gain = 0.01;
 /// let a box sink in by a tenth of it. (2.5.1)
 inline constexpr double deep_overlap = 0.1;
 
+/// [-] A body stays in place if it moves by less than this share of what it would fall from rest meanwhile. Reason: free
+/// flight within three steps covers thirty times that. (5.3)
+inline constexpr double hang_move = 0.01;
+
+/// [-] Steps for which it has to, at least. Reason: in two a body may rise and fall back to where it was. (5.3)
+inline constexpr double hang_steps = 2.5;
+
 /// [rad] A body that turns by more in a step is reported. Reason: above it the energy of free bodies changes by
 /// percents and their contacts are found where they no longer are. (3.1)
 inline constexpr double most_turn = 1.0;

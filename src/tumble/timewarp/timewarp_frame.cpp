@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/timewarp/near_pairs.hpp"
 
@@ -40,22 +41,30 @@ void TimewarpFrame::begin(World& world, double dt, Observer* observer) {
   test.resize(idx(world.count()));
   valid_times.resize(idx(world.count()));
   before_.resize(idx(world.count()));
+  micro_steps_.resize(idx(world.count()));
 }
 
 void TimewarpFrame::integrate_forward(BodyState& state, int body, double time) {
   if (!movable(body)) return;
-  fly(world_->bodies()[idx(body)], state, world_->gravity_w, time, options_.rotation);
+  const BodyProperties& properties = world_->bodies()[idx(body)];
+  fly_in_micro_steps(properties, state, world_->gravity_w, time, options_.rotation,
+                     micro_step_of(properties, state, options_.rotation, dt_));
   ++report.integrations;
 }
 
 bool TimewarpFrame::movable(int body) const { return world_->bodies()[idx(body)].movable(); }
 
-Flight TimewarpFrame::flight() const {
+// The pair's flight, each body as integrate_forward() flies it.
+Flight TimewarpFrame::flight(const IndexPair& pair) {
+  for (const int body : {pair.first, pair.second})
+    micro_steps_[idx(body)] = micro_step_of(world_->bodies()[idx(body)],
+                                            world_->states()[idx(body)], options_.rotation, dt_);
   return Flight{.bodies = world_->bodies(),
                 .states = world_->states(),
                 .valid_times = valid_times,
                 .gravity_w = world_->gravity_w,
-                .rule = options_.rotation};
+                .rule = options_.rotation,
+                .micro_steps = micro_steps_};
 }
 
 // Bounds that must overlap for a pair to be searched: of the test state, or of the trajectory to it.
@@ -87,7 +96,7 @@ void TimewarpFrame::search(const IndexPair& pair, CollisionHeap& heap) {
 
 // The time of a pair's first collision before `end`, each body flown from its valid state.
 std::optional<double> TimewarpFrame::first_collision(const IndexPair& pair, double end) {
-  const Flight all = flight();
+  const Flight all = flight(pair);
   const double start = std::max(valid_times[idx(pair.first)], valid_times[idx(pair.second)]);
   if (!(start < end)) return std::nullopt;
   const auto gap = [&](double time) {

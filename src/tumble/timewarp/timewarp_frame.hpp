@@ -85,6 +85,8 @@ class TimewarpWatcher {
 /// has collided and separated by then, or changed places, is missed (T5). *Conservative*, those whose
 /// swept bounds overlap; no overlap of at least one resolution is missed.
 ///
+/// What turns by more than a radian in the frame flies in parts (micro_step_of()), which keeps its energy.
+///
 /// Immovable bodies are valid at all times: they are not integrated, and collisions predicted with them
 /// are kept, as no impact changes them.
 /// \par Cost
@@ -168,7 +170,7 @@ class TimewarpFrame {
             const CollisionHeap& heap) const;
 
  private:
-  [[nodiscard]] Flight flight() const;
+  [[nodiscard]] Flight flight(const IndexPair& pair);
   [[nodiscard]] Bounds bounds_of_body(int body) const;
   void search(const IndexPair& pair, CollisionHeap& heap);
   std::optional<double> first_collision(const IndexPair& pair, double end);
@@ -184,7 +186,8 @@ class TimewarpFrame {
   World* world_ = nullptr;  // during a frame
   double dt_ = 0.0;         // [s]
   Observer* observer_ = nullptr;
-  std::vector<Bounds> bounds_;  // by index
+  std::vector<Bounds> bounds_;       // by index
+  std::vector<double> micro_steps_;  // [s] by index: of the pair that is searched
   std::vector<IndexPair> candidates_;
   std::vector<int> near_;
   std::vector<int> pushed_;         // movable bodies of an impact, ascending

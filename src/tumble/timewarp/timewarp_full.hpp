@@ -9,6 +9,7 @@
 #include "tumble/timewarp/body_history.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -25,6 +26,8 @@ struct TimewarpFullOptions : TimewarpOptions {
   double stride = 8.0;
   static constexpr double kShortestStride = 0.01;  ///< [-] a shorter one would make no progress
   static constexpr double kLongestStride = 1e5;    ///< [-] a longer one would lose digits
+  /// [-] Cap on micro-steps of a flight. Reason: a million is refused by fly_in_micro_steps().
+  static constexpr double kMostMicroSteps = 9e5;
   /// Frames between synchronisations, at which all local times agree; 0: never
   int synchronise_every = 0;
 };
@@ -70,7 +73,7 @@ struct TimewarpWork {
 /// with it since. Collisions at equal times are resolved one after the other.
 ///
 /// Bodies whose angular velocity is not constant fly in micro-steps of the length of the step in which
-/// the flight began, so that long flights are as accurate as those of the other forms. Evaluating a
+/// the flight began, or shorter ones (micro_step_of()), so that long flights are as accurate as those of the other forms. Evaluating a
 /// trajectory between two milestones is not counted as an integration.
 /// \par Cost
 /// A flight: n comparisons of bounds and a search for each near body. A collision: two flights more,
@@ -163,6 +166,10 @@ class TimewarpFull final : public Technique {
   void settle(World& world);
   void forget_past(double time);
   void count_from_here();
+  // [s] of a flight in this step, at most.
+  [[nodiscard]] double longest_flight() const {
+    return dt_ * std::max({options_.stride, 1.0 * options_.synchronise_every, 1.0});
+  }
   [[nodiscard]] bool movable(int body) const;
   [[nodiscard]] Milestone milestone(int body, double time, const BodyState& state,
                                     std::int64_t collision) const;

@@ -1,6 +1,7 @@
 /// \file
 /// \brief Mirtich's timewarp: rollback, and the end of a step (thesis 2.4.3).
 #include "tumble/base/index.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
 #include <algorithm>
@@ -16,8 +17,11 @@ std::unique_ptr<Technique> TimewarpFull::clone() const {
 // Integrating a brick's rotation has an error that grows with the step: a long flight takes several.
 Milestone TimewarpFull::milestone(int body, double time, const BodyState& state,
                                   std::int64_t collision) const {
-  const bool evenly = turns_evenly(scratch_.bodies()[idx(body)], state, options_.rotation);
-  return {time, state, collision, evenly ? std::numeric_limits<double>::infinity() : dt_};
+  const BodyProperties& properties = scratch_.bodies()[idx(body)];
+  if (turns_evenly(properties, state, options_.rotation)) return {time, state, collision};
+  const double part = std::min(dt_, micro_step_of(properties, state, options_.rotation, dt_));
+  return {time, state, collision,
+          std::max(part, longest_flight() / TimewarpFullOptions::kMostMicroSteps)};
 }
 
 BodyState TimewarpFull::flown(int body, const Milestone& from, double time) const {
