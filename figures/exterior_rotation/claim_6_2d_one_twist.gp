@@ -23,7 +23,7 @@ plot stem.'.csv' using 'time_s':'rounding_m' with lines lt 8 lw 3 lc rgb '#b0b0b
 unset arrow 1; unset arrow 2; unset label 1; unset label 2
 
 set tmargin at screen 0.375; set bmargin at screen 0.08
-set key at screen 0.56,0.418 center top horizontal maxrows 1
+set key at screen 0.56,0.418 center top horizontal maxrows 1 width 3
 set yrange [1e-5:0.3]; set ytics 1e-5,10
 set xrange [0.4:4.6]; unset xlabel
 set xtics ('forward' 1, 'semi-implicit' 2, 'impulses' 3, 'leapfrog' 4) scale 0

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Geometric stability: the thesis's figures, orders, marks and both definitions.
+/// \brief Geometric stability: orders, marks and both definitions.
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
 #include "tumble/base/random.hpp"
@@ -38,27 +38,6 @@ struct Pile : test::Pile {
 };
 
 }  // namespace
-
-TEST_CASE("A box with one corner on another one is not stable, one within it is",
-          "[reference][geometric_stability]") {
-  Pile figure_5_3;
-  figure_5_3.add(Vec3(0.0, 0.5, 0.0));
-  figure_5_3.add(Vec3(0.6, 1.5, 0.6));
-  CHECK(figure_5_3.both() == "10");
-  Pile figure_5_4;
-  figure_5_4.add(Vec3(0.0, 0.5, 0.0));
-  figure_5_4.add(Vec3(0.1, 1.25, 0.0), Vec3(0.5, 0.5, 0.5));
-  CHECK(figure_5_4.both() == "11");
-}
-
-TEST_CASE("A box over two stable ones is stable, as in figure 5.5",
-          "[reference][geometric_stability]") {
-  Pile pile;
-  pile.add(Vec3(-0.6, 0.5, 0.0));
-  pile.add(Vec3(0.6, 0.5, 0.0));
-  pile.add(Vec3(0.0, 1.5, 0.0));
-  CHECK(pile.both() == "111");
-}
 
 TEST_CASE("A wall that is touched stays immovable, and what stands on it stable",
           "[exact][geometric_stability]") {
