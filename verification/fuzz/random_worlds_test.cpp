@@ -136,6 +136,14 @@ TEST_CASE("Time stepping turns no light box into a heavy one beside the one poin
     CHECK(worst_of("time_stepping", seed, 1).gained == 0);
 }
 
+TEST_CASE("Timewarps keep the energy of grams that tons make turn by radians in a frame",
+          "[unit][fuzz]") {
+  // In one go grams turned by up to ten radians, and gained up to 21 % of all energy.
+  CHECK(worst_of("timewarp_swept", 6786, 1).unbooked < 0.01);
+  for (const std::uint64_t seed : {251ULL, 466ULL, 637ULL, 2955ULL})
+    CHECK(worst_of("timewarp_full", seed, 1).unbooked < 0.01);
+}
+
 TEST_CASE("Sweeps that have not settled in an impact add no energy", "[unit][fuzz]") {
   // A ton that hits another one by way of grams: the lift in the step of the impact was 3.5 % of all energy.
   for (const std::uint64_t seed : {8913ULL, 9885ULL})

@@ -29,19 +29,22 @@ DampedThresholds thresholds_of(const DampedNumbers& numbers, const BodyPropertie
   // What a step stops has to be less than what gravity sets in motion.
   const double stopped = std::min(
       share * momentum, numbers.eps_scale * tolerance::damped_stop * body.mass * gravity * dt);
+  const double fall = tolerance::damped_halt * gravity;
   const double frozen =
-      std::min(share * length, tolerance::damped_halt * gravity * dt * dt);  // [m] for ε10 = 1
-  return DampedThresholds{.push = numbers.eps_scale * numbers.eps1 * length,
-                          .aligned = numbers.eps_scale * numbers.eps2,
-                          .settled = numbers.eps3 * stopped,
-                          .tilt = numbers.eps4 * step,
-                          .slow = numbers.eps5 * momentum,
-                          .still = numbers.eps6 * stopped,
-                          .slow_spin = numbers.eps7 * momentum * length,
-                          .still_spin = numbers.eps8 * stopped * length,
-                          .rising = numbers.eps9 * momentum * share,
-                          .frozen = numbers.eps_scale * numbers.eps10 * frozen,
-                          .frozen_angle = numbers.eps11 * step};
+      step * std::min(length, fall / (kDampedStepsPerSecond * kDampedStepsPerSecond));
+  return DampedThresholds{
+      .push = numbers.eps_scale * numbers.eps1 * length,
+      .aligned = numbers.eps_scale * numbers.eps2,
+      .settled = numbers.eps3 * stopped,
+      .tilt = numbers.eps4 * step,
+      .slow = numbers.eps5 * momentum,
+      .still = numbers.eps6 * stopped,
+      .slow_spin = numbers.eps7 * momentum * length,
+      .still_spin = numbers.eps8 * stopped * length,
+      .rising = numbers.eps9 * momentum * share,
+      .frozen = numbers.eps10 * frozen,
+      .frozen_in_flight = numbers.eps10 * std::min(frozen, numbers.eps_scale * fall * dt * dt),
+      .frozen_angle = numbers.eps11 * step};
 }
 
 void check(const DampedNumbers& n) {

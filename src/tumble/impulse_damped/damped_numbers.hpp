@@ -9,17 +9,18 @@ namespace tumble {
 
 /// The thresholds of damped integration for one body and one time step.
 struct DampedThresholds {
-  double push = 0.0;          ///< [m] ε1: a push out of another body
-  double aligned = 0.0;       ///< [rad] ε2: a face across gravity
-  double settled = 0.0;       ///< [kg m/s] ε3: vertical momentum of an aligned body
-  double tilt = 0.0;          ///< [rad] ε4: by how much it is turned upright in a step
-  double slow = 0.0;          ///< [kg m/s] ε5: a component of momentum that is scaled
-  double still = 0.0;         ///< [kg m/s] ε6: one that is set to 0
-  double slow_spin = 0.0;     ///< [kg m²/s] ε7: a component of angular momentum that is scaled
-  double still_spin = 0.0;    ///< [kg m²/s] ε8: one that is set to 0
-  double rising = 0.0;        ///< [kg m/s] ε9: upward momentum that is set to 0
-  double frozen = 0.0;        ///< [m] ε10: a move in a step that is undone
-  double frozen_angle = 0.0;  ///< [rad] ε11: a turn in a step that is undone with it
+  double push = 0.0;        ///< [m] ε1: a push out of another body
+  double aligned = 0.0;     ///< [rad] ε2: a face across gravity
+  double settled = 0.0;     ///< [kg m/s] ε3: vertical momentum of an aligned body
+  double tilt = 0.0;        ///< [rad] ε4: by how much it is turned upright in a step
+  double slow = 0.0;        ///< [kg m/s] ε5: a component of momentum that is scaled
+  double still = 0.0;       ///< [kg m/s] ε6: one that is set to 0
+  double slow_spin = 0.0;   ///< [kg m²/s] ε7: a component of angular momentum that is scaled
+  double still_spin = 0.0;  ///< [kg m²/s] ε8: one that is set to 0
+  double rising = 0.0;      ///< [kg m/s] ε9: upward momentum that is set to 0
+  double frozen = 0.0;      ///< [m] ε10: a move in a step that is undone
+  double frozen_in_flight = 0.0;  ///< [m] the same of a body that nothing touches
+  double frozen_angle = 0.0;      ///< [rad] ε11: a turn in a step that is undone with it
 };
 
 /// The factors of damped integration for one time step.
@@ -47,8 +48,9 @@ struct DampedFactors {
 /// Two bounds follow from gravity, which gives a body \f$m g\,\Delta t\f$ and moves it by
 /// \f$g\,\Delta t^2\f$ in its first step: ε3 and ε6 have to be below the one, or a box that touches
 /// a wall would hang there, and ε10 below the other, or a released one would not fall. At 1/60 s and 1
-/// m these are 0.0522 and 0.00272. Both bounds shrink as boxes grow, and the second one with the step: above 5 m, and at 1 m
-/// in steps below 1/300 s, the thresholds stay below them (`damped_stop`, `damped_halt`).
+/// m these are 0.0522 and 0.00272. Both bounds shrink as boxes grow: above 5 m the thresholds stay below them (`damped_stop`,
+/// `damped_halt`). The second one shrinks with the step, too: in steps below 1/300 s, at 1 m, ε10 stays below it for what nothing
+/// touches. What touches something may hang for a step.
 struct DampedNumbers {
   double eps1 = tolerance::damped_push;               ///< [-] see DampedThresholds
   double eps2 = tolerance::damped_aligned;            ///< [rad] ditto

@@ -158,7 +158,8 @@ DampingReport ObjectDamping::run(World& world, std::span<const char> touched,
     const double delta_position = (objects[o].position_w - old_[o].position_w).norm();
     const double delta_rotation = angle_between(objects[o].orientation_wb, old_[o].orientation_wb);
     const DampedThresholds eps = thresholds_of(numbers, bodies[o], gravity, dt);
-    if (is_small(delta_position, eps.frozen) && is_small(delta_rotation, eps.frozen_angle)) {
+    const double still = touched[o] != 0 ? eps.frozen : eps.frozen_in_flight;
+    if (is_small(delta_position, still) && is_small(delta_rotation, eps.frozen_angle)) {
       const double before = energy_of(bodies[o], objects[o], world.gravity_w).total();
       objects[o].position_w = old_[o].position_w;
       objects[o].orientation_wb = old_[o].orientation_wb;
