@@ -186,6 +186,14 @@ bool Optimised::push(const World& world, double dt, bool bounce, StepReport& rep
   }
   rows_.take(free_, touching_.contacts(), least_);
   work_.momenta += solve(report);
+  if (rows_.lifts(tolerance::optimised_lift)) {  // pushes first, then friction that goes with them
+    for (const bool rubs : {false, true}) {
+      rows_.fix_limits(rubs);
+      work_.momenta += solve(report);
+    }
+    rows_.end_limits();
+    ++report.fallbacks;
+  }
   give_pushes(world, report);
   return bounces;
 }

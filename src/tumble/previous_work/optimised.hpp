@@ -62,7 +62,8 @@ struct OptimisedWork {
 /// that contacts may give, those with the least kinetic energy. Without bounces that is where no point goes in.
 ///
 /// **Friction** limits the multipliers of both programs across the normal, by Coulomb's coefficient times the one along it: sliding
-/// points are held back as far as they may. The paper has it in forces of a third program, for the next step.
+/// points are held back as far as they may. Where the iteration for the momenta does not end because more push allows more friction,
+/// pushes are found alone, and then friction that goes with them (`fallbacks`). The paper has it in forces of a third program, for the next step.
 ///
 /// **Energy.** Bodies that are lifted to make room, and fly no more, have energy that none of them had. The excess over the energy
 /// of the start is taken from the speed of the bodies that touch. Impulses that add energy, which the iteration with friction may leave

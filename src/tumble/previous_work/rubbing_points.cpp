@@ -26,6 +26,7 @@ void RubbingPoints::take(std::span<const MovingBody> bodies, std::span<const Con
   yield_.clear();
   constant_.clear();
   impulses_.clear();
+  limits_.clear();
   for (const Contact& contact : contacts) {
     const MovingBody& a = bodies[idx(contact.first)];
     const MovingBody& b = bodies[idx(contact.second)];
@@ -102,13 +103,35 @@ void RubbingPoints::yield(std::span<Vec3> linear_w, std::span<Vec3> angular_w) {
 void RubbingPoints::allow(std::span<double> p) const {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     p[3 * k] = std::max(p[3 * k], 0.0);
-    const double most = rows_[k].friction * p[3 * k];
+    const double most = limits_.empty() ? rows_[k].friction * p[3 * k] : limits_[k];
     const double rubs = std::sqrt(p[3 * k + 1] * p[3 * k + 1] + p[3 * k + 2] * p[3 * k + 2]);
     if (!(rubs > most)) continue;
     const double share = most / rubs;
     p[3 * k + 1] *= share;
     p[3 * k + 2] *= share;
   }
+}
+
+void RubbingPoints::fix_limits(bool rubs) {
+  limits_.clear();
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    limits_.push_back(rubs ? rows_[k].friction * impulses_[3 * k] : 0.0);
+}
+
+void RubbingPoints::end_limits() {
+  limits_.clear();
+  allow(impulses_);
+}
+
+bool RubbingPoints::lifts(double share) {
+  image_.resize(impulses_.size());
+  multiply(impulses_, image_);
+  double fastest = 0.0, lift = 0.0;
+  for (std::size_t i = 0; i < impulses_.size(); ++i) {
+    fastest = std::max(fastest, std::abs(constant_[i]));
+    if (i % 3 == 0 && impulses_[i] > 0.0) lift = std::max(lift, image_[i] + constant_[i]);
+  }
+  return lift > share * fastest;
 }
 
 double RubbingPoints::first_step() const {

@@ -48,6 +48,16 @@ class RubbingPoints {
   /// Contacts push, and friction is at most the coefficient times the push.
   /// \param p  [N s] in and out
   void allow(std::span<double> p) const;
+  /// Friction has limits of its own from now on, until take(): the coefficient times the present pushes, or none. With these the
+  /// energy has one minimum; with limits that grow with the pushes, more push gives more friction, which may take more energy than the push adds.
+  /// \param rubs  false: none
+  void fix_limits(bool rubs);
+  /// Ends fixed limits: friction is at most the coefficient times the present pushes.
+  void end_limits();
+  /// Whether a point that pushes leaves faster than it has to.
+  /// \param share  [-] of the fastest point's motion, above which it counts
+  /// \return true for an answer that is none
+  [[nodiscard]] bool lifts(double share);
   /// \return [N s] those to start from, and then the answer
   [[nodiscard]] std::vector<double>& impulses() { return impulses_; }
   /// How long the first step from no impulses is, at least.
@@ -81,6 +91,8 @@ class RubbingPoints {
   std::vector<double> yield_;     // [1/kg] by unknown, of the pair; across the normal the mean
   std::vector<double> constant_;  // [m/s] by unknown
   std::vector<double> impulses_;
+  std::vector<double>
+      limits_;  // [N s] by point: of friction; empty: the coefficient times the push
   std::vector<Vec3> linear_w_, angular_w_;  // [m/s], [rad/s] what impulses change, by body index
   std::vector<double> image_;
 };

@@ -71,6 +71,10 @@ inline constexpr double optimised_still = 1e-4;
 /// not come to an end within the rounds at steps of a quarter of a second. (2.7.2)
 inline constexpr double optimised_step = 1e-5;
 
+/// [-] How fast a point that pushes may leave, over the fastest point, for the answer of an iteration with friction to count. Reason: one that
+/// has ended at its budget leaves a thousandth; where friction and pushes drive each other up, a third. (2.7.2)
+inline constexpr double optimised_lift = 0.1;
+
 /// [-] Gap up to which points touch, over the shortest edge. Reason: ten times what the poses may miss. (2.7.2)
 inline constexpr double optimised_touch = 1e-3;
 
