@@ -72,6 +72,25 @@ TEST_CASE("Loose tiles of unlike masses come to rest after a sled has crossed th
   }
 }
 
+TEST_CASE("A deck of cards stands whose cards are thinner than what gravity moves in a step",
+          "[unit][contact_damped]") {
+  // Two sweeps throw cards at rest about by half of their thickness: Newton steps have to follow all the same.
+  Scene scene;
+  scene.ground = SceneGround{};
+  const Vec3 size(0.09, 0.0003, 0.06);
+  for (int k = 0; k < 52; ++k)
+    scene.boxes.push_back({.name = "card" + std::to_string(k),
+                           .size = size,
+                           .mass = 0.002,
+                           .position_w = Vec3(0.0, (k + 0.5) * size.y(), 0.0)});
+  Simulation simulation(scene);
+  CHECK(simulation.run_for(3.0) == StepStatus::done);
+  for (int k = 0; k < 52; ++k)
+    CHECK((simulation.body("card" + std::to_string(k)).position_w() -
+           scene.boxes[static_cast<std::size_t>(k)].position_w)
+              .norm() < 1e-6);
+}
+
 TEST_CASE("A heap of a thousand cubes comes to rest, and a step of it costs a sweep then",
           "[.long][unit][contact_damped]") {
   const SceneRecipe& recipe = scene_recipe("clump");

@@ -80,7 +80,7 @@ IslandLimits small_limits(const Island& island, int iterations) {
   return limits;
 }
 
-// A large island that hardly moves gets few Newton steps after ADMM: they converge within some steps of time.
+// A large island that does not move gets few Newton steps after ADMM: they converge within some steps of time.
 IslandLimits quiet_limits(const Island& island, int iterations) {
   IslandLimits limits;
   limits.residual = tolerance::solved_residual_exact * negligible_residual(island);
@@ -181,7 +181,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const bool loose = swept && much_moves(speed);
   const bool small = is_small(island) && !loose;
   const bool steady = !is_small(island) && !loose && moves(speed);
-  const bool quiet = !small && speed.higher < tolerance::moving_speed;
+  const bool quiet = !small && !moves(speed);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
