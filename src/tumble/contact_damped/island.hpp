@@ -42,7 +42,7 @@ struct Island {
 /// the impulses so far, in ascending order. What moves as one, as a tower on a sled, is at rest.
 ///
 /// A landing island is fast before and slow then; one at rest may be thrown about by impulses that are far from
-/// right. So an island moves fast if the lower one is high, and is quiet if the higher one is low. The range is that of
+/// right. So an island moves fast if the lower one is high, and is quiet if no patch moves both times. The range is that of
 /// the two moments, not one over bodies.
 struct SpeedRange {
   double lower = 0.0;   ///< [-] as a share of sqrt(g L)
