@@ -1,6 +1,7 @@
 /// \file
 /// \brief Wishes that cannot come true.
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/scenes/scene.hpp"
 #include "tumble/scenes/wish.hpp"
@@ -36,7 +37,8 @@ const SceneBox& wished_box(const PlacedWish& placed, const std::string& name, co
     if (box.name == name) return box;
     names.push_back(box.name);
   }
-  placed.refuse("body", " = " + name + ": there is no such box; " + expected_names(name, names));
+  placed.refuse("body",
+                " = " + one_line(name) + ": there is no such box; " + expected_names(name, names));
 }
 
 void check_numbers(const PlacedWish& placed) {

@@ -3,6 +3,7 @@
 #include "tumble/scenes/scene_joint.hpp"
 
 #include "tumble/base/number_text.hpp"
+#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/tolerances.hpp"
@@ -28,7 +29,7 @@ class JointInScene {
   [[nodiscard]] BodyId body(const std::string& key, const std::string& name,
                             const World& world) const {
     if (const auto found = world.find(std::string_view(name))) return *found;
-    const std::string given = " = " + name + ": ";
+    const std::string given = " = " + one_line(name) + ": ";
     if (name.empty()) refuse(key, ": missing: the name of a box, or \"ground\"");
     for (const SceneBox& box : scene_.boxes)
       if (box.name == name)
