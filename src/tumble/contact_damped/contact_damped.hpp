@@ -77,9 +77,8 @@ struct ContactDampedOptions {
 ///    are tried, too; where they sink all the same, normal impulses are found by themselves. An island is solved again where
 ///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies that push something immovable, or others that do, move with their velocity at the end of the step; the others fly
-///    their parabola. One that
-///    turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its energy at once.
-///    Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
+///    their parabola. One that turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its
+///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
 ///    push and were approached part with e times the speed on arrival, those that push without approach stay
 ///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it; across gaps, one

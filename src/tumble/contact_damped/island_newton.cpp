@@ -184,6 +184,7 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   result.factorizations += steps;
   result.converged = residual < limits.residual;
   if (result.converged) {
+    result.improved = false;
     result.residual = residual;
   } else {
     if (result.improved) result.residual = best;

@@ -12,7 +12,6 @@
 #include <limits>
 
 namespace tumble {
-
 namespace {
 
 // Friction and pressure in turn within a patch, in each sweep. Of a single patch they are all there is to do; of many, sweeps do
@@ -29,9 +28,12 @@ double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
 }
 
-// By how much this step speeds up the fastest point of an island that hardly moves [m/s]; 0 if it does move.
+bool hardly_moves(const Island& island) {
+  return speed_range(island).higher < tolerance::moving_speed;
+}
+
+// By how much this step speeds up the fastest point of an island [m/s].
 double speed_gained(const Island& island) {
-  if (speed_range(island).higher >= tolerance::moving_speed) return 0.0;
   double most = 0.0;
   for (const int k : island.bodies) {
     const MovingBody& before = island.start[idx(k)];
@@ -153,8 +155,7 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
                              : skipped_residual_of(island);
   FirstSweeps first;
   // In a large one that is quiet, only what sticks is swept then, as long as the solution is nearly right.
-  if (direct_last_step && !is_small(island) &&
-      speed_range(island).higher < tolerance::moving_speed) {
+  if (direct_last_step && !is_small(island) && hardly_moves(island)) {
     first.down = sweep(island, SweepOrder::down, 0, skipped, report);
     first.settled =
         first.down < negligible && speed_gained(island) <= tolerance::solved_residual * negligible;
@@ -164,7 +165,7 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
   first.down = sweep(island, SweepOrder::down, patch_iterations, skipped, report);
   // The impulses that stopped an island in the step before would go on pushing, and let it swing. So after a
   // solution they may change no velocity.
-  first.stale_warm_start = first.down < negligible && direct_last_step &&
+  first.stale_warm_start = first.down < negligible && direct_last_step && hardly_moves(island) &&
                            speed_gained(island) > tolerance::solved_residual * negligible;
   first.settled = first.down < negligible && !first.stale_warm_start;
   if (!first.settled) first.up = sweep(island, SweepOrder::up, patch_iterations, skipped, report);
