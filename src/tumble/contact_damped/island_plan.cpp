@@ -109,13 +109,6 @@ bool exceeds_budget(const Island& island, const IslandEffort& effort) {
          effort.budget;
 }
 
-// Whether Newton steps for normal impulses cost more than that.
-bool normal_exceeds_budget(const Island& island, const IslandEffort& effort) {
-  return static_cast<std::int64_t>(island.patch_indices.size()) * tolerance::small_newton_steps *
-             tolerance::newton_step_sweeps >
-         effort.budget;
-}
-
 // Whether anything in an island moves, so that its contacts change in the next step.
 bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
@@ -135,6 +128,12 @@ int swept_within(const Island& island, const IslandEffort& effort, int most) {
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
   if (is_small(island)) return effort.crowded && much_moves(speed);
   return much_moves(speed) || (moves(speed) && exceeds_budget(island, effort));
+}
+
+bool normal_exceeds_budget(const Island& island, const IslandEffort& effort) {
+  return static_cast<std::int64_t>(island.patch_indices.size()) * tolerance::small_newton_steps *
+             tolerance::newton_step_sweeps >
+         effort.budget;
 }
 
 bool are_too_many(std::int64_t patches, const IslandEffort& effort) {

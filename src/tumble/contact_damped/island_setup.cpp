@@ -120,7 +120,9 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest, Frict
   const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
   for (std::size_t i = 0; i < idx(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
+    if (std::isinf(p.target)) continue;
     Point& point = points_.emplace_back();
+    point.place = i;
     point.along = p.along;
     point.across = p.across;
     point.target = p.target;

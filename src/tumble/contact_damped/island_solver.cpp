@@ -102,7 +102,7 @@ void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
     Six sum{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
       const Point& p = points_[idx(i)];
-      ContactPatchPoint& point = patch.points[idx(i - constraint.begin)];
+      ContactPatchPoint& point = patch.points[p.place];
       point.impulse = p.impulse[2];
       if (friction) point.solver_impulse = p.impulse;
       add_push(p.along, p.across, p.impulse, sum);

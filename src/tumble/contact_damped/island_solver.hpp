@@ -138,8 +138,9 @@ class IslandSolver {
     Vec6 free = Vec6::Zero();       // velocity and angular velocity without contacts
     Vec6 now = Vec6::Zero();        // the present ones
   };
-  // A point of a patch; vectors are along, across, normal.
+  // A point of a patch that asks for something; vectors are along, across, normal.
   struct Point {
+    std::size_t place = 0;               // in the patch
     double along = 0.0, across = 0.0;    // [m] from the middle of the patch
     double target = 0.0;                 // [m/s] w
     double shift = 0.0;                  // [m/s] s

@@ -225,6 +225,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     ContactPatch& patch = patches_.back();
     set_for_step(pair, bodies, dt, patch);
     scale_impulses(impulse_ratio, patch);
+    patch.carried_impulse = impulse_of(patch)[six::normal];
     for (const ContactPatchPoint& p : patch.used())
       found.deepest_overlap = std::max(found.deepest_overlap, -p.gap);
   }
@@ -237,6 +238,7 @@ void PersistentManifolds::shorten(std::span<const MovingBody> bodies, double dt,
   for (ContactPatch& patch : patches_) {
     set_for_step({patch.first, patch.second}, bodies, dt, patch);
     scale_impulses(ratio, patch);
+    patch.carried_impulse *= ratio;
   }
 }
 

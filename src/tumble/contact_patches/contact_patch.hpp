@@ -78,6 +78,7 @@ struct ContactPatch {
   double along_impulse = 0.0;                         ///< [N s] friction along the first tangent
   double across_impulse = 0.0;                        ///< [N s] friction along the second tangent
   double twist_impulse = 0.0;          ///< [N m s] friction about the normal at the middle
+  double carried_impulse = 0.0;        ///< [N s] along the normal, from the step before
   SixBySix inverse_mass{};             ///< motion of a unit impulse
   SixBySix mass{};                     ///< its inverse, if `spans_area`
   SixBySix correction_inverse_mass{};  ///< motion of a unit pseudo-impulse, see begin_correction()
