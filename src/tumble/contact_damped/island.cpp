@@ -64,12 +64,16 @@ void note_approach_of(const Island& island, ContactPatch& patch) {
   for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
 }
 
+// sqrt(g L) [m/s], or what stands for it.
+double speed_unit(const Island& island, double size) {
+  const double g = island.world.gravity_w.norm();
+  return g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
+}
+
 // Speed of the fastest point of a patch, of its two bodies along each other or apart, as a share of sqrt(g L).
 double scaled_speed(const Island& island, const ContactPatch& patch,
                     std::span<const MovingBody> moving) {
-  const double g = island.world.gravity_w.norm();
-  const double unit =
-      g > 0.0 ? std::sqrt(g * patch.size) : tolerance::weightless_unit * patch.size / island.dt;
+  const double unit = speed_unit(island, patch.size);
   const Six u = motion_of(patch, moving[idx(patch.first)], moving[idx(patch.second)]);
   double most = 0.0;
   for (const ContactPatchPoint& p : patch.used())
@@ -115,6 +119,20 @@ SpeedRange speed_range(const Island& island) {
   }
   return {std::min(before, now), std::max(before, now),
           static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
+}
+
+bool hardly_moves(const Island& island) {
+  // Where bodies are slow by themselves no patch has to be looked at. Against each other two may be twice as fast, and
+  // points of their patch lie a little beside them: a margin of two.
+  double fastest = 0.0;  // [m/s]
+  for (const int k : island.bodies)
+    for (const std::span<const MovingBody> moving :
+         {std::span<const MovingBody>(island.start), std::span<const MovingBody>(island.now)})
+      fastest = std::max(
+          fastest, fastest_point_speed(island.world.bodies()[idx(k)], moving[idx(k)].velocity_w,
+                                       moving[idx(k)].angular_velocity_w));
+  const double slow = tolerance::moving_speed * speed_unit(island, shortest_edge(island));
+  return 4.0 * fastest < slow || speed_range(island).higher < tolerance::moving_speed;
 }
 
 std::int64_t moving_patches(const Island& island) {

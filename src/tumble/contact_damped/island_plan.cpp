@@ -28,10 +28,6 @@ double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
 }
 
-bool hardly_moves(const Island& island) {
-  return speed_range(island).higher < tolerance::moving_speed;
-}
-
 // By how much this step speeds up the fastest point of an island [m/s].
 double speed_gained(const Island& island) {
   double most = 0.0;

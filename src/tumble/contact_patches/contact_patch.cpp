@@ -271,10 +271,14 @@ bool asks_for_nothing(const ContactPatch& patch) {
 
 void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
                                   ContactPatch& patch) {
+  const auto turns_far = [&](const MovingBody& body) {
+    return (dt * body.angular_velocity_w).norm() > tolerance::fast_turn;
+  };
+  if (!turns_far(first) && !turns_far(second)) return;
   // How much further along the normal than its tangent the arc of a point leads.
   const auto rise = [&](const MovingBody& body, const Vec3& arm_w) {
+    if (!turns_far(body)) return 0.0;
     const Vec3 turn_w = dt * body.angular_velocity_w;
-    if (!(turn_w.norm() > tolerance::fast_turn)) return 0.0;
     const Vec3 arc_w = rotation_from_vector(turn_w) * arm_w - arm_w;
     return patch.frame_w.col(2).dot(arc_w - turn_w.cross(arm_w));
   };
