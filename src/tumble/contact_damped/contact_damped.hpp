@@ -25,6 +25,7 @@
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
@@ -156,12 +157,13 @@ class ContactDamped : public Technique {
     std::vector<PushedPair> pushed;     // pairs with an impulse
     std::vector<Quat> start_wb;         // orientations at the start of the step
     std::vector<PatchImpulses>
-        impulses_before_bounce;             // by patch: impulses before something bounced
-    KeptSolution kept;                      // of an island, while raised targets are tried
-    KeptSolution swept;                     // ditto, while the direct solver is
-    std::vector<MovingBody> held;           // velocities with friction alone
-    PivotUpdate pivots;                     // bodies that are moved together
-    std::vector<MovingBody> displacements;  // of the overlap correction
+        impulses_before_bounce;                  // by patch: impulses before something bounced
+    KeptSolution kept;                           // of an island, while raised targets are tried
+    KeptSolution swept;                          // ditto, while the direct solver is
+    std::vector<MovingBody> held;                // velocities with friction alone
+    PivotUpdate pivots;                          // bodies that are moved together
+    std::vector<MovingBody> displacements;       // of the overlap correction
+    std::vector<OverlapCorrection> corrections;  // ditto, by patch
   };
 
   // A bounce in the middle of a step.

@@ -23,24 +23,28 @@ bool overlaps_by(const ContactPatch& patch, double share) {
 bool overlaps(const ContactPatch& patch) { return overlaps_by(patch, tolerance::contact_slop); }
 
 // Sweeps of the overlap correction, from the ground up.
-void correct_island(const Island& island, int sweeps, std::vector<MovingBody>& displacements) {
+void correct_island(const Island& island, int sweeps, std::span<OverlapCorrection> corrections,
+                    std::vector<MovingBody>& displacements) {
   for (const int contact : island.upward) {
-    ContactPatch& patch = island.all_patches[idx(contact)];
-    begin_correction(displacements[idx(patch.first)], displacements[idx(patch.second)], patch);
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    corrections[idx(contact)] = {
+        inverse_mass_of(patch, displacements[idx(patch.first)], displacements[idx(patch.second)]),
+        {}};
   }
   double first = 0.0;
   for (int k = 0; k < sweeps; ++k) {
     double most = 0.0;  // [-] as a share of the size
     for (const int contact : island.upward) {
-      ContactPatch& patch = island.all_patches[idx(contact)];
+      const ContactPatch& patch = island.all_patches[idx(contact)];
       MovingBody& first_body = displacements[idx(patch.first)];
       MovingBody& second_body = displacements[idx(patch.second)];
       // Most patches neither overlap nor have a neighbour that does.
       if (!first_body.changed && !second_body.changed &&
           !overlaps_by(patch, tolerance::repair_rest))
         continue;
-      const double change = correct_overlap(patch, tolerance::repair_rest * patch.size,
-                                            tolerance::repair_share, first_body, second_body);
+      const double change =
+          correct_overlap(patch, tolerance::repair_rest * patch.size, tolerance::repair_share,
+                          corrections[idx(contact)], first_body, second_body);
       most = std::max(most, change / patch.size);
     }
     if (k == 0) first = most;
@@ -58,6 +62,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
   // needs no more sweeps than any other.
   std::vector<MovingBody>& displacements = storage_.displacements;
   displacements = velocities_.end;
+  storage_.corrections.resize(patches.size());
   for (MovingBody& body : displacements) {
     body.velocity_w.setZero();
     body.angular_velocity_w.setZero();
@@ -75,7 +80,7 @@ void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report
                    is_large_and_fast(current)
                        ? std::min(options_.correction_sweeps, tolerance::fast_correction_sweeps)
                        : options_.correction_sweeps,
-                   displacements);
+                   storage_.corrections, displacements);
   }
   for (std::size_t k = 0; k < displacements.size(); ++k) {
     if (!displacements[k].changed || displacements[k].inverse_mass.x() == 0.0) continue;

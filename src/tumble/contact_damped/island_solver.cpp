@@ -121,9 +121,14 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
                            FrictionLaw law, IslandResult& result) {
   stiffness_ = tolerance::admm_stiffness;
   begin_iterations(patches, limits.unit_speed, law);
+  double factored = 0.0;        // stiffness in the factors
   double first_residual = 0.0;  // [m/s] after one iteration
   for (int k = 1; k <= limits.max_iterations; ++k) {
-    factor_if_changed(patches, result);
+    if (factored != stiffness_) {
+      factored = stiffness_;
+      ++result.factorizations;
+      factor(patches, false);
+    }
     solve_velocities(patches);
     double primal = 0.0;
     double dual = 0.0;
