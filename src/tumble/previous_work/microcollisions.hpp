@@ -35,9 +35,9 @@ struct MicrocollisionsOptions {
 template <class Visitor>
 void describe(MicrocollisionsOptions& o, Visitor& v) {
   v.number("rebound", o.rebound, 0.0, 1.0, "-",
-           "slowest rebound, as a share of the speed scale sqrt(g L)");
+           "slowest rebound, as a fraction of the speed sqrt(g L)");
   v.word("impact_end", o.end, {{"work", ImpactEnd::work}, {"impulse", ImpactEnd::impulse}},
-         "what restitution gives back: a share of the work (Stronge) or of the impulse (Poisson)");
+         "restitution returns a fraction of the work (Stronge) or of the impulse (Poisson)");
   v.whole("event_cap", o.event_cap, 1, 10000000,
           "impacts, and looks at contacts without one, in a step at most");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);

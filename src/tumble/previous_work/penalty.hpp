@@ -36,7 +36,7 @@ void describe(PenaltyOptions& o, Visitor& v) {
   v.number("stiffness", o.stiffness, 0.0, 1e20, "N/m",
            "springs under a box on four corners; 0: from mass, size and step");
   v.number("damping", o.damping, -1.0, 1e3, "-",
-           "share of critical damping; -1: the one that gives the bodies' restitution");
+           "fraction of critical damping; -1: from the bodies' restitution");
   v.whole("substeps", o.substeps, 1, 100000, "substeps of a step");
   v.word("scheme", o.scheme,
          {{"semi_implicit", PenaltyScheme::semi_implicit},
