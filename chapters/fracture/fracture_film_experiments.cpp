@@ -101,7 +101,7 @@ const Registered wall_figure{
      .parameters = Parameters{}
                        .add_whole("fine", 2, 1, 8, "cells through the thickness")
                        .add_number("speed", 17.0, 0.0, 100.0, "m/s", "of the cube")
-                       .add_number("duration", 0.03, 0.0025, 1.0, "s", "of the film"),
+                       .add_number("duration", 0.05, 0.0025, 1.0, "s", "of the film"),
      .quick = {"fine=1", "duration=0.01"},
      .experiment = measure_wall}};
 
