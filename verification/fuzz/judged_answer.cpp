@@ -4,23 +4,60 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/lcp_solvers/enumerate.hpp"
+#include "tumble/lcp_solvers/gauss_seidel.hpp"
+#include "tumble/lcp_solvers/safeguard.hpp"
 
 #include "fuzz/promise.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace tumble::fuzz {
 namespace {
 
 constexpr double kLargestResidual = 1e-6;  // [-] of what is called solved
 
+// Sweeps that go to their cap and the cases of many rows would take most of a search. So there they are cut short but for
+// one problem in 16. A test replays an input in full.
+#ifdef TUMBLE_FUZZ_SEARCH
+constexpr std::uint64_t kProblemsPerFull = 16;
+#else
+constexpr std::uint64_t kProblemsPerFull = 1;
+#endif
+constexpr int kFewSweeps = 300;
+constexpr int kFewRows = 6;  // of which every case is tried
+
 // What stands for A_ii in a row without a positive one, as lcp_residual() says.
 double scale_of(const LcpProblem& problem, int i) {
   if (problem.A(i, i) > 0.0) return problem.A(i, i);
   const double largest = problem.A.row(i).cwiseAbs().maxCoeff();
   return largest > 0.0 ? largest : 1.0;
+}
+
+// By its numbers, so that a finding shows itself again.
+bool is_tried_in_full(const LcpProblem& problem) {
+  std::uint64_t mixed = 0;
+  for (int i = 0; i < problem.size(); ++i)
+    for (const double value : {problem.A(0, i), problem.b[i]})
+      mixed = (mixed ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+  return (mixed >> 32U) % kProblemsPerFull == 0;
+}
+
+// nullptr: this solver is left out.
+std::unique_ptr<LcpSolver> solver_for(const LcpProblem& problem, std::string_view name) {
+  if (!is_tried_in_full(problem)) {
+    if (name == EnumerationSolver().name() && problem.size() > kFewRows) return nullptr;
+    if (name == GaussSeidelSolver().name()) {
+      GaussSeidelOptions few;
+      few.sweeps = kFewSweeps;
+      return std::make_unique<SafeguardedSolver>(std::make_unique<GaussSeidelSolver>(few));
+    }
+  }
+  return make_lcp_solver(name);
 }
 
 }  // namespace
@@ -52,10 +89,11 @@ void require_solved(const LcpProblem& problem, const LcpResult& result, std::str
 
 void require_honest_solvers(const LcpProblem& problem) {
   for (const LcpRecipe& recipe : lcp_solvers()) {
+    const std::unique_ptr<LcpSolver> solver = solver_for(problem, recipe.name);
+    if (!solver) continue;
     LcpResult result;
     std::string why;
-    const bool refused =
-        refuses([&] { make_lcp_solver(recipe.name)->solve(problem, result); }, &why);
+    const bool refused = refuses([&] { solver->solve(problem, result); }, &why);
     // The problem is finite, so a number that is none comes from a part of the solver.
     promise(why.find("= inf") == std::string::npos && why.find("= nan") == std::string::npos,
             std::string(recipe.name) + " refuses what was not given: " + why);

@@ -14,7 +14,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <istream>
 #include <map>
+#include <utility>
 
 namespace tumble {
 namespace {
@@ -74,24 +76,9 @@ void require_recorded(const RecordedRun& run, double time, double outside) {
 
 }  // namespace
 
-RecordedRun read_run(const std::filesystem::path& folder, std::string_view table) {
-  const std::filesystem::path path = folder / table;
-  // A pipe would be waited for.
-  for (const std::filesystem::path& file : {path, folder / "scene.toml"}) {
-    std::error_code none;
-    require::that(!std::filesystem::is_fifo(file, none),
-                  file.string() + ": is a pipe: give the folder of a run");
-  }
-  std::ifstream in(path);
-  if (table == kFilteredFile && !in.is_open() && std::ifstream(folder / kTrajectoryFile).is_open())
-    require::that(false, path.string() +
-                             ": there is none: run the scene with --filter, for example "
-                             "--filter box:5");
-  require::that(
-      in.is_open(),
-      path.string() + ": cannot be read: give the folder of a run, such as runs/stack-damped");
+RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& name) {
   RecordedRun run;
-  run.scene = read_scene(folder / "scene.toml");
+  run.scene = std::move(scene);
   std::map<std::string, int> boxes;
   for (std::size_t k = 0; k < run.scene.boxes.size(); ++k)
     boxes.emplace(run.scene.boxes[k].name, static_cast<int>(k));
@@ -102,7 +89,7 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
   for (int number = 1;
        in.getline(line.data(), static_cast<std::streamsize>(line.size())) || in.gcount() > 0;
        ++number) {
-    const std::string where = path.string() + ":" + std::to_string(number);
+    const std::string where = name + ":" + std::to_string(number);
     require::that(in.gcount() + 1 < static_cast<std::streamsize>(line.size()),
                   where + ": a line of 64 KiB and more: expected a row of a trajectory");
     require::that(number <= kMostRows,
@@ -122,8 +109,27 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
     last = run.frames.size();
     run.frames.back().poses.push_back(pose);
   }
-  require::that(!run.frames.empty(), path.string() + ": has no frame");
+  require::that(!run.frames.empty(), name + ": has no frame");
   return run;
+}
+
+RecordedRun read_run(const std::filesystem::path& folder, std::string_view table) {
+  const std::filesystem::path path = folder / table;
+  // A pipe would be waited for.
+  for (const std::filesystem::path& file : {path, folder / "scene.toml"}) {
+    std::error_code none;
+    require::that(!std::filesystem::is_fifo(file, none),
+                  file.string() + ": is a pipe: give the folder of a run");
+  }
+  std::ifstream in(path);
+  if (table == kFilteredFile && !in.is_open() && std::ifstream(folder / kTrajectoryFile).is_open())
+    require::that(false, path.string() +
+                             ": there is none: run the scene with --filter, for example "
+                             "--filter box:5");
+  require::that(
+      in.is_open(),
+      path.string() + ": cannot be read: give the folder of a run, such as runs/stack-damped");
+  return read_trajectory(read_scene(folder / "scene.toml"), in, path.string());
 }
 
 World world_of(const RecordedRun& run, const RecordedFrame& frame) {

@@ -6,6 +6,7 @@
 #include "tumble/scenes/scene.hpp"
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,14 @@ struct RecordedRun {
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
 ///         cannot be read, has a line of 64 KiB, or more than 20 million rows
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
+
+/// Reads a trajectory from an open file or from memory.
+/// \param scene  of the run
+/// \param in     what the file holds, from its first line on
+/// \param name   of the file, for messages
+/// \return what was recorded
+/// \throws std::invalid_argument as read_run() does
+RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& name);
 
 /// What was to be seen at a time. Between two recorded frames positions go along straight lines and
 /// orientations turn the shorter way; a body is there if both frames have it, and velocities are those of the
