@@ -39,7 +39,7 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
                         std::span<const MovingBody> free, std::span<const ContactPatch> patches,
                         std::span<const MovingBody> now, FrictionLaw law) {
-  member_of_.assign(now.size(), -1);
+  member_of_.resize(now.size(), -1);
   members_.clear();
   for (const int body : bodies) {
     member_of_[idx(body)] = static_cast<int>(members_.size());
@@ -69,6 +69,7 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
     load_points(patch, heaviest, law);
     constraint.end = static_cast<int>(points_.size());
   }
+  for (const int body : bodies) member_of_[idx(body)] = -1;
   x_.resize(members_.size());
   newton_start_.resize(members_.size());
   // Factorization takes square roots. In units of about a body's mass, scaling all masses by a power of two

@@ -201,7 +201,7 @@ class IslandSolver {
   void move_along(double share, std::span<const ContactPatch> patches);
   [[nodiscard]] double slope(double share) const;
 
-  std::vector<int> member_of_;  // by body index, -1 for others
+  std::vector<int> member_of_;  // by body index, -1 for others and between solutions
   std::vector<Member> members_;
   std::vector<Constraint> constraints_;
   std::vector<Point> points_;
