@@ -42,7 +42,7 @@ void describe(PenaltyOptions& o, Visitor& v) {
          {{"semi_implicit", PenaltyScheme::semi_implicit},
           {"explicit", PenaltyScheme::explicit_euler}},
          "bodies move with the new velocities, or with the old ones");
-  v.flag("pull", o.pull, "dampers may pull bodies together that part, as in the textbook's law");
+  v.flag("pull", o.pull, "dampers may also pull separating bodies, as in the textbook law");
   v.word("unstable", o.unstable, {{"refused", false}, {"simulated", true}},
          "a step that is too long for the springs of one box");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
